@@ -1,0 +1,72 @@
+package dev.lazyz
+
+import org.joml.Vector3d
+
+/**
+ * An axis-aligned box in world space, closed on all sides; possibly of no thickness.
+ *
+ * @throws IllegalArgumentException if a bound is not finite or a minimum exceeds its maximum
+ */
+public class Box(
+    public val minX: Double,
+    public val minY: Double,
+    public val minZ: Double,
+    public val maxX: Double,
+    public val maxY: Double,
+    public val maxZ: Double,
+) {
+    init {
+        require(minX <= maxX && minY <= maxY && minZ <= maxZ) { "box must not be inside out: $this" }
+        require((maxX - minX).isFinite() && (maxY - minY).isFinite() && (maxZ - minZ).isFinite()) {
+            "box must be finite: $this"
+        }
+    }
+
+    /** The middle of the box; a new vector at each call. */
+    public val center: Vector3d
+        get() = Vector3d(minX + (maxX - minX) / 2, minY + (maxY - minY) / 2, minZ + (maxZ - minZ) / 2)
+
+    /** Returns the corner with the given number, 0..7; bit 0 chooses maximum x, bit 1 y, bit 2 z. */
+    public fun corner(number: Int): Vector3d {
+        require(number in 0..7) { "corner must be in 0..7: $number" }
+        return Vector3d(
+            if (number and 1 == 0) minX else maxX,
+            if (number and 2 == 0) minY else maxY,
+            if (number and 4 == 0) minZ else maxZ,
+        )
+    }
+
+    /** Returns the least box that holds both. */
+    public fun union(other: Box): Box = Box(
+        minOf(minX, other.minX),
+        minOf(minY, other.minY),
+        minOf(minZ, other.minZ),
+        maxOf(maxX, other.maxX),
+        maxOf(maxY, other.maxY),
+        maxOf(maxZ, other.maxZ),
+    )
+
+    override fun toString(): String = "Box($minX..$maxX, $minY..$maxY, $minZ..$maxZ)"
+
+    public companion object {
+        /**
+         * Returns the least box around points given as x, y, z triples, or null if no point is finite. Points with a
+         * coordinate that is NaN or infinite are passed over, as they are by every renderer (contract rule 9.5).
+         */
+        @JvmStatic
+        public fun around(xyz: FloatArray): Box? {
+            val low = doubleArrayOf(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY)
+            val high = doubleArrayOf(Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY)
+            for (i in 0..xyz.size - 3 step 3) {
+                if (!xyz[i].isFinite() || !xyz[i + 1].isFinite() || !xyz[i + 2].isFinite()) continue
+                for (axis in 0 until 3) {
+                    val value = xyz[i + axis].toDouble()
+                    if (value < low[axis]) low[axis] = value
+                    if (value > high[axis]) high[axis] = value
+                }
+            }
+            if (low[0] > high[0]) return null
+            return Box(low[0], low[1], low[2], high[0], high[1], high[2])
+        }
+    }
+}

@@ -1,0 +1,224 @@
+package dev.lazyz
+
+import org.joml.Matrix4d
+import org.joml.Vector3d
+import org.joml.Vector3dc
+
+/** How space is flattened. */
+public sealed class Projection {
+    /**
+     * Things far away look smaller.
+     *
+     * @property verticalFieldOfView angle between the top and the bottom of the picture, degrees, above 0 and below 180
+     */
+    public class Perspective(public val verticalFieldOfView: Double) : Projection() {
+        init {
+            require(verticalFieldOfView > 0.0 && verticalFieldOfView < 180.0) {
+                "verticalFieldOfView must be between 0 and 180 degrees: $verticalFieldOfView"
+            }
+        }
+
+        override fun toString(): String = "Perspective($verticalFieldOfView)"
+    }
+
+    /**
+     * Things look the same size at any distance.
+     *
+     * @property height height of the visible part of space, in world units, above 0
+     */
+    public class Orthographic(public val height: Double) : Projection() {
+        init {
+            require(height > 0.0 && height.isFinite()) { "height must be positive: $height" }
+        }
+
+        override fun toString(): String = "Orthographic($height)"
+    }
+}
+
+/**
+ * Chooses a camera once the shape of the raster is known: a [Camera] itself, or a rule such as [Camera.fit].
+ */
+public fun interface Viewpoint {
+    /**
+     * Returns the camera for a scene within [bounds] (null when the scene is empty) and a raster [aspect] times as wide
+     * as it is high.
+     */
+    public fun camera(bounds: Box?, aspect: Double): Camera
+}
+
+/**
+ * A place to look from, in right-handed world space.
+ *
+ * Camera space has x to the right, y up, and looks along -z. Only what lies between the [near] and the [far] plane is
+ * seen; both are distances from the eye along the line of sight. Immutable and thread safe.
+ *
+ * Every number is computed with [StrictMath] and plain products, so a camera is the same bits on every machine.
+ */
+public class Camera private constructor(
+    eye: Vector3dc,
+    target: Vector3dc,
+    up: Vector3dc,
+    public val projection: Projection,
+    public val near: Double,
+    public val far: Double,
+) : Viewpoint {
+    /** Where the camera is, world space. */
+    public val eye: Vector3dc = Vector3d(eye)
+
+    /** From the target to the eye; unit length. */
+    internal val backward: Vector3d
+
+    /** To the right of the picture; unit length. */
+    internal val right: Vector3d
+
+    /** To the top of the picture; unit length. */
+    internal val upward: Vector3d
+
+    init {
+        require(eye.isFinite && target.isFinite) { "eye and target must be finite: $eye, $target" }
+        require(far > near && far.isFinite() && near.isFinite()) { "near must be less than far: $near, $far" }
+        require(projection !is Projection.Perspective || near > 0.0) {
+            "near must be positive under perspective: $near"
+        }
+        backward = Vectors.unit(Vector3d(eye.x() - target.x(), eye.y() - target.y(), eye.z() - target.z()), "line of sight")
+        val side = Vectors.cross(Vectors.unit(up, "up"), backward)
+
+        // Looking along the up vector leaves the roll open: take the axis that is least along the line of sight
+        val isRollOpen = Vectors.dot(side, side) < 1e-12
+        right = Vectors.unit(if (isRollOpen) Vectors.cross(leastAxis(backward), backward) else side, "right")
+        upward = Vectors.cross(backward, right)
+    }
+
+    override fun camera(bounds: Box?, aspect: Double): Camera = this
+
+    /** Returns the matrix from world space to camera space; a new matrix at each call. */
+    public fun viewMatrix(): Matrix4d = Matrix4d(
+        right.x, upward.x, backward.x, 0.0,
+        right.y, upward.y, backward.y, 0.0,
+        right.z, upward.z, backward.z, 0.0,
+        -Vectors.dot(right, eye), -Vectors.dot(upward, eye), -Vectors.dot(backward, eye), 1.0,
+    )
+
+    /**
+     * Returns the matrix from camera space to clip space, -w..w on each axis, near at -w, for a raster [aspect] times as
+     * wide as it is high; a new matrix at each call.
+     */
+    public fun projectionMatrix(aspect: Double): Matrix4d {
+        require(aspect > 0.0 && aspect.isFinite()) { "aspect must be positive: $aspect" }
+        val depth = far - near
+        return when (projection) {
+            is Projection.Perspective -> {
+                val scale = 1.0 / halfHeight()
+                Matrix4d(
+                    scale / aspect, 0.0, 0.0, 0.0,
+                    0.0, scale, 0.0, 0.0,
+                    0.0, 0.0, -(far + near) / depth, -1.0,
+                    0.0, 0.0, -2.0 * far * near / depth, 0.0,
+                )
+            }
+            is Projection.Orthographic -> {
+                val scale = 1.0 / halfHeight()
+                Matrix4d(
+                    scale / aspect, 0.0, 0.0, 0.0,
+                    0.0, scale, 0.0, 0.0,
+                    0.0, 0.0, -2.0 / depth, 0.0,
+                    0.0, 0.0, -(far + near) / depth, 1.0,
+                )
+            }
+        }
+    }
+
+    /** Returns the world-space direction of a camera-space direction; not normalised. */
+    public fun toWorldDirection(x: Double, y: Double, z: Double): Vector3d = Vector3d(
+        right.x * x + upward.x * y + backward.x * z,
+        right.y * x + upward.y * y + backward.y * z,
+        right.z * x + upward.z * y + backward.z * z,
+    )
+
+    /** Half the visible height: at distance 1 under perspective, anywhere under orthographic projection. */
+    internal fun halfHeight(): Double = when (projection) {
+        is Projection.Perspective -> StrictMath.tan(projection.verticalFieldOfView * (StrictMath.PI / 360.0))
+        is Projection.Orthographic -> projection.height / 2
+    }
+
+    override fun toString(): String = "Camera(eye=$eye, backward=$backward, $projection, $near..$far)"
+
+    public companion object {
+        /** Field of view that [fit] uses, degrees. */
+        public const val DEFAULT_FIELD_OF_VIEW: Double = 30.0
+
+        /**
+         * Returns a camera at [eye] that looks at [target] with perspective.
+         *
+         * @param up roughly the direction that is up in the picture; when it is the line of sight, an axis is chosen
+         * @param verticalFieldOfView degrees
+         * @throws IllegalArgumentException if [eye] is [target], or unless 0 < [near] < [far]
+         */
+        @JvmStatic
+        public fun perspective(
+            eye: Vector3dc,
+            target: Vector3dc,
+            up: Vector3dc,
+            verticalFieldOfView: Double,
+            near: Double,
+            far: Double,
+        ): Camera = Camera(eye, target, up, Projection.Perspective(verticalFieldOfView), near, far)
+
+        /**
+         * Returns a camera at [eye] that looks at [target] without perspective; the picture is [height] world units high.
+         *
+         * @throws IllegalArgumentException if [eye] is [target], or unless [near] < [far]
+         */
+        @JvmStatic
+        public fun orthographic(
+            eye: Vector3dc,
+            target: Vector3dc,
+            up: Vector3dc,
+            height: Double,
+            near: Double,
+            far: Double,
+        ): Camera = Camera(eye, target, up, Projection.Orthographic(height), near, far)
+
+        /**
+         * Returns a rule that frames the whole scene, whatever its size and the raster's shape.
+         *
+         * @param azimuth degrees around the up axis; 0 looks at the front (from +z when y is up), 90 from +x
+         * @param elevation degrees above the horizon, -90..90
+         * @param zoom 1 fills the picture but for a margin of 5 percent; 2 shows half as much
+         * @param kind with perspective or without
+         */
+        @JvmStatic
+        @JvmOverloads
+        public fun fit(
+            azimuth: Double = 30.0,
+            elevation: Double = 20.0,
+            zoom: Double = 1.0,
+            kind: Fit = Fit.PERSPECTIVE,
+        ): FittedViewpoint {
+            require(azimuth.isFinite()) { "azimuth must be finite: $azimuth" }
+            require(elevation in -90.0..90.0) { "elevation must be in -90..90 degrees: $elevation" }
+            require(zoom > 0.0 && zoom.isFinite()) { "zoom must be positive: $zoom" }
+            return FittedViewpoint(azimuth, elevation, zoom, kind)
+        }
+
+        private fun leastAxis(v: Vector3dc): Vector3d {
+            val x = StrictMath.abs(v.x())
+            val y = StrictMath.abs(v.y())
+            val z = StrictMath.abs(v.z())
+            return when {
+                z <= x && z <= y -> Vector3d(0.0, 0.0, 1.0)
+                y <= x -> Vector3d(0.0, 1.0, 0.0)
+                else -> Vector3d(1.0, 0.0, 0.0)
+            }
+        }
+    }
+}
+
+/** The projection of a fitted camera, see [Camera.fit]. */
+public enum class Fit {
+    /** With perspective, [Camera.DEFAULT_FIELD_OF_VIEW] degrees high. */
+    PERSPECTIVE,
+
+    /** Without perspective. */
+    ORTHOGRAPHIC,
+}

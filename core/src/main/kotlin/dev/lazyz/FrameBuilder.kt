@@ -1,0 +1,70 @@
+package dev.lazyz
+
+import dev.lazyz.setup.PlanarAssembly
+import dev.lazyz.setup.PlanarPrimitive
+import dev.lazyz.setup.ScreenGrid
+import dev.lazyz.setup.Vertices
+import dev.lazyz.setup.Viewport
+import dev.lazyz.setup.orEmpty
+
+/**
+ * Collects primitives that are given on the screen, without a scene or a camera: for tests, diagrams and 2D drawing.
+ *
+ * A vertex is three numbers: x and y in pixels (the sample of pixel (0, 0) is at (0.5, 0.5)), and depth from 0, near, to
+ * 1, far. Vertices are snapped like all others. Attributes: position on the screen as [Fragment.worldX] and so on. Not
+ * thread safe.
+ */
+public class FrameBuilder(private val raster: Raster) {
+    private val viewport = Viewport(raster)
+    private val primitives = ArrayList<Primitive>()
+
+    /** Adds a primitive of one's own behind those already added. */
+    public fun add(primitive: Primitive): FrameBuilder = apply { primitives.add(primitive) }
+
+    /**
+     * Adds a polygon.
+     *
+     * @param contours for each closed contour x, y, depth triples; vertices with NaN or infinity make it cover nothing
+     * @throws IllegalArgumentException if a contour is not made of triples, or is more than 2^19 pixels away
+     */
+    public fun polygon(shader: Shader, fillRule: FillRule, vararg contours: DoubleArray): FrameBuilder = apply {
+        primitives.add(primitive(shader, fillRule, contours.filter { it.isNotEmpty() }).orEmpty())
+    }
+
+    /** Adds a polygon of one contour, convex or concave, all of one [color]. */
+    public fun polygon(color: Rgba, contour: DoubleArray): FrameBuilder =
+        polygon({ it.setColor(color.red, color.green, color.blue, color.alpha) }, FillRule.NON_ZERO, contour)
+
+    /** Returns the frame so far; the builder may go on. */
+    public fun build(): Frame = Frame(raster, primitives.toList())
+
+    private fun primitive(shader: Shader, fillRule: FillRule, contours: List<DoubleArray>): Primitive? {
+        for (contour in contours) {
+            require(contour.size % 3 == 0) { "a contour must be x, y, depth triples: ${contour.size} numbers" }
+        }
+        val all = contours.flatMap { it.asIterable() }
+        if (all.any { !it.isFinite() } || all.size < 9) return null
+        val count = all.size / 3
+        val vertices = Vertices(count)
+        for (i in 0 until count) {
+            require(isInGuardBand(all[3 * i]) && isInGuardBand(all[3 * i + 1])) {
+                "a vertex must be within ${ScreenGrid.GUARD} pixels of the origin: (${all[3 * i]}, ${all[3 * i + 1]})"
+            }
+            vertices.set(i, Vertices.W, 1.0)
+            for (k in 0 until 3) vertices.set(i, Vertices.WORLD + k, all[3 * i + k])
+        }
+        var end = 0
+        val ends = contours.map { contour -> (end + contour.size / 3).also { end = it } }.toIntArray()
+        val assembly = PlanarAssembly(
+            vertices,
+            IntArray(count) { it },
+            ends,
+            IntArray(count) { ScreenGrid.snap(all[3 * it]) },
+            IntArray(count) { ScreenGrid.snap(all[3 * it + 1]) },
+            IntArray(count) { viewport.depthOfUnit(all[3 * it + 2]) },
+        )
+        return assembly.primitive(raster, fillRule, shader, PlanarPrimitive.WORLD, 1.0)
+    }
+
+    private fun isInGuardBand(pixels: Double): Boolean = StrictMath.abs(pixels) <= ScreenGrid.GUARD
+}

@@ -1,0 +1,57 @@
+package dev.lazyz
+
+import org.joml.Vector3d
+import org.joml.Vector3dc
+
+/**
+ * A source of light, in world space. Immutable and thread safe.
+ *
+ * Colours are linear light and may exceed 1. Only the three kinds below exist: the lighting formula is part of the
+ * contract (rule 6.5). A shader of one's own may do anything else.
+ */
+public sealed class Light {
+    /** The light's colour and strength, linear; alpha is ignored. */
+    public abstract val color: Rgba
+
+    /** Light from everywhere, the same on every surface. */
+    public class Ambient(override val color: Rgba) : Light() {
+        override fun toString(): String = "Light.Ambient($color)"
+    }
+
+    /**
+     * Parallel light, as from the sun, that travels along [direction].
+     *
+     * @throws IllegalArgumentException if [direction] is zero or not finite
+     */
+    public class Directional(direction: Vector3dc, override val color: Rgba) : Light() {
+        /** The way the light travels; unit length. */
+        public val direction: Vector3dc = Vectors.unit(direction, "direction of a light")
+
+        override fun toString(): String = "Light.Directional($direction, $color)"
+    }
+
+    /** Light from a point in all directions, the same strength at any distance. */
+    public class Point(position: Vector3dc, override val color: Rgba) : Light() {
+        /** Where the light is. */
+        public val position: Vector3dc = Vector3d(position)
+
+        init {
+            require(position.isFinite) { "position of a light must be finite: $position" }
+        }
+
+        override fun toString(): String = "Light.Point($position, $color)"
+    }
+
+    public companion object {
+        /**
+         * Returns lights that make a bare shape readable from [camera]: a key light from the upper left, a weak fill
+         * from the right, and a little ambient light, all fixed to the camera.
+         */
+        @JvmStatic
+        public fun studio(camera: Camera): List<Light> = listOf(
+            Ambient(Rgba(0.10f, 0.10f, 0.11f)),
+            Directional(camera.toWorldDirection(0.55, -0.75, -0.85), Rgba(0.80f, 0.79f, 0.76f)),
+            Directional(camera.toWorldDirection(-0.90, 0.05, -0.45), Rgba(0.16f, 0.18f, 0.22f)),
+        )
+    }
+}

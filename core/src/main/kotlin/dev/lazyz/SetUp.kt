@@ -1,0 +1,36 @@
+package dev.lazyz
+
+import dev.lazyz.setup.Lighting
+import dev.lazyz.setup.PlanarSetUp
+import dev.lazyz.setup.SphereSetUp
+import dev.lazyz.setup.Viewport
+
+/**
+ * Turns surfaces into primitives: transform, clip, project, snap, and set up linear forms.
+ *
+ * Everything that rounds happens here, once, before any renderer. A [Surface] of one's own calls these functions from
+ * [Surface.primitives]. Immutable and thread safe.
+ *
+ * @property raster the samples to cover
+ * @property camera the point of view
+ * @property lights sources of light, in the order in which they are summed
+ */
+public class SetUp(public val raster: Raster, public val camera: Camera, public val lights: List<Light>) {
+    private val viewport = Viewport(raster)
+    private val lighting = Lighting(lights, camera)
+    private val planar = PlanarSetUp(camera, viewport, lighting)
+
+    /**
+     * Returns the triangles of [mesh] in order, set up one at a time as the sequence is walked. The vertices are
+     * transformed once, when the walk begins: 128 bytes a vertex.
+     */
+    public fun mesh(mesh: Mesh): Sequence<Primitive> = planar.mesh(mesh)
+
+    /** Returns [polygon] as one primitive. */
+    public fun polygon(polygon: Polygon): Primitive = planar.polygon(polygon)
+
+    /** Returns [sphere] as one primitive. */
+    public fun sphere(sphere: Sphere): Primitive = SphereSetUp.sphere(sphere, camera, viewport, lighting)
+
+    override fun toString(): String = "SetUp($raster, $camera, ${lights.size} lights)"
+}

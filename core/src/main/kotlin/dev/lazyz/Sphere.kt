@@ -1,0 +1,54 @@
+package dev.lazyz
+
+import dev.lazyz.setup.SphereGeometry
+import org.joml.Matrix4dc
+import org.joml.Vector3d
+import org.joml.Vector3dc
+
+/**
+ * A sphere, rendered as what it is: its outline and its depth are computed at every sample, not tessellated.
+ *
+ * Normals point outward. Texture coordinates run once around: u along the equator eastward from -z, v from the north
+ * pole (+y) to the south pole. [Shading.FLAT] and [Shading.GOURAUD] mean [Shading.PHONG] here, for a sphere has neither
+ * faces nor vertices. A radius or centre that is NaN or infinite is legal: such a sphere covers nothing. Immutable.
+ *
+ * @property radius world units, not negative
+ * @property material how it looks
+ */
+public class Sphere @JvmOverloads constructor(
+    center: Vector3dc,
+    public val radius: Double,
+    public val material: Material = Material(),
+) : Surface {
+    /** The middle, world space. */
+    public val center: Vector3dc = Vector3d(center)
+
+    init {
+        require(!(radius < 0.0)) { "radius must not be negative: $radius" }
+    }
+
+    private val isFinite: Boolean get() = center.isFinite && radius.isFinite()
+
+    override val bounds: Box?
+        get() = if (!isFinite) {
+            null
+        } else {
+            Box(
+                center.x() - radius, center.y() - radius, center.z() - radius,
+                center.x() + radius, center.y() + radius, center.z() + radius,
+            )
+        }
+
+    override fun primitives(setUp: SetUp): Sequence<Primitive> = sequenceOf(this).map { setUp.sphere(it) }
+
+    override fun withMaterials(change: (Material) -> Material): Sphere = Sphere(center, radius, change(material))
+
+    /**
+     * Returns this sphere moved by [transform], which must keep it a sphere.
+     *
+     * @throws IllegalArgumentException if the transform does not scale all directions alike
+     */
+    public fun transformed(transform: Matrix4dc): Sphere = SphereGeometry.transformed(this, transform)
+
+    override fun toString(): String = "Sphere($center, $radius, $material)"
+}

@@ -1,0 +1,139 @@
+package dev.lazyz.setup
+
+import dev.lazyz.Fragment
+import dev.lazyz.LinearForm
+import dev.lazyz.Primitive
+import dev.lazyz.Shader
+import dev.lazyz.SpanCursor
+import dev.lazyz.Spans
+
+/** A primitive that can tell its interpolated attributes without shading them. */
+internal interface AttributedPrimitive : Primitive {
+    /** Fills in the attributes at the fragment's sample. */
+    fun attributes(fragment: Fragment)
+}
+
+/**
+ * A flat primitive: a triangle, or a polygon of any contours.
+ *
+ * Attributes are interpolated by three weights, one for each vertex of the reference triangle: the linear forms of
+ * (barycentric coordinate / w). Dividing by their sum makes the weights perspective-correct, and one set-up serves any
+ * number of attributes (contract rule 3.6). The weights are made when the primitive is first shaded.
+ *
+ * Source: James Blinn, "Hyperbolic Interpolation", IEEE Computer Graphics and Applications 12 (1992).
+ *
+ * @param reference the reference triangle on the grid
+ * @param corners the reference triangle's vertices within [vertices]
+ * @param normalSign -1 to turn the vertices' normals round, to the viewer; otherwise 1
+ * @param fields which attributes the vertices have and the shader wants, bits [WORLD] to [COLOR]
+ */
+internal class PlanarPrimitive(
+    private val edges: EdgeTable,
+    override val columnStart: Int,
+    override val columnEnd: Int,
+    override val depthForm: LinearForm,
+    private val reference: ReferenceTriangle,
+    private val vertices: Vertices,
+    private val corners: IntArray,
+    private val normalSign: Double,
+    private val fields: Int,
+    private val shader: Shader,
+) : AttributedPrimitive {
+    override val rowStart: Int get() = edges.rowStart
+    override val rowEnd: Int get() = edges.rowEnd
+
+    /** Immutable, and the same whoever makes it: a race is harmless. */
+    private var weights: Weights? = null
+
+    override fun spans(y: Int, spans: Spans) {
+        edges.spans(y, spans)
+    }
+
+    override fun cursor(y: Int): SpanCursor = TrapezoidCursor(edges, y)
+
+    override fun depth(x: Int, y: Int): Int = (depthForm.at(x, y) shr 32).toInt()
+
+    override fun shade(fragment: Fragment) {
+        attributes(fragment)
+        shader.shade(fragment)
+    }
+
+    override fun attributes(fragment: Fragment) {
+        if (fields == 0) return
+        val forms = weights ?: Weights.of(reference, vertices, corners).also { weights = it }
+
+        // Perspective-correct weights: the one division of the fragment
+        val raw0 = forms.first.at(fragment.x, fragment.y) - LinearForm.HALF
+        val raw1 = forms.second.at(fragment.x, fragment.y) - LinearForm.HALF
+        val raw2 = forms.third.at(fragment.x, fragment.y) - LinearForm.HALF
+        val scale = 1.0 / maxOf(raw0 + raw1 + raw2, 1L).toDouble()
+        val w0 = raw0.toDouble() * scale
+        val w1 = raw1.toDouble() * scale
+        val w2 = raw2.toDouble() * scale
+
+        // Mix what the shader wants
+        val data = vertices.data
+        val a = Vertices.STRIDE * corners[0]
+        val b = Vertices.STRIDE * corners[1]
+        val c = Vertices.STRIDE * corners[2]
+        if (fields and WORLD != 0) {
+            val i = Vertices.WORLD
+            fragment.worldX = (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i]).toFloat()
+            fragment.worldY = (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1]).toFloat()
+            fragment.worldZ = (w0 * data[a + i + 2] + w1 * data[b + i + 2] + w2 * data[c + i + 2]).toFloat()
+        }
+        if (fields and NORMAL != 0) {
+            val i = Vertices.NORMAL
+            fragment.normalX = (normalSign * (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i])).toFloat()
+            fragment.normalY = (normalSign * (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1])).toFloat()
+            fragment.normalZ = (normalSign * (w0 * data[a + i + 2] + w1 * data[b + i + 2] + w2 * data[c + i + 2])).toFloat()
+        }
+        if (fields and UV != 0) {
+            val i = Vertices.UV
+            fragment.u = (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i]).toFloat()
+            fragment.v = (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1]).toFloat()
+        }
+        if (fields and COLOR != 0) {
+            val i = Vertices.COLOR
+            fragment.vertexRed = (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i]).toFloat()
+            fragment.vertexGreen = (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1]).toFloat()
+            fragment.vertexBlue = (w0 * data[a + i + 2] + w1 * data[b + i + 2] + w2 * data[c + i + 2]).toFloat()
+            fragment.vertexAlpha = (w0 * data[a + i + 3] + w1 * data[b + i + 3] + w2 * data[c + i + 3]).toFloat()
+        }
+    }
+
+    override fun toString(): String =
+        "PlanarPrimitive(rows $rowStart..<$rowEnd, columns $columnStart..<$columnEnd, $depthForm)"
+
+    companion object {
+        const val WORLD: Int = 1
+        const val NORMAL: Int = 2
+        const val UV: Int = 4
+        const val COLOR: Int = 8
+    }
+}
+
+/** The forms of (barycentric coordinate / w) for the three vertices of a reference triangle. */
+internal class Weights private constructor(val first: LinearForm, val second: LinearForm, val third: LinearForm) {
+    companion object {
+        /**
+         * Bits of a weight at its own vertex. Three more are left for samples of a polygon outside its reference
+         * triangle, where a weight is at most 4 times as large.
+         */
+        const val BITS: Int = 28
+
+        fun of(reference: ReferenceTriangle, vertices: Vertices, corners: IntArray): Weights {
+            // Scale 1/w by a power of two, so that the greatest has BITS bits
+            val inverse = DoubleArray(3) { 1.0 / vertices.get(corners[it], Vertices.W) }
+            val exponent = BITS - 1 - Math.getExponent(maxOf(inverse[0], inverse[1], inverse[2]))
+            val q = IntArray(3) { StrictMath.rint(Math.scalb(inverse[it], exponent)).toInt() }
+            val first = reference.formUnlessSteep(q[0], 0, 0)
+            val second = reference.formUnlessSteep(0, q[1], 0)
+            val third = reference.formUnlessSteep(0, 0, q[2])
+            if (first != null && second != null && third != null) return Weights(first, second, third)
+
+            // A sliver that no form can follow has the attributes of its first vertex
+            return Weights(LinearForm.constant(q[0]), LinearForm.constant(0), LinearForm.constant(0))
+        }
+    }
+}

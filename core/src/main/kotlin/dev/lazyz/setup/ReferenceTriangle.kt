@@ -1,0 +1,79 @@
+package dev.lazyz.setup
+
+import dev.lazyz.LinearForm
+
+/**
+ * Three snapped vertices that a primitive's linear forms pass through (contract rule 3).
+ *
+ * Coordinates are on the 1/256 pixel grid, within the guard band, so every product below is exact in 64 bits.
+ */
+internal class ReferenceTriangle(
+    private val x0: Int,
+    private val y0: Int,
+    private val x1: Int,
+    private val y1: Int,
+    private val x2: Int,
+    private val y2: Int,
+) {
+    private val dx1: Long get() = (x1 - x0).toLong()
+    private val dy1: Long get() = (y1 - y0).toLong()
+    private val dx2: Long get() = (x2 - x0).toLong()
+    private val dy2: Long get() = (y2 - y0).toLong()
+
+    /** Twice the signed area, grid units; positive if the vertices run clockwise on the screen. */
+    private val area: Long get() = dx1 * dy2 - dx2 * dy1
+
+    /**
+     * Returns the form that takes the values [v0], [v1], [v2] at the three vertices, to within [ERROR_BOUND] units.
+     *
+     * A form that changes by [STEEP] or more from a sample to the next cannot be represented and is [v0] everywhere
+     * (rule 3.4); so is that of a triangle without area.
+     */
+    fun form(v0: Int, v1: Int, v2: Int): LinearForm = formUnlessSteep(v0, v1, v2) ?: LinearForm.constant(v0)
+
+    /** As [form], but null where the form is too steep or the triangle has no area. */
+    fun formUnlessSteep(v0: Int, v1: Int, v2: Int): LinearForm? {
+        val dv1 = v1.toLong() - v0
+        val dv2 = v2.toLong() - v0
+
+        // Solve the plane exactly, round each slope once
+        val slopeX = (dv1 * dy2 - dv2 * dy1).toDouble() / area.toDouble() * PER_PIXEL
+        val slopeY = (dv2 * dx1 - dv1 * dx2).toDouble() / area.toDouble() * PER_PIXEL
+        if (!(StrictMath.abs(slopeX) < STEEP && StrictMath.abs(slopeY) < STEEP)) return null
+        val dx = StrictMath.rint(slopeX).toLong()
+        val dy = StrictMath.rint(slopeY).toLong()
+
+        // Anchor at the pixel of the first vertex, then move the origin to sample (0, 0)
+        val column = Math.floorDiv(x0, ScreenGrid.STEPS)
+        val row = Math.floorDiv(y0, ScreenGrid.STEPS)
+        val offsetX = (column * ScreenGrid.STEPS + ScreenGrid.CENTER - x0) / ScreenGrid.STEPS.toDouble()
+        val offsetY = (row * ScreenGrid.STEPS + ScreenGrid.CENTER - y0) / ScreenGrid.STEPS.toDouble()
+        val anchor = (v0.toLong() shl 32) + LinearForm.HALF + StrictMath.rint(slopeX * offsetX + slopeY * offsetY).toLong()
+        return LinearForm(anchor - dx * column - dy * row, dx, dy)
+    }
+
+    /** Returns the plane's value at the grid point ([x], [y]), as a double; NaN or infinite if there is no plane. */
+    fun valueAt(x: Int, y: Int, v0: Int, v1: Int, v2: Int): Double {
+        val dv1 = v1.toLong() - v0
+        val dv2 = v2.toLong() - v0
+        val slopeX = (dv1 * dy2 - dv2 * dy1).toDouble() / area.toDouble()
+        val slopeY = (dv2 * dx1 - dv1 * dx2).toDouble() / area.toDouble()
+        return v0 + slopeX * (x - x0).toDouble() + slopeY * (y - y0).toDouble()
+    }
+
+    companion object {
+        /** Fraction units of a form a grid unit of slope: 256 steps a pixel times 2^32. */
+        private const val PER_PIXEL = 256.0 * 4294967296.0
+
+        /** Least slope that is too steep: 2^61, a quarter of the whole range from a sample to the next. */
+        const val STEEP: Double = 2305843009213693952.0
+
+        /**
+         * Units by which a form's integer part may differ from exact rational arithmetic, at any sample of the raster.
+         *
+         * Half a unit for rounding to an integer; each slope is off by at most 3 x 2^-53 of itself (two conversions and
+         * one division) and by half a fraction unit, over at most 3/4 x 2^20 pixels, for two slopes below 2^61: 0.29.
+         */
+        const val ERROR_BOUND: Double = 0.8
+    }
+}

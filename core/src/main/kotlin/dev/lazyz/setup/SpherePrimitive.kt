@@ -1,0 +1,206 @@
+package dev.lazyz.setup
+
+import dev.lazyz.Camera
+import dev.lazyz.Fragment
+import dev.lazyz.Projection
+import dev.lazyz.Shader
+import dev.lazyz.Sides
+import dev.lazyz.Spans
+import dev.lazyz.Sphere
+
+/**
+ * A sphere on the raster: at every sample the ray through it is cut with the sphere (contract rule 2.6).
+ *
+ * Camera space, t is the distance from the eye along the line of sight. The ray through a sample is `t (px, py, -1)`
+ * under perspective and `(px, py, -t)` without; the cut is a quadratic in t, with discriminant
+ * `|d|^2 r^2 - |d x c|^2`, which, unlike the textbook's `b^2 - ac`, does not cancel for small spheres far away.
+ *
+ * A sphere that reaches the near plane is cut open there, and shows its inside.
+ */
+internal class SpherePrimitive private constructor(
+    private val sphere: Sphere,
+    private val camera: Camera,
+    private val viewport: Viewport,
+    private val cx: Double,
+    private val cy: Double,
+    private val cz: Double,
+    private val shader: Shader,
+) : AttributedPrimitive {
+    private val width = viewport.raster.width
+    private val height = viewport.raster.height
+    private val radius = sphere.radius
+    private val isPerspective = camera.projection is Projection.Perspective
+    private val halfHeight = camera.halfHeight()
+    private val halfWidth = halfHeight * (width.toDouble() / height)
+
+    /** Whether the whole sphere lies between the planes, so that a row has one span at most. */
+    private val isWhole = -cz - radius >= camera.near && -cz + radius <= camera.far
+
+    override val rowStart: Int
+    override val rowEnd: Int
+    override val columnStart: Int
+    override val columnEnd: Int
+
+    init {
+        if (isWhole) {
+            val rows = extent(cy)
+            val columns = extent(cx)
+            rowStart = clamp((1.0 - rows[1] / halfHeight) * 0.5 * height - 1.5, height)
+            rowEnd = clamp((1.0 - rows[0] / halfHeight) * 0.5 * height + 1.5, height)
+            columnStart = clamp((1.0 + columns[0] / halfWidth) * 0.5 * width - 1.5, width)
+            columnEnd = clamp((1.0 + columns[1] / halfWidth) * 0.5 * width + 1.5, width)
+        } else {
+            rowStart = 0
+            rowEnd = height
+            columnStart = 0
+            columnEnd = width
+        }
+    }
+
+    override fun spans(y: Int, spans: Spans) {
+        if (y < rowStart || y >= rowEnd) return
+        if (isWhole) {
+            // One span: look for its ends from outside
+            var start = columnStart
+            var end = columnEnd
+            val ends = columns(y)
+            if (ends != null) {
+                start = maxOf(start, clamp(ends[0] - 1.5, width))
+                end = minOf(end, clamp(ends[1] + 1.5, width))
+            }
+            while (start < end && hit(start, y).isNaN()) start++
+            while (start < end && hit(end - 1, y).isNaN()) end--
+            if (start < end) spans.add(start, end)
+            return
+        }
+
+        // Cut by a plane: any number of spans
+        for (x in columnStart until columnEnd) if (!hit(x, y).isNaN()) spans.add(x, x + 1)
+    }
+
+    override fun depth(x: Int, y: Int): Int {
+        val t = distance(x, y)
+        val near = camera.near
+        val far = camera.far
+        val unit = if (isPerspective) far * (t - near) / ((far - near) * t) else (t - near) / (far - near)
+        return viewport.depthOfUnit(unit)
+    }
+
+    override fun shade(fragment: Fragment) {
+        attributes(fragment)
+        shader.shade(fragment)
+    }
+
+    override fun attributes(fragment: Fragment) {
+        val t = distance(fragment.x, fragment.y)
+        val scale = if (isPerspective) t else 1.0
+        val x = px(fragment.x) * scale
+        val y = py(fragment.y) * scale
+        val eye = camera.eye
+        val position = camera.toWorldDirection(x, y, -t)
+        fragment.worldX = (eye.x() + position.x).toFloat()
+        fragment.worldY = (eye.y() + position.y).toFloat()
+        fragment.worldZ = (eye.z() + position.z).toFloat()
+
+        // The normal points outward, but the inside shows its other side
+        val normal = camera.toWorldDirection((x - cx) / radius, (y - cy) / radius, (-t - cz) / radius)
+        val sign = if (nearRoot(fragment.x, fragment.y) < camera.near) -1.0 else 1.0
+        fragment.normalX = (sign * normal.x).toFloat()
+        fragment.normalY = (sign * normal.y).toFloat()
+        fragment.normalZ = (sign * normal.z).toFloat()
+        fragment.u = (0.5 + StrictMath.atan2(normal.x, normal.z) / (2.0 * StrictMath.PI)).toFloat()
+        fragment.v = (StrictMath.acos(normal.y.coerceIn(-1.0, 1.0)) / StrictMath.PI).toFloat()
+    }
+
+    private fun px(x: Int): Double = ((2 * x + 1).toDouble() / width - 1.0) * halfWidth
+
+    private fun py(y: Int): Double = (1.0 - (2 * y + 1).toDouble() / height) * halfHeight
+
+    /** A quarter of the discriminant of the cut; negative if the ray misses the sphere. */
+    private fun discriminant(px: Double, py: Double): Double {
+        if (!isPerspective) return radius * radius - (px - cx) * (px - cx) - (py - cy) * (py - cy)
+        val crossX = py * cz + cy
+        val crossY = px * cz + cx
+        val crossZ = px * cy - py * cx
+        return (px * px + py * py + 1.0) * (radius * radius) - (crossX * crossX + crossY * crossY + crossZ * crossZ)
+    }
+
+    /** One of the two distances at which the ray cuts the sphere; a miss counts as a touch. */
+    private fun root(x: Int, y: Int, sign: Double): Double {
+        val px = px(x)
+        val py = py(y)
+        val offset = sign * StrictMath.sqrt(maxOf(discriminant(px, py), 0.0))
+        return if (isPerspective) (px * cx + py * cy - cz + offset) / (px * px + py * py + 1.0) else -cz + offset
+    }
+
+    private fun nearRoot(x: Int, y: Int): Double = root(x, y, -1.0)
+
+    /** Distance of the visible point at a covered sample. */
+    private fun distance(x: Int, y: Int): Double {
+        val near = nearRoot(x, y)
+        return if (near >= camera.near) near else root(x, y, 1.0)
+    }
+
+    /** Distance of the visible point at any sample; NaN if it is not covered. */
+    private fun hit(x: Int, y: Int): Double {
+        if (!(discriminant(px(x), py(y)) >= 0.0)) return Double.NaN
+        val near = nearRoot(x, y)
+        if (near >= camera.near) return if (near <= camera.far) near else Double.NaN
+        if (sphere.material.sides == Sides.FRONT) return Double.NaN
+        val far = root(x, y, 1.0)
+        return if (far >= camera.near && far <= camera.far) far else Double.NaN
+    }
+
+    /** Least and greatest px (or py) of a whole sphere, from its centre's x (or y) in camera space. */
+    private fun extent(c: Double): DoubleArray {
+        if (!isPerspective) return doubleArrayOf(c - radius, c + radius)
+        val a = cz * cz - radius * radius
+        val spread = radius * StrictMath.sqrt(maxOf(c * c + a, 0.0))
+        return doubleArrayOf((-c * cz - spread) / a, (-c * cz + spread) / a)
+    }
+
+    /** Returns about where row [y] enters and leaves a whole sphere, in columns, or null if rounding hides it. */
+    private fun columns(y: Int): DoubleArray? {
+        val py = py(y)
+        val middle: Double
+        val half: Double
+        if (isPerspective) {
+            val a = cy * cy + cz * cz - radius * radius
+            val b = cx * (py * cy - cz)
+            val crossX = py * cz + cy
+            val g = (py * py + 1.0) * (radius * radius - cx * cx) - crossX * crossX
+            middle = b / a
+            half = StrictMath.sqrt(b * b + a * g) / a
+        } else {
+            middle = cx
+            half = StrictMath.sqrt(radius * radius - (py - cy) * (py - cy))
+        }
+        if (!half.isFinite()) return null
+        return doubleArrayOf(
+            ((middle - half) / halfWidth + 1.0) * 0.5 * width,
+            ((middle + half) / halfWidth + 1.0) * 0.5 * width,
+        )
+    }
+
+    /** Rounds a position down to a column or row of the raster; NaN gives 0. */
+    private fun clamp(position: Double, size: Int): Int = StrictMath.floor(position).coerceIn(0.0, size.toDouble()).toInt()
+
+    override fun toString(): String = "SpherePrimitive($sphere)"
+
+    companion object {
+        /** Sets up a sphere; null if it is degenerate or not between the near and the far plane. */
+        fun of(sphere: Sphere, camera: Camera, viewport: Viewport, shader: Shader): SpherePrimitive? {
+            val center = sphere.center
+            val eye = camera.eye
+            val x = center.x() - eye.x()
+            val y = center.y() - eye.y()
+            val z = center.z() - eye.z()
+            val cx = camera.right.x * x + camera.right.y * y + camera.right.z * z
+            val cy = camera.upward.x * x + camera.upward.y * y + camera.upward.z * z
+            val cz = camera.backward.x * x + camera.backward.y * y + camera.backward.z * z
+            val isInRange = -cz + sphere.radius >= camera.near && -cz - sphere.radius <= camera.far
+            if (!(isInRange && sphere.radius > 0.0 && cx.isFinite() && cy.isFinite())) return null
+            return SpherePrimitive(sphere, camera, viewport, cx, cy, cz, shader)
+        }
+    }
+}

@@ -1,0 +1,22 @@
+package dev.lazyz.setup
+
+import dev.lazyz.AlphaMode
+import dev.lazyz.Camera
+import dev.lazyz.Primitive
+import dev.lazyz.Shading
+import dev.lazyz.Sphere
+
+/** Makes primitives of spheres. */
+internal object SphereSetUp {
+    fun sphere(sphere: Sphere, camera: Camera, viewport: Viewport, lighting: Lighting): Primitive {
+        // A sphere has no faces and no vertices to light before its fragments
+        val material = when (sphere.material.shading) {
+            Shading.FLAT, Shading.GOURAUD -> sphere.material.withShading(Shading.PHONG)
+            else -> sphere.material
+        }
+        val shader = MaterialShader(material, lighting, isPrelit = false)
+        val primitive = SpherePrimitive.of(sphere, camera, viewport, material.shader ?: shader) ?: return EmptyPrimitive
+        if (material.alphaMode != AlphaMode.MASK) return primitive
+        return MaskedPrimitive(primitive, shader, material.alphaCutoff)
+    }
+}

@@ -1,0 +1,67 @@
+package dev.lazyz.setup
+
+/**
+ * Vertices in clip space with their attributes, [STRIDE] numbers a vertex.
+ *
+ * The first four are the homogeneous position, -w..w on each axis where it is visible; the others are attributes in
+ * the order of the constants below. Attributes that a surface lacks are left at 0 and never read.
+ */
+internal class Vertices(count: Int) {
+    /** All numbers, vertex after vertex. */
+    var data: DoubleArray = DoubleArray(STRIDE * count)
+        private set
+
+    /** Number of vertices. */
+    var count: Int = count
+        private set
+
+    fun get(vertex: Int, field: Int): Double = data[STRIDE * vertex + field]
+
+    fun set(vertex: Int, field: Int, value: Double) {
+        data[STRIDE * vertex + field] = value
+    }
+
+    /** Returns a new object with copies of the given vertices, in their order. */
+    fun copyOf(selection: IntArray): Vertices {
+        val copy = Vertices(selection.size)
+        for (i in selection.indices) {
+            data.copyInto(copy.data, STRIDE * i, STRIDE * selection[i], STRIDE * (selection[i] + 1))
+        }
+        return copy
+    }
+
+    /** Appends the point at [t] of the way from vertex [a] to vertex [b] and returns its number. */
+    fun addBetween(a: Int, b: Int, t: Double): Int {
+        if (STRIDE * (count + 1) > data.size) data = data.copyOf(maxOf(2 * data.size, 8 * STRIDE))
+        for (field in 0 until STRIDE) {
+            val from = get(a, field)
+            set(count, field, from + t * (get(b, field) - from))
+        }
+        return count++
+    }
+
+    /** Whether the position of [vertex] is free of NaN and infinity. */
+    fun isFinite(vertex: Int): Boolean =
+        get(vertex, X).isFinite() && get(vertex, Y).isFinite() && get(vertex, Z).isFinite() && get(vertex, W).isFinite()
+
+    companion object {
+        const val X: Int = 0
+        const val Y: Int = 1
+        const val Z: Int = 2
+        const val W: Int = 3
+
+        /** World position, three numbers. */
+        const val WORLD: Int = 4
+
+        /** Normal in world space, three numbers. */
+        const val NORMAL: Int = 7
+
+        /** Texture coordinates, two numbers. */
+        const val UV: Int = 10
+
+        /** Colour, four numbers. */
+        const val COLOR: Int = 12
+
+        const val STRIDE: Int = 16
+    }
+}
