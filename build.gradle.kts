@@ -1,0 +1,174 @@
+import com.diffplug.gradle.spotless.SpotlessExtension
+import java.util.zip.ZipFile
+import org.jetbrains.dokka.gradle.DokkaExtension
+import org.jetbrains.kotlin.gradle.dsl.JvmDefaultMode
+import org.jetbrains.kotlin.gradle.dsl.JvmTarget
+import org.jetbrains.kotlin.gradle.dsl.KotlinJvmProjectExtension
+
+plugins {
+    alias(libs.plugins.dokka.javadoc) apply false
+    alias(libs.plugins.kotlin.jvm) apply false
+    alias(libs.plugins.kotlin.serialization) apply false
+    alias(libs.plugins.spotless) apply false
+}
+
+val catalog = libs
+val javaRelease = 17
+
+/** A jar that runs alone: its file name and main class, by module. */
+val fatJars = mapOf(
+    "cli" to ("zcli" to "dev.lazyz.cli.MainKt"),
+    "jmh" to ("benchmarks" to "org.openjdk.jmh.Main"),
+)
+
+subprojects {
+    apply(plugin = "java-library")
+    apply(plugin = catalog.plugins.kotlin.jvm.get().pluginId)
+    apply(plugin = catalog.plugins.kotlin.serialization.get().pluginId)
+    apply(plugin = catalog.plugins.spotless.get().pluginId)
+
+    configure<BasePluginExtension> {
+        archivesName = "lazyz-${project.name}"
+    }
+
+    dependencies {
+        "testImplementation"(platform(catalog.junit.bom))
+        "testImplementation"(catalog.junit.jupiter)
+        "testImplementation"(catalog.jqwik)
+        "testRuntimeOnly"(catalog.junit.platform.launcher)
+    }
+
+    configure<KotlinJvmProjectExtension> {
+        compilerOptions {
+            allWarningsAsErrors = true
+            jvmDefault = JvmDefaultMode.NO_COMPATIBILITY
+            moduleName = "lazyz-${project.name}"
+            jvmTarget = JvmTarget.fromTarget(javaRelease.toString())
+            freeCompilerArgs.add("-Xjdk-release=$javaRelease")
+        }
+    }
+
+    tasks.withType<JavaCompile>().configureEach {
+        options.release = javaRelease
+        options.compilerArgs.addAll(listOf("-Xlint:all,-processing,-path", "-Werror"))
+    }
+
+    tasks.withType<Jar>().configureEach {
+        isPreserveFileTimestamps = false
+        isReproducibleFileOrder = true
+        manifest.attributes("Implementation-Title" to project.name, "Implementation-Version" to project.version)
+    }
+
+    tasks.withType<Test>().configureEach {
+        useJUnitPlatform()
+        include("**/*Test.class", "**/*Properties.class", "**/*Example.class")
+        systemProperty("jqwik.database", layout.buildDirectory.file("jqwik.db").get().asFile.path)
+        systemProperty("jqwik.reporting.onlyfailures", "true")
+    }
+
+    configure<SpotlessExtension> {
+        kotlin {
+            ktlint(catalog.versions.ktlint.get())
+        }
+        java {
+            palantirJavaFormat(catalog.versions.palantir.get())
+        }
+    }
+}
+
+// The libraries that go to Maven Central, with sources and documentation.
+for (module in listOf("core", "scenes", "conformance")) {
+    project(":$module") {
+        apply(plugin = "maven-publish")
+        apply(plugin = catalog.plugins.dokka.javadoc.get().pluginId)
+
+        configure<JavaPluginExtension> {
+            withSourcesJar()
+        }
+        configure<DokkaExtension> {
+            dokkaPublications.configureEach { failOnWarning = true }
+            dokkaSourceSets.configureEach {
+                reportUndocumented = true
+                jdkVersion = javaRelease
+                // Links to other libraries' pages would need a network
+                enableJdkDocumentationLink = false
+                enableKotlinStdLibDocumentationLink = false
+            }
+        }
+        val javadocJar = tasks.register<Jar>("javadocJar") {
+            archiveClassifier = "javadoc"
+            from(tasks.named("dokkaGeneratePublicationJavadoc"))
+        }
+        configure<PublishingExtension> {
+            publications.create<MavenPublication>("maven") {
+                from(components["java"])
+                artifact(javadocJar)
+                artifactId = "lazyz-${project.name}"
+                pom {
+                    name = "Lazy Z ${project.name}"
+                    description = provider { project.description }
+                    url = "https://github.com/lazyz/lazyz"
+                    inceptionYear = "2026"
+                    licenses {
+                        license {
+                            name = "Apache-2.0"
+                            url = "https://www.apache.org/licenses/LICENSE-2.0.txt"
+                            distribution = "repo"
+                        }
+                    }
+                    developers {
+                        developer {
+                            name = "Lazy Z developers"
+                            url = "https://github.com/lazyz/lazyz"
+                        }
+                    }
+                    scm {
+                        connection = "scm:git:https://github.com/lazyz/lazyz.git"
+                        developerConnection = "scm:git:https://github.com/lazyz/lazyz.git"
+                        url = "https://github.com/lazyz/lazyz"
+                    }
+                }
+            }
+        }
+    }
+}
+
+for ((module, jar) in fatJars) {
+    project(":$module") {
+        val main = the<SourceSetContainer>()["main"]
+        val runtimeClasspath = configurations.named("runtimeClasspath")
+
+        // Service files and licences of the same name become one
+        val mergeTexts = tasks.register("mergeTexts") {
+            val jars = files(runtimeClasspath)
+            val folder = layout.buildDirectory.dir("merged-texts")
+            inputs.files(jars)
+            outputs.dir(folder)
+            doLast {
+                val merged = Regex("META-INF/(services/.+|LICENSE|NOTICE)")
+                val root = folder.get().asFile
+                root.deleteRecursively()
+                for (jar in jars.files.filter { it.isFile }) {
+                    ZipFile(jar).use { zip ->
+                        for (entry in zip.entries().asSequence().filter { it.name.matches(merged) }) {
+                            val text = zip.getInputStream(entry).reader().readText().trimEnd()
+                            root.resolve(entry.name).apply { parentFile.mkdirs() }.appendText("$text\n")
+                        }
+                    }
+                }
+            }
+        }
+        val fatJar = tasks.register<Jar>("fatJar") {
+            archiveFileName = "${jar.first}.jar"
+            manifest.attributes("Main-Class" to jar.second, "Multi-Release" to "true")
+            duplicatesStrategy = DuplicatesStrategy.EXCLUDE
+            from(mergeTexts)
+            from(main.output)
+            from(runtimeClasspath.map { files -> files.map { if (it.isDirectory) it else zipTree(it) } })
+            exclude("META-INF/*.DSA", "META-INF/*.RSA", "META-INF/*.SF")
+            exclude("META-INF/kotlin-project-structure-metadata.json", "META-INF/maven/**", "*Main/default/**")
+            exclude("module-info.class", "META-INF/versions/*/module-info.class")
+        }
+        tasks.named("assemble") { dependsOn(fatJar) }
+    }
+}

@@ -1,0 +1,24 @@
+description = "zcli: renders meshes and scene files to pictures from the command line."
+
+// Mordant looks at the terminal through native code; zcli starts sooner without.
+configurations.all {
+    exclude(group = "com.github.ajalt.mordant", module = "mordant-jvm-ffm-jvm")
+    exclude(group = "com.github.ajalt.mordant", module = "mordant-jvm-graal-ffi-jvm")
+    exclude(group = "com.github.ajalt.mordant", module = "mordant-jvm-jna-jvm")
+}
+
+dependencies {
+    implementation(project(":core"))
+    implementation(project(":scenes"))
+    implementation(libs.clikt)
+    implementation(libs.mordant)
+}
+
+tasks.test {
+    // BuildsAgreeTest reads them
+    inputs.files(
+        rootProject.fileTree(rootDir) {
+            include("*.kts", "*.properties", "pom.xml", "gradle/*.toml", "*/build.gradle.kts", "*/pom.xml")
+        },
+    )
+}

@@ -1,0 +1,56 @@
+package dev.lazyz.cli
+
+import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.Scenes
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * What INPUT stands for: a built-in scene, a file, or standard input.
+ *
+ * A word that is a built-in's name is the built-in, whatever files there are; `./teapot`, or `--format`, makes it a
+ * file's name.
+ */
+internal class Input(private val word: String, private val format: SceneFormat?) {
+    private val isStandardInput = word == "-"
+    private val builtin = if (format == null) Scenes.builtins.firstOrNull { it.id == word } else null
+
+    /** The input's name without folder and ending, or null if it has none. */
+    val baseName: String?
+        get() = when {
+            isStandardInput -> null
+            builtin != null -> word
+            else -> Path.of(word).fileName?.toString()?.substringBeforeLast('.')?.ifEmpty { null }
+        }
+
+    /** Reads the scene. Finds all mistakes in the name before it reads anything. */
+    fun load(streams: Streams): LoadedScene {
+        if (isStandardInput) {
+            val known = format ?: throw Mistake(
+                "say what standard input is with --format ${SceneFormat.entries.joinToString("|") { it.id }}",
+            )
+            return Scenes.load(streams.input, known, "standard input")
+        }
+        if (builtin != null) return loadBuiltin(streams)
+        val path = Path.of(word)
+        requireFile(path)
+        return Scenes.load(path, format ?: formatOf(path))
+    }
+
+    private fun requireFile(path: Path) {
+        if (Files.isDirectory(path)) throw Mistake("$word is a folder, not a model or a scene file")
+        if (!Files.exists(path)) {
+            if (format != null || SceneFormat.ofFileName(word) != null) throw Mistake("$word: no such file")
+            val hint = Nearest.hint(word, Scenes.builtins.map { it.id })
+            throw Mistake("there is no built-in scene and no file '$word'$hint 'zcli scenes' lists the built-in scenes")
+        }
+        if (!Files.isReadable(path)) throw Mistake("$word: permission denied")
+    }
+
+    private fun formatOf(path: Path): SceneFormat = SceneFormat.ofFileName(path.fileName.toString()) ?: throw Mistake(
+        "cannot tell from the name what $word is; say it with --format " +
+            "${SceneFormat.entries.joinToString("|") { it.id }}, or rename it to end in one of " +
+            SceneFormat.entries.flatMap { it.extensions }.joinToString { ".$it" },
+    )
+}

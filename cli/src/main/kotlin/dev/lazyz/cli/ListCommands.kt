@@ -1,0 +1,40 @@
+package dev.lazyz.cli
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.CoreCliktCommand
+import dev.lazyz.scenes.Scenes
+
+/** `zcli scenes`: the built-in scenes, one line each. */
+internal class ScenesCommand(private val streams: Streams) : CoreCliktCommand(name = "scenes") {
+    override fun help(context: Context): String = "Lists the built-in scenes, which render takes by name."
+
+    override fun helpEpilog(context: Context): String = HelpText.examples(
+        "zcli scenes" to "a name and a description a line",
+        "zcli render city -o city.png" to "renders one of them",
+    )
+
+    override fun run() {
+        streams.print(columns(Scenes.builtins.map { it.id to it.summary }))
+    }
+}
+
+/** `zcli strategies`: the renderers, one line each. */
+internal class StrategiesCommand(private val streams: Streams) : CoreCliktCommand(name = "strategies") {
+    override fun help(context: Context): String =
+        "Lists the strategies for hidden surfaces. They all give the same picture, bit for bit, and differ in time and " +
+            "memory."
+
+    override fun helpEpilog(context: Context): String = HelpText.examples(
+        "zcli strategies" to "an id and a description a line",
+        "zcli render city --strategy zbuffer --stats -o city.png" to "renders with one of them and says what it took",
+    )
+
+    override fun run() {
+        streams.print(columns(Strategies.all().map { it.id to it.summary }))
+    }
+}
+
+private fun columns(rows: List<Pair<String, String>>): String {
+    val width = rows.maxOfOrNull { it.first.length } ?: 0
+    return rows.joinToString("") { (name, text) -> "${name.padEnd(width)}  $text\n" }
+}

@@ -1,0 +1,80 @@
+package dev.lazyz.cli
+
+import com.github.ajalt.clikt.core.CliktError
+import com.github.ajalt.clikt.core.PrintHelpMessage
+import com.github.ajalt.clikt.core.UsageError
+import com.github.ajalt.clikt.core.parse
+import java.io.InputStream
+import java.io.OutputStream
+import java.io.PrintStream
+import kotlin.system.exitProcess
+
+/** Runs zcli as a program: see [run]. */
+fun main(args: Array<String>) {
+    val streams = Streams.ofProcess()
+    exitProcess(run(args, streams))
+}
+
+/**
+ * Runs zcli on streams of one's own, without a terminal, and returns its exit code: 0 done, 2 the user's mistake or a
+ * bad file, 70 a bug of ours.
+ */
+fun run(args: Array<String>, stdin: InputStream, stdout: OutputStream, stderr: PrintStream): Int =
+    run(args, Streams(stdin, stdout, stderr))
+
+/** The one place where whatever happened becomes a message and an exit code. */
+internal fun run(args: Array<String>, streams: Streams): Int = try {
+    attempt(args, streams)
+} catch (closed: OutputClosed) {
+    // Whoever read our output has seen enough
+    ExitCode.DONE
+} finally {
+    streams.flushMessages()
+}
+
+private fun attempt(args: Array<String>, streams: Streams): Int {
+    try {
+        Zcli(streams, args.firstOrNull()).parse(args.asList())
+        streams.output.flush()
+        return ExitCode.DONE
+    } catch (request: CliktError) {
+        return answer(request, streams)
+    } catch (memory: OutOfMemoryError) {
+        streams.error(Failure.outOfMemory(memory))
+        return ExitCode.MISTAKE
+    } catch (failure: Throwable) {
+        Failure.throwIfOutputClosed(failure)
+        val mistake = Failure.mistake(failure)
+        if (mistake != null) {
+            streams.error(mistake)
+            return ExitCode.MISTAKE
+        }
+        streams.messages.println(Failure.bugReport(failure, args))
+        return ExitCode.BUG
+    }
+}
+
+/** Clikt's way to end early: help and version go to standard output, usage errors to standard error. */
+private fun answer(request: CliktError, streams: Streams): Int {
+    when (request) {
+        is PrintHelpMessage -> streams.print(request.context?.command?.getFormattedHelp().orEmpty().trimEnd() + "\n")
+        is UsageError -> streams.error(Failure.usage(request))
+        else -> {
+            val text = request.message.orEmpty()
+            if (request.statusCode == ExitCode.DONE) streams.print(text + "\n") else streams.error(text)
+        }
+    }
+    streams.output.flush()
+    return if (request is PrintHelpMessage || request.statusCode == 0) ExitCode.DONE else ExitCode.MISTAKE
+}
+
+/** What zcli returns to the shell. */
+internal object ExitCode {
+    const val DONE = 0
+
+    /** The user's mistake, or a file that is no good. */
+    const val MISTAKE = 2
+
+    /** A bug of ours: `EX_SOFTWARE` of sysexits.h. */
+    const val BUG = 70
+}

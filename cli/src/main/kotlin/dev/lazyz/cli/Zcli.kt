@@ -1,0 +1,42 @@
+package dev.lazyz.cli
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.CoreCliktCommand
+import com.github.ajalt.clikt.core.context
+import com.github.ajalt.clikt.core.subcommands
+import com.github.ajalt.clikt.parameters.options.versionOption
+
+/**
+ * The command `zcli`, which only leads to others.
+ *
+ * @param first the first word of the command line: if it is a command, no other is built, for zcli starts sooner so
+ */
+internal class Zcli(streams: Streams, first: String?) : CoreCliktCommand(name = "zcli") {
+    override val printHelpOnEmptyArgs: Boolean get() = true
+
+    init {
+        context {
+            argumentFileReader = null
+            helpFormatter = { HelpText }
+        }
+        versionOption(Version.text, help = "Print the version and exit", message = { "zcli $it" })
+        val commands = mapOf(
+            "render" to { RenderCommand(streams) },
+            "scenes" to { ScenesCommand(streams) },
+            "strategies" to { StrategiesCommand(streams) },
+        )
+        val only = commands[first]
+        subcommands(if (only != null) listOf(only()) else commands.values.map { it() })
+    }
+
+    override fun help(context: Context): String =
+        "Turns 3D models into pictures, without a GPU, a display or native code: the same bits on every machine."
+
+    override fun helpEpilog(context: Context): String = HelpText.examples(
+        "zcli render teapot -o teapot.png" to "a built-in scene",
+        "zcli render model.obj --view iso -o model.png" to "a model of your own",
+        "zcli render --help" to "all there is to choose",
+    )
+
+    override fun run() = Unit
+}

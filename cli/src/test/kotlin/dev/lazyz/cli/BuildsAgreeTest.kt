@@ -1,0 +1,235 @@
+package dev.lazyz.cli
+
+import java.nio.file.Path
+import javax.xml.parsers.DocumentBuilderFactory
+import kotlin.io.path.exists
+import kotlin.io.path.readText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.w3c.dom.Element
+
+/**
+ * Maven and Gradle must build the same thing. Both builds are read as text, so this runs in either of them.
+ *
+ * The Gradle files are no free-form programs to this test: a dependency is one line `scope(libs.some.name)`,
+ * `scope(project(":module"))` or `scope(platform(libs.some.bom))`, and every version stands in the catalog.
+ */
+class BuildsAgreeTest {
+    private val root: Path =
+        generateSequence(Path.of("").toAbsolutePath()) { it.parent }
+            .first { it.resolve("settings.gradle.kts").exists() && it.resolve("pom.xml").exists() }
+
+    private val pom = xml("pom.xml")
+    private val catalog = Catalog(text("gradle/libs.versions.toml"))
+    private val gradleRoot = text("build.gradle.kts")
+    private val modules = pom.child("modules").children("module").map { it.textContent }
+
+    @Test
+    fun modules() {
+        val included = Regex("""include\((.*?)\)""", RegexOption.DOT_MATCHES_ALL).findAll(text("settings.gradle.kts"))
+        assertEquals(modules.toSet(), included.flatMap { quoted(it.groupValues[1]) }.toSet())
+    }
+
+    @Test
+    fun coordinatesAndDescriptions() {
+        val gradle = properties("gradle.properties")
+        assertEquals(pom.value("groupId"), gradle["group"])
+        assertEquals(pom.value("version"), gradle["version"])
+        assertTrue("""artifactId = "lazyz-${'$'}{project.name}"""" in gradleRoot, "artifactId in build.gradle.kts")
+        for (module in modules) {
+            val modulePom = xml("$module/pom.xml")
+            assertEquals("lazyz-$module", modulePom.value("artifactId"))
+            assertEquals(pom.value("version"), modulePom.child("parent").value("version"), "parent of $module")
+            val description = Regex("""^description = "(.*)"$""", RegexOption.MULTILINE).find(gradleFile(module))
+            assertEquals(modulePom.value("description"), description?.groupValues?.get(1), "description of $module")
+        }
+    }
+
+    @Test
+    fun versions() {
+        val maven = pom.child("properties").children()
+            .filter { it.tagName.endsWith(".version") }
+            .associate { it.tagName.removeSuffix(".version") to it.textContent }
+        // Spotless is one plugin for each build tool, each with its own version
+        assertEquals(maven, catalog.versions - "spotless")
+    }
+
+    @Test
+    fun librariesAndTheirVersions() {
+        val managed = pom.child("dependencyManagement").child("dependencies").children("dependency")
+            .associate { it.coordinates() to it.value("version") }
+        for ((name, library) in catalog.libraries) {
+            // Without a version of its own a library takes it from a BOM
+            val version = library.version ?: continue
+            val expected = managed[library.module] ?: continue
+            assertEquals("\${$version.version}", expected, name)
+        }
+        val versioned = catalog.libraries.values.filter { it.version != null }.map { it.module }
+        val own = managed.keys.filter { it.startsWith("dev.lazyz:") }
+        val pinned = managed.filterValues { !it.startsWith("\${") }.keys
+        assertEquals(managed.keys - own.toSet() - pinned, versioned.toSet())
+    }
+
+    @Test
+    fun dependencies() {
+        val inherited = pom.child("dependencies").children("dependency").map(::mavenDependency).toSet()
+        val given = gradleDependencies(gradleRoot)
+        assertEquals(inherited, given - LAUNCHER, "every module")
+        for (module in modules) {
+            val maven = xml("$module/pom.xml").child("dependencies").children("dependency").map(::mavenDependency)
+            assertEquals(maven.toSet(), gradleDependencies(gradleFile(module)), module)
+        }
+    }
+
+    @Test
+    fun compilerSettings() {
+        val properties = pom.child("properties")
+        assertTrue("val javaRelease = ${properties.value("java.release")}\n" in gradleRoot, "Java release")
+        val compiler = pom.child("build").child("plugins").textContent
+        assertEquals("-Werror" in compiler, "allWarningsAsErrors = true" in gradleRoot, "warnings as errors")
+        assertEquals("-jvm-default=no-compatibility" in compiler, "JvmDefaultMode.NO_COMPATIBILITY" in gradleRoot)
+        val lint = Regex("""-Xlint:[\w,-]+""")
+        assertEquals(lint.find(compiler)?.value, lint.find(gradleRoot)?.value, "javac's lint")
+        for (module in modules) {
+            val strict = xml("$module/pom.xml").childOrNull("properties")?.valueOrNull("explicit.api") == "strict"
+            assertEquals(strict, "explicitApi()" in gradleFile(module), "explicit API of $module")
+        }
+    }
+
+    @Test
+    fun testClasses() {
+        val surefire = pom.child("build").child("plugins").children("plugin")
+            .single { it.value("artifactId") == "maven-surefire-plugin" }
+        val included = surefire.child("configuration").child("includes").children("include").map { it.textContent }
+        val gradle = Regex("""\binclude\((.*)\)""").find(gradleRoot)!!
+        assertEquals(included, quoted(gradle.groupValues[1]))
+    }
+
+    @Test
+    fun javaSources() {
+        // Gradle compiles src/main/java wherever it is, Maven only where the POM names it
+        for (module in modules) {
+            val named = xml("$module/pom.xml").childOrNull("build")?.valueOrNull("sourceDirectory") == "src/main/java"
+            if (root.resolve("$module/src/main/java").exists()) assertTrue(named, "src/main/java of $module")
+        }
+    }
+
+    @Test
+    fun fatJarsAndPublications() {
+        val published = quoted(Regex("""for \(module in listOf\((.*)\)\)""").find(gradleRoot)!!.groupValues[1])
+        for (module in modules) {
+            val properties = xml("$module/pom.xml").childOrNull("properties")
+            assertEquals(
+                properties?.valueOrNull("maven.deploy.skip") != "true",
+                module in published,
+                "$module published"
+            )
+            val name = properties?.valueOrNull("fat.jar.name")
+            val jar = Regex(""""$module" to \("(.*)" to "(.*)"\)""").find(gradleRoot)
+            assertEquals(name, jar?.groupValues?.get(1), "fat jar of $module")
+            assertEquals(properties?.valueOrNull("fat.jar.main"), jar?.groupValues?.get(2), "main class of $module")
+        }
+    }
+
+    private fun mavenDependency(element: Element): String {
+        val scope = when (val scope = element.valueOrNull("scope") ?: "compile") {
+            "provided" -> if (element.value("artifactId").endsWith("annprocess")) "processor" else scope
+            else -> scope
+        }
+        val module = when (element.value("groupId")) {
+            "dev.lazyz" -> element.value("artifactId").replace("lazyz-", ":")
+            else -> element.coordinates()
+        }
+        val exclusions = element.childOrNull("exclusions")?.children("exclusion").orEmpty().map { it.coordinates() }
+        return "$scope $module" + exclusions.sorted().joinToString("") { " without $it" }
+    }
+
+    private fun gradleDependencies(build: String): Set<String> {
+        val excluded = Regex("""exclude\(group = "(.*)", module = "(.*)"\)""").findAll(build)
+            .map { it.groupValues[1] + ":" + it.groupValues[2] }.sorted().toList()
+        val block =
+            Regex("""^( *)dependencies \{\n(.*?)\n\1}""", setOf(RegexOption.MULTILINE, RegexOption.DOT_MATCHES_ALL))
+        val lines = block.findAll(build).flatMap {
+            it.groupValues[2].lines()
+        }.map { it.trim() }.filter { it.isNotEmpty() }
+        return lines.filterNot { "(platform(" in it }.map { line ->
+            val (configuration, what) = checkNotNull(DEPENDENCY.matchEntire(line)) {
+                "not understood: $line"
+            }.destructured
+            val scope = checkNotNull(SCOPES[configuration]) { "not understood: $line" }
+            val project = Regex("""project\("(.*)"\)""").matchEntire(what)?.groupValues?.get(1)
+            if (project != null) {
+                "$scope $project"
+            } else {
+                val module = catalog.library(what)
+                val without = if (module.startsWith("com.github.ajalt.")) excluded else emptyList()
+                "$scope $module" + without.joinToString("") { " without $it" }
+            }
+        }.toSet()
+    }
+
+    private fun gradleFile(module: String) = text("$module/build.gradle.kts")
+
+    private fun text(path: String) = root.resolve(path).readText()
+
+    private fun xml(path: String): Element =
+        DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(root.resolve(path).toFile()).documentElement
+
+    private fun properties(path: String): Map<String, String> =
+        text(path).lines().filter { " = " in it }.associate { it.substringBefore(" = ") to it.substringAfter(" = ") }
+
+    /** What gradle/libs.versions.toml says, read line by line. */
+    private class Catalog(toml: String) {
+        class Library(val module: String, val version: String?)
+
+        private val tables = toml.split(Regex("""^\[""", RegexOption.MULTILINE)).drop(1).associate { table ->
+            val entries = table.lines().drop(1).filter { " = " in it }
+            table.substringBefore("]") to entries.associate { it.substringBefore(" = ") to it.substringAfter(" = ") }
+        }
+
+        val versions = tables.getValue("versions").mapValues { it.value.trim('"') }
+
+        val libraries = tables.getValue("libraries").mapValues { (_, value) ->
+            fun field(name: String) = Regex("""\b$name = "(.*?)"""").find(value)?.groupValues?.get(1)
+            Library(checkNotNull(field("module")), field("version.ref"))
+        }
+
+        fun library(accessor: String): String {
+            val name = accessor.substringAfter("libs.").substringAfter("catalog.").replace('.', '-')
+            return checkNotNull(libraries[name]) { "not in the catalog: $accessor" }.module
+        }
+    }
+
+    private companion object {
+        val DEPENDENCY = Regex(""""?(\w+)"?\((.*)\)""")
+        val SCOPES = mapOf(
+            "api" to "compile",
+            "implementation" to "compile",
+            "compileOnly" to "provided",
+            "runtimeOnly" to "runtime",
+            "annotationProcessor" to "processor",
+            "testImplementation" to "test",
+            "testRuntimeOnly" to "test",
+        )
+
+        /** Surefire brings the launcher by itself. */
+        const val LAUNCHER = "test org.junit.platform:junit-platform-launcher"
+
+        fun quoted(text: String) = Regex(""""(.*?)"""").findAll(text).map { it.groupValues[1] }.toList()
+
+        fun Element.children(name: String? = null): List<Element> =
+            (0 until childNodes.length).mapNotNull { childNodes.item(it) as? Element }
+                .filter { name == null || it.tagName == name }
+
+        fun Element.childOrNull(name: String) = children(name).singleOrNull()
+
+        fun Element.child(name: String) = checkNotNull(childOrNull(name)) { "no <$name> in <$tagName>" }
+
+        fun Element.valueOrNull(name: String) = childOrNull(name)?.textContent?.trim()
+
+        fun Element.value(name: String) = child(name).textContent.trim()
+
+        fun Element.coordinates() = "${value("groupId")}:${value("artifactId")}"
+    }
+}

@@ -1,0 +1,14 @@
+description = "The suite that a strategy must pass: generators, rules and a report, for JUnit 5 or by hand."
+
+kotlin {
+    explicitApi()
+}
+
+dependencies {
+    api(project(":core"))
+    api(project(":scenes"))
+    api(platform(libs.junit.bom))
+    api(libs.jqwik)
+    api(libs.junit.jupiter.api)
+    api(libs.junit.platform.launcher)
+}

@@ -1,0 +1,46 @@
+package dev.lazyz
+
+import dev.lazyz.zbuffer.ZBuffer
+import java.util.ServiceLoader
+
+/**
+ * The renderers there are: the one list that the command line, the conformance suite and the benchmarks read.
+ *
+ * Use it where a user chooses by name; code that knows what it wants constructs the class itself. To add one of one's
+ * own, put its class name into `META-INF/services/dev.lazyz.Renderer` and the jar on the class path. Thread safe.
+ */
+public object Renderers {
+    /** The renderers of this library, in the order in which they are listed; one line each. */
+    @JvmStatic
+    public val builtIn: List<Renderer> = listOf(
+        ZBuffer(),
+    )
+
+    /**
+     * Returns the built-in renderers, and behind them those that third parties offer through [ServiceLoader], in the
+     * order of the class path as the current thread's context class loader sees it.
+     *
+     * @throws IllegalStateException if two renderers have the same id; the message names both classes
+     * @throws java.util.ServiceConfigurationError if a third party's renderer cannot be loaded
+     */
+    @JvmStatic
+    public fun all(): List<Renderer> {
+        val all = builtIn + ServiceLoader.load(Renderer::class.java)
+        val byId = HashMap<String, Renderer>()
+        for (renderer in all) {
+            val other = byId.put(renderer.id, renderer) ?: continue
+            error(
+                "two renderers have the id '${renderer.id}': ${other.javaClass.name} and ${renderer.javaClass.name}; " +
+                    "take one of them off the class path",
+            )
+        }
+        return all
+    }
+
+    /**
+     * Returns the renderer with the given [id], or null if there is none. Fails as [all] does, so that what a name
+     * means does not depend on the order of a class path.
+     */
+    @JvmStatic
+    public fun find(id: String): Renderer? = all().firstOrNull { it.id == id }
+}

@@ -1,0 +1,13 @@
+description = "Scene files, mesh loaders (OBJ, STL, PLY, glTF), image writers and the built-in scenes."
+
+kotlin {
+    explicitApi()
+}
+
+dependencies {
+    api(project(":core"))
+    implementation(libs.serialization.json)
+    implementation(libs.jgltf.model)
+    implementation(libs.obj)
+    implementation(libs.earcut4j)
+}

@@ -1,0 +1,28 @@
+package dev.lazyz.scenes
+
+import dev.lazyz.Scene
+import java.nio.file.Path
+
+/**
+ * Bytes to read a scene from, with what a reader needs to complain about them and to find what they refer to.
+ *
+ * @property bytes the whole file
+ * @property name the file's name as the caller gave it
+ * @property folder where relative references are looked up, or null for a stream that has no place
+ */
+internal class Source(val bytes: ByteArray, val name: String, val folder: Path?) {
+    /** What had to be passed over so far; reported by [LoadedScene.warnings]. */
+    val warnings = ArrayList<String>()
+
+    fun warn(sentence: String) {
+        warnings.add("$name: $sentence")
+    }
+
+    fun fail(location: String?, problem: String, remedy: String? = null, cause: Throwable? = null): Nothing =
+        throw SceneFormatException(name, location, problem, remedy, cause)
+}
+
+/** Reads one format. Throws [SceneFormatException] for bad input, and nothing else. */
+internal fun interface SceneParser {
+    fun parse(source: Source): Scene
+}

@@ -1,0 +1,89 @@
+package dev.lazyz.scenes.teapot
+
+/**
+ * The published numbers of the Utah teapot, z up, as profiles.
+ *
+ * The published list is 306 control points and 32 patches of sixteen indices. Its points are not independent: the pot is
+ * symmetric about the plane y = 0, its body and lid about x = 0 too, every ring of the body is one radius at one height,
+ * and every cross-section of handle and spout is one width between two points. Kept here is what is left after that, and
+ * it yields the same 32 patches, number for number. (Of the 306 points, four belong to no patch, and twelve repeat the
+ * base where the bottom joins it: 290 are distinct.)
+ *
+ * Consecutive patches share their border row, so a chain of `3 k + 1` rows makes `k` patches.
+ *
+ * Heights are those published: the base stands on z = 0 and the knob ends at z = 3.15. The porcelain pot is taller by a
+ * factor of about 1.3; the squat form is the one that was published and became known.
+ *
+ * Source: Martin Newell, "The Utilization of Procedure Models in Digital Image Synthesis", 1975; the numbers as printed by
+ * Frank Crow, "The Origins of the Teapot", IEEE Computer Graphics and Applications, 1987. Newell's pot has no underside:
+ * the four bottom patches, which are not flat, came later.
+ */
+internal object TeapotControlPoints {
+    /**
+     * Rings from the inside of the rim over the body to the centre of the bottom: radius, tangent, height.
+     *
+     * The tangent places the inner control points of a quarter circle, about 0.56 of the radius.
+     */
+    val bodyRings: DoubleArray =
+        doubleArrayOf(
+            // Rim
+            1.4, 0.784, 2.4,
+            1.3375, 0.749, 2.53125,
+            1.4375, 0.805, 2.53125,
+            1.5, 0.84, 2.4,
+            // Upper body
+            1.75, 0.98, 1.875,
+            2.0, 1.12, 1.35,
+            2.0, 1.12, 0.9,
+            // Lower body
+            2.0, 1.12, 0.45,
+            1.5, 0.84, 0.225,
+            1.5, 0.84, 0.15,
+            // Bottom
+            1.5, 0.84, 0.075,
+            1.425, 0.798, 0.0,
+            0.0, 0.0, 0.0,
+        )
+
+    /** Rings from the top of the knob to the edge of the lid: radius, tangent, height. */
+    val lidRings: DoubleArray =
+        doubleArrayOf(
+            // Knob
+            0.0, 0.0, 3.15,
+            0.8, 0.45, 3.15,
+            0.0, 0.0, 2.85,
+            0.2, 0.112, 2.7,
+            // Lid
+            0.4, 0.224, 2.55,
+            1.3, 0.728, 2.55,
+            1.3, 0.728, 2.4,
+        )
+
+    /** Cross-sections of the handle, from its upper end: inner x, z, outer x, z, half the width along y. */
+    val handleSections: DoubleArray =
+        doubleArrayOf(
+            // Upper half
+            -1.6, 2.025, -1.5, 2.25, 0.3,
+            -2.3, 2.025, -2.5, 2.25, 0.3,
+            -2.7, 2.025, -3.0, 2.25, 0.3,
+            -2.7, 1.8, -3.0, 1.8, 0.3,
+            // Lower half
+            -2.7, 1.575, -3.0, 1.35, 0.3,
+            -2.5, 1.125, -2.65, 0.9375, 0.3,
+            -2.0, 0.9, -1.9, 0.6, 0.3,
+        )
+
+    /** Cross-sections of the spout, from the body to inside the lip: upper x, z, lower x, z, half the width along y. */
+    val spoutSections: DoubleArray =
+        doubleArrayOf(
+            // Stem
+            1.7, 1.425, 1.7, 0.6, 0.66,
+            2.6, 1.425, 3.1, 0.825, 0.66,
+            2.3, 2.1, 2.4, 2.025, 0.25,
+            2.7, 2.4, 3.3, 2.4, 0.25,
+            // Lip
+            2.8, 2.475, 3.525, 2.49375, 0.25,
+            2.9, 2.475, 3.45, 2.5125, 0.15,
+            2.8, 2.4, 3.2, 2.4, 0.15,
+        )
+}

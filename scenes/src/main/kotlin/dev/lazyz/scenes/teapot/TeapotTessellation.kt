@@ -1,0 +1,113 @@
+package dev.lazyz.scenes.teapot
+
+import kotlin.math.sqrt
+
+/**
+ * Patches, each cut into [segments] by [segments] cells, as one mesh turned y up.
+ *
+ * Every patch has u to the right and v down, seen from outside.
+ */
+internal class TeapotTessellation(private val segments: Int, patches: List<BezierPatch>) {
+    private val side = segments + 1
+    private val basis = CubicBasis(segments)
+    private val positions = FloatArray(3 * patches.size * side * side)
+    private val normals = FloatArray(positions.size)
+    private val uvs = FloatArray(2 * patches.size * side * side)
+    private val triangles = IntArray(6 * patches.size * segments * segments)
+    private var vertexCount = 0
+    private var indexCount = 0
+
+    // The four rows at one u: points and their derivatives by u
+    private val rowPoints = DoubleArray(BezierPatch.SIDE * BezierPatch.AXES)
+    private val rowTangents = DoubleArray(BezierPatch.SIDE * BezierPatch.AXES)
+
+    /** The mesh of all patches, in their order. */
+    val mesh: TeapotMesh
+
+    init {
+        for (patch in patches) add(patch)
+        mesh = TeapotMesh(positions, normals, uvs, triangles.copyOf(indexCount))
+    }
+
+    private fun add(patch: BezierPatch) {
+        val first = vertexCount
+        for (column in 0..segments) {
+            cutRows(patch, column)
+            for (row in 0..segments) addVertex(first + row * side + column, column, row)
+        }
+        vertexCount += side * side
+        addTriangles(first)
+    }
+
+    /** Reduces [patch] to the cubic curve along v at [column]. */
+    private fun cutRows(patch: BezierPatch, column: Int) {
+        for (row in 0 until BezierPatch.SIDE) {
+            for (axis in 0 until BezierPatch.AXES) {
+                val at = row * BezierPatch.AXES + axis
+                val first = row * BezierPatch.SIDE * BezierPatch.AXES + axis
+                rowPoints[at] = basis.value(patch.controlPoints, first, BezierPatch.AXES, column)
+                rowTangents[at] = basis.slope(patch.controlPoints, first, BezierPatch.AXES, column)
+            }
+        }
+    }
+
+    private fun addVertex(vertex: Int, column: Int, row: Int) {
+        // Place the point
+        storeYUp(positions, vertex, along(rowPoints, 0, row), along(rowPoints, 1, row), along(rowPoints, 2, row))
+        uvs[2 * vertex] = (column.toDouble() / segments).toFloat()
+        uvs[2 * vertex + 1] = ((segments - row).toDouble() / segments).toFloat()
+        // Differentiate by u
+        var ux = along(rowTangents, 0, row)
+        var uy = along(rowTangents, 1, row)
+        var uz = along(rowTangents, 2, row)
+        if (ux == 0.0 && uy == 0.0 && uz == 0.0) {
+            // Take the next control row where the border row is a single point: the limit has its direction
+            val next = BezierPatch.AXES * if (row == 0) 1 else BezierPatch.SIDE - 2
+            ux = rowTangents[next]
+            uy = rowTangents[next + 1]
+            uz = rowTangents[next + 2]
+        }
+        // Differentiate by v, which runs down
+        val vx = basis.slope(rowPoints, 0, BezierPatch.AXES, row)
+        val vy = basis.slope(rowPoints, 1, BezierPatch.AXES, row)
+        val vz = basis.slope(rowPoints, 2, BezierPatch.AXES, row)
+        // Cross down with right: outward
+        val nx = vy * uz - vz * uy
+        val ny = vz * ux - vx * uz
+        val nz = vx * uy - vy * ux
+        val length = sqrt(nx * nx + ny * ny + nz * nz)
+        check(length > 0.0) { "no normal at column $column, row $row of $segments" }
+        storeYUp(normals, vertex, nx / length, ny / length, nz / length)
+    }
+
+    private fun along(rows: DoubleArray, axis: Int, row: Int): Double = basis.value(rows, axis, BezierPatch.AXES, row)
+
+    private fun storeYUp(target: FloatArray, vertex: Int, x: Double, y: Double, z: Double) {
+        // Add 0 to the unsigned ones: -0 becomes 0, and equal points have equal bits
+        target[3 * vertex] = (x + 0.0).toFloat()
+        target[3 * vertex + 1] = (z + 0.0).toFloat()
+        target[3 * vertex + 2] = (0.0 - y).toFloat()
+    }
+
+    private fun addTriangles(first: Int) {
+        for (row in 0 until segments) {
+            for (column in 0 until segments) {
+                val upperLeft = first + row * side + column
+                val lowerLeft = upperLeft + side
+                addTriangle(upperLeft, lowerLeft, lowerLeft + 1)
+                addTriangle(upperLeft, lowerLeft + 1, upperLeft + 1)
+            }
+        }
+    }
+
+    /** Adds the triangle unless two of its corners coincide. */
+    private fun addTriangle(a: Int, b: Int, c: Int) {
+        if (coincide(a, b) || coincide(b, c) || coincide(c, a)) return
+        triangles[indexCount++] = a
+        triangles[indexCount++] = b
+        triangles[indexCount++] = c
+    }
+
+    private fun coincide(a: Int, b: Int): Boolean =
+        (0 until 3).all { axis -> positions[3 * a + axis] == positions[3 * b + axis] }
+}

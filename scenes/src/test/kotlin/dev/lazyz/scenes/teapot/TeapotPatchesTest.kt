@@ -1,0 +1,67 @@
+package dev.lazyz.scenes.teapot
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Test
+
+class TeapotPatchesTest {
+    @Test
+    fun patchesAreThirtyTwo() {
+        assertEquals(32, TeapotPatches.all.size)
+        assertEquals(
+            listOf(16, 8, 4, 4),
+            listOf(TeapotPatches.body, TeapotPatches.lid, TeapotPatches.handle, TeapotPatches.spout).map { it.size },
+        )
+    }
+
+    @Test
+    fun distinctControlPointsAreThoseOfThePublishedList() {
+        // The published list numbers 306: four belong to no patch, and twelve repeat the base where the bottom joins it
+        assertEquals(290, TeapotPatches.all.flatMap { points(it) }.toSet().size)
+    }
+
+    @Test
+    fun sampledControlPointsAreThePublishedOnes() {
+        val published =
+            listOf(
+                // Rim, body, handle, where the handle meets the body, spout, knob, lid, bottom
+                listOf(0.784, -1.4, 2.4),
+                listOf(-1.12, 2.0, 0.9),
+                listOf(-2.65, -0.3, 0.9375),
+                listOf(-2.0, 0.0, 0.9),
+                listOf(3.525, -0.25, 2.49375),
+                listOf(-0.8, 0.45, 3.15),
+                listOf(-0.728, 1.3, 2.4),
+                listOf(-1.425, -0.798, 0.0),
+            )
+        val actual = TeapotPatches.all.flatMap { points(it) }.toSet()
+        assertEquals(emptyList<List<Double>>(), published - actual)
+    }
+
+    @Test
+    fun setOfPatchesIsSymmetric() {
+        val patches = TeapotPatches.all.map { points(it) }.toSet()
+        assertEquals(32, patches.size)
+        // The whole is symmetric front to back, body and lid left to right as well
+        assertEquals(patches, TeapotPatches.all.map { points(it.mirrored(Axis.Y)) }.toSet())
+        val round = TeapotPatches.body + TeapotPatches.lid
+        assertEquals(round.map { points(it) }.toSet(), round.map { points(it.mirrored(Axis.X)) }.toSet())
+    }
+
+    @Test
+    fun mirroringTwiceChangesNothing() {
+        for (patch in TeapotPatches.all) {
+            for (axis in Axis.entries) {
+                val twice = patch.mirrored(axis).mirrored(axis)
+                assertEquals(points(patch), points(twice), "$axis of $patch")
+            }
+        }
+    }
+
+    @Test
+    fun patchOfTheWrongSizeIsRejected() {
+        assertThrows(IllegalArgumentException::class.java) { BezierPatch(DoubleArray(47)) }
+    }
+
+    private fun points(patch: BezierPatch): List<List<Double>> = patch.controlPoints.toList().chunked(BezierPatch.AXES)
+}
