@@ -26,9 +26,17 @@ public class Counters {
     @JvmField
     public var shadingCalls: Long = 0
 
-    /** Steps of incremental shading. */
+    /** Shading calls whose attributes were evaluated at the sample, not reached by steps. Late shading only. */
+    @JvmField
+    public var shadingStarts: Long = 0
+
+    /** Steps of incremental shading, from a column to the next. */
     @JvmField
     public var shadingSteps: Long = 0
+
+    /** Most steps of incremental shading that one shading call had to make up for. */
+    @JvmField
+    public var longestChain: Long = 0
 
     /** Most suspended shading calls alive at one time. */
     @JvmField
@@ -41,8 +49,25 @@ public class Counters {
     @JvmField
     public var peakBytes: Long = 0
 
+    /** Returns the work of this and [other] together, one done after the other: sums, and the greater of peaks. */
+    public fun plus(other: Counters): Counters {
+        val sum = Counters()
+        sum.primitives = primitives + other.primitives
+        sum.fragments = fragments + other.fragments
+        sum.depthEvaluations = depthEvaluations + other.depthEvaluations
+        sum.depthPasses = depthPasses + other.depthPasses
+        sum.shadingCalls = shadingCalls + other.shadingCalls
+        sum.shadingStarts = shadingStarts + other.shadingStarts
+        sum.shadingSteps = shadingSteps + other.shadingSteps
+        sum.longestChain = maxOf(longestChain, other.longestChain)
+        sum.peakSuspensions = maxOf(peakSuspensions, other.peakSuspensions)
+        sum.peakBytes = maxOf(peakBytes, other.peakBytes)
+        return sum
+    }
+
     override fun toString(): String =
         "Counters(primitives=$primitives, fragments=$fragments, depthEvaluations=$depthEvaluations, " +
-            "depthPasses=$depthPasses, shadingCalls=$shadingCalls, shadingSteps=$shadingSteps, " +
-            "peakSuspensions=$peakSuspensions, peakBytes=$peakBytes)"
+            "depthPasses=$depthPasses, shadingCalls=$shadingCalls, shadingStarts=$shadingStarts, " +
+            "shadingSteps=$shadingSteps, longestChain=$longestChain, peakSuspensions=$peakSuspensions, " +
+            "peakBytes=$peakBytes)"
 }

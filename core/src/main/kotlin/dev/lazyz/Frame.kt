@@ -1,20 +1,42 @@
 package dev.lazyz
 
+import dev.lazyz.setup.EmptyPrimitive
+
 /**
- * Everything a renderer needs: a raster and primitives in submission order, set up once.
+ * Everything a renderer needs: a raster, primitives in submission order, set up once, and the part of the raster to render.
  *
  * All that could make two renderers disagree has happened by now; a renderer only chooses the order of evaluation.
  * Immutable and thread safe if its primitives are.
  *
  * @property raster the grid of samples
  * @property primitives what to render; the position in the list is the submission index, which decides ties
+ * @property region the samples to render; the whole raster unless it is given
+ * @throws IllegalArgumentException if [region] is not within the raster
  */
-public class Frame(public val raster: Raster, public val primitives: List<Primitive>) {
-    /** Number of columns. */
-    public val width: Int get() = raster.width
+public class Frame @JvmOverloads constructor(
+    public val raster: Raster,
+    public val primitives: List<Primitive>,
+    public val region: Region = raster.region,
+) {
+    init {
+        require(raster.region.contains(region)) { "$region must be within $raster" }
+    }
 
-    /** Number of rows. */
-    public val height: Int get() = raster.height
+    /** Number of columns to render. */
+    public val width: Int get() = region.width
 
-    override fun toString(): String = "Frame($raster, ${primitives.size} primitives)"
+    /** Number of rows to render. */
+    public val height: Int get() = region.height
+
+    /** Returns the part of this frame within [region]: the picture is that rectangle of the whole picture. */
+    public fun within(region: Region): Frame = Frame(raster, primitives, region)
+
+    /**
+     * Returns the part of this frame with those primitives whose index passes [test]. The others cover nothing but keep
+     * their indices, so that pictures of parts can be merged into the picture of the whole, see [Image.merge].
+     */
+    public fun keeping(test: (index: Int) -> Boolean): Frame =
+        Frame(raster, primitives.mapIndexed { index, primitive -> if (test(index)) primitive else EmptyPrimitive }, region)
+
+    override fun toString(): String = "Frame($raster, $region, ${primitives.size} primitives)"
 }

@@ -63,7 +63,7 @@ public class FrameBuilder(private val raster: Raster) {
             IntArray(count) { ScreenGrid.snap(all[3 * it + 1]) },
             IntArray(count) { viewport.depthOfUnit(all[3 * it + 2]) },
         )
-        return assembly.primitive(raster, fillRule, shader, PlanarPrimitive.WORLD, 1.0)
+        return assembly.primitive(raster, fillRule, shader, PlanarPrimitive.WORLD, 1.0, isTranslucent = false)
     }
 
     private fun isInGuardBand(pixels: Double): Boolean = StrictMath.abs(pixels) <= ScreenGrid.GUARD

@@ -8,38 +8,52 @@ import java.security.MessageDigest
  * Two images are equal if all three are, bit for bit (contract rule 7.1). Immutable; the arrays returned are the
  * image's own and must not be changed.
  *
- * @property width number of columns
- * @property height number of rows
+ * @property region the samples of the raster that the picture shows; the whole raster as a rule
  * @property argb colours in rows from the top, 8-bit sRGB with straight alpha, `0xAARRGGBB`
  * @property depth depths in rows from the top, 0..2^31-1, see [Depth]
  * @property primitive submission index of the visible primitive, or [DepthTest.BACKGROUND], in rows from the top
  * @property counters what the rendering took
  */
 public class Image(
-    public val width: Int,
-    public val height: Int,
+    public val region: Region,
     public val argb: IntArray,
     public val depth: IntArray,
     public val primitive: IntArray,
     public val counters: Counters,
 ) {
     init {
-        val size = width.toLong() * height
+        val size = region.size
         require(argb.size.toLong() == size && depth.size.toLong() == size && primitive.size.toLong() == size) {
             "an image of $width x $height needs $size samples: ${argb.size}, ${depth.size}, ${primitive.size}"
         }
     }
 
+    /** A picture of a whole raster of [width] x [height] samples. */
+    public constructor(
+        width: Int,
+        height: Int,
+        argb: IntArray,
+        depth: IntArray,
+        primitive: IntArray,
+        counters: Counters,
+    ) : this(Region(0, 0, width, height), argb, depth, primitive, counters)
+
+    /** Number of columns. */
+    public val width: Int get() = region.width
+
+    /** Number of rows. */
+    public val height: Int get() = region.height
+
     /** Number of samples at which some primitive is visible. Cost: one pass over the samples. */
     public val visible: Int get() = primitive.count { it != DepthTest.BACKGROUND }
 
-    /** Returns the colour at column [x] and row [y], `0xAARRGGBB`. */
+    /** Returns the colour at column [x] and row [y] of the raster, `0xAARRGGBB`. */
     public fun argb(x: Int, y: Int): Int = argb[index(x, y)]
 
-    /** Returns the depth at column [x] and row [y]. */
+    /** Returns the depth at column [x] and row [y] of the raster. */
     public fun depth(x: Int, y: Int): Int = depth[index(x, y)]
 
-    /** Returns the submission index of the primitive visible at column [x] and row [y], or [DepthTest.BACKGROUND]. */
+    /** Returns the index of the primitive visible at column [x] and row [y] of the raster, or [DepthTest.BACKGROUND]. */
     public fun primitive(x: Int, y: Int): Int = primitive[index(x, y)]
 
     /**
@@ -57,50 +71,87 @@ public class Image(
     }
 
     private fun index(x: Int, y: Int): Int {
-        require(x in 0 until width && y in 0 until height) { "sample must be within $width x $height: ($x, $y)" }
-        return y * width + x
+        require(region.contains(x, y)) { "sample must be within $region: ($x, $y)" }
+        return (y - region.rowStart) * width + (x - region.columnStart)
     }
 
-    override fun equals(other: Any?): Boolean = other is Image && width == other.width && height == other.height &&
+    override fun equals(other: Any?): Boolean = other is Image && region == other.region &&
         argb.contentEquals(other.argb) && depth.contentEquals(other.depth) && primitive.contentEquals(other.primitive)
 
     override fun hashCode(): Int = argb.contentHashCode() * 31 + depth.contentHashCode()
 
-    override fun toString(): String = "Image($width x $height, $visible visible, ${pixelHash().take(12)})"
+    override fun toString(): String = "Image($region, $visible visible, ${pixelHash().take(12)})"
 
     /**
      * A sink that keeps all rows. Not thread safe.
      *
-     * @throws IllegalArgumentException if the raster has more than 2^31-1 samples: stream its rows instead
+     * @throws IllegalArgumentException if the region has more than 2^31-1 samples: stream its rows instead
      */
-    public class Collector(private val raster: Raster) : RowSink {
+    public class Collector(private val region: Region) : RowSink {
         private val argb: IntArray
         private val depth: IntArray
         private val primitive: IntArray
 
         init {
-            require(raster.size <= MAX_SAMPLES) {
-                "an image in memory has at most $MAX_SAMPLES samples, stream the rows instead: ${raster.size}"
+            require(region.size <= MAX_SAMPLES) {
+                "an image in memory has at most $MAX_SAMPLES samples, stream the rows instead: ${region.size}"
             }
-            argb = IntArray(raster.size.toInt())
-            depth = IntArray(raster.size.toInt())
-            primitive = IntArray(raster.size.toInt())
+            argb = IntArray(region.size.toInt())
+            depth = IntArray(region.size.toInt())
+            primitive = IntArray(region.size.toInt())
         }
 
         override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
-            val width = raster.width
-            System.arraycopy(argb, 0, this.argb, y * width, width)
-            System.arraycopy(depth, 0, this.depth, y * width, width)
-            System.arraycopy(primitive, 0, this.primitive, y * width, width)
+            val at = (y - region.rowStart) * region.width
+            System.arraycopy(argb, 0, this.argb, at, region.width)
+            System.arraycopy(depth, 0, this.depth, at, region.width)
+            System.arraycopy(primitive, 0, this.primitive, at, region.width)
         }
 
         /** Returns the image. Call it once, after the last row. */
         public fun toImage(counters: Counters): Image =
-            Image(raster.width, raster.height, argb, depth, primitive, counters)
+            Image(region, argb, depth, primitive, counters)
     }
 
-    private companion object {
-        const val MAX_SAMPLES: Long = Int.MAX_VALUE - 8L
+    public companion object {
+        private const val MAX_SAMPLES: Long = Int.MAX_VALUE - 8L
+
+        /**
+         * Merges two pictures of parts of one frame (split by primitives, see [Frame.keeping], or by regions, see
+         * [Frame.within]): at each sample what is visible by [raster]'s depth test.
+         *
+         * The least of a total order, so merging is associative, commutative and idempotent, and a picture without
+         * primitives is its identity (contract rule 5.1). The result shows the least region that holds both; samples of
+         * neither are background. Counters are added up, peaks taken as if one part followed the other.
+         */
+        @JvmStatic
+        public fun merge(first: Image, second: Image, raster: Raster): Image {
+            val region = first.region.union(second.region)
+            val size = region.size
+            require(size <= MAX_SAMPLES) { "an image in memory has at most $MAX_SAMPLES samples: $size" }
+            val merged = Image(
+                region,
+                IntArray(size.toInt()) { raster.background.toArgb() },
+                IntArray(size.toInt()) { raster.backgroundDepth },
+                IntArray(size.toInt()) { DepthTest.BACKGROUND },
+                first.counters.plus(second.counters),
+            )
+            for (part in listOf(first, second)) {
+                for (y in part.region.rowStart until part.region.rowEnd) {
+                    for (x in part.region.columnStart until part.region.columnEnd) {
+                        val from = part.index(x, y)
+                        val to = merged.index(x, y)
+                        val key = raster.depthTest.key(part.depth[from], part.primitive[from])
+                        if (key < raster.depthTest.key(merged.depth[to], merged.primitive[to])) {
+                            merged.argb[to] = part.argb[from]
+                            merged.depth[to] = part.depth[from]
+                            merged.primitive[to] = part.primitive[from]
+                        }
+                    }
+                }
+            }
+            return merged
+        }
     }
 }
 

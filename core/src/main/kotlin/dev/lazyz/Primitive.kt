@@ -41,6 +41,20 @@ public interface Primitive {
     public val depthForm: LinearForm? get() = null
 
     /**
+     * A lower bound of the depth at all covered samples, 0..2^31-1. A close one helps renderers that sort or reject.
+     */
+    public val leastDepth: Int get() = 0
+
+    /** An upper bound of the depth at all covered samples, 0..2^31-1; see [leastDepth]. */
+    public val greatestDepth: Int get() = Int.MAX_VALUE
+
+    /**
+     * Whether the colour may let through what lies behind, so that a picture needs blending. A frame with such
+     * primitives needs a renderer that blends, see [Capability.TRANSPARENCY].
+     */
+    public val isTranslucent: Boolean get() = false
+
+    /**
      * Adds the spans of covered samples of row [y] to [spans], from left to right, none of them empty, none overlapping.
      *
      * [y] may be any row of the raster; outside [rowStart] until [rowEnd] there is nothing to add.
@@ -54,6 +68,25 @@ public interface Primitive {
     public fun depth(x: Int, y: Int): Int
 
     /** Computes the colour at the covered sample [Fragment.x], [Fragment.y] and leaves it in the fragment. */
+    public fun shade(fragment: Fragment)
+
+    /**
+     * Returns shading that steps along row [y] from column [x], or null if there is nothing to gain from it. It gives
+     * the colours that [shade] gives, bit for bit.
+     */
+    public fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
+}
+
+/**
+ * Coherent shading: state that is carried from sample to sample along a row. Belongs to one thread.
+ *
+ * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), section 4.
+ */
+public interface ShadingCursor {
+    /** Goes to the next column. Much cheaper than [shade]. */
+    public fun step()
+
+    /** Computes the colour at the current column; [fragment] has been moved there. */
     public fun shade(fragment: Fragment)
 }
 

@@ -32,6 +32,9 @@ public class Raster @JvmOverloads constructor(
     /** Number of samples. */
     public val size: Long get() = width.toLong() * height
 
+    /** All samples. */
+    public val region: Region get() = Region(0, 0, width, height)
+
     override fun toString(): String =
         "Raster($width x $height, $background, $convention, $depthTest, backgroundDepth=$backgroundDepth)"
 

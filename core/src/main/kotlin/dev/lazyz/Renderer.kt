@@ -15,8 +15,14 @@ public interface Renderer {
     /** What the renderer does, in one line. */
     public val summary: String
 
+    /** What the renderer promises beyond the picture. */
+    public val capabilities: Set<Capability> get() = emptySet()
+
+    /** Returns a renderer like this one that heeds [options], as far as they go with its [capabilities]. */
+    public fun configured(options: RenderOptions): Renderer = this
+
     /**
-     * Renders [frame] and hands every row to [sink], from the top row to the bottom row, each once.
+     * Renders [frame] and hands every row of its region to [sink], from the top row to the bottom row, each once.
      *
      * @return what it took
      */
@@ -24,7 +30,7 @@ public interface Renderer {
 
     /** Renders [frame] into memory. Cost: 12 bytes a sample besides the renderer's own memory. */
     public fun render(frame: Frame): Image {
-        val collector = Image.Collector(frame.raster)
+        val collector = Image.Collector(frame.region)
         val counters = render(frame, collector)
         return collector.toImage(counters)
     }
@@ -33,8 +39,8 @@ public interface Renderer {
 /** Takes finished rows, in order from the top. */
 public fun interface RowSink {
     /**
-     * Takes row [y]. The arrays belong to the renderer and are valid during this call only; each holds one element a
-     * column (and may be longer than the row).
+     * Takes row [y] of the raster. The arrays belong to the renderer and are valid during this call only; each holds one
+     * element a column, beginning with the first column of the frame's region (and may be longer than the row).
      *
      * @param argb colours, 8-bit sRGB with straight alpha, `0xAARRGGBB`
      * @param depth depths, 0..2^31-1, see [Depth]

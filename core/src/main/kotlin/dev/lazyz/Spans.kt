@@ -4,8 +4,17 @@ package dev.lazyz
  * The spans of one row: half-open runs of columns, [start] until [end].
  *
  * A reusable list; not thread safe. Grows as needed and never shrinks.
+ *
+ * @property columnStart columns before this one are dropped as they are added
+ * @property columnEnd columns from this one on are dropped as they are added
  */
-public class Spans {
+public class Spans @JvmOverloads constructor(
+    public val columnStart: Int = 0,
+    public val columnEnd: Int = Int.MAX_VALUE,
+) {
+    /** Spans that keep the columns of [region]. */
+    public constructor(region: Region) : this(region.columnStart, region.columnEnd)
+
     private var bounds = IntArray(16)
 
     /** Number of spans. */
@@ -19,10 +28,13 @@ public class Spans {
     public fun end(i: Int): Int = bounds[2 * i + 1]
 
     /**
-     * Appends the columns [start] until [end]; a span that touches the last one extends it. The caller keeps spans in
-     * order, not empty and not overlapping.
+     * Appends the columns [from] until [until], as far as they are kept; nothing if none is. A span that touches the
+     * last one extends it. The caller adds spans from left to right, not overlapping.
      */
-    public fun add(start: Int, end: Int) {
+    public fun add(from: Int, until: Int) {
+        val start = maxOf(from, columnStart)
+        val end = minOf(until, columnEnd)
+        if (start >= end) return
         if (count > 0 && start == bounds[2 * count - 1]) {
             bounds[2 * count - 1] = end
             return

@@ -3,6 +3,7 @@ package dev.lazyz.setup
 import dev.lazyz.Fragment
 import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
+import dev.lazyz.ShadingCursor
 import dev.lazyz.Spans
 
 /**
@@ -21,6 +22,8 @@ internal class MaskedPrimitive(
     override val columnStart: Int get() = whole.columnStart
     override val columnEnd: Int get() = whole.columnEnd
     override val depthForm: LinearForm? get() = whole.depthForm
+    override val leastDepth: Int get() = whole.leastDepth
+    override val greatestDepth: Int get() = whole.greatestDepth
 
     override fun spans(y: Int, spans: Spans) {
         val uncut = Spans()
@@ -38,6 +41,8 @@ internal class MaskedPrimitive(
     override fun depth(x: Int, y: Int): Int = whole.depth(x, y)
 
     override fun shade(fragment: Fragment): Unit = whole.shade(fragment)
+
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor? = whole.shadingCursor(x, y)
 
     override fun toString(): String = "MaskedPrimitive($whole)"
 }

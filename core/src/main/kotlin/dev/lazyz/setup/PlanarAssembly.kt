@@ -30,6 +30,7 @@ internal class PlanarAssembly(
         shader: Shader,
         fields: Int,
         normalSign: Double,
+        isTranslucent: Boolean,
     ): AttributedPrimitive? {
         // Bounds, and edges that cross rows; without them nothing is covered
         val columnStart = maxOf(ScreenGrid.firstSample(xs.min()), 0)
@@ -43,8 +44,10 @@ internal class PlanarAssembly(
         val reference = ReferenceTriangle(xs[a], ys[a], xs[b], ys[b], xs[c], ys[c])
         val depthForm = depthForm(reference, a, b, c)
         val corners = intArrayOf(selection[a], selection[b], selection[c])
+        val depthsOfForm = if (depthForm.dx == 0L && depthForm.dy == 0L) intArrayOf(depths[a]) else cornerDepths(reference, a, b, c)
         return PlanarPrimitive(
             edges, columnStart, columnEnd, depthForm, reference, vertices, corners, normalSign, fields, shader,
+            maxOf(depthsOfForm.min() - 1, 0), depthsOfForm.max() + 1, isTranslucent,
         )
     }
 
@@ -65,6 +68,14 @@ internal class PlanarAssembly(
         val third = xs.indices.maxBy { Math.abs(runX * (ys[it] - ys[0]) - runY * (xs[it] - xs[0])) }
         return intArrayOf(0, second, third)
     }
+
+    /** The plane's depth at every vertex, rounded; within the range of depths by [depthForm]. */
+    private fun cornerDepths(reference: ReferenceTriangle, a: Int, b: Int, c: Int): IntArray =
+        if (xs.size == 3) {
+            depths
+        } else {
+            IntArray(xs.size) { StrictMath.rint(reference.valueAt(xs[it], ys[it], depths[a], depths[b], depths[c])).toInt() }
+        }
 
     /** The plane of depth; constant if it would leave the range of depths somewhere in the polygon (rule 3.4). */
     private fun depthForm(reference: ReferenceTriangle, a: Int, b: Int, c: Int): LinearForm {

@@ -4,6 +4,7 @@ import dev.lazyz.Fragment
 import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Shader
+import dev.lazyz.ShadingCursor
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
 
@@ -38,6 +39,9 @@ internal class PlanarPrimitive(
     private val normalSign: Double,
     private val fields: Int,
     private val shader: Shader,
+    override val leastDepth: Int,
+    override val greatestDepth: Int,
+    override val isTranslucent: Boolean,
 ) : AttributedPrimitive {
     override val rowStart: Int get() = edges.rowStart
     override val rowEnd: Int get() = edges.rowEnd
@@ -60,12 +64,43 @@ internal class PlanarPrimitive(
 
     override fun attributes(fragment: Fragment) {
         if (fields == 0) return
-        val forms = weights ?: Weights.of(reference, vertices, corners).also { weights = it }
+        val forms = weights()
+        mix(
+            fragment,
+            forms.first.at(fragment.x, fragment.y),
+            forms.second.at(fragment.x, fragment.y),
+            forms.third.at(fragment.x, fragment.y),
+        )
+    }
 
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor? = if (fields == 0) null else WeightCursor(weights(), x, y)
+
+    private fun weights(): Weights = weights ?: Weights.of(reference, vertices, corners).also { weights = it }
+
+    /** Steps the three weights along a row. */
+    private inner class WeightCursor(private val forms: Weights, x: Int, y: Int) : ShadingCursor {
+        private var first = forms.first.at(x, y)
+        private var second = forms.second.at(x, y)
+        private var third = forms.third.at(x, y)
+
+        override fun step() {
+            first += forms.first.dx
+            second += forms.second.dx
+            third += forms.third.dx
+        }
+
+        override fun shade(fragment: Fragment) {
+            mix(fragment, first, second, third)
+            shader.shade(fragment)
+        }
+    }
+
+    /** Fills in the attributes from the values of the three forms. */
+    private fun mix(fragment: Fragment, first: Long, second: Long, third: Long) {
         // Perspective-correct weights: the one division of the fragment
-        val raw0 = forms.first.at(fragment.x, fragment.y) - LinearForm.HALF
-        val raw1 = forms.second.at(fragment.x, fragment.y) - LinearForm.HALF
-        val raw2 = forms.third.at(fragment.x, fragment.y) - LinearForm.HALF
+        val raw0 = first - LinearForm.HALF
+        val raw1 = second - LinearForm.HALF
+        val raw2 = third - LinearForm.HALF
         val scale = 1.0 / maxOf(raw0 + raw1 + raw2, 1L).toDouble()
         val w0 = raw0.toDouble() * scale
         val w1 = raw1.toDouble() * scale

@@ -101,6 +101,7 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
         private val usesFaceNormal: Boolean,
     ) {
         private val normal = DoubleArray(3)
+        private val isTranslucent = material.alphaMode == AlphaMode.BLEND
 
         /** Returns the face with the given contours, ready for a renderer. */
         fun primitive(shared: Vertices, corners: IntArray, contourEnds: IntArray, fillRule: FillRule): Primitive {
@@ -163,11 +164,11 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
             val ys = IntArray(selection.size) { viewport.gridY(vertices, selection[it]) }
             val depths = IntArray(selection.size) { viewport.depth(vertices, selection[it]) }
             val assembly = PlanarAssembly(vertices, selection, ends, xs, ys, depths)
-            if (material.alphaMode != AlphaMode.MASK) {
-                return assembly.primitive(raster, fillRule, material.shader ?: materialShader, fields, normalSign)
-            }
-            val maskFields = fields or PlanarPrimitive.UV or PlanarPrimitive.COLOR
-            val whole = assembly.primitive(raster, fillRule, material.shader ?: materialShader, maskFields, normalSign)
+            val isMasked = material.alphaMode == AlphaMode.MASK
+            val all = if (isMasked) fields or PlanarPrimitive.UV or PlanarPrimitive.COLOR else fields
+            val shader = material.shader ?: materialShader
+            val whole = assembly.primitive(raster, fillRule, shader, all, normalSign, isTranslucent)
+            if (!isMasked) return whole
             return whole?.let { MaskedPrimitive(it, materialShader, material.alphaCutoff) }
         }
 

@@ -1,5 +1,6 @@
 package dev.lazyz.setup
 
+import dev.lazyz.AlphaMode
 import dev.lazyz.Camera
 import dev.lazyz.Fragment
 import dev.lazyz.Projection
@@ -40,8 +41,17 @@ internal class SpherePrimitive private constructor(
     override val rowEnd: Int
     override val columnStart: Int
     override val columnEnd: Int
+    override val leastDepth: Int
+    override val greatestDepth: Int
+    override val isTranslucent: Boolean get() = sphere.material.alphaMode == AlphaMode.BLEND
 
     init {
+        val depths = intArrayOf(
+            depthAt(maxOf(-cz - radius, camera.near)),
+            depthAt(minOf(-cz + radius, camera.far)),
+        )
+        leastDepth = maxOf(depths.min() - 1, 0)
+        greatestDepth = depths.max() + 1
         if (isWhole) {
             val rows = extent(cy)
             val columns = extent(cx)
@@ -78,8 +88,9 @@ internal class SpherePrimitive private constructor(
         for (x in columnStart until columnEnd) if (!hit(x, y).isNaN()) spans.add(x, x + 1)
     }
 
-    override fun depth(x: Int, y: Int): Int {
-        val t = distance(x, y)
+    override fun depth(x: Int, y: Int): Int = depthAt(distance(x, y))
+
+    private fun depthAt(t: Double): Int {
         val near = camera.near
         val far = camera.far
         val unit = if (isPerspective) far * (t - near) / ((far - near) * t) else (t - near) / (far - near)

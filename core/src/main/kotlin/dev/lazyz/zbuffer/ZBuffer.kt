@@ -1,11 +1,13 @@
 package dev.lazyz.zbuffer
 
+import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
+import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
@@ -28,8 +30,10 @@ public class ZBuffer : Renderer {
 
     override val summary: String get() = "one primitive at a time, depth stepped along spans, shades whatever is nearer"
 
+    override val capabilities: Set<Capability> get() = setOf(Capability.STREAMS_PRIMITIVES)
+
     override fun render(frame: Frame, sink: RowSink): Counters {
-        val buffer = Buffer(frame.raster)
+        val buffer = Buffer(frame.raster, frame.region)
         for (primitive in frame.primitives) buffer.draw(primitive)
         return buffer.finish(sink)
     }
@@ -42,36 +46,38 @@ public class ZBuffer : Renderer {
      * @throws IllegalStateException if more than 2^31-2 primitives arrive
      */
     public suspend fun render(raster: Raster, primitives: Flow<Primitive>, sink: RowSink): Counters {
-        val buffer = Buffer(raster)
+        val buffer = Buffer(raster, raster.region)
         primitives.collect { buffer.draw(it) }
         return buffer.finish(sink)
     }
 
-    /** Colour and visibility key of every sample. */
-    private class Buffer(private val raster: Raster) {
-        private val width = raster.width
+    /** Colour and visibility key of every sample of a region. */
+    private class Buffer(raster: Raster, private val region: Region) {
+        private val width = region.width
         private val test = raster.depthTest
-        private val background = raster.background.toArgb()
         private val argb: IntArray
         private val keys: LongArray
         private val counters = Counters()
         private val fragment = Fragment()
-        private val spans = Spans()
+        private val spans = Spans(region)
 
         init {
-            require(raster.size <= MAX_SAMPLES) { "the z-buffer holds at most $MAX_SAMPLES samples: ${raster.size}" }
-            argb = IntArray(raster.size.toInt())
-            keys = LongArray(raster.size.toInt())
-            argb.fill(background)
+            require(region.size <= MAX_SAMPLES) { "the z-buffer holds at most $MAX_SAMPLES samples: ${region.size}" }
+            argb = IntArray(region.size.toInt())
+            keys = LongArray(region.size.toInt())
+            argb.fill(raster.background.toArgb())
             keys.fill(test.key(raster.backgroundDepth, DepthTest.BACKGROUND))
-            counters.peakBytes = BYTES_PER_SAMPLE * raster.size
+            counters.peakBytes = BYTES_PER_SAMPLE * region.size
         }
 
         fun draw(primitive: Primitive) {
             check(counters.primitives < Int.MAX_VALUE) { "more than 2^31-2 primitives" }
             val index = counters.primitives++.toInt()
-            val cursor = primitive.cursor(primitive.rowStart)
-            for (y in primitive.rowStart until primitive.rowEnd) {
+            val rowStart = maxOf(primitive.rowStart, region.rowStart)
+            val rowEnd = minOf(primitive.rowEnd, region.rowEnd)
+            if (rowStart >= rowEnd) return
+            val cursor = primitive.cursor(rowStart)
+            for (y in rowStart until rowEnd) {
                 cursor.next(spans)
                 for (i in 0 until spans.count) drawSpan(primitive, index, y, spans.start(i), spans.end(i))
             }
@@ -83,15 +89,17 @@ public class ZBuffer : Renderer {
             val form = primitive.depthForm
             var z = form?.at(start, y) ?: 0L
             val step = form?.dx ?: 0L
+            var at = (y - region.rowStart) * width + (start - region.columnStart)
             for (x in start until end) {
                 // One addition a sample where depth is linear
                 val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
                 z += step
                 val key = test.key(depth, index)
-                if (key < keys[y * width + x]) {
-                    keys[y * width + x] = key
-                    argb[y * width + x] = shade(primitive, x, y)
+                if (key < keys[at]) {
+                    keys[at] = key
+                    argb[at] = shade(primitive, x, y)
                 }
+                at++
             }
         }
 
@@ -107,14 +115,14 @@ public class ZBuffer : Renderer {
             val colors = IntArray(width)
             val depths = IntArray(width)
             val indices = IntArray(width)
-            for (y in 0 until raster.height) {
-                argb.copyInto(colors, 0, y * width, (y + 1) * width)
+            for (row in 0 until region.height) {
+                argb.copyInto(colors, 0, row * width, (row + 1) * width)
                 for (x in 0 until width) {
-                    val key = keys[y * width + x]
+                    val key = keys[row * width + x]
                     depths[x] = test.depthOf(key)
                     indices[x] = test.indexOf(key)
                 }
-                sink.row(y, colors, depths, indices)
+                sink.row(region.rowStart + row, colors, depths, indices)
             }
             return counters
         }

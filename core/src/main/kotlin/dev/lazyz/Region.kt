@@ -1,0 +1,48 @@
+package dev.lazyz
+
+/**
+ * A rectangle of samples: columns [columnStart] until [columnEnd], rows [rowStart] until [rowEnd]. Immutable.
+ *
+ * @throws IllegalArgumentException if it is empty or starts at a negative column or row
+ */
+public class Region(
+    public val columnStart: Int,
+    public val rowStart: Int,
+    public val columnEnd: Int,
+    public val rowEnd: Int,
+) {
+    init {
+        require(columnStart in 0 until columnEnd && rowStart in 0 until rowEnd) { "a region must hold a sample: $this" }
+    }
+
+    /** Number of columns. */
+    public val width: Int get() = columnEnd - columnStart
+
+    /** Number of rows. */
+    public val height: Int get() = rowEnd - rowStart
+
+    /** Number of samples. */
+    public val size: Long get() = width.toLong() * height
+
+    /** Whether the sample at column [x] and row [y] is in the region. */
+    public fun contains(x: Int, y: Int): Boolean = x in columnStart until columnEnd && y in rowStart until rowEnd
+
+    /** Whether all samples of [other] are in the region. */
+    public fun contains(other: Region): Boolean =
+        columnStart <= other.columnStart && other.columnEnd <= columnEnd && rowStart <= other.rowStart && other.rowEnd <= rowEnd
+
+    /** Returns the least region that holds both. */
+    public fun union(other: Region): Region = Region(
+        minOf(columnStart, other.columnStart),
+        minOf(rowStart, other.rowStart),
+        maxOf(columnEnd, other.columnEnd),
+        maxOf(rowEnd, other.rowEnd),
+    )
+
+    override fun equals(other: Any?): Boolean = other is Region && columnStart == other.columnStart &&
+        rowStart == other.rowStart && columnEnd == other.columnEnd && rowEnd == other.rowEnd
+
+    override fun hashCode(): Int = ((columnStart * 31 + rowStart) * 31 + columnEnd) * 31 + rowEnd
+
+    override fun toString(): String = "Region(columns $columnStart..<$columnEnd, rows $rowStart..<$rowEnd)"
+}

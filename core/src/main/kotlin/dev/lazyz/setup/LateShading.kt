@@ -1,0 +1,94 @@
+package dev.lazyz.setup
+
+import dev.lazyz.Coherence
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.ShadingCursor
+
+/**
+ * Forces the suspended colours of a row, once it is known what is visible: one shading call a visible sample.
+ *
+ * Shared by all renderers that shade late. A suspension is no more than the index of the primitive: primitive and sample
+ * determine the colour (contract rule 6.1). What is carried along the row under [Coherence.INCREMENTAL] is a chain of
+ * steps, one for each primitive seen on the row: where the primitive is hidden the steps are still made, the colours are
+ * dropped; so a chain costs steps for its gaps, and saves evaluating the attributes where it is visible.
+ *
+ * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), section 4. There a chain begins at
+ * the primitive's first sample on the row; here at the first that is visible, which gives the same colours for less.
+ *
+ * Belongs to one thread.
+ */
+internal class LateShading(private val frame: Frame, private val coherence: Coherence, private val counters: Counters) {
+    private val fragment = Fragment()
+    private val background = frame.raster.background.toArgb()
+    private val firstColumn = frame.region.columnStart
+
+    /** The chains of this row, by primitive. */
+    private val chains = HashMap<Int, Chain>()
+
+    /** Bytes held by chains at their most numerous, estimated by the size of their fields. */
+    var peakBytes: Long = 0
+        private set
+
+    private class Chain(val cursor: ShadingCursor, var x: Int)
+
+    /**
+     * Computes the colours of row [y] for the visible primitives of [indices] (one a column, from the region's first)
+     * into [argb].
+     */
+    fun shadeRow(y: Int, indices: IntArray, argb: IntArray) {
+        chains.clear()
+        for (i in 0 until frame.width) {
+            val index = indices[i]
+            argb[i] = if (index == DepthTest.BACKGROUND) background else shade(firstColumn + i, y, index)
+        }
+        peakBytes = maxOf(peakBytes, chains.size * CHAIN_BYTES)
+    }
+
+    /** Computes the colour of the primitive [index] at a sample. Within a row, columns do not decrease. */
+    fun shade(x: Int, y: Int, index: Int): Int {
+        counters.shadingCalls++
+        fragment.moveTo(x, y)
+        val primitive = frame.primitives[index]
+        val cursor = if (coherence == Coherence.DIRECT) null else cursorAt(x, y, index)
+        if (cursor != null) {
+            cursor.shade(fragment)
+        } else {
+            counters.shadingStarts++
+            primitive.shade(fragment)
+        }
+        return fragment.toArgb()
+    }
+
+    /** Returns shading of the primitive [index] at column [x], or null if the primitive has none that steps. */
+    private fun cursorAt(x: Int, y: Int, index: Int): ShadingCursor? {
+        val chain = chains[index]
+        if (chain != null && isWorthStepping(x - chain.x)) {
+            val gap = x - chain.x
+            for (step in 0 until gap) chain.cursor.step()
+            chain.x = x
+            counters.shadingSteps += gap
+            counters.longestChain = maxOf(counters.longestChain, gap.toLong())
+            return chain.cursor
+        }
+        val cursor = frame.primitives[index].shadingCursor(x, y) ?: return null
+        counters.shadingStarts++
+        chains[index] = Chain(cursor, x)
+        return cursor
+    }
+
+    private fun isWorthStepping(gap: Int): Boolean = coherence == Coherence.INCREMENTAL || gap <= BREAK_EVEN
+
+    private companion object {
+        /**
+         * Steps that cost as much as evaluating the attributes' forms afresh: three additions against six
+         * multiplications, six additions and a new cursor.
+         */
+        const val BREAK_EVEN = 4
+
+        /** A chain: two objects of a header and four 8-byte fields, and an entry of the map. */
+        const val CHAIN_BYTES = 144L
+    }
+}
