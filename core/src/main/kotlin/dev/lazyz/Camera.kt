@@ -65,6 +65,12 @@ public class Camera private constructor(
     /** Where the camera is, world space. */
     public val eye: Vector3dc = Vector3d(eye)
 
+    /** A point in the middle of the picture, world space; only its direction from the eye matters. */
+    public val target: Vector3dc = Vector3d(target)
+
+    /** Roughly the direction that is up in the picture, as it was given. */
+    public val up: Vector3dc = Vector3d(up)
+
     /** From the target to the eye; unit length. */
     internal val backward: Vector3d
 

@@ -1,5 +1,7 @@
 package dev.lazyz.cli
 
+import com.github.ajalt.clikt.core.MultiUsageError
+import com.github.ajalt.clikt.core.NoSuchOption
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.output.ParameterFormatter
 import dev.lazyz.scenes.SceneFormatException
@@ -21,26 +23,32 @@ internal object Failure {
     fun mistake(failure: Throwable): String? = when (failure) {
         is Mistake, is SceneFormatException -> failure.message
         is FileSystemException -> describe(failure)
+        is OutOfMemoryError -> outOfMemory(failure)
         is IOException -> failure.message ?: failure.javaClass.simpleName
         is InvalidPathException -> "not a file name: ${failure.input} (${failure.reason})"
         is ServiceConfigurationError -> "a renderer on the class path cannot be loaded: ${failure.message}"
         else -> failure.cause?.takeIf { failure is java.io.UncheckedIOException }?.let { mistake(it) }
     }
 
-    /** A writer may have wrapped it: rethrows the [OutputClosed] among the causes of [failure], if there is one. */
-    fun throwIfOutputClosed(failure: Throwable) {
-        generateSequence(failure) { it.cause }.take(MAX_CAUSES).filterIsInstance<OutputClosed>().forEach { throw it }
-    }
+    /** Returns the [OutputClosed] among the causes of [failure], for a writer may have wrapped it, or null. */
+    fun outputClosed(failure: Throwable): OutputClosed? =
+        generateSequence(failure) { it.cause }.take(MAX_CAUSES).filterIsInstance<OutputClosed>().firstOrNull()
 
-    /** Clikt's message, and where to read more. */
+    /** Clikt's message, and where to read more. A misspelt option hides the faults that follow from it. */
     fun usage(error: UsageError): String {
-        val context = error.context
-        val message = if (context == null) error.message.orEmpty() else error.formatMessage(context.localization, ParameterFormatter.Plain)
+        val all = if (error is MultiUsageError) error.errors else listOf(error)
+        val errors = all.filter { it is NoSuchOption }.ifEmpty { all }
+        val context = errors.firstNotNullOfOrNull { it.context }
         val command = context?.commandNameWithParents()?.joinToString(" ") ?: "zcli"
-        return "$message\nSee '$command --help'."
+        return errors.joinToString("\n") { wording(it) } + "\nSee '$command --help'."
     }
 
-    fun outOfMemory(error: OutOfMemoryError): String =
+    private fun wording(error: UsageError): String {
+        val context = error.context ?: return error.message.orEmpty()
+        return error.formatMessage(context.localization, ParameterFormatter.Plain)
+    }
+
+    private fun outOfMemory(error: OutOfMemoryError): String =
         "out of memory (${error.message}); Java may use ${Bytes.readable(Runtime.getRuntime().maxMemory())}: " +
             "give it more with 'java -Xmx...g -jar zcli.jar ...', or render a smaller --size"
 

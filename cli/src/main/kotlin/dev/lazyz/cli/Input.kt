@@ -16,6 +16,9 @@ internal class Input(private val word: String, private val format: SceneFormat?)
     private val isStandardInput = word == "-"
     private val builtin = if (format == null) Scenes.builtins.firstOrNull { it.id == word } else null
 
+    /** What to call the input. */
+    val name: String get() = if (isStandardInput) "standard input" else word
+
     /** The input's name without folder and ending, or null if it has none. */
     val baseName: String?
         get() = when {
@@ -30,20 +33,21 @@ internal class Input(private val word: String, private val format: SceneFormat?)
             val known = format ?: throw Mistake(
                 "say what standard input is with --format ${SceneFormat.entries.joinToString("|") { it.id }}",
             )
-            return Scenes.load(streams.input, known, "standard input")
+            return Scenes.load(streams.input, known, name)
         }
-        if (builtin != null) return loadBuiltin(streams)
+        if (builtin != null) return LoadedScene(builtin.scene(), emptyList(), builtin.size)
         val path = Path.of(word)
         requireFile(path)
         return Scenes.load(path, format ?: formatOf(path))
     }
 
     private fun requireFile(path: Path) {
-        if (Files.isDirectory(path)) throw Mistake("$word is a folder, not a model or a scene file")
-        if (!Files.exists(path)) {
+        val isThere = word.isNotEmpty() && Files.exists(path)
+        if (isThere && Files.isDirectory(path)) throw Mistake("$word is a folder, not a model or a scene file")
+        if (!isThere) {
             if (format != null || SceneFormat.ofFileName(word) != null) throw Mistake("$word: no such file")
             val hint = Nearest.hint(word, Scenes.builtins.map { it.id })
-            throw Mistake("there is no built-in scene and no file '$word'$hint 'zcli scenes' lists the built-in scenes")
+            throw Mistake("there is no built-in scene and no file '$word'$hint\nSee 'zcli scenes'.")
         }
         if (!Files.isReadable(path)) throw Mistake("$word: permission denied")
     }

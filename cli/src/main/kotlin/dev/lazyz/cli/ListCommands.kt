@@ -1,11 +1,10 @@
 package dev.lazyz.cli
 
 import com.github.ajalt.clikt.core.Context
-import com.github.ajalt.clikt.core.CoreCliktCommand
 import dev.lazyz.scenes.Scenes
 
 /** `zcli scenes`: the built-in scenes, one line each. */
-internal class ScenesCommand(private val streams: Streams) : CoreCliktCommand(name = "scenes") {
+internal class ScenesCommand(private val streams: Streams) : Command("scenes") {
     override fun help(context: Context): String = "Lists the built-in scenes, which render takes by name."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
@@ -19,10 +18,10 @@ internal class ScenesCommand(private val streams: Streams) : CoreCliktCommand(na
 }
 
 /** `zcli strategies`: the renderers, one line each. */
-internal class StrategiesCommand(private val streams: Streams) : CoreCliktCommand(name = "strategies") {
+internal class StrategiesCommand(private val streams: Streams) : Command("strategies") {
     override fun help(context: Context): String =
-        "Lists the strategies for hidden surfaces. They all give the same picture, bit for bit, and differ in time and " +
-            "memory."
+        "Lists the strategies for removing hidden surfaces.\n\nThey all give the same picture, bit for bit; they " +
+            "differ in time and memory."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli strategies" to "an id and a description a line",

@@ -39,11 +39,9 @@ private fun attempt(args: Array<String>, streams: Streams): Int {
         return ExitCode.DONE
     } catch (request: CliktError) {
         return answer(request, streams)
-    } catch (memory: OutOfMemoryError) {
-        streams.error(Failure.outOfMemory(memory))
-        return ExitCode.MISTAKE
     } catch (failure: Throwable) {
-        Failure.throwIfOutputClosed(failure)
+        val closed = Failure.outputClosed(failure)
+        if (closed != null) throw closed
         val mistake = Failure.mistake(failure)
         if (mistake != null) {
             streams.error(mistake)
@@ -58,7 +56,9 @@ private fun attempt(args: Array<String>, streams: Streams): Int {
 private fun answer(request: CliktError, streams: Streams): Int {
     when (request) {
         is PrintHelpMessage -> streams.print(request.context?.command?.getFormattedHelp().orEmpty().trimEnd() + "\n")
+
         is UsageError -> streams.error(Failure.usage(request))
+
         else -> {
             val text = request.message.orEmpty()
             if (request.statusCode == ExitCode.DONE) streams.print(text + "\n") else streams.error(text)

@@ -2,7 +2,7 @@ package dev.lazyz.cli
 
 /** Guesses what somebody meant who misspelt a name. */
 internal object Nearest {
-    /** Returns ` Did you mean 'x'?` for the name nearest to [text], or nothing if none is near. */
+    /** Returns `; did you mean 'x'?` for the name nearest to [text], or nothing if none is near. */
     fun hint(text: String, names: Collection<String>): String =
         of(text, names)?.let { "; did you mean '$it'?" }.orEmpty()
 

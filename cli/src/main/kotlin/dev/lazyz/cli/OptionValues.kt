@@ -5,23 +5,21 @@ import com.github.ajalt.clikt.parameters.options.RawOption
 import com.github.ajalt.clikt.parameters.options.convert
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
-
-/** Width and height of a picture. */
-internal class Size(val width: Int, val height: Int)
+import dev.lazyz.scenes.ImageSize
 
 private val sizeForm = Regex("""(-?\d+)[xX×](-?\d+)""")
 
 private val numberForm = Regex("""[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?""")
 
 /** Takes `640x480`. */
-internal fun RawOption.size(): NullableOption<Size, Size> = convert(SIZE) { text ->
+internal fun RawOption.size(): NullableOption<ImageSize, ImageSize> = convert(SIZE) { text ->
     val (width, height) = sizeForm.matchEntire(text)?.destructured
         ?: fail("'$text' is not WIDTHxHEIGHT, such as 640x480")
     val sides = listOf(width, height).map { side ->
         side.toIntOrNull()?.takeIf { it in 1..Raster.MAX_SIDE }
             ?: fail("width and height must be in 1..${Raster.MAX_SIDE}: $text")
     }
-    Size(sides[0], sides[1])
+    ImageSize(sides[0], sides[1])
 }
 
 /** Takes a decimal number in [range], which [unit] follows in messages. */
@@ -41,7 +39,7 @@ internal fun RawOption.color(): NullableOption<Rgba, Rgba> = convert("COLOR") { 
         Rgba.parse(if (text.matches(Regex("[0-9a-fA-F]{3,8}"))) "#$text" else text.lowercase())
     } catch (unknown: IllegalArgumentException) {
         val hint = Nearest.hint(text, listOf("transparent", "black", "white"))
-        fail("'$text' is not a colour$hint say black, white, transparent, rgb, rrggbb or rrggbbaa (hexadecimal)")
+        fail("'$text' is not black, white, transparent, nor hexadecimal rgb, rrggbb or rrggbbaa$hint")
     }
 }
 

@@ -1,7 +1,6 @@
 package dev.lazyz.cli
 
 import com.github.ajalt.clikt.core.Context
-import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
@@ -16,7 +15,7 @@ import dev.lazyz.scenes.SceneFormat
 import java.nio.file.Path
 
 /** `zcli render`: declares the options; [RenderJob] does the work. */
-internal class RenderCommand(private val streams: Streams) : CoreCliktCommand(name = "render") {
+internal class RenderCommand(private val streams: Streams) : Command("render") {
     private val input by argument(
         "INPUT",
         help = "A model (.obj, .stl, .ply, .gltf, .glb), a scene file (.json), the name of a built-in scene " +
@@ -28,8 +27,8 @@ internal class RenderCommand(private val streams: Streams) : CoreCliktCommand(na
     private val rendering by RenderingOptions()
 
     override fun help(context: Context): String =
-        "Renders a model or a scene to a picture. Without further options the camera frames the whole model from the " +
-            "front right, a little above, and a model without lights gets some that show its shape."
+        "Renders a model or a scene to a picture.\n\nWithout further options the camera frames the whole model from " +
+            "the front right, a little above, and a model without lights gets some that show its shape."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli render teapot -o teapot.png" to "a built-in scene, 640x480",
@@ -60,8 +59,8 @@ internal class RenderCommand(private val streams: Streams) : CoreCliktCommand(na
 
 /** How to read the input. */
 private class ReadingOptions : OptionGroup("Reading") {
-    val format by option("--format", help = "What INPUT is: ${names(SceneFormat.entries.map { it.id })}; default: by its name's ending")
-        .oneOf("FORMAT", SceneFormat.entries.associateBy { it.id })
+    val format by option("--format", help = "What INPUT is: ${names(formats.keys)}; default: by its name's ending")
+        .oneOf("FORMAT", formats)
 
     val up by option("--up", help = "Which axis of the model points up: y or z; default: y")
         .oneOf("AXIS", Up.entries.associateBy { it.name.lowercase() })
@@ -78,8 +77,10 @@ private class PictureOptions : OptionGroup("Picture") {
             "with .png in the current folder, if there is no such file yet",
     )
 
-    val size by option("--size", help = "Width and height in pixels, each 1..262144; default: the scene file's, or 640x480")
-        .size()
+    val size by option(
+        "--size",
+        help = "Width and height in pixels, each 1..262144; default: the scene file's, or 640x480",
+    ).size()
 
     val background by option(
         "--background",
@@ -142,6 +143,8 @@ private class RenderingOptions : OptionGroup("Rendering") {
         .optionalValue(StatsForm.TABLE, acceptsUnattachedValue = false)
 }
 
+private val formats = SceneFormat.entries.associateBy { it.id }
+
 private val shadings = Shading.entries.associateBy { it.name.lowercase().replace('_', '-') }
 
-private fun names(all: Collection<String>): String = all.toList().let { it.dropLast(1).joinToString() + " or " + it.last() }
+private fun names(all: Collection<String>): String = all.toList().dropLast(1).joinToString() + " or " + all.last()

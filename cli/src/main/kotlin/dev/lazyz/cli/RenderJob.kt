@@ -1,11 +1,11 @@
 package dev.lazyz.cli
 
-import dev.lazyz.DepthTest
 import dev.lazyz.Material
 import dev.lazyz.Raster
-import dev.lazyz.RowSink
 import dev.lazyz.Scene
 import dev.lazyz.Shading
+import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.ImageSize
 
 /** One run of `zcli render`: input, camera, raster, rows to all sinks at once, statistics. */
 internal class RenderJob(private val request: RenderRequest, private val streams: Streams) {
@@ -15,13 +15,13 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         val renderer = Strategies.find(request.strategy)
         val outputs = Outputs(request, input, streams)
 
-        streams.progress("reading ${request.input} ...")
+        streams.progress("reading ${input.name} ...")
         val loaded = input.load(streams)
         warn(loaded.warnings)
 
         val start = System.nanoTime()
         val scene = asRequested(loaded.scene)
-        val raster = raster(scene, null)
+        val raster = raster(scene, loaded.size)
         MemoryNeed.check(renderer, raster)
         streams.progress("setting up ${raster.width}x${raster.height} ...")
         val frame = scene.frame(raster)
@@ -33,7 +33,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         if (tally.visible == 0L) streams.warning("nothing is visible: the picture is all background")
         outputs.describe(raster)
         val form = request.stats ?: return
-        tell(form, Statistics(request.input, renderer.id, raster, counters, tally, loaded.warnings.size, nanoseconds))
+        tell(form, Statistics(input.name, renderer.id, raster, counters, tally, loaded.warnings.size, nanoseconds))
     }
 
     private fun asRequested(loaded: Scene): Scene {
@@ -58,7 +58,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         material.name,
     )
 
-    private fun raster(scene: Scene, own: Size?): Raster {
+    private fun raster(scene: Scene, own: ImageSize?): Raster {
         val size = request.size ?: own ?: DEFAULT_SIZE
         return Raster(size.width, size.height, request.background ?: scene.background, request.depthConvention)
     }
@@ -76,14 +76,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
     }
 
     private companion object {
-        val DEFAULT_SIZE = Size(640, 480)
+        val DEFAULT_SIZE = ImageImageSize(640, 480)
         const val MAX_WARNINGS = 20
-    }
-}
-
-/** Hands every row to several sinks, in their order. */
-internal class FanOut(private val sinks: List<RowSink>) : RowSink {
-    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
-        for (sink in sinks) sink.row(y, argb, depth, primitive)
     }
 }

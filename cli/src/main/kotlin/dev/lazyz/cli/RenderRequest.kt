@@ -3,6 +3,7 @@ package dev.lazyz.cli
 import dev.lazyz.DepthConvention
 import dev.lazyz.Rgba
 import dev.lazyz.Shading
+import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.SceneFormat
 import java.nio.file.Path
 
@@ -19,7 +20,7 @@ internal class RenderRequest(
     val up: Up,
     val output: String?,
     val depthOutput: Path?,
-    val size: Size?,
+    val size: ImageSize?,
     val background: Rgba?,
     val strategy: String,
     val shading: Shading?,

@@ -3,6 +3,7 @@ package dev.lazyz.cli
 import com.github.ajalt.mordant.rendering.AnsiLevel
 import com.github.ajalt.mordant.rendering.BorderType
 import com.github.ajalt.mordant.rendering.TextAlign
+import com.github.ajalt.mordant.table.Borders
 import com.github.ajalt.mordant.table.table
 import com.github.ajalt.mordant.terminal.Terminal
 
@@ -13,6 +14,8 @@ internal object StatisticsTable {
     fun of(statistics: Statistics): String {
         val table = table {
             borderType = BorderType.ASCII
+            cellBorders = Borders.LEFT_RIGHT
+            tableBorders = Borders.ALL
             column(1) { align = TextAlign.RIGHT }
             body { statistics.entries.forEach { (key, value) -> row(key, readable(key, value)) } }
         }

@@ -15,8 +15,7 @@ internal object Strategies {
     fun find(id: String): Renderer {
         val all = all()
         return all.firstOrNull { it.id == id } ?: throw Mistake(
-            "no strategy '$id'${Nearest.hint(id, all.map { it.id })} There is: ${all.joinToString { it.id }} " +
-                "(see 'zcli strategies')",
+            "no strategy '$id'${Nearest.hint(id, all.map { it.id })}\nSee 'zcli strategies'.",
         )
     }
 }

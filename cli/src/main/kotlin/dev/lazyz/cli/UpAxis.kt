@@ -37,12 +37,15 @@ internal object UpAxis {
             surface.uvs,
             surface.colors,
         )
+
         is Polygon -> Polygon(
             surface.contours.map { contour -> contour.map { Vertex(it.x, it.z, -it.y, it.u, it.v, it.color) } },
             surface.material,
             surface.fillRule,
         )
+
         is Sphere -> Sphere(turned(surface.center), surface.radius, surface.material)
+
         else -> throw Mistake("--up z cannot turn a surface of class ${surface.javaClass.name}")
     }
 
@@ -70,10 +73,21 @@ internal object UpAxis {
         val target = Vector3d(eye).sub(turned(backward))
         return when (val projection = camera.projection) {
             is Projection.Perspective -> Camera.perspective(
-                eye, target, upward, projection.verticalFieldOfView, camera.near, camera.far,
+                eye,
+                target,
+                upward,
+                projection.verticalFieldOfView,
+                camera.near,
+                camera.far,
             )
+
             is Projection.Orthographic -> Camera.orthographic(
-                eye, target, upward, projection.height, camera.near, camera.far,
+                eye,
+                target,
+                upward,
+                projection.height,
+                camera.near,
+                camera.far,
             )
         }
     }

@@ -1,24 +1,20 @@
 package dev.lazyz.cli
 
 import com.github.ajalt.clikt.core.Context
-import com.github.ajalt.clikt.core.CoreCliktCommand
-import com.github.ajalt.clikt.core.context
 import com.github.ajalt.clikt.core.subcommands
 import com.github.ajalt.clikt.parameters.options.versionOption
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.Scenes
 
 /**
  * The command `zcli`, which only leads to others.
  *
  * @param first the first word of the command line: if it is a command, no other is built, for zcli starts sooner so
  */
-internal class Zcli(streams: Streams, first: String?) : CoreCliktCommand(name = "zcli") {
+internal class Zcli(streams: Streams, first: String?) : Command("zcli") {
     override val printHelpOnEmptyArgs: Boolean get() = true
 
     init {
-        context {
-            argumentFileReader = null
-            helpFormatter = { HelpText }
-        }
         versionOption(Version.text, help = "Print the version and exit", message = { "zcli $it" })
         val commands = mapOf(
             "render" to { RenderCommand(streams) },
@@ -26,17 +22,26 @@ internal class Zcli(streams: Streams, first: String?) : CoreCliktCommand(name = 
             "strategies" to { StrategiesCommand(streams) },
         )
         val only = commands[first]
+        if (only == null && first != null && !first.startsWith("-")) throw unknown(first, commands.keys)
         subcommands(if (only != null) listOf(only()) else commands.values.map { it() })
     }
 
     override fun help(context: Context): String =
         "Turns 3D models into pictures, without a GPU, a display or native code: the same bits on every machine."
 
-    override fun helpEpilog(context: Context): String = HelpText.examples(
-        "zcli render teapot -o teapot.png" to "a built-in scene",
-        "zcli render model.obj --view iso -o model.png" to "a model of your own",
-        "zcli render --help" to "all there is to choose",
-    )
+    override fun helpEpilog(context: Context): String =
+        "'zcli' stands for 'java -jar zcli.jar'.\n\n" + HelpText.examples(
+            "zcli render teapot -o teapot.png" to "a built-in scene",
+            "zcli render model.obj --view iso -o model.png" to "a model of your own",
+            "zcli render --help" to "all there is to choose",
+        )
 
     override fun run() = Unit
+
+    /** Whoever forgets 'render' names the model first. */
+    private fun unknown(word: String, commands: Set<String>): Mistake {
+        val isInput = SceneFormat.ofFileName(word) != null || Scenes.builtins.any { it.id == word }
+        val hint = if (isInput) "; did you mean 'zcli render $word'?" else Nearest.hint(word, commands)
+        return Mistake("no command '$word'$hint\nSee 'zcli --help'.")
+    }
 }

@@ -77,12 +77,12 @@ internal class PlanarAssembly(
             IntArray(xs.size) { StrictMath.rint(reference.valueAt(xs[it], ys[it], depths[a], depths[b], depths[c])).toInt() }
         }
 
-    /** The plane of depth; constant if it would leave the range of depths somewhere in the polygon (rule 3.4). */
+    /** The plane of depth; constant if it would come within a unit of leaving the range of depths (rule 3.4). */
     private fun depthForm(reference: ReferenceTriangle, a: Int, b: Int, c: Int): LinearForm {
         if (xs.size > 3) {
             for (i in xs.indices) {
                 val depth = reference.valueAt(xs[i], ys[i], depths[a], depths[b], depths[c])
-                if (!(depth > 0.0 && depth < Int.MAX_VALUE)) return LinearForm.constant(depths[a])
+                if (!(depth > 1.0 && depth < Int.MAX_VALUE - 1.0)) return LinearForm.constant(depths[a])
             }
         }
         return reference.form(depths[a], depths[b], depths[c])

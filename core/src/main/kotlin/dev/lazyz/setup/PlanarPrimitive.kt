@@ -152,23 +152,25 @@ internal class PlanarPrimitive(
 internal class Weights private constructor(val first: LinearForm, val second: LinearForm, val third: LinearForm) {
     companion object {
         /**
-         * Bits of a weight at its own vertex. Three more are left for samples of a polygon outside its reference
-         * triangle, where a weight is at most 4 times as large.
+         * Bits of a weight at its own vertex, fewer where its form would be too steep. Three more are left for samples
+         * of a polygon outside its reference triangle, where a weight is at most 4 times as large.
          */
         const val BITS: Int = 28
 
         fun of(reference: ReferenceTriangle, vertices: Vertices, corners: IntArray): Weights {
-            // Scale 1/w by a power of two, so that the greatest has BITS bits
             val inverse = DoubleArray(3) { 1.0 / vertices.get(corners[it], Vertices.W) }
-            val exponent = BITS - 1 - Math.getExponent(maxOf(inverse[0], inverse[1], inverse[2]))
-            val q = IntArray(3) { StrictMath.rint(Math.scalb(inverse[it], exponent)).toInt() }
-            val first = reference.formUnlessSteep(q[0], 0, 0)
-            val second = reference.formUnlessSteep(0, q[1], 0)
-            val third = reference.formUnlessSteep(0, 0, q[2])
-            if (first != null && second != null && third != null) return Weights(first, second, third)
+            val greatest = Math.getExponent(maxOf(inverse[0], inverse[1], inverse[2]))
+            for (bits in BITS downTo 1) {
+                // Scale 1/w by a power of two, so that the greatest has so many bits
+                val q = IntArray(3) { StrictMath.rint(Math.scalb(inverse[it], bits - 1 - greatest)).toInt() }
+                val first = reference.formUnlessSteep(q[0], 0, 0) ?: continue
+                val second = reference.formUnlessSteep(0, q[1], 0) ?: continue
+                val third = reference.formUnlessSteep(0, 0, q[2]) ?: continue
+                return Weights(first, second, third)
+            }
 
             // A sliver that no form can follow has the attributes of its first vertex
-            return Weights(LinearForm.constant(q[0]), LinearForm.constant(0), LinearForm.constant(0))
+            return Weights(LinearForm.constant(1), LinearForm.constant(0), LinearForm.constant(0))
         }
     }
 }

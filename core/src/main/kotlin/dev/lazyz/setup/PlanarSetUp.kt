@@ -88,7 +88,7 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
         if (isLit) fields = fields or PlanarPrimitive.WORLD or PlanarPrimitive.NORMAL
         if (hasUvs && (material.texture != null || material.shader != null)) fields = fields or PlanarPrimitive.UV
         if (hasColors || isPrelit) fields = fields or PlanarPrimitive.COLOR
-        val usesFaceNormal = !hasNormals || material.shading == Shading.FLAT
+        val usesFaceNormal = !hasNormals || (material.shader == null && material.shading == Shading.FLAT)
         return FaceSetUp(material, MaterialShader(material, lighting, isPrelit), fields, isPrelit, usesFaceNormal)
     }
 

@@ -1,0 +1,74 @@
+package dev.lazyz.cli
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.ValueSource
+
+class CommandLineTest {
+    @Test
+    fun aloneItPrintsHelp() {
+        assertEquals(zcli("--help").done().text, zcli().done().text)
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = ["", "render", "scenes", "strategies"])
+    fun helpHasUsageAndExamplesInEightyColumns(command: String) {
+        val words = listOf(command, "--help").filter { it.isNotEmpty() }
+        val help = zcli(*words.toTypedArray()).done().text
+        assertTrue(help.startsWith("Usage: ${"zcli $command".trim()} [OPTIONS]"), help)
+        assertTrue("Examples:\n  # " in help, help)
+        assertEquals(listOf<String>(), help.lines().filter { it.length > 80 })
+        assertEquals(help, zcli(*words.dropLast(1).toTypedArray(), "-h").done().text)
+    }
+
+    @Test
+    fun examplesOfHelpParse() {
+        val helps = listOf("render", "scenes", "strategies").map { zcli(it, "--help") } + zcli("--help")
+        val examples = helps.flatMap { it.text.lines() }.filter { "  zcli" in it || "| zcli" in it }
+        assertTrue(examples.size > 8, "$examples")
+        for (example in examples) {
+            val words = example.substringAfter("zcli ").substringBefore(" >").split(" ")
+
+            if (words[0] != "render" || "--help" in words) {
+                zcli(*words.toTypedArray()).done()
+                continue
+            }
+            // Beside a size that cannot be, whatever else is wrong would be told
+            val run = zcli(*words.toTypedArray(), "--size", "0x0").mistake("invalid value for --size")
+            assertEquals(2, run.errors.trim().lines().size, run.errors)
+        }
+    }
+
+    @Test
+    fun version() {
+        assertEquals("zcli ${Version.text}\n", zcli("--version").done().text)
+    }
+
+    @Test
+    fun scenesAreListedALineEach() {
+        val lines = zcli("scenes").done().text.lines().dropLast(1)
+        assertTrue(lines.any { it.startsWith("teapot ") }, "$lines")
+        assertTrue(lines.all { it.matches(Regex("""[a-z0-9-]+ {2,}\S.*""")) }, "$lines")
+    }
+
+    @Test
+    fun strategiesAreListedALineEach() {
+        val lines = zcli("strategies").done().text.lines().dropLast(1)
+        assertTrue(lines.any { it.startsWith("zbuffer ") }, "$lines")
+    }
+
+    @Test
+    fun mistakenWords() {
+        zcli("rendr").mistake("no command 'rendr'", "did you mean 'render'?", "See 'zcli --help'")
+        zcli("teapot").mistake("did you mean 'zcli render teapot'?")
+        zcli("model.obj", "-o", "x.png").mistake("did you mean 'zcli render model.obj'?")
+        zcli("xyzzy").mistake("no command 'xyzzy'\n")
+        zcli("").mistake("no command ''")
+        zcli("--versoin").mistake("no such option --versoin", "--version")
+        zcli("scenes", "extra").mistake("unexpected extra argument (extra)", "See 'zcli scenes --help'")
+        zcli("strategies", "--all").mistake("no such option --all")
+        zcli("render").mistake("missing argument INPUT", "See 'zcli render --help'")
+    }
+}

@@ -1,0 +1,63 @@
+package dev.lazyz.cli
+
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.readText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** `docs/cli.md` and `--help` tell the same. */
+class DocumentationTest {
+    private val page: String =
+        generateSequence(Path.of("").toAbsolutePath()) { it.parent }.map { it.resolve("docs/cli.md") }
+            .first { it.exists() }
+            .readText()
+
+    private val commands = listOf("render", "scenes", "strategies")
+
+    private fun help(vararg command: String) = zcli(*command, "--help").done().text
+
+    /** Flags in the form `--flag METAVAR` or `-o`, as they stand at the beginning of a line of help. */
+    private fun rows(help: String): List<String> {
+        val flag = Regex("""(?m)^ {2}(-[^ ,]*(?:, --[^ ]+)?(?: [A-Zx]+(?= |$))?)""")
+        return flag.findAll(help).map { it.groupValues[1] }.toList()
+    }
+
+    @Test
+    fun eachFlagOfHelpHasARow() {
+        val flags = (listOf(help()) + commands.map { help(it) }).flatMap { rows(it) }.toSet()
+        assertTrue(flags.size >= 17, "$flags")
+        val missing = flags.filter { "| `$it` |" !in page }
+        assertEquals(listOf<String>(), missing, "flags of --help without a row in docs/cli.md")
+    }
+
+    @Test
+    fun eachFlagOfThePageIsInHelp() {
+        val helps = help() + commands.joinToString("") { help(it) }
+        val known = Regex("""--?[a-z][a-z-]*""").findAll(helps).map { it.value }.toSet()
+        val told = Regex("""(?<![\w-])--?[a-z][a-z-]*""").findAll(page).map { it.value }
+        val others = setOf("-jar", "-cp", "-y")
+        assertEquals(listOf<String>(), told.filter { it !in known && it !in others }.toSet().toList())
+    }
+
+    @Test
+    fun commandsStatisticsAndExitCodesAreTold() {
+        for (command in commands) assertTrue("`zcli $command" in page, command)
+        for (code in listOf(ExitCode.DONE, ExitCode.MISTAKE, ExitCode.BUG)) assertTrue("| `$code` |" in page, "$code")
+        val json = zcli("render", "teapot", "-o", "-", "--size", "4x3", "--stats=json").errors
+        val keys = Regex("\"(\\w+)\": ").findAll(json).map { it.groupValues[1] }.toList()
+        val rows = Regex("""\| `(\w+)` \|""").findAll(page.substringAfter("## Statistics")).map { it.groupValues[1] }
+        assertEquals(keys, rows.toList(), "one row for each key of the statistics, in their order")
+    }
+
+    @Test
+    fun examplesOfThePageParse() {
+        val examples = Regex("""(?m)^(?:.*\| )?zcli (render .*)$""").findAll(page).map { it.groupValues[1] }.toList()
+        assertTrue(examples.size >= 5, "$examples")
+        for (example in examples) {
+            val words = example.substringBefore(" >").trim().split(" ")
+            zcli(*words.toTypedArray(), "--zoom", "0").mistake("--zoom: must be in")
+        }
+    }
+}

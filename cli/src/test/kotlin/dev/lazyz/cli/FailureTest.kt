@@ -1,0 +1,106 @@
+package dev.lazyz.cli
+
+import java.io.ByteArrayOutputStream
+import java.io.IOException
+import java.io.OutputStream
+import java.nio.file.Path
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+/** What happens when something breaks half way. */
+class FailureTest {
+    @TempDir
+    lateinit var folder: Path
+
+    /** Breaks after [bytes] bytes. */
+    private class Breaking(private val bytes: Int, private val message: String) : OutputStream() {
+        private val taken = ByteArrayOutputStream()
+
+        override fun write(byte: Int) {
+            if (taken.size() >= bytes) throw IOException(message)
+            taken.write(byte)
+        }
+    }
+
+    @Test
+    fun ourBugIsReportedWithAllThatAReportNeeds() = withRenderers(folder, BuggyRenderer::class.java.name) {
+        val run = zcli("render", "teapot", "--strategy", "buggy", "-o", folder.resolve("a b.png"), "--size", "40x30")
+        assertEquals(70, run.code)
+        for (
+        part in listOf(
+            "https://github.com/lazyz/lazyz/issues",
+            "zcli ${Version.text}",
+            "Java ${System.getProperty("java.version")}",
+            "zcli render teapot --strategy buggy -o '",
+            "IllegalStateException: the cursor ran away",
+            "\tat dev.lazyz.cli.",
+        )
+        ) {
+            assertTrue(part in run.errors, "'$part' is missing in: ${run.errors}")
+        }
+        assertEquals("", run.text)
+    }
+
+    @Test
+    fun filesAreWholeOrNotThere() = withRenderers(folder, BuggyRenderer::class.java.name) {
+        val old = folder.resolve("old.png").apply { writeText("old") }
+        val options = arrayOf("--strategy", "buggy", "--size", "40x30", "--depth-out", folder.resolve("new.pfm"))
+        for (picture in listOf(old, folder.resolve("new.png"), folder.resolve("new.ppm"))) {
+            assertEquals(70, zcli("render", "teapot", "-o", picture, *options).code)
+        }
+        assertEquals(listOf("old.png", "services"), folder.listDirectoryEntries().map { it.name }.sorted())
+        assertEquals("old", old.readText())
+    }
+
+    @Test
+    fun outOfMemoryIsToldInWords() = withRenderers(folder, GreedyRenderer::class.java.name) {
+        zcli("render", "teapot", "--strategy", "greedy", "-o", folder.resolve("x.png"))
+            .mistake("out of memory (Java heap space)", "-Xmx", "smaller --size")
+        assertEquals(listOf("services"), folder.listDirectoryEntries().map { it.name })
+    }
+
+    @Test
+    fun aClosedPipeIsNoError() {
+        for (bytes in listOf(0, 100)) {
+            val pipe = Breaking(bytes, "Broken pipe")
+            assertEquals(0 to "", zcliWriting(pipe, "", "render", "teapot", "-o", "-", "--size", "40x30"))
+            assertEquals(0 to "", zcliWriting(pipe, "", "scenes"))
+            assertEquals(0 to "", zcliWriting(pipe, "", "--help"))
+        }
+    }
+
+    @Test
+    fun aClosedPipeIsToldWhenAFileWasWantedToo() {
+        val options = arrayOf("render", "teapot", "-o", "-", "--size", "40x30", "--depth-out", folder.resolve("x.pfm"))
+        val (code, errors) = zcliWriting(Breaking(100, "Broken pipe"), "", *options)
+        assertEquals(2, code)
+        assertTrue("x.pfm was not written" in errors, errors)
+        assertEquals(listOf<Path>(), folder.listDirectoryEntries())
+    }
+
+    @Test
+    fun aFullDiskIsAnError() {
+        val disk = Breaking(10, "No space left on device")
+        for (words in listOf(arrayOf("scenes"), arrayOf("render", "teapot", "-o", "-", "--size", "40x30"))) {
+            val (code, errors) = zcliWriting(disk, "", *words)
+            assertEquals(2, code)
+            assertEquals("zcli: error: cannot write to standard output: No space left on device\n", errors)
+        }
+    }
+
+    @Test
+    fun aBlankPictureIsDoneWithAWarning() {
+        val empty = folder.resolve("empty.obj").apply { writeText("v 0 0 0\nv 1 0 0\nv 0 1 0\n") }
+        val run = zcli("render", empty, "-o", folder.resolve("x.png"), "--size", "40x30")
+        assertEquals(0, run.code)
+        assertTrue("zcli: warning: nothing is visible" in run.errors, run.errors)
+        assertFalse("error" in run.errors)
+    }
+}

@@ -1,0 +1,92 @@
+package dev.lazyz.cli
+
+import java.io.ByteArrayInputStream
+import java.io.File
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+import javax.imageio.ImageIO
+import kotlin.io.path.exists
+import kotlin.io.path.readText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Assumptions.assumeTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+/** A few runs as a process of its own: streams, exit codes, working folder. */
+class ProcessTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+
+    private fun start(vararg args: String): Process = start(args.asList()) {}
+
+    private fun start(
+        args: List<String>,
+        javaOptions: List<String> = listOf(),
+        configure: ProcessBuilder.() -> Unit,
+    ): Process {
+        val classPath = System.getProperty("java.class.path").split(File.pathSeparator)
+            .joinToString(File.pathSeparator) { Path.of(it).toAbsolutePath().toString() }
+        val words = listOf(java) + javaOptions + listOf("-cp", classPath, "dev.lazyz.cli.MainKt") + args
+        return ProcessBuilder(words).directory(folder.toFile())
+            .redirectError(folder.resolve("errors.txt").toFile())
+            .apply(configure)
+            .start()
+    }
+
+    private fun Process.code(): Int {
+        assertTrue(waitFor(60, TimeUnit.SECONDS), "the process hangs")
+        return exitValue()
+    }
+
+    private val errors get() = folder.resolve("errors.txt").readText()
+
+    @Test
+    fun pictureThroughAPipe() {
+        val process = start("render", "-", "--format", "obj", "-o", "-", "--size", "40x30", "--stats=json")
+        process.outputStream.use { it.write(WEDGE.toByteArray()) }
+        val image = ImageIO.read(ByteArrayInputStream(process.inputStream.readAllBytes()))
+        assertEquals(0, process.code())
+        assertEquals(40, image.width)
+        assertEquals("standard input", statIn(errors, "input"))
+    }
+
+    @Test
+    fun pictureInTheCurrentFolder() {
+        assertEquals(0, start("render", "teapot", "--size", "40x30").code(), errors)
+        assertTrue(folder.resolve("teapot.png").exists())
+        assertEquals("", errors)
+    }
+
+    @Test
+    fun closedPipe() {
+        val process = start("render", "teapot", "-o", "-", "--size", "1500x1500")
+        process.inputStream.close()
+        assertEquals(0, process.code())
+        assertEquals("", errors)
+    }
+
+    @Test
+    fun exitCodeOfAMistake() {
+        assertEquals(2, start("render", "teapto", "-o", "x.png").code())
+        assertTrue(errors.startsWith("zcli: error: "), errors)
+    }
+
+    @Test
+    fun fullDevice() {
+        assumeTrue(Path.of("/dev/full").exists())
+        val process = start(listOf("scenes")) { redirectOutput(File("/dev/full")) }
+        assertEquals(2, process.code())
+        assertTrue("cannot write to standard output" in errors, errors)
+    }
+
+    @Test
+    fun tooLittleMemory() {
+        val process = start(listOf("render", "teapot", "-o", "x.png", "--size", "3000x3000"), listOf("-Xmx64m")) {}
+        assertEquals(2, process.code())
+        assertTrue("needs 102.9 MiB" in errors && "-Xmx" in errors, errors)
+        assertTrue(!folder.resolve("x.png").exists())
+    }
+}

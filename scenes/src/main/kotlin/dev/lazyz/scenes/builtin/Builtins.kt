@@ -1,0 +1,58 @@
+package dev.lazyz.scenes.builtin
+
+import dev.lazyz.Scene
+import dev.lazyz.Surface
+import dev.lazyz.scenes.Builtin
+import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.scenefile.JsonNode
+
+/** The list of the built-in scenes, and how scene files ask for them. */
+internal object Builtins {
+    private val size = ImageSize(640, 480)
+
+    val all: List<Builtin> = listOf(
+        Builtin("teapot", "the Utah teapot: smooth shading, highlights, a body that hides its inside", size) {
+            teapot(TEAPOT_SEGMENTS)
+        },
+        Builtin("cycle", "three bars that overlap in a cycle: no order of painting is right", size, CycleScene::scene),
+        Builtin("crossing", "three triangles that go through each other", size, CrossingScene::scene),
+        Builtin("molecule", "a molecule of caffeine: intersecting spheres, no triangle", size, MoleculeScene::scene),
+        Builtin("city", "a city seen from its main street: most of it is hidden", size) { city(CITY_BLOCKS, 1) },
+        Builtin("layers", "a hundred squares on top of each other, the hidden ones first", size) { layers(LAYERS) },
+        Builtin("plane", "a chequered plane to the horizon: texture in correct perspective", size, PlaneScene::scene),
+        Builtin("star", "a concave polygon with a hole, and behind it one that crosses itself", size, StarScene::scene),
+    )
+
+    fun teapot(segments: Int): Scene = TeapotScene.scene(segments)
+
+    fun city(blocks: Int, seed: Long): Scene = CityScene(blocks, seed).scene()
+
+    fun layers(count: Int): Scene = LayersScene.scene(count)
+
+    /** Returns the surfaces of the scene called [id], with the parameters that a scene file gives it. */
+    fun surfaces(node: JsonNode, id: String, parameters: Map<String, JsonNode>): List<Surface> {
+        val builtin = all.firstOrNull { it.id == id }
+            ?: node.fail("there is no built-in scene \"$id\"", "known: ${all.joinToString { it.id }}")
+        val known = when (id) {
+            "teapot" -> listOf("segments")
+            "city" -> listOf("blocks", "seed")
+            "layers" -> listOf("count")
+            else -> emptyList()
+        }
+        for ((key, value) in parameters) {
+            if (key !in known) value.fail("\"$id\" has no parameter \"$key\"", "remove it")
+        }
+        if (parameters.isEmpty()) return builtin.scene().surfaces
+        return node.checked {
+            when (id) {
+                "teapot" -> teapot(parameters["segments"]?.integer() ?: TEAPOT_SEGMENTS)
+                "city" -> city(parameters["blocks"]?.integer() ?: CITY_BLOCKS, parameters["seed"]?.long() ?: 1)
+                else -> layers(parameters["count"]?.integer() ?: LAYERS)
+            }.surfaces
+        }
+    }
+
+    private const val TEAPOT_SEGMENTS = 16
+    private const val CITY_BLOCKS = 12
+    private const val LAYERS = 100
+}

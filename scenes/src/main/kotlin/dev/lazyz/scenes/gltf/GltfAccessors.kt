@@ -1,0 +1,178 @@
+package dev.lazyz.scenes.gltf
+
+import de.javagl.jgltf.impl.v2.Accessor
+import de.javagl.jgltf.impl.v2.AccessorSparse
+import de.javagl.jgltf.model.AccessorByteData
+import de.javagl.jgltf.model.AccessorData
+import de.javagl.jgltf.model.AccessorDatas
+import de.javagl.jgltf.model.AccessorFloatData
+import de.javagl.jgltf.model.AccessorIntData
+import de.javagl.jgltf.model.AccessorShortData
+import de.javagl.jgltf.model.Accessors
+import de.javagl.jgltf.model.ElementType
+import de.javagl.jgltf.model.GltfConstants
+
+/**
+ * Reads accessors (section 3.6.2) into arrays, each once.
+ *
+ * jgltf finds and decodes the numbers; that they lie within their buffer view is checked here before anything is
+ * allocated. Sparse accessors (3.6.2.3) are put together here, because jgltf passes over the base's offset and stride.
+ */
+internal class GltfAccessors(private val document: GltfDocument) {
+    private val floats = HashMap<Int, FloatArray>()
+
+    /**
+     * Returns the numbers of an accessor, normalized integers as fractions (3.11), row by row.
+     *
+     * @param where the place that refers to it
+     * @param types what its elements may be
+     */
+    fun floats(index: Int?, where: String, vararg types: ElementType): FloatArray {
+        val accessor = document.element(document.json.accessors, index, "accessors", where)
+        val type = type(accessor, index)
+        if (type !in types) {
+            document.fail("accessors[$index].type", "$where needs ${types.joinToString(" or ")}, not $type")
+        }
+        return floats.getOrPut(checkNotNull(index)) { read(accessor, index, type) }
+    }
+
+    /** Returns the type of an accessor's elements; call [floats] first, which finds it to be there. */
+    fun type(index: Int): ElementType = type(checkNotNull(document.json.accessors[index]), index)
+
+    /** Returns the whole numbers of a scalar accessor; one beyond 31 bits comes out as -1. */
+    fun indices(index: Int, where: String): IntArray {
+        val accessor = document.element(document.json.accessors, index, "accessors", where)
+        val here = "accessors[$index]"
+        if (type(accessor, index) != ElementType.SCALAR) document.fail("$here.type", "$where needs SCALAR")
+        if (accessor.componentType == GltfConstants.GL_FLOAT) {
+            document.fail("$here.componentType", "$where needs whole numbers")
+        }
+        if (accessor.sparse != null) document.fail("$here.sparse", "vertex numbers must not be sparse")
+        val data = dense(accessor, index, ElementType.SCALAR) ?: return IntArray(count(accessor, here))
+        return IntArray(data.numElements) { whole(data, it) }
+    }
+
+    private fun read(accessor: Accessor, index: Int, type: ElementType): FloatArray {
+        val width = type.numComponents
+        val isNormalized = accessor.isNormalized == true
+        val data = dense(accessor, index, type)
+        val count = count(accessor, "accessors[$index]")
+        val result = FloatArray(count * width)
+        if (data != null) {
+            for (i in result.indices) result[i] = number(data, i / width, i % width, isNormalized)
+        }
+        accessor.sparse?.let { substitute(it, accessor, index, type, result) }
+        return result
+    }
+
+    /** Puts the sparse values into [result], in the places that the sparse indices name. */
+    private fun substitute(
+        sparse: AccessorSparse,
+        accessor: Accessor,
+        index: Int,
+        type: ElementType,
+        result: FloatArray,
+    ) {
+        val here = "accessors[$index].sparse"
+        val width = type.numComponents
+        val count = result.size / width
+        val changes = sparse.count?.takeIf { it in 0..count }
+            ?: document.fail("$here.count", "it is missing or above $count")
+        val places = sparse.indices ?: document.fail("$here.indices", "it is missing")
+        val values = sparse.values ?: document.fail("$here.values", "it is missing")
+        val placeType = places.componentType ?: document.fail("$here.indices.componentType", "it is missing")
+        val componentType = componentType(accessor, index)
+        val isNormalized = accessor.isNormalized == true
+        val from = data(places.bufferView, places.byteOffset, placeType, changes, ElementType.SCALAR, "$here.indices")
+        val to = data(values.bufferView, values.byteOffset, componentType, changes, type, "$here.values")
+        for (change in 0 until changes) {
+            val place = whole(from, change)
+            if (place !in 0 until count) {
+                document.fail("$here.indices", "element $change is $place, but there are $count elements")
+            }
+            for (i in 0 until width) result[place * width + i] = number(to, change, i, isNormalized)
+        }
+    }
+
+    /** Returns the numbers in the buffer view, or null if there is none and all are 0. */
+    private fun dense(accessor: Accessor, index: Int, type: ElementType): AccessorData? {
+        val here = "accessors[$index]"
+        val count = count(accessor, here)
+        if (accessor.bufferView == null) {
+            if (count > MAX_ZEROS) {
+                document.fail("$here.count", "$count elements without a buffer view are more than $MAX_ZEROS")
+            }
+            return null
+        }
+        val stride = document.element(document.json.bufferViews, accessor.bufferView, "bufferViews", here).byteStride
+        return data(accessor.bufferView, accessor.byteOffset, componentType(accessor, index), count, type, here, stride)
+    }
+
+    private fun data(
+        view: Int?,
+        byteOffset: Int?,
+        componentType: Int,
+        count: Int,
+        type: ElementType,
+        where: String,
+        byteStride: Int? = null,
+    ): AccessorData {
+        val bytes = document.view(view, "$where.bufferView")
+        if (componentType !in COMPONENT_TYPES) {
+            document.fail("$where.componentType", "$componentType is no type of numbers")
+        }
+        val offset = byteOffset ?: 0
+        val size = type.numComponents * Accessors.getNumBytesForAccessorComponentType(componentType)
+        val stride = byteStride?.takeIf { it != 0 } ?: size
+        val end = if (count == 0) 0L else offset + (count - 1L) * stride + size
+        if (offset < 0 || stride < size || end > bytes.capacity()) {
+            document.fail(where, "$count elements end at byte $end of a buffer view of ${bytes.capacity()} bytes")
+        }
+        return AccessorDatas.create(componentType, bytes, offset, count, type, stride)
+    }
+
+    private fun count(accessor: Accessor, here: String): Int =
+        accessor.count?.takeIf { it >= 0 } ?: document.fail("$here.count", "it is missing or not allowed")
+
+    private fun componentType(accessor: Accessor, index: Int): Int =
+        accessor.componentType ?: document.fail("accessors[$index].componentType", "it is missing")
+
+    private fun type(accessor: Accessor, index: Int?): ElementType =
+        ElementType.forString(accessor.type)
+            ?: document.fail("accessors[$index].type", "${accessor.type} is no type of elements")
+
+    private fun whole(data: AccessorData, element: Int): Int = when (data) {
+        is AccessorByteData -> data.getInt(element, 0)
+        is AccessorShortData -> data.getInt(element, 0)
+        is AccessorIntData -> data.get(element, 0).let { if (it < 0) -1 else it }
+        else -> -1
+    }
+
+    private fun number(data: AccessorData, element: Int, component: Int, isNormalized: Boolean): Float = when (data) {
+        is AccessorFloatData -> data.get(element, component)
+        is AccessorByteData -> {
+            fraction(data.getInt(element, component), if (data.isUnsigned) 255f else 127f, isNormalized)
+        }
+        is AccessorShortData -> {
+            fraction(data.getInt(element, component), if (data.isUnsigned) 65535f else 32767f, isNormalized)
+        }
+        is AccessorIntData -> data.getLong(element, component).toFloat()
+        else -> 0f
+    }
+
+    private fun fraction(number: Int, most: Float, isNormalized: Boolean): Float =
+        if (isNormalized) maxOf(number / most, -1f) else number.toFloat()
+
+    private companion object {
+        /** Most elements of an accessor that only says how many zeros there are: a few bytes could ask for much. */
+        const val MAX_ZEROS = 1 shl 20
+        val COMPONENT_TYPES = setOf(
+            GltfConstants.GL_BYTE,
+            GltfConstants.GL_UNSIGNED_BYTE,
+            GltfConstants.GL_SHORT,
+            GltfConstants.GL_UNSIGNED_SHORT,
+            GltfConstants.GL_UNSIGNED_INT,
+            GltfConstants.GL_FLOAT,
+        )
+    }
+}

@@ -1,0 +1,112 @@
+package dev.lazyz.scenes.gltf
+
+import de.javagl.jgltf.impl.v2.GlTF
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.images.FileReferences
+import java.net.URLDecoder
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.nio.file.Path
+import java.util.Base64
+
+/**
+ * A glTF file that was opened: its JSON, and the bytes that the JSON refers to. Not thread safe.
+ *
+ * @property source for warnings, errors, and the folder of other files
+ * @property json the JSON in jgltf's classes; anything in it may be missing
+ */
+internal class GltfDocument(val source: Source, val json: GlTF, private val binary: ByteBuffer?) {
+    private val buffers = HashMap<Int, ByteBuffer>()
+    private val warned = HashSet<String>()
+
+    /** Returns `list[index]`, or fails: [where] is the place that refers to it, [name] the list's. */
+    fun <T : Any> element(list: List<T?>?, index: Int?, name: String, where: String): T {
+        val count = list?.size ?: 0
+        if (index == null || index !in 0 until count) {
+            fail(where, if (index == null) "it is missing" else "$name[$index] does not exist, for there are $count")
+        }
+        return list?.get(index) ?: fail("$name[$index]", "it is null")
+    }
+
+    /** Returns the bytes of a buffer view, little endian; [where] is the place that refers to it. */
+    fun view(index: Int?, where: String): ByteBuffer {
+        val view = element(json.bufferViews, index, "bufferViews", where)
+        val here = "bufferViews[$index]"
+        val buffer = buffer(view.buffer, "$here.buffer")
+        val offset = view.byteOffset ?: 0
+        val length = view.byteLength ?: fail("$here.byteLength", "it is missing")
+        if (offset < 0 || length < 0 || offset.toLong() + length > buffer.capacity()) {
+            val end = offset.toLong() + length
+            fail(here, "bytes $offset until $end are not within the buffer of ${buffer.capacity()}")
+        }
+        return buffer.slice(offset, length).order(ByteOrder.LITTLE_ENDIAN)
+    }
+
+    private fun buffer(index: Int?, where: String): ByteBuffer {
+        val buffer = element(json.buffers, index, "buffers", where)
+        return buffers.getOrPut(checkNotNull(index)) {
+            val here = "buffers[$index]"
+            val uri = buffer.uri
+            val bytes = when {
+                uri != null -> ByteBuffer.wrap(resolve(uri, "$here.uri"))
+                index == 0 && binary != null -> binary
+                else -> fail("$here.uri", "it is missing, and there is no binary chunk")
+            }
+            val length = buffer.byteLength ?: bytes.capacity()
+            if (length !in 0..bytes.capacity()) {
+                fail("$here.byteLength", "it announces $length bytes, but there are ${bytes.capacity()}")
+            }
+            bytes.slice(0, length)
+        }
+    }
+
+    private fun resolve(uri: String, where: String): ByteArray {
+        if (isData(uri)) return data(uri) ?: fail(where, "the data URI is not in Base64")
+        if (source.folder == null) {
+            source.fail(where, "the file $uri cannot be looked up for a stream", "load from a file, or export as GLB")
+        }
+        return file(uri)?.let { FileReferences.read(it) }
+            ?: source.fail(where, "the file $uri is missing or cannot be read", "put it into ${source.folder}")
+    }
+
+    /** Returns the file that [uri] stands for, with `%20` and the like decoded, or null if it is missing. */
+    fun file(uri: String): Path? =
+        FileReferences.find(source.folder, decoded(uri)) ?: FileReferences.find(source.folder, uri)
+
+    private fun decoded(uri: String): String = try {
+        URLDecoder.decode(uri.replace("+", "%2B"), Charsets.UTF_8)
+    } catch (_: IllegalArgumentException) {
+        uri
+    }
+
+    /** Whether [uri] holds its data itself. */
+    fun isData(uri: String): Boolean = uri.startsWith("data:", ignoreCase = true)
+
+    /** Returns the bytes of a data URI, or null if they are not in Base64. */
+    fun data(uri: String): ByteArray? {
+        val start = uri.indexOf(BASE64)
+        if (start < 0) return null
+        return try {
+            Base64.getDecoder().decode(uri.substring(start + BASE64.length))
+        } catch (_: IllegalArgumentException) {
+            null
+        }
+    }
+
+    /** Warns, once for each [sentence]. */
+    fun warn(sentence: String) {
+        if (warned.add(sentence)) source.warn(sentence)
+    }
+
+    /** Warns of what would move. */
+    fun warnOfMotion() {
+        if (!json.animations.isNullOrEmpty()) warn("animations are not applied")
+        if (!json.skins.isNullOrEmpty()) warn("skins are not applied; meshes are drawn in the pose they are stored in")
+    }
+
+    fun fail(where: String, problem: String): Nothing = source.fail(where, problem, "export the model again")
+
+    private companion object {
+        const val BASE64 = ";base64,"
+    }
+}

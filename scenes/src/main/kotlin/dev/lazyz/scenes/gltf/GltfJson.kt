@@ -1,0 +1,68 @@
+package dev.lazyz.scenes.gltf
+
+import com.fasterxml.jackson.core.JsonProcessingException
+import com.fasterxml.jackson.databind.JsonMappingException
+import com.fasterxml.jackson.databind.JsonNode
+import com.fasterxml.jackson.databind.ObjectMapper
+import de.javagl.jgltf.impl.v2.GlTF
+import de.javagl.jgltf.model.io.JacksonUtils
+import de.javagl.jgltf.model.io.JsonError
+import dev.lazyz.scenes.Source
+import java.io.IOException
+
+/**
+ * Reads the JSON of a glTF file into jgltf's classes.
+ *
+ * A value of the wrong type is an error. One of the right type that the specification does not allow, such as a factor
+ * above 1 or an empty list, is passed over with a warning, for such files are many. Unknown properties are allowed.
+ */
+internal object GltfJson {
+    private const val REMEDY = "correct it or export the model again"
+
+    fun read(source: Source, start: Int, length: Int): GlTF {
+        val mapper = JacksonUtils.createObjectMapper { error -> report(source, error) }
+        val tree = tree(source, mapper, start, length)
+        val version = tree.path("asset").path("version").asText("")
+        if (!version.startsWith("2.")) {
+            source.fail("asset.version", "the version is \"$version\", not 2.0", "export the model as glTF 2.0")
+        }
+        try {
+            return mapper.treeToValue(tree, GlTF::class.java)
+        } catch (e: JsonMappingException) {
+            source.fail(place(e), "the value is not what glTF has here: ${brief(e.originalMessage)}", REMEDY, e)
+        } catch (e: IOException) {
+            source.fail(null, "the JSON is not glTF: ${brief(e.message)}", REMEDY, e)
+        }
+    }
+
+    private fun tree(source: Source, mapper: ObjectMapper, start: Int, length: Int): JsonNode {
+        val tree: JsonNode? = try {
+            mapper.readTree(source.bytes, start, length)
+        } catch (e: JsonProcessingException) {
+            val place = e.location?.let { "line ${it.lineNr}, column ${it.columnNr}" }
+            source.fail(place, "this is no JSON: ${brief(e.originalMessage)}", REMEDY, e)
+        } catch (e: IOException) {
+            source.fail(null, "this is no JSON: ${brief(e.message)}", REMEDY, e)
+        }
+        if (tree?.isObject != true) source.fail(null, "the file holds no JSON object", "check what kind of file it is")
+        return tree
+    }
+
+    /** Takes what jgltf reports: an unknown property, a value that a setter refuses, or a value of another type. */
+    private fun report(source: Source, error: JsonError) {
+        val cause = error.throwable ?: return
+        if (cause.cause !is IllegalArgumentException) throw cause
+        val place = error.jsonPath.filter { it.isNotEmpty() }.joinToString(".")
+        source.warn("$place is passed over: ${brief(cause.cause?.message)}")
+    }
+
+    /** Returns the way to the value as `meshes[0].primitives[1].mode`. */
+    private fun place(e: JsonMappingException): String =
+        e.path.joinToString("") { if (it.fieldName == null) "[${it.index}]" else ".${it.fieldName}" }.removePrefix(".")
+
+    /** Jackson's messages may hold much of the file. */
+    private fun brief(message: String?): String =
+        message.orEmpty().trim().lineSequence().first().substringBefore(" (start marker").take(MAX_MESSAGE)
+
+    private const val MAX_MESSAGE = 200
+}

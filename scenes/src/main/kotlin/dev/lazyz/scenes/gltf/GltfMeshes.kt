@@ -1,0 +1,87 @@
+package dev.lazyz.scenes.gltf
+
+import de.javagl.jgltf.impl.v2.MeshPrimitive
+import de.javagl.jgltf.model.ElementType
+import dev.lazyz.Mesh
+
+/** Meshes (section 3.7): each primitive that consists of triangles becomes a [Mesh]. */
+internal class GltfMeshes(private val document: GltfDocument) {
+    private val accessors = GltfAccessors(document)
+    private val materials = GltfMaterials(document)
+    private val meshes = HashMap<Int, List<Mesh>>()
+
+    /** Returns what a node shows, in world space. */
+    fun of(placed: PlacedNode): List<Mesh> {
+        val index = placed.node.mesh ?: return emptyList()
+        val mesh = document.element(document.json.meshes, index, "meshes", "nodes[${placed.index}].mesh")
+        val own = meshes.getOrPut(index) {
+            val primitives: List<MeshPrimitive?> = mesh.primitives.orEmpty()
+            primitives.indices.mapNotNull { i ->
+                val where = "meshes[$index].primitives[$i]"
+                primitive(document.element(primitives, i, "meshes[$index].primitives", where), where)
+            }
+        }
+        return if (NodeTransforms.isIdentity(placed.toWorld)) own else own.map { it.transformed(placed.toWorld) }
+    }
+
+    private fun primitive(primitive: MeshPrimitive, where: String): Mesh? {
+        val mode = primitive.mode ?: GltfTriangles.TRIANGLES
+        if (mode < GltfTriangles.TRIANGLES) {
+            document.warn("$where: points and lines are not drawn")
+            return null
+        }
+        val attributes: Map<String, Int?> = primitive.attributes.orEmpty()
+        if (attributes["POSITION"] == null) {
+            document.warn("$where: there are no positions, so nothing of it is drawn")
+            return null
+        }
+        if (!primitive.targets.isNullOrEmpty()) document.warn("morph targets are not applied")
+
+        val here = "$where.attributes"
+        val positions = accessors.floats(attributes["POSITION"], "$here.POSITION", ElementType.VEC3)
+        val count = positions.size / 3
+        val normals = attributes["NORMAL"]?.let { accessors.floats(it, "$here.NORMAL", ElementType.VEC3) }
+        val material = materials.material(primitive.material, "$where.material")
+        val set = "TEXCOORD_${material.texCoordSet}"
+        val uvs = attributes[set]?.let { accessors.floats(it, "$here.$set", ElementType.VEC2) }
+        val colors = attributes["COLOR_0"]?.let { colors(it, "$here.COLOR_0") }
+        checkCount(normals, 3, count, "$here.NORMAL")
+        checkCount(uvs, 2, count, "$here.$set")
+        checkCount(colors, 4, count, "$here.COLOR_0")
+        return Mesh(
+            positions,
+            triangles(primitive, mode, count, where),
+            material.material,
+            normals,
+            uvs?.let(material.transform::applyTo),
+            colors,
+        )
+    }
+
+    private fun colors(index: Int, where: String): FloatArray {
+        val numbers = accessors.floats(index, where, ElementType.VEC3, ElementType.VEC4)
+        if (accessors.type(index) == ElementType.VEC4) return numbers
+        return FloatArray(numbers.size / 3 * 4) { if (it % 4 == 3) 1f else numbers[it / 4 * 3 + it % 4] }
+    }
+
+    private fun checkCount(numbers: FloatArray?, width: Int, count: Int, where: String) {
+        if (numbers != null && numbers.size != width * count) {
+            document.fail(where, "there are ${numbers.size / width} elements for $count positions")
+        }
+    }
+
+    private fun triangles(primitive: MeshPrimitive, mode: Int, count: Int, where: String): IntArray {
+        if (mode > GltfTriangles.FAN) document.fail("$where.mode", "there is no mode $mode")
+        val indices = primitive.indices?.let { accessors.indices(it, "$where.indices") } ?: IntArray(count) { it }
+        for ((i, vertex) in indices.withIndex()) {
+            if (vertex !in 0 until count) {
+                val shown = if (vertex < 0) "beyond 31 bits" else vertex.toString()
+                document.fail("$where.indices", "element $i is $shown, but there are $count vertices, counted from 0")
+            }
+        }
+        if (mode == GltfTriangles.TRIANGLES && indices.size % 3 != 0) {
+            document.warn("$where: vertex numbers are not triples; the last ${indices.size % 3} are left out")
+        }
+        return GltfTriangles.of(mode, indices)
+    }
+}

@@ -1,0 +1,58 @@
+package dev.lazyz.scenes.gltf
+
+import de.javagl.jgltf.impl.v2.Node
+import org.joml.Matrix4d
+import org.joml.Matrix4dc
+
+/**
+ * A node where it stands in the world.
+ *
+ * @property node as the file has it
+ * @property index its number
+ * @property toWorld from its own space to world space; affine
+ */
+internal class PlacedNode(val node: Node, val index: Int, val toWorld: Matrix4dc)
+
+/** Walks the nodes of the scene that is to be seen (section 3.5). */
+internal class GltfNodes(private val document: GltfDocument) {
+    private val nodes: List<Node?> = document.json.nodes.orEmpty()
+
+    /**
+     * Returns the nodes of the default scene, or if the file names none all nodes that are no one's child, each before
+     * its children. Fails at a node that is met twice, for nodes form trees (3.5.2).
+     */
+    fun walk(): List<PlacedNode> {
+        class Pending(val index: Int, val where: String, val toParent: Matrix4dc)
+
+        // A stack of one's own: a chain of nodes may be longer than the machine's
+        val pending = ArrayDeque<Pending>()
+        val identity = Matrix4d()
+        for ((index, where) in roots().asReversed()) pending.addLast(Pending(index, where, identity))
+        val seen = HashSet<Int>()
+        val placed = ArrayList<PlacedNode>()
+        while (pending.isNotEmpty()) {
+            val next = pending.removeLast()
+            val node = document.element(nodes, next.index, "nodes", next.where)
+            if (!seen.add(next.index)) document.fail(next.where, "node ${next.index} has two parents or holds itself")
+            val toWorld = NodeTransforms.product(next.toParent, NodeTransforms.of(node))
+            placed.add(PlacedNode(node, next.index, toWorld))
+            for ((i, child) in children(node).withIndex().reversed()) {
+                pending.addLast(Pending(child ?: -1, "nodes[${next.index}].children[$i]", toWorld))
+            }
+        }
+        return placed
+    }
+
+    private fun roots(): List<Pair<Int, String>> {
+        val index = document.json.scene
+        if (index != null) {
+            val scene = document.element(document.json.scenes, index, "scenes", "scene")
+            val numbers: List<Int?> = scene.nodes.orEmpty()
+            return numbers.mapIndexed { i, node -> Pair(node ?: -1, "scenes[$index].nodes[$i]") }
+        }
+        val isChild = nodes.flatMapTo(HashSet()) { children(it) }
+        return nodes.indices.filter { it !in isChild }.map { Pair(it, "nodes[$it]") }
+    }
+
+    private fun children(node: Node?): List<Int?> = node?.children.orEmpty()
+}

@@ -1,0 +1,74 @@
+package dev.lazyz.scenes.gltf
+
+import de.javagl.jgltf.impl.v2.Image
+import de.javagl.jgltf.model.GltfConstants
+import dev.lazyz.Texture
+import dev.lazyz.TextureFilter
+import dev.lazyz.TextureWrap
+import dev.lazyz.scenes.images.FileReferences
+import dev.lazyz.scenes.images.TextureFiles
+
+/**
+ * Textures (section 3.8): images in buffer views, data URIs and files, each decoded once, with their samplers.
+ *
+ * The magnification filter decides; mipmaps are not a thing here. Mirrored repetition becomes plain repetition, with a
+ * warning. An image that is missing or cannot be decoded gives a warning and no texture.
+ */
+internal class GltfTextures(private val document: GltfDocument) {
+    private val images = HashMap<Int, Texture?>()
+
+    /** Returns texture number [index], which [where] refers to. */
+    fun texture(index: Int?, where: String): Texture? {
+        val texture = document.element(document.json.textures, index, "textures", where)
+        val source = texture.source
+        if (source == null) {
+            document.warn("textures[$index] has no image of a known kind and is left out")
+            return null
+        }
+        val image = document.element(document.json.images, source, "images", "textures[$index].source")
+        val decoded = images.getOrPut(source) { decode(image, source) } ?: return null
+        if (texture.sampler == null) return decoded
+        val sampler = document.element(document.json.samplers, texture.sampler, "samplers", "textures[$index].sampler")
+        val isNearest = sampler.magFilter == GltfConstants.GL_NEAREST
+        return decoded.withSampling(
+            if (isNearest) TextureFilter.NEAREST else TextureFilter.BILINEAR,
+            wrap(sampler.wrapS),
+            wrap(sampler.wrapT),
+        )
+    }
+
+    private fun wrap(wrap: Int?): TextureWrap = when (wrap) {
+        GltfConstants.GL_CLAMP_TO_EDGE -> TextureWrap.CLAMP
+        GltfConstants.GL_MIRRORED_REPEAT -> {
+            document.warn("a texture that repeats mirrored is repeated unmirrored")
+            TextureWrap.REPEAT
+        }
+        else -> TextureWrap.REPEAT
+    }
+
+    private fun decode(image: Image, index: Int): Texture? {
+        val name = image.name ?: image.uri?.takeUnless(document::isData) ?: "images[$index]"
+        val bytes = bytes(image, index) ?: return null
+        val texture = TextureFiles.decode(bytes, name)
+        if (texture == null) document.warn("images[$index] cannot be decoded and is left out; save it as PNG or JPEG")
+        return texture
+    }
+
+    private fun bytes(image: Image, index: Int): ByteArray? {
+        val uri = image.uri
+        if (image.bufferView != null) {
+            val view = document.view(image.bufferView, "images[$index].bufferView")
+            return ByteArray(view.capacity()).also { view.get(it) }
+        }
+        val bytes = when {
+            uri == null -> null
+            document.isData(uri) -> document.data(uri)
+            else -> document.file(uri)?.let { FileReferences.read(it) }
+        }
+        if (bytes == null) {
+            val shown = if (uri == null || document.isData(uri)) "" else " ($uri)"
+            document.warn("images[$index]$shown is missing and left out")
+        }
+        return bytes
+    }
+}

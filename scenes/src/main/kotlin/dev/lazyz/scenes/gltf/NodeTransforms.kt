@@ -1,0 +1,63 @@
+package dev.lazyz.scenes.gltf
+
+import de.javagl.jgltf.impl.v2.Node
+import org.joml.Matrix4d
+import org.joml.Matrix4dc
+
+/**
+ * The arithmetic of node transforms (section 3.5.3), spelled out so that it is the same bits on every machine: JOML's
+ * own products may use fused multiply-add when a JVM flag says so.
+ */
+internal object NodeTransforms {
+    /** Returns the transform from a node's space to its parent's: its matrix, or scale, rotation and translation. */
+    fun of(node: Node): Matrix4d {
+        val m = node.matrix
+        if (m != null) {
+            // The fourth row is 0, 0, 0, 1 in every transform that the specification allows
+            return Matrix4d(
+                m[0].toDouble(), m[1].toDouble(), m[2].toDouble(), 0.0,
+                m[4].toDouble(), m[5].toDouble(), m[6].toDouble(), 0.0,
+                m[8].toDouble(), m[9].toDouble(), m[10].toDouble(), 0.0,
+                m[12].toDouble(), m[13].toDouble(), m[14].toDouble(), 1.0,
+            )
+        }
+        val t = node.translation ?: floatArrayOf(0f, 0f, 0f)
+        val s = node.scale ?: floatArrayOf(1f, 1f, 1f)
+        val r = node.rotation ?: floatArrayOf(0f, 0f, 0f, 1f)
+        val x = r[0].toDouble()
+        val y = r[1].toDouble()
+        val z = r[2].toDouble()
+        val w = r[3].toDouble()
+
+        // The columns of the quaternion's matrix, each as long as its scale
+        val sx = s[0].toDouble()
+        val sy = s[1].toDouble()
+        val sz = s[2].toDouble()
+        return Matrix4d(
+            (1.0 - 2.0 * (y * y + z * z)) * sx, 2.0 * (x * y + z * w) * sx, 2.0 * (x * z - y * w) * sx, 0.0,
+            2.0 * (x * y - z * w) * sy, (1.0 - 2.0 * (x * x + z * z)) * sy, 2.0 * (y * z + x * w) * sy, 0.0,
+            2.0 * (x * z + y * w) * sz, 2.0 * (y * z - x * w) * sz, (1.0 - 2.0 * (x * x + y * y)) * sz, 0.0,
+            t[0].toDouble(), t[1].toDouble(), t[2].toDouble(), 1.0,
+        )
+    }
+
+    /** Returns the product of two affine transforms: [right] first, then [left]. */
+    fun product(left: Matrix4dc, right: Matrix4dc): Matrix4d {
+        val result = Matrix4d()
+        for (column in 0 until 4) {
+            for (row in 0 until 3) {
+                var sum = left.get(0, row) * right.get(column, 0)
+                sum += left.get(1, row) * right.get(column, 1)
+                sum += left.get(2, row) * right.get(column, 2)
+                if (column == 3) sum += left.get(3, row)
+                result.set(column, row, sum)
+            }
+        }
+        return result
+    }
+
+    /** Whether [m] leaves every point where it is. */
+    fun isIdentity(m: Matrix4dc): Boolean = (0 until 4).all { column ->
+        (0 until 4).all { row -> m.get(column, row) == if (column == row) 1.0 else 0.0 }
+    }
+}

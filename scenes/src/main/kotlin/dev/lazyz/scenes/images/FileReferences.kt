@@ -1,0 +1,76 @@
+package dev.lazyz.scenes.images
+
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.InvalidPathException
+import java.nio.file.Path
+
+/**
+ * Finds the files that a scene file refers to.
+ *
+ * A reference is looked up relative to a folder, with `/` or `\` between its parts; the exact name first, then one that
+ * differs in case only (the first in alphabetical order). `..` is followed. An absolute path, a drive letter or a URL
+ * names a place on the author's machine: it is used if it lies within the folder, and otherwise the file of the same
+ * name in the folder is. Only regular files count. Nothing is ever fetched from a network.
+ */
+internal object FileReferences {
+    /** Largest file that is read, for it has to fit an array. */
+    private const val MAX_BYTES = Int.MAX_VALUE - 8L
+
+    private val drive = Regex("[A-Za-z]:/.*")
+    private val url = Regex("[A-Za-z][A-Za-z0-9+.-]+:/.*")
+
+    /** Returns the regular file that [reference] stands for, or null if there is none or [folder] is null. */
+    fun find(folder: Path?, reference: String): Path? {
+        if (folder == null) return null
+        val name = reference.trim().removeSurrounding("\"").replace('\\', '/')
+        return try {
+            if (!isAbsolute(name)) {
+                lookUp(folder, name)
+            } else {
+                inside(folder, name)
+                    ?: lookUp(folder, name.substringAfterLast('/'))
+            }
+        } catch (_: InvalidPathException) {
+            null
+        } catch (_: IOException) {
+            null
+        }
+    }
+
+    /** Returns the whole content of [file], or null if it cannot be read or is too large for an array. */
+    fun read(file: Path): ByteArray? = try {
+        if (Files.size(file) > MAX_BYTES) null else Files.readAllBytes(file)
+    } catch (_: IOException) {
+        null
+    }
+
+    private fun isAbsolute(name: String) = name.startsWith("/") || drive.matches(name) || url.matches(name)
+
+    private fun inside(folder: Path, name: String): Path? {
+        if (url.matches(name)) return null
+        val root = folder.toAbsolutePath().normalize()
+        val file = Path.of(name).normalize()
+        return file.takeIf { it.isAbsolute && it.startsWith(root) && Files.isRegularFile(it) }
+    }
+
+    private fun lookUp(folder: Path, name: String): Path? {
+        // Walk down the parts, so that `.` and empty parts fall out and each part may differ in case
+        var place = folder.toAbsolutePath().normalize()
+        for (part in name.split('/')) {
+            place = when (part) {
+                "", "." -> place
+                ".." -> place.parent ?: return null
+                else -> place.resolve(part).takeIf { Files.exists(it) } ?: otherCase(place, part) ?: return null
+            }
+        }
+        return place.takeIf { Files.isRegularFile(it) }
+    }
+
+    private fun otherCase(folder: Path, name: String): Path? {
+        if (!Files.isDirectory(folder)) return null
+        return Files.newDirectoryStream(folder).use { entries ->
+            entries.filter { it.fileName.toString().equals(name, ignoreCase = true) }.minOrNull()
+        }
+    }
+}

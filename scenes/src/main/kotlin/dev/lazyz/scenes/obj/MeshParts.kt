@@ -1,0 +1,75 @@
+package dev.lazyz.scenes.obj
+
+import dev.lazyz.Material
+import dev.lazyz.Mesh
+import dev.lazyz.scenes.triangulation.Ints
+
+/**
+ * Takes a mesh apart into groups of its triangles, each with the vertices that it uses. Not thread safe.
+ *
+ * @param groupOf number of each triangle's group, 0 until [groupCount]
+ */
+internal class MeshParts(private val whole: Mesh, groupOf: Ints, groupCount: Int) {
+    private val members = List(groupCount) { Ints() }
+
+    /** By vertex of the whole: its number in the part at hand, or -1. */
+    private val newNumber = IntArray(whole.vertexCount) { -1 }
+
+    init {
+        for (triangle in 0 until whole.triangleCount) members[groupOf[triangle]].add(triangle)
+    }
+
+    /**
+     * Returns the triangles of [group], in order, with a material of their own. Texture coordinates, v upward so far,
+     * are scaled and moved as the material says and turned to v downward; unless [isTextured] they and the texture fall
+     * away.
+     */
+    fun mesh(group: Int, material: MtlMaterial, isTextured: Boolean): Mesh {
+        // Number the vertices anew in the order in which they are used
+        val used = Ints()
+        val triangles = IntArray(3 * members[group].size) {
+            val vertex = whole.triangles[3 * members[group][it / 3] + it % 3]
+            if (newNumber[vertex] < 0) {
+                newNumber[vertex] = used.size
+                used.add(vertex)
+            }
+            newNumber[vertex]
+        }
+        for (i in 0 until used.size) newNumber[used[i]] = -1
+
+        return Mesh(
+            checkNotNull(gather(whole.positions, used, 3)),
+            triangles,
+            if (isTextured) material.material else withoutTexture(material.material),
+            gather(whole.normals, used, 3),
+            if (isTextured) gather(whole.uvs, used, 2)?.also { place(it, material) } else null,
+            gather(whole.colors, used, 4),
+        )
+    }
+
+    private fun place(uvs: FloatArray, material: MtlMaterial) {
+        for (i in uvs.indices step 2) {
+            uvs[i] = (uvs[i] * material.scaleU + material.offsetU).toFloat()
+            uvs[i + 1] = (1.0 - (uvs[i + 1] * material.scaleV + material.offsetV)).toFloat()
+        }
+    }
+
+    private fun gather(array: FloatArray?, vertices: Ints, width: Int): FloatArray? =
+        array?.let { FloatArray(width * vertices.size) { i -> it[width * vertices[i / width] + i % width] } }
+
+    private fun withoutTexture(material: Material): Material = if (material.texture == null) {
+        material
+    } else {
+        Material(
+            baseColor = material.baseColor,
+            shading = material.shading,
+            specular = material.specular,
+            shininess = material.shininess,
+            emission = material.emission,
+            alphaMode = material.alphaMode,
+            alphaCutoff = material.alphaCutoff,
+            sides = material.sides,
+            name = material.name,
+        )
+    }
+}

@@ -1,0 +1,76 @@
+package dev.lazyz.scenes.obj
+
+import de.javagl.obj.MtlReader
+import dev.lazyz.Material
+import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.images.FileReferences
+import dev.lazyz.scenes.triangulation.TextLines
+import java.io.IOException
+import java.nio.file.Path
+
+/**
+ * The materials of an OBJ file's libraries, by name (Wavefront Technologies, "Advanced Visualizer" manual, appendix B2,
+ * "Material Library File", and `map_Kd` options in wide use). The first definition of a name counts.
+ *
+ * A library that is missing, and a name that none defines, give a warning and plain white. Textures are looked for in
+ * the library's folder first, then in the OBJ file's.
+ */
+internal class MtlLibrary(private val source: Source) {
+    private val materials = HashMap<String, MtlMaterial>()
+    private val missing = HashMap<String?, MtlMaterial>()
+
+    /** Reads the library that an `mtllib` statement names: one file whose name may contain spaces, or several. */
+    fun add(reference: String) {
+        if (source.folder == null) {
+            source.warn("material library $reference is left out, for a stream has no folder; load from a file instead")
+            return
+        }
+        val whole = FileReferences.find(source.folder, reference)
+        if (whole != null) return read(whole)
+        val words = TextLines.words(reference)
+        val areSeveral = words.size > 1 && words.any { FileReferences.find(source.folder, it) != null }
+        for (word in if (areSeveral) words else listOf(reference)) {
+            val file = FileReferences.find(source.folder, word)
+            if (file == null) {
+                source.warn("material library $word is missing and left out; put it into ${source.folder}")
+            } else {
+                read(file)
+            }
+        }
+    }
+
+    /** Returns the material called [name]; a plain one if no library has it. */
+    fun material(name: String?): MtlMaterial = materials[name] ?: missing.getOrPut(name) {
+        if (name != null) source.warn("material $name is defined nowhere and becomes plain white")
+        MtlMaterial(Material(name = name ?: ""))
+    }
+
+    private fun read(file: Path) {
+        val bytes = FileReferences.read(file)
+        if (bytes == null) {
+            source.warn("material library $file cannot be read; its materials are plain white")
+            return
+        }
+        val statements = MtlStatements(StatementReader.decode(bytes))
+        val entries = try {
+            MtlReader.read(statements)
+        } catch (e: IOException) {
+            fail(file, statements, e)
+        } catch (e: RuntimeException) {
+            fail(file, statements, e)
+        }
+        val reader = MtlMaterials(source, listOfNotNull(file.parent, source.folder).distinct())
+        for ((i, entry) in entries.withIndex()) {
+            materials.getOrPut(entry.name) { reader.material(entry, statements.maps[i]) }
+        }
+    }
+
+    private fun fail(file: Path, statements: MtlStatements, cause: Exception): Nothing = throw SceneFormatException(
+        file.toString(),
+        "line ${statements.number}",
+        "the statement \"${statements.statement}\" cannot be understood",
+        "give it the numbers it needs, with decimal points, or remove it",
+        cause,
+    )
+}

@@ -1,0 +1,100 @@
+package dev.lazyz.scenes.obj
+
+import de.javagl.obj.FloatTuple
+import de.javagl.obj.Mtl
+import dev.lazyz.AlphaMode
+import dev.lazyz.Material
+import dev.lazyz.Rgba
+import dev.lazyz.Shading
+import dev.lazyz.Texture
+import dev.lazyz.TextureFilter
+import dev.lazyz.TextureWrap
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.images.SrgbDecoding
+import dev.lazyz.scenes.images.TextureFiles
+import java.nio.file.Path
+
+/**
+ * A material as a library defines it.
+ *
+ * @property material how it looks
+ * @property scaleU what texture coordinates (v upward) are multiplied by, before the offset is added
+ */
+internal class MtlMaterial(
+    val material: Material,
+    val scaleU: Double = 1.0,
+    val scaleV: Double = 1.0,
+    val offsetU: Double = 0.0,
+    val offsetV: Double = 0.0,
+)
+
+/**
+ * Turns the entries of one material library into materials.
+ *
+ * Numbers in a library are what its author saw on a screen, so `Kd`, `Ks` and `Ke` are taken as sRGB-encoded. `Kd`
+ * multiplies the texture, except that a black `Kd` beside `map_Kd` counts as white, which is what programs mean that
+ * write it (drawn to the letter, the texture would be invisible). The highlight is `Ks` by the halfway vector with
+ * exponent `Ns`, as `illum 2` defines it; `illum 0` means no light at all and `illum 1` no highlight. `d` below 1 makes
+ * a translucent material. A texture's alpha counts only if `map_d` names the same file, and then as a mask.
+ *
+ * @param folders where textures are looked for, in order
+ */
+internal class MtlMaterials(private val source: Source, private val folders: List<Path>) {
+    private val textures = HashMap<String, Texture?>()
+
+    /** Returns the material of [mtl] with the texture statements [maps]. */
+    fun material(mtl: Mtl, maps: Map<String, MtlMap>): MtlMaterial {
+        val map = maps["map_kd"]
+        val texture = map?.let(::texture)
+        val mask = maps["map_d"]
+        val isMasked = texture != null && mask?.file == map.file
+        if (mask != null && !isMasked) source.warn("material ${mtl.name}: map_d ${mask.file} is not used")
+
+        val alpha = mtl.d?.takeIf { it.isFinite() }?.coerceIn(0f, 1f) ?: 1f
+        val isLit = mtl.illum != 0
+        val material = Material(
+            baseColor = baseColor(mtl, map != null).withAlpha(alpha),
+            texture = texture,
+            shading = if (isLit) Shading.BLINN_PHONG else Shading.CONSTANT,
+            specular = if (mtl.illum in listOf(0, 1)) Rgba.BLACK else color(mtl.ks) ?: Rgba.BLACK,
+            shininess =
+            mtl.ns?.takeIf { it.isFinite() }?.let { (it + 0.5f).toInt().coerceIn(1, 1024) } ?: DEFAULT_SHININESS,
+            emission = color(mtl.ke) ?: Rgba.BLACK,
+            alphaMode = if (alpha < 1f) {
+                AlphaMode.BLEND
+            } else if (isMasked) {
+                AlphaMode.MASK
+            } else {
+                AlphaMode.OPAQUE
+            },
+            name = mtl.name,
+        )
+        return if (map == null) MtlMaterial(material) else placed(material, map)
+    }
+
+    private fun placed(material: Material, map: MtlMap) =
+        MtlMaterial(material, map.scale[0], map.scale[1], map.offset[0], map.offset[1])
+
+    private fun baseColor(mtl: Mtl, hasMap: Boolean): Rgba {
+        val color = color(mtl.kd) ?: return Rgba.WHITE
+        return if (hasMap && color == Rgba.BLACK) Rgba.WHITE else color
+    }
+
+    private fun color(tuple: FloatTuple?): Rgba? = tuple?.let {
+        Rgba(
+            SrgbDecoding.decode(it.x.toDouble()),
+            SrgbDecoding.decode(it.y.toDouble()),
+            SrgbDecoding.decode(it.z.toDouble()),
+        )
+    }
+
+    private fun texture(map: MtlMap): Texture? {
+        val texture = textures.getOrPut(map.file) { TextureFiles.find(source, folders, map.file) }
+        if (!map.isClamped) return texture
+        return texture?.withSampling(TextureFilter.BILINEAR, TextureWrap.CLAMP, TextureWrap.CLAMP)
+    }
+
+    private companion object {
+        const val DEFAULT_SHININESS = 32
+    }
+}

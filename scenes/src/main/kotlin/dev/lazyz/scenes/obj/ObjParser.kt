@@ -1,0 +1,48 @@
+package dev.lazyz.scenes.obj
+
+import de.javagl.obj.ObjReader
+import dev.lazyz.Scene
+import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.SceneParser
+import dev.lazyz.scenes.Source
+import java.io.IOException
+
+/**
+ * Reads Wavefront OBJ files with their material libraries (Wavefront Technologies, "Advanced Visualizer" manual,
+ * appendix B1, "Object Files", version 3.0).
+ *
+ * Polygons with any number of corners, and all that makes them look: normals, texture coordinates (v upward, turned to
+ * `1 - v`), materials, and vertex colours `v x y z red green blue`, which are taken as sRGB-encoded numbers in 0..1.
+ * Groups are passed over; objects and materials divide the file into meshes, see [ObjMeshes]. Faces without normals are
+ * made smooth up to creases of [CREASE_ANGLE] degrees, or flat after `s off`; the numbers of smoothing groups are
+ * passed over otherwise. Points, lines and free-form geometry are passed over with a warning.
+ */
+internal object ObjParser : SceneParser {
+    /** Edges sharper than this stay sharp, degrees. */
+    const val CREASE_ANGLE = 45.0
+
+    override fun parse(source: Source): Scene {
+        if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
+        val statements = ObjStatements(source)
+        val model = ObjCollector(source, statements)
+        try {
+            ObjReader.read(statements, model)
+        } catch (e: SceneFormatException) {
+            throw e
+        } catch (e: IOException) {
+            statements.fail("the line cannot be understood", "correct the line or export the model again", e)
+        } catch (e: RuntimeException) {
+            statements.fail("the line cannot be understood", "correct the line or export the model again", e)
+        }
+        if (model.positions.size == 0) {
+            source.fail(null, "there is no vertex in the file", "check what kind of file it is")
+        }
+        model.checkReferences()
+        statements.warnOfDropped()
+        if (model.faces.size == 0) source.warn("there are no faces, so there is nothing to see")
+
+        val library = MtlLibrary(source)
+        for (reference in model.libraries.distinct()) library.add(reference)
+        return Scene(ObjMeshes(source, model, library::material).build())
+    }
+}

@@ -1,0 +1,84 @@
+package dev.lazyz.scenes.ply
+
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.images.SrgbDecoding
+
+/** The vertices of a file: arrays as [dev.lazyz.Mesh] wants them, null for what the file does not have. */
+internal class PlyVertices private constructor(
+    val positions: FloatArray,
+    val normals: FloatArray?,
+    val uvs: FloatArray?,
+    val colors: FloatArray?,
+) {
+    /** How many vertices there are. */
+    val count: Int get() = positions.size / 3
+
+    companion object {
+        private val texturePairs =
+            listOf("s" to "t", "u" to "v", "texture_u" to "texture_v", "texture_s" to "texture_t")
+
+        /** Reads all rows of [element] from [body]. */
+        fun read(source: Source, element: PlyElement, body: PlyBody): PlyVertices {
+            val position = listOf("x", "y", "z").map { name ->
+                element.column(listOf(name)) ?: source.fail("header", "element vertex has no property $name", "add it")
+            }
+            val normal = listOf("nx", "ny", "nz").mapNotNull { element.column(listOf(it)) }.takeIf { it.size == 3 }
+            val texture = texturePairs.firstNotNullOfOrNull { (u, v) ->
+                listOf(u, v).mapNotNull { element.column(listOf(it)) }.takeIf { it.size == 2 }
+            }
+            val color = listOf("red", "green", "blue").mapNotNull { colorColumn(element, it) }.takeIf { it.size == 3 }
+            val alpha = colorColumn(element, "alpha")
+
+            body.announce(element)
+            val count = element.count
+            val vertices = PlyVertices(
+                FloatArray(3 * count),
+                normal?.let { FloatArray(3 * count) },
+                texture?.let { FloatArray(2 * count) },
+                color?.let { FloatArray(4 * count) },
+            )
+            val row = PlyRow(element)
+            for (i in 0 until count) {
+                body.read(row)
+                vertices.set(i, row, position, normal, texture)
+                if (color != null) vertices.setColor(i, row, color, alpha)
+            }
+            return vertices
+        }
+
+        private fun colorColumn(element: PlyElement, name: String): Int? =
+            element.column(listOf(name, "diffuse_$name", name.substring(0, 1)))
+    }
+
+    private fun set(vertex: Int, row: PlyRow, position: List<Int>, normal: List<Int>?, texture: List<Int>?) {
+        for (axis in 0 until 3) positions[3 * vertex + axis] = row.numbers[position[axis]].toFloat()
+        if (normals != null && normal != null) {
+            for (axis in 0 until 3) normals[3 * vertex + axis] = row.numbers[normal[axis]].toFloat()
+        }
+        if (uvs != null && texture != null) {
+            uvs[2 * vertex] = row.numbers[texture[0]].toFloat()
+            uvs[2 * vertex + 1] = (1.0 - row.numbers[texture[1]]).toFloat()
+        }
+    }
+
+    private fun setColor(vertex: Int, row: PlyRow, color: List<Int>, alpha: Int?) {
+        if (colors == null) return
+        for (channel in 0 until 3) {
+            val most = row.element.properties[color[channel]].type.most
+            val encoded = row.numbers[color[channel]]
+            colors[4 * vertex + channel] =
+                if (most ==
+                    255.0
+                ) {
+                    SrgbDecoding.decodeByte(encoded.coerceIn(0.0, 255.0).toInt())
+                } else {
+                    SrgbDecoding.decode(encoded / most)
+                }
+        }
+        colors[4 * vertex + 3] = if (alpha == null) {
+            1f
+        } else {
+            (row.numbers[alpha] / row.element.properties[alpha].type.most).toFloat()
+        }
+    }
+}

@@ -1,0 +1,99 @@
+package dev.lazyz.scenes.scenefile
+
+import dev.lazyz.Camera
+import dev.lazyz.Fit
+import dev.lazyz.Light
+import dev.lazyz.Rgba
+import dev.lazyz.Viewpoint
+import org.joml.Vector3d
+
+/** Reads where a scene is seen from and what lights it. */
+internal class CameraReader(private val up: UpAxis) {
+    fun viewpoint(node: JsonNode): Viewpoint {
+        val kinds = arrayOf("perspective", "orthographic", "fit")
+        val (kind, value) = node.members(*kinds).one(*kinds)
+        return when (kind) {
+            "perspective" -> perspective(value)
+            "orthographic" -> orthographic(value)
+            else -> fit(value)
+        }
+    }
+
+    private fun perspective(node: JsonNode): Camera {
+        val members = node.members("eye", "target", "up", "fieldOfView", "near", "far")
+        return node.checked {
+            Camera.perspective(
+                vector(members.required("eye")),
+                vector(members.required("target")),
+                upward(members),
+                members.required("fieldOfView").double(),
+                members.required("near").double(),
+                members.required("far").double(),
+            )
+        }
+    }
+
+    private fun orthographic(node: JsonNode): Camera {
+        val members = node.members("eye", "target", "up", "height", "near", "far")
+        return node.checked {
+            Camera.orthographic(
+                vector(members.required("eye")),
+                vector(members.required("target")),
+                upward(members),
+                members.required("height").double(),
+                members.required("near").double(),
+                members.required("far").double(),
+            )
+        }
+    }
+
+    private fun fit(node: JsonNode): Viewpoint {
+        val members = node.members("azimuth", "elevation", "zoom", "projection")
+        return node.checked {
+            Camera.fit(
+                members["azimuth"]?.double() ?: DEFAULT_AZIMUTH,
+                members["elevation"]?.double() ?: DEFAULT_ELEVATION,
+                members["zoom"]?.double() ?: 1.0,
+                members["projection"]?.choice(SceneFileNames.projections) ?: Fit.PERSPECTIVE,
+            )
+        }
+    }
+
+    private fun upward(members: JsonMembers): Vector3d = members["up"]?.let { vector(it) } ?: Vector3d(0.0, 1.0, 0.0)
+
+    fun light(node: JsonNode): Light {
+        val kinds = arrayOf("ambient", "directional", "point")
+        val (kind, value) = node.members(*kinds).one(*kinds)
+        return when (kind) {
+            "ambient" -> Light.Ambient(color(value.members("color")))
+            "directional" -> {
+                val members = value.members("direction", "color")
+                value.checked { Light.Directional(vector(members.required("direction")), color(members)) }
+            }
+            else -> {
+                val members = value.members("position", "color")
+                value.checked { Light.Point(vector(members.required("position")), color(members)) }
+            }
+        }
+    }
+
+    private fun color(members: JsonMembers): Rgba = members["color"]?.let(ColorReader::read) ?: Rgba.WHITE
+
+    private fun vector(node: JsonNode): Vector3d = up.toWorld(node.doubles(3))
+
+    private companion object {
+        const val DEFAULT_AZIMUTH = 30.0
+        const val DEFAULT_ELEVATION = 20.0
+    }
+}
+
+/** Reads a colour: text in sRGB, or three or four numbers in linear light. */
+internal object ColorReader {
+    fun read(node: JsonNode): Rgba {
+        if (node.isText) return node.checked { Rgba.parse(node.text()) }
+        if (!node.isList) node.fail("must be a colour", "write \"#rrggbb\" or [red, green, blue]")
+        val parts = node.floats()
+        if (parts.size !in 3..4) node.fail("needs 3 or 4 numbers, not ${parts.size}")
+        return Rgba(parts[0], parts[1], parts[2], if (parts.size == 4) parts[3] else 1f)
+    }
+}

@@ -1,0 +1,54 @@
+package dev.lazyz.scenes.scenefile
+
+import dev.lazyz.Texture
+import dev.lazyz.TextureFilter
+import dev.lazyz.TextureWrap
+import dev.lazyz.scenes.images.TextureFiles
+import dev.lazyz.scenes.writers.PngSink
+import java.io.ByteArrayOutputStream
+import java.util.Base64
+
+/** A picture within a scene file: a PNG as a `data:` URI (RFC 2397), with every texel as it was. */
+internal object EmbeddedImage {
+    private const val PREFIX = "data:image/png;base64,"
+
+    fun isEmbedded(reference: String): Boolean = reference.startsWith("data:")
+
+    fun write(texture: Texture): String {
+        val bytes = ByteArrayOutputStream()
+        val row = IntArray(texture.width)
+        PngSink(bytes, texture.width, texture.height).use { sink ->
+            for (y in 0 until texture.height) {
+                for (x in row.indices) row[x] = texture.texel(x, y)
+                sink.row(y, row, row, row)
+            }
+        }
+        return PREFIX + Base64.getEncoder().encodeToString(bytes.toByteArray())
+    }
+
+    fun read(node: JsonNode): Texture {
+        val reference = node.text()
+        if (!reference.startsWith(PREFIX)) {
+            node.fail("embedded picture is not a PNG in base64: ${reference.take(40)}", "begin it with $PREFIX")
+        }
+        val bytes = try {
+            Base64.getDecoder().decode(reference.substring(PREFIX.length))
+        } catch (e: IllegalArgumentException) {
+            node.fail("embedded picture is not base64: ${e.message}", "embed it anew")
+        }
+        return TextureFiles.decode(bytes, "") ?: node.fail("embedded picture is not a PNG", "embed it anew")
+    }
+
+    /** Returns [picture] with other sampling rules and another name. */
+    fun texture(
+        picture: Texture,
+        filter: TextureFilter,
+        wrapU: TextureWrap,
+        wrapV: TextureWrap,
+        name: String,
+    ): Texture {
+        if (name == picture.name) return picture.withSampling(filter, wrapU, wrapV)
+        val texels = IntArray(picture.width * picture.height) { picture.texel(it % picture.width, it / picture.width) }
+        return Texture(picture.width, picture.height, texels, filter, wrapU, wrapV, name)
+    }
+}

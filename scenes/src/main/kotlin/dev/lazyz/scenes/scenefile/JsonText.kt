@@ -1,0 +1,97 @@
+package dev.lazyz.scenes.scenefile
+
+import dev.lazyz.scenes.Source
+import java.nio.ByteBuffer
+import java.nio.charset.CharacterCodingException
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonElement
+
+/** From bytes to a tree of JSON, with a place for every fault. */
+internal object JsonText {
+    private val offsetPattern = Regex("""Unexpected JSON token at offset (\d+): (.*)""")
+    private val pathPattern = Regex(""" at path: \S*.*""")
+
+    fun parse(source: Source): JsonElement {
+        val text = decode(source)
+        NestingCheck(source, text).run()
+        try {
+            return Json.parseToJsonElement(text)
+        } catch (e: SerializationException) {
+            val message = e.message.orEmpty().lineSequence().first()
+            val match = offsetPattern.find(message) ?: source.fail(null, "is not JSON: $message", cause = e)
+            val place = place(text, match.groupValues[1].toInt())
+            source.fail(place, "is not JSON: ${match.groupValues[2].replace(pathPattern, "")}", cause = e)
+        } catch (e: OutOfMemoryError) {
+            source.fail(null, "does not fit into memory", "keep meshes in files of their own, or raise -Xmx", e)
+        }
+    }
+
+    /** Returns `line 3, column 7` for an offset in [text]. */
+    fun place(text: String, offset: Int): String {
+        val before = text.substring(0, offset.coerceIn(0, text.length))
+        return "line ${before.count { it == '\n' } + 1}, column ${before.length - before.lastIndexOf('\n')}"
+    }
+
+    private fun decode(source: Source): String {
+        val bytes = source.bytes
+        val hasMark = bytes.size >= 3 && bytes[0] == 0xEF.toByte() && bytes[1] == 0xBB.toByte() &&
+            bytes[2] == 0xBF.toByte()
+        val start = if (hasMark) 3 else 0
+        try {
+            return Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes, start, bytes.size - start)).toString()
+        } catch (e: CharacterCodingException) {
+            source.fail(null, "is not text in UTF-8", "save it as UTF-8", e)
+        } catch (e: OutOfMemoryError) {
+            source.fail(null, "does not fit into memory", "keep meshes in files of their own, or raise -Xmx", e)
+        }
+    }
+}
+
+/**
+ * Looks through a text for what the parser would not complain about: nesting that is too deep for its stack, and a key
+ * given twice in one object, of which it would keep the last.
+ */
+private class NestingCheck(private val source: Source, private val text: String) {
+    /** Keys of the objects around the current place; null stands for a list. */
+    private val around = ArrayList<HashSet<String>?>()
+
+    fun run() {
+        var i = 0
+        while (i < text.length) {
+            when (text[i]) {
+                '{' -> open(HashSet(), i)
+                '[' -> open(null, i)
+                '}', ']' -> around.removeLastOrNull()
+                '"' -> i = string(i)
+            }
+            i++
+        }
+    }
+
+    private fun open(keys: HashSet<String>?, offset: Int) {
+        if (around.size == MAX_DEPTH) {
+            source.fail(JsonText.place(text, offset), "is nested more than $MAX_DEPTH deep")
+        }
+        around.add(keys)
+    }
+
+    /** Passes over the string that starts at [start] and returns where it ends; a colon behind it makes it a key. */
+    private fun string(start: Int): Int {
+        var end = start + 1
+        while (end < text.length && text[end] != '"') end += if (text[end] == '\\') 2 else 1
+        var next = end + 1
+        while (next < text.length && text[next].isWhitespace()) next++
+        if (next < text.length && text[next] == ':') {
+            val key = text.substring(start + 1, end)
+            if (around.lastOrNull()?.add(key) == false) {
+                source.fail(JsonText.place(text, start), "key \"$key\" is given twice", "remove one")
+            }
+        }
+        return end
+    }
+
+    private companion object {
+        const val MAX_DEPTH = 64
+    }
+}

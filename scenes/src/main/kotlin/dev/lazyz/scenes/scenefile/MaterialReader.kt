@@ -1,0 +1,78 @@
+package dev.lazyz.scenes.scenefile
+
+import dev.lazyz.Material
+import dev.lazyz.Texture
+import dev.lazyz.TextureFilter
+import dev.lazyz.TextureWrap
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.images.TextureFiles
+
+/** Reads materials and the textures they wear; a picture that several wear is read once. */
+internal class MaterialReader(private val source: Source) {
+    private val named = HashMap<String, Material>()
+    private val pictures = HashMap<String, Texture?>()
+
+    /** Reads the materials that surfaces may refer to by name. */
+    fun readNamed(node: JsonNode) {
+        for ((name, value) in node.named()) named[name] = material(value, name)
+    }
+
+    /** Reads a reference to a named material, or a material on the spot. */
+    fun read(node: JsonNode): Material {
+        if (!node.isText) return material(node, "")
+        val name = node.text()
+        return named[name] ?: node.fail(
+            "there is no material \"$name\"",
+            if (named.isEmpty()) "add it to \"materials\"" else "known: ${named.keys.sorted().joinToString()}",
+        )
+    }
+
+    private fun material(node: JsonNode, name: String): Material {
+        val members = node.members(
+            "name", "baseColor", "texture", "shading", "specular", "shininess", "emission", "alphaMode", "alphaCutoff",
+            "sides",
+        )
+        val plain = Material()
+        return node.checked {
+            Material(
+                baseColor = members["baseColor"]?.let(ColorReader::read) ?: plain.baseColor,
+                texture = members["texture"]?.let(::texture),
+                shading = members["shading"]?.choice(SceneFileNames.shadings) ?: plain.shading,
+                specular = members["specular"]?.let(ColorReader::read) ?: plain.specular,
+                shininess = members["shininess"]?.integer() ?: plain.shininess,
+                emission = members["emission"]?.let(ColorReader::read) ?: plain.emission,
+                alphaMode = members["alphaMode"]?.choice(SceneFileNames.alphaModes) ?: plain.alphaMode,
+                alphaCutoff = members["alphaCutoff"]?.float() ?: plain.alphaCutoff,
+                sides = members["sides"]?.choice(SceneFileNames.sides) ?: plain.sides,
+                name = members["name"]?.text() ?: name,
+            )
+        }
+    }
+
+    private fun texture(node: JsonNode): Texture? {
+        if (node.isText) return picture(node)
+        val members = node.members("image", "filter", "wrap", "name")
+        val picture = picture(members.required("image")) ?: return null
+        val filter = members["filter"]?.choice(SceneFileNames.filters) ?: TextureFilter.BILINEAR
+        val (wrapU, wrapV) = members["wrap"]?.let(::wraps) ?: (TextureWrap.REPEAT to TextureWrap.REPEAT)
+        val name = members["name"]?.text() ?: picture.name
+        return EmbeddedImage.texture(picture, filter, wrapU, wrapV, name)
+    }
+
+    private fun wraps(node: JsonNode): Pair<TextureWrap, TextureWrap> {
+        if (node.isText) return node.choice(SceneFileNames.wraps).let { it to it }
+        val items = node.items()
+        if (items.size != 2) node.fail("needs 2 names, across and down, not ${items.size}")
+        return items[0].choice(SceneFileNames.wraps) to items[1].choice(SceneFileNames.wraps)
+    }
+
+    /** Returns the picture, or null with a warning if its file is missing or cannot be read. */
+    private fun picture(node: JsonNode): Texture? {
+        val reference = node.text()
+        if (reference !in pictures) {
+            val isEmbedded = EmbeddedImage.isEmbedded(reference)
+            pictures[reference] = if (isEmbedded) EmbeddedImage.read(node) else TextureFiles.find(source, reference)
+        }
+        return pictures[reference]
+    }
+}

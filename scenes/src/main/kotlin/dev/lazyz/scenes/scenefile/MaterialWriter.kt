@@ -1,0 +1,93 @@
+package dev.lazyz.scenes.scenefile
+
+import dev.lazyz.Material
+import dev.lazyz.Rgba
+import dev.lazyz.Texture
+import dev.lazyz.TextureFilter
+import dev.lazyz.TextureWrap
+
+/** Gives every material of a scene a name, and writes them. */
+internal class MaterialWriter(materials: Iterable<Material>) {
+    /** Materials that look alike share a name; the plain one has none and is left out. */
+    private val names = LinkedHashMap<Look, String>()
+    private val byName = LinkedHashMap<String, Material>()
+    private val plain = Look(Material())
+
+    init {
+        for (material in materials) {
+            val look = Look(material)
+            if (look == plain || look in names) continue
+            val name = free(material.name)
+            names[look] = name
+            byName[name] = material
+        }
+    }
+
+    val isEmpty: Boolean get() = byName.isEmpty()
+
+    /** Returns the name that stands for [material] in the file, or null if it is the plain one. */
+    fun name(material: Material): String? = names[Look(material)]
+
+    fun write(out: JsonWriter) = out.members {
+        for ((name, material) in byName) {
+            key(name)
+            write(this, material, name)
+        }
+    }
+
+    private fun write(out: JsonWriter, material: Material, name: String) = out.members {
+        val plain = plain.material
+        if (material.name != name) key("name").text(material.name)
+        if (material.baseColor != plain.baseColor) key("baseColor").color(material.baseColor)
+        material.texture?.let { write(key("texture"), it) }
+        if (material.shading != plain.shading) key("shading").text(SceneFileNames.of(material.shading))
+        if (material.specular != plain.specular) key("specular").color(material.specular)
+        if (material.shininess != plain.shininess) key("shininess").integer(material.shininess)
+        if (material.emission != plain.emission) key("emission").color(material.emission)
+        if (material.alphaMode != plain.alphaMode) key("alphaMode").text(SceneFileNames.of(material.alphaMode))
+        if (material.alphaCutoff != plain.alphaCutoff) key("alphaCutoff").float(material.alphaCutoff)
+        if (material.sides != plain.sides) key("sides").text(SceneFileNames.of(material.sides))
+    }
+
+    private fun write(out: JsonWriter, texture: Texture) = out.members {
+        if (texture.name.isNotEmpty()) key("name").text(texture.name)
+        if (texture.filter != TextureFilter.BILINEAR) key("filter").text(SceneFileNames.of(texture.filter))
+        if (texture.wrapU != TextureWrap.REPEAT || texture.wrapV != TextureWrap.REPEAT) {
+            val wraps = listOf(texture.wrapU, texture.wrapV)
+            key("wrap").inline(2) { text(SceneFileNames.of(wraps[it])) }
+        }
+        key("image").text(EmbeddedImage.write(texture))
+    }
+
+    /** Returns [wish] if it is a name that is not taken, otherwise a new one. */
+    private fun free(wish: String): String {
+        if (wish.isNotEmpty() && wish !in byName) return wish
+        return generateSequence(byName.size + 1) { it + 1 }.map { "material-$it" }.first { it !in byName }
+    }
+
+    /** Compares materials by what they are; a texture, which may be large, by being the same object. */
+    private class Look(val material: Material) {
+        private val parts = material.run {
+            listOf(
+                baseColor, texture, shading, specular, shininess, emission, alphaMode, alphaCutoff, sides, shader, name,
+            )
+        }
+
+        override fun equals(other: Any?): Boolean = other is Look && parts == other.parts
+
+        override fun hashCode(): Int = parts.hashCode()
+
+        override fun toString(): String = material.toString()
+    }
+}
+
+/** Writes a colour in linear light, the alpha only where it is not 1. */
+internal fun JsonWriter.color(color: Rgba) {
+    if (color.alpha ==
+        1f
+    ) {
+        floats(color.red, color.green, color.blue)
+    } else {
+        floats(color.red, color.green, color.blue, color.alpha)
+    }
+}

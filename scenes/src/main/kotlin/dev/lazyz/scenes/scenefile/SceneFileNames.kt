@@ -1,0 +1,24 @@
+package dev.lazyz.scenes.scenefile
+
+import dev.lazyz.AlphaMode
+import dev.lazyz.FillRule
+import dev.lazyz.Fit
+import dev.lazyz.Shading
+import dev.lazyz.Sides
+import dev.lazyz.TextureFilter
+import dev.lazyz.TextureWrap
+
+/** How a scene file spells the library's enums: lower case, with hyphens. */
+internal object SceneFileNames {
+    val projections: Map<String, Fit> = names(Fit.entries)
+    val shadings: Map<String, Shading> = names(Shading.entries)
+    val alphaModes: Map<String, AlphaMode> = names(AlphaMode.entries)
+    val sides: Map<String, Sides> = names(Sides.entries)
+    val filters: Map<String, TextureFilter> = names(TextureFilter.entries)
+    val wraps: Map<String, TextureWrap> = names(TextureWrap.entries)
+    val fillRules: Map<String, FillRule> = names(FillRule.entries)
+
+    fun of(constant: Enum<*>): String = constant.name.lowercase().replace('_', '-')
+
+    private fun <T : Enum<T>> names(constants: List<T>): Map<String, T> = constants.associateBy { of(it) }
+}

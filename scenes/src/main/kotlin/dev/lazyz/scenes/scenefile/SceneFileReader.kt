@@ -1,0 +1,54 @@
+package dev.lazyz.scenes.scenefile
+
+import dev.lazyz.Camera
+import dev.lazyz.Rgba
+import dev.lazyz.Scene
+import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.Source
+import kotlinx.serialization.json.JsonObject
+
+/** Reads a whole scene file; docs/scene-file.md describes it. */
+internal class SceneFileReader(private val source: Source) {
+    fun read(): LoadedScene {
+        val element = JsonText.parse(source)
+        val root = JsonNode(source, "", element)
+
+        // The version first: another version may have other keys
+        if (element is JsonObject && "lazyz" !in element) missingVersion(root, element)
+        if (element is JsonObject) version(root.named().getValue("lazyz"))
+        val members = root.members("lazyz", "size", "up", "background", "camera", "lights", "materials", "surfaces")
+
+        // Then what the rest depends on, then the rest
+        val up = members["up"]?.choice(UpAxis.byId) ?: UpAxis.Y
+        val cameras = CameraReader(up)
+        val materials = MaterialReader(source)
+        members["materials"]?.let(materials::readNamed)
+        val surfaces = SurfaceReader(source, materials, up)
+        val scene = Scene(
+            surfaces = members["surfaces"]?.items().orEmpty().flatMap(surfaces::read),
+            lights = members["lights"]?.items().orEmpty().map(cameras::light),
+            viewpoint = members["camera"]?.let(cameras::viewpoint) ?: Camera.fit(),
+            background = members["background"]?.let(ColorReader::read) ?: Rgba.WHITE,
+        )
+        return LoadedScene(scene, source.warnings.toList(), members["size"]?.let(::size))
+    }
+
+    private fun missingVersion(root: JsonNode, element: JsonObject): Nothing {
+        if ("asset" in element) root.fail("is glTF, not a scene file", "name it *.gltf")
+        root.fail("is no scene file: \"lazyz\" is missing", "begin it with \"lazyz\": ${SceneFile.VERSION}")
+    }
+
+    private fun version(node: JsonNode) {
+        val version = node.integer()
+        if (version != SceneFile.VERSION) {
+            node.fail("version $version is not supported", "this library reads version ${SceneFile.VERSION}")
+        }
+    }
+
+    private fun size(node: JsonNode): ImageSize {
+        val sides = node.integers()
+        if (sides.size != 2) node.fail("needs 2 numbers, width and height, not ${sides.size}")
+        return node.checked { ImageSize(sides[0], sides[1]) }
+    }
+}

@@ -1,0 +1,138 @@
+package dev.lazyz.scenes.scenefile
+
+import dev.lazyz.Camera
+import dev.lazyz.FillRule
+import dev.lazyz.FittedViewpoint
+import dev.lazyz.Light
+import dev.lazyz.Material
+import dev.lazyz.Mesh
+import dev.lazyz.Polygon
+import dev.lazyz.Projection
+import dev.lazyz.Rgba
+import dev.lazyz.Scene
+import dev.lazyz.Sphere
+import dev.lazyz.Surface
+import dev.lazyz.Vertex
+import dev.lazyz.scenes.ImageSize
+import org.joml.Vector3dc
+
+/** Writes a whole scene file. */
+internal class SceneFileWriter(private val out: Appendable) {
+    fun write(scene: Scene, size: ImageSize?) {
+        val materials = MaterialWriter(scene.surfaces.map(::materialOf))
+        JsonWriter(out).members {
+            key("lazyz").integer(SceneFile.VERSION)
+            if (size != null) key("size").integers(size.width, size.height)
+            key("background").color(scene.background)
+            viewpoint(key("camera"), scene)
+            if (scene.lights.isNotEmpty()) key("lights").items(scene.lights) { light(this, it) }
+            if (!materials.isEmpty) materials.write(key("materials"))
+            key("surfaces").items(scene.surfaces) { surface(this, it, materials.name(materialOf(it))) }
+        }
+        out.append('\n')
+    }
+
+    private fun viewpoint(out: JsonWriter, scene: Scene) = out.members {
+        when (val viewpoint = scene.viewpoint) {
+            is Camera -> camera(this, viewpoint)
+            is FittedViewpoint -> key("fit").members {
+                key("azimuth").double(viewpoint.azimuth)
+                key("elevation").double(viewpoint.elevation)
+                key("zoom").double(viewpoint.zoom)
+                key("projection").text(SceneFileNames.of(viewpoint.kind))
+            }
+        }
+    }
+
+    private fun camera(out: JsonWriter, camera: Camera) {
+        val projection = camera.projection
+        out.key(if (projection is Projection.Perspective) "perspective" else "orthographic").members {
+            key("eye").vector(camera.eye)
+            key("target").vector(camera.target)
+            key("up").vector(camera.up)
+            when (projection) {
+                is Projection.Perspective -> key("fieldOfView").double(projection.verticalFieldOfView)
+                is Projection.Orthographic -> key("height").double(projection.height)
+            }
+            key("near").double(camera.near)
+            key("far").double(camera.far)
+        }
+    }
+
+    private fun light(out: JsonWriter, light: Light) = out.members {
+        when (light) {
+            is Light.Ambient -> key("ambient").members { key("color").color(light.color) }
+            is Light.Directional -> key("directional").members {
+                key("direction").vector(light.direction)
+                key("color").color(light.color)
+            }
+            is Light.Point -> key("point").members {
+                key("position").vector(light.position)
+                key("color").color(light.color)
+            }
+        }
+    }
+
+    private fun surface(out: JsonWriter, surface: Surface, material: String?) = out.members {
+        if (material != null) key("material").text(material)
+        when (surface) {
+            is Mesh -> mesh(key("mesh"), surface)
+            is Polygon -> polygon(key("polygon"), surface)
+            is Sphere -> key("sphere").members {
+                key("center").vector(surface.center)
+                key("radius").double(surface.radius)
+            }
+        }
+    }
+
+    private fun mesh(out: JsonWriter, mesh: Mesh) = out.members {
+        key("positions").long(mesh.positions.size) { float(mesh.positions[it]) }
+        key("triangles").long(mesh.triangles.size) { integer(mesh.triangles[it]) }
+        mesh.normals?.let { normals -> key("normals").long(normals.size) { float(normals[it]) } }
+        mesh.uvs?.let { uvs -> key("uvs").long(uvs.size) { float(uvs[it]) } }
+        mesh.colors?.let { colors -> key("colors").long(colors.size) { float(colors[it]) } }
+    }
+
+    private fun polygon(out: JsonWriter, polygon: Polygon) = out.members {
+        if (polygon.fillRule != FillRule.EVEN_ODD) key("fillRule").text(SceneFileNames.of(polygon.fillRule))
+        key("contours").items(polygon.contours) { contour -> items(contour) { vertex(this, it) } }
+    }
+
+    private fun vertex(out: JsonWriter, vertex: Vertex) {
+        val isPlain = vertex.u.toRawBits() == 0 && vertex.v.toRawBits() == 0 && vertex.color == Rgba.WHITE
+        if (isPlain) return out.doubles(vertex.x, vertex.y, vertex.z)
+        out.members {
+            key("position").doubles(vertex.x, vertex.y, vertex.z)
+            key("uv").floats(vertex.u, vertex.v)
+            key("color").color(vertex.color)
+        }
+    }
+
+    private fun JsonWriter.vector(v: Vector3dc) = doubles(v.x(), v.y(), v.z())
+
+    companion object {
+        /** Throws unless the format has words for all of [scene]. */
+        fun requireWritable(scene: Scene) {
+            val viewpoint = scene.viewpoint
+            require(viewpoint is Camera || viewpoint is FittedViewpoint) {
+                "a scene file holds a Camera or Camera.fit(), not $viewpoint: " +
+                    "write scene.withViewpoint(scene.camera(width, height)) instead"
+            }
+            scene.surfaces.forEachIndexed { index, surface ->
+                require(surface is Mesh || surface is Polygon || surface is Sphere) {
+                    "a scene file holds meshes, polygons and spheres only: surfaces[$index] is $surface"
+                }
+                require(materialOf(surface).shader == null) {
+                    "a scene file cannot hold a shader: surfaces[$index] has one"
+                }
+            }
+        }
+
+        private fun materialOf(surface: Surface): Material = when (surface) {
+            is Mesh -> surface.material
+            is Polygon -> surface.material
+            is Sphere -> surface.material
+            else -> error("not checked: $surface")
+        }
+    }
+}

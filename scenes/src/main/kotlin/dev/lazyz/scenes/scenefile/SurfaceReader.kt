@@ -1,0 +1,124 @@
+package dev.lazyz.scenes.scenefile
+
+import dev.lazyz.FillRule
+import dev.lazyz.Material
+import dev.lazyz.Mesh
+import dev.lazyz.Polygon
+import dev.lazyz.Rgba
+import dev.lazyz.Sphere
+import dev.lazyz.Surface
+import dev.lazyz.Vertex
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.SceneReading
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.builtin.Builtins
+import java.nio.file.Path
+import org.joml.Matrix4d
+import org.joml.Vector3d
+
+/** Reads surfaces, in the order of the file; a mesh file that several refer to is read once. */
+internal class SurfaceReader(
+    private val source: Source,
+    private val materials: MaterialReader,
+    private val up: UpAxis,
+) {
+    private val files = HashMap<String, List<Surface>>()
+
+    /** Returns what one entry stands for: one surface, or all those of a mesh file or a built-in scene. */
+    fun read(node: JsonNode): List<Surface> {
+        val members = node.members("mesh", "polygon", "sphere", "builtin", "material", "transform", "smoothNormals")
+        val (kind, value) = members.one("mesh", "polygon", "sphere", "builtin")
+        val material = members["material"]?.let(materials::read)
+        val surfaces = when (kind) {
+            "mesh" -> if (value.isText) file(value) else listOf(mesh(value))
+            "polygon" -> listOf(polygon(value))
+            "sphere" -> listOf(sphere(value))
+            else -> builtin(value)
+        }
+
+        // Smooth, then paint, then move
+        val smoothed = members["smoothNormals"]?.let { smooth(surfaces, kind, it) } ?: surfaces
+        val painted = if (material != null) smoothed.map { it.withMaterials { material } } else smoothed
+        val transform = up.toWorld(members["transform"]?.let(TransformReader::read)) ?: return painted
+        return (members["transform"] ?: node).checked { painted.map { moved(it, transform) } }
+    }
+
+    private fun smooth(surfaces: List<Surface>, kind: String, node: JsonNode): List<Surface> {
+        if (kind != "mesh") node.fail("is for meshes, not for a $kind", "remove it")
+        val angle = node.double()
+        return node.checked { surfaces.map { if (it is Mesh) it.withSmoothNormals(angle) else it } }
+    }
+
+    private fun moved(surface: Surface, transform: Matrix4d): Surface = when (surface) {
+        is Mesh -> surface.transformed(transform)
+        is Polygon -> surface.transformed(transform)
+        is Sphere -> surface.transformed(transform)
+        else -> error("no reader makes a $surface")
+    }
+
+    private fun file(node: JsonNode): List<Surface> {
+        val reference = node.text()
+        return files.getOrPut(reference) {
+            val format = SceneFormat.ofFileName(reference)
+            if (format == SceneFormat.SCENE) {
+                node.fail("a scene file cannot contain another: $reference", "copy its surfaces")
+            }
+            val folder = source.folder
+                ?: node.fail("there is no folder to look for $reference in", "read the scene from a file")
+            val path = node.checked { folder.resolve(reference) }
+            if (Path.of(reference).isAbsolute) node.fail("must be relative to the scene file: $reference")
+            val loaded = SceneReading.read(path, format)
+            source.warnings.addAll(loaded.warnings)
+            loaded.scene.surfaces
+        }
+    }
+
+    private fun builtin(node: JsonNode): List<Surface> {
+        if (node.isText) return Builtins.surfaces(node, node.text(), emptyMap())
+        val members = node.members("name", "segments", "count", "blocks", "seed")
+        val numbers = listOf("segments", "count", "blocks", "seed").mapNotNull { key ->
+            members[key]?.let { key to it }
+        }
+        return Builtins.surfaces(node, members.required("name").text(), numbers.toMap())
+    }
+
+    private fun mesh(node: JsonNode): Mesh {
+        val members = node.members("positions", "triangles", "normals", "uvs", "colors")
+        return node.checked {
+            Mesh(
+                members.required("positions").floats(),
+                members.required("triangles").integers(),
+                Material(),
+                members["normals"]?.floats(),
+                members["uvs"]?.floats(),
+                members["colors"]?.floats(),
+            )
+        }
+    }
+
+    private fun polygon(node: JsonNode): Polygon {
+        val members = node.members("contours", "fillRule")
+        val contours = members.required("contours").items().map { contour -> contour.items().map(::vertex) }
+        val fillRule = members["fillRule"]?.choice(SceneFileNames.fillRules) ?: FillRule.EVEN_ODD
+        return Polygon(contours, Material(), fillRule)
+    }
+
+    private fun vertex(node: JsonNode): Vertex {
+        if (node.isList) return node.doubles(3).let { Vertex(it[0], it[1], it[2]) }
+        val members = node.members("position", "uv", "color")
+        val position = members.required("position").doubles(3)
+        val uvNode = members["uv"]
+        val uv = uvNode?.floats() ?: floatArrayOf(0f, 0f)
+        if (uv.size != 2) uvNode?.fail("needs 2 numbers, not ${uv.size}")
+        val color = members["color"]?.let(ColorReader::read) ?: Rgba.WHITE
+        return Vertex(position[0], position[1], position[2], uv[0], uv[1], color)
+    }
+
+    private fun sphere(node: JsonNode): Sphere {
+        val members = node.members("center", "radius")
+        val center = members.required("center").doubles(3)
+        return node.checked {
+            Sphere(Vector3d(center[0], center[1], center[2]), members.required("radius").double())
+        }
+    }
+}

@@ -1,0 +1,63 @@
+package dev.lazyz.scenes.stl
+
+import dev.lazyz.scenes.Source
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+
+/** The binary form: 80 bytes of header, a count, and 50 bytes a facet, little endian. */
+internal object StlBinary {
+    private const val HEADER = 80
+    private const val FACETS = HEADER + 4
+    private const val FACET = 50
+    private const val NORMAL = 12
+
+    /** How far a text is searched for bytes that text has not. */
+    private const val PROBE = 1024
+
+    /**
+     * Whether [bytes] are of the binary form. Its header may begin with `solid`, the mark of the ASCII form, so the
+     * size decides where it is what the count says; otherwise the mark, unless bytes follow that are not text.
+     */
+    fun isBinary(bytes: ByteArray): Boolean {
+        if (bytes.size >= FACETS && bytes.size.toLong() == FACETS + FACET * countOf(bytes)) return true
+        val start = String(bytes, 0, minOf(bytes.size, PROBE), Charsets.ISO_8859_1)
+        val isMarked = start.removePrefix("\u00EF\u00BB\u00BF").trimStart().startsWith("solid", ignoreCase = true)
+        return !isMarked || start.any { it < ' ' && !it.isWhitespace() }
+    }
+
+    /** Reads the one solid of the file. */
+    fun read(source: Source): Solid {
+        val bytes = source.bytes
+        if (bytes.size < FACETS) {
+            source.fail(
+                "byte ${bytes.size}",
+                "the file ends within the header of binary STL, which is $FACETS bytes",
+                "export the model again; an ASCII file would begin with \"solid\"",
+            )
+        }
+        val count = countOf(bytes)
+        val present = (bytes.size - FACETS) / FACET
+        if (present < count) {
+            source.fail(
+                "byte ${bytes.size}",
+                "the file ends within facet $present of the $count that byte $HEADER announces",
+                "export or copy the model again",
+            )
+        }
+        val end = FACETS + FACET * count.toInt()
+        if (end < bytes.size) source.warn("${bytes.size - end} bytes after the last of $count facets are passed over")
+
+        val buffer = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN)
+        val solid = Solid("")
+        for (facet in FACETS until end step FACET) {
+            for (corner in 0 until 3) {
+                val at = facet + NORMAL + corner * 12
+                solid.add(buffer.getFloat(at), buffer.getFloat(at + 4), buffer.getFloat(at + 8))
+            }
+        }
+        return solid
+    }
+
+    private fun countOf(bytes: ByteArray): Long =
+        ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt(HEADER).toLong() and 0xFFFFFFFFL
+}

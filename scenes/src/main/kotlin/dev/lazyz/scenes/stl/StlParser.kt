@@ -1,0 +1,26 @@
+package dev.lazyz.scenes.stl
+
+import dev.lazyz.Scene
+import dev.lazyz.scenes.SceneParser
+import dev.lazyz.scenes.Source
+
+/**
+ * Reads stereolithography files, ASCII and binary (3D Systems, "Stereolithography Interface Specification", 1989).
+ *
+ * Each solid becomes a mesh: corners at one position become one vertex, and normals are made smooth up to creases of
+ * [CREASE_ANGLE] degrees. The facets' own normals are passed over, because many programs leave them zero or wrong and
+ * the corners, counter-clockwise seen from outside, say the same. The colours that some programs put into the spare two
+ * bytes of a binary facet are passed over too: there are two formats of them that contradict each other.
+ */
+internal object StlParser : SceneParser {
+    /** Edges sharper than this stay sharp, degrees: printed parts have chamfers of 45. */
+    const val CREASE_ANGLE = 30.0
+
+    override fun parse(source: Source): Scene {
+        if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
+        val solids = if (StlBinary.isBinary(source.bytes)) listOf(StlBinary.read(source)) else StlAscii(source).read()
+        val filled = solids.filter { it.triangleCount > 0 }
+        if (filled.isEmpty()) source.warn("there are no facets, so there is nothing to see")
+        return Scene(filled.map { it.mesh().withSmoothNormals(CREASE_ANGLE) })
+    }
+}

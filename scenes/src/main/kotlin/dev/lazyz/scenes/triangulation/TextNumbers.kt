@@ -1,0 +1,25 @@
+package dev.lazyz.scenes.triangulation
+
+/** Numbers as programs of many kinds write them into mesh files. */
+internal object TextNumbers {
+    /**
+     * Returns the number that [word] spells, or null if it is none. "Not a number" and infinity are read in C's
+     * spellings (`nan`, `-nan(ind)`, `inf`) and in Microsoft's (`1.#QNAN`, `1.#INF`), in any case.
+     */
+    fun parse(word: String): Double? {
+        word.toDoubleOrNull()?.let { return it }
+        val isNegative = word.startsWith("-")
+        val name = word.removePrefix("-").removePrefix("+").lowercase()
+        return when {
+            name.startsWith("nan") || name.startsWith("1.#qnan") || name.startsWith("1.#snan") -> Double.NaN
+            name.startsWith("1.#ind") -> Double.NaN
+            name == "inf" || name == "infinity" || name.startsWith("1.#inf") ->
+                if (isNegative) Double.NEGATIVE_INFINITY else Double.POSITIVE_INFINITY
+            else -> null
+        }
+    }
+
+    /** Says what to do about [word], which is not a number. */
+    fun remedy(word: String): String? =
+        if (',' in word) "write numbers with a decimal point, not a comma" else null
+}

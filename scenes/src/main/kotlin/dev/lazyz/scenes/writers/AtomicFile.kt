@@ -1,0 +1,88 @@
+package dev.lazyz.scenes.writers
+
+import java.io.IOException
+import java.nio.channels.FileChannel
+import java.nio.file.AccessDeniedException
+import java.nio.file.AtomicMoveNotSupportedException
+import java.nio.file.FileSystemException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardCopyOption.ATOMIC_MOVE
+import java.nio.file.StandardCopyOption.REPLACE_EXISTING
+import java.nio.file.StandardOpenOption.CREATE_NEW
+import java.nio.file.StandardOpenOption.WRITE
+import java.util.UUID
+
+/**
+ * Writes files whole or not at all.
+ *
+ * The content goes to a temporary file in the same folder, which takes the name only when it is complete. Whatever goes
+ * wrong, the old file is untouched and the temporary one is deleted. A link is followed. What is no ordinary file, such
+ * as `/dev/null` or a pipe, is written directly.
+ */
+internal object AtomicFile {
+    /**
+     * Opens a file, lets [produce] fill it, and gives it its name.
+     *
+     * @return what [produce] returns
+     * @throws IOException if it cannot be written; the message says which file, why, and what to do
+     */
+    fun <R> write(path: Path, produce: (FileChannel) -> R): R {
+        val target = try {
+            place(path)
+        } catch (e: IOException) {
+            throw explained(path, e)
+        }
+        if (Files.exists(target) && !Files.isRegularFile(target)) {
+            return explaining(path) { FileChannel.open(target, WRITE).use(produce) }
+        }
+        val temporary = target.resolveSibling(".${target.fileName}.${UUID.randomUUID()}.tmp")
+        try {
+            return explaining(path) {
+                val result = FileChannel.open(temporary, CREATE_NEW, WRITE).use(produce)
+                move(temporary, target)
+                result
+            }
+        } finally {
+            Files.deleteIfExists(temporary)
+        }
+    }
+
+    /** Returns where the file will be, with links followed, once it is clear that it may be there. */
+    private fun place(path: Path): Path {
+        val absolute = path.toAbsolutePath()
+        if (Files.isDirectory(absolute)) {
+            throw IOException("cannot write $path: it is a folder; name a file in it")
+        }
+        val folder = absolute.parent
+        if (absolute.fileName == null || folder == null) throw IOException("cannot write $path: it names no file")
+        if (!Files.isDirectory(folder)) {
+            throw IOException("cannot write $path: there is no folder $folder; create it or choose another")
+        }
+        return if (Files.exists(absolute)) absolute.toRealPath() else absolute
+    }
+
+    private fun move(from: Path, to: Path) {
+        try {
+            Files.move(from, to, ATOMIC_MOVE)
+        } catch (_: AtomicMoveNotSupportedException) {
+            Files.move(from, to, REPLACE_EXISTING)
+        }
+    }
+
+    private inline fun <R> explaining(path: Path, block: () -> R): R = try {
+        block()
+    } catch (e: IOException) {
+        throw explained(path, e)
+    }
+
+    private fun explained(path: Path, e: IOException): IOException {
+        if (e.message?.startsWith("cannot write") == true) return e
+        val reason = when (e) {
+            is AccessDeniedException -> "permission denied; choose a folder you may write to"
+            is FileSystemException -> e.reason ?: e.toString()
+            else -> e.message ?: e.toString()
+        }
+        return IOException("cannot write $path: $reason", e)
+    }
+}

@@ -1,0 +1,82 @@
+package dev.lazyz.scenes.writers
+
+import dev.lazyz.Depth
+import dev.lazyz.DepthTest
+import dev.lazyz.RowSink
+import java.io.Closeable
+import java.io.IOException
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.nio.channels.SeekableByteChannel
+
+/**
+ * Writes the depth of rows to a portable float map (`Pf`): one 32-bit number a pixel, little endian.
+ *
+ * A number is [Depth.toUnit] of the stored depth: 0 at the near plane, 1 at the far plane (or the other way round in a
+ * frame whose larger depths are nearer), linear in screen space; of the 31 bits a float keeps the upper 24. Where no
+ * primitive is visible it is +Infinity, which no primitive's depth ever is.
+ *
+ * The format wants the bottom row first, and rows come from the top, so the sink writes backwards and needs a channel
+ * that seeks, such as a file's. Holds one row. [close] closes the channel too. Not thread safe.
+ *
+ * Source: Paul Debevec, "PFM Portable FloatMap Image Format"; the Netpbm project, "pfm".
+ *
+ * @param output where to; the file starts at the channel's current position
+ * @param width number of columns
+ * @param height number of rows
+ * @throws IllegalArgumentException if a side is not positive, or a row does not fit into memory
+ */
+public class PfmSink(private val output: SeekableByteChannel, private val width: Int, private val height: Int,) :
+    RowSink,
+    Closeable {
+    private val bytes: ByteBuffer
+    private val start: Long
+    private val order = RowOrder(height)
+    private var isClosed = false
+
+    init {
+        require(width > 0 && height > 0) { "an image must have at least one pixel: $width x $height" }
+        require(width <= MAX_WIDTH) { "width must be at most $MAX_WIDTH: $width" }
+        bytes = ByteBuffer.allocate(4 * width).order(ByteOrder.LITTLE_ENDIAN)
+        val header = ByteBuffer.wrap("Pf\n$width $height\n-1.0\n".toByteArray(Charsets.US_ASCII))
+        while (header.hasRemaining()) output.write(header)
+        start = output.position()
+    }
+
+    /**
+     * Writes row [y]; colours are ignored.
+     *
+     * @throws IllegalArgumentException if it is not the row after the last one; the first may have any number
+     * @throws IOException if the channel does not take it
+     */
+    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        order.take(y)
+        bytes.clear()
+        for (x in 0 until width) {
+            val isCovered = primitive[x] != DepthTest.BACKGROUND
+            bytes.putFloat(if (isCovered) Depth.toUnit(depth[x]).toFloat() else Float.POSITIVE_INFINITY)
+        }
+        bytes.flip()
+        output.position(start + (height - order.taken) * 4L * width)
+        while (bytes.hasRemaining()) output.write(bytes)
+    }
+
+    /**
+     * Closes the channel. Closing again does nothing.
+     *
+     * @throws IOException if rows are missing, or the channel does not take it; the channel is closed all the same
+     */
+    override fun close() {
+        if (isClosed) return
+        isClosed = true
+        output.use {
+            order.requireComplete()
+        }
+    }
+
+    override fun toString(): String = "PfmSink($width x $height, $order)"
+
+    private companion object {
+        const val MAX_WIDTH = 1 shl 28
+    }
+}

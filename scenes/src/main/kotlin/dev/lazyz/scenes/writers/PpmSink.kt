@@ -1,0 +1,70 @@
+package dev.lazyz.scenes.writers
+
+import dev.lazyz.RowSink
+import java.io.Closeable
+import java.io.IOException
+import java.io.OutputStream
+
+/**
+ * Writes rows to a binary PPM stream (`P6`) as they come: red, green, blue, 8 bits each, sRGB.
+ *
+ * The format has no alpha: it is dropped, and the straight colours are written as they are, so what is transparent
+ * black looks black. Holds one row. [close] closes the stream too. Not thread safe.
+ *
+ * Source: the Netpbm project, "PPM Format Specification".
+ *
+ * @param output where to; written one row at a time
+ * @param width number of columns
+ * @param height number of rows
+ * @throws IllegalArgumentException if a side is not positive, or a row does not fit into memory
+ */
+public class PpmSink(private val output: OutputStream, private val width: Int, private val height: Int,) :
+    RowSink,
+    Closeable {
+    private val bytes: ByteArray
+    private val order = RowOrder(height)
+    private var isClosed = false
+
+    init {
+        require(width > 0 && height > 0) { "an image must have at least one pixel: $width x $height" }
+        require(width <= MAX_WIDTH) { "width must be at most $MAX_WIDTH: $width" }
+        bytes = ByteArray(3 * width)
+        output.write("P6\n$width $height\n255\n".toByteArray(Charsets.US_ASCII))
+    }
+
+    /**
+     * Writes row [y]; depth and primitive are ignored.
+     *
+     * @throws IllegalArgumentException if it is not the row after the last one; the first may have any number
+     * @throws IOException if the stream does not take it
+     */
+    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        order.take(y)
+        for (x in 0 until width) {
+            val color = argb[x]
+            bytes[3 * x] = (color ushr 16).toByte()
+            bytes[3 * x + 1] = (color ushr 8).toByte()
+            bytes[3 * x + 2] = color.toByte()
+        }
+        output.write(bytes)
+    }
+
+    /**
+     * Closes the stream. Closing again does nothing.
+     *
+     * @throws IOException if rows are missing, or the stream does not take it; the stream is closed all the same
+     */
+    override fun close() {
+        if (isClosed) return
+        isClosed = true
+        output.use {
+            order.requireComplete()
+        }
+    }
+
+    override fun toString(): String = "PpmSink($width x $height, $order)"
+
+    private companion object {
+        const val MAX_WIDTH = 1 shl 28
+    }
+}

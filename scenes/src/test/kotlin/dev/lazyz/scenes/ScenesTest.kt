@@ -1,0 +1,103 @@
+package dev.lazyz.scenes
+
+import java.io.IOException
+import java.io.InputStream
+import java.nio.file.Files
+import java.nio.file.Path
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Assumptions.assumeTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+class ScenesTest {
+    @TempDir
+    lateinit var folder: Path
+
+    @Test
+    fun aFileIsReadByItsEnding() {
+        val path = file("ball.JSON", """{"lazyz": 1, "surfaces": [{"sphere": {"center": [0, 0, 0], "radius": 1}}]}""")
+        assertEquals(1, Scenes.load(path).scene.surfaces.size)
+    }
+
+    @Test
+    fun anEndingThatSaysNothingLeavesItToTheContent() {
+        val path = file("scene.txt", "\uFEFF\n {\"lazyz\": 1, \"size\": [3, 4]}")
+        assertEquals(ImageSize(3, 4), Scenes.load(path).size)
+    }
+
+    @Test
+    fun theContentTellsTheFormat() {
+        val binaryStl = ByteArray(84 + 50).also { it[80] = 1 }
+        assertEquals(SceneFormat.STL, FormatSniffer.format(binaryStl))
+        assertEquals(SceneFormat.STL, FormatSniffer.format("solid a\n facet normal 0 0 1\n".toByteArray()))
+        assertEquals(SceneFormat.PLY, FormatSniffer.format("ply\nformat ascii 1.0\n".toByteArray()))
+        assertEquals(SceneFormat.GLB, FormatSniffer.format("glTF\u0002\u0000".toByteArray()))
+        assertEquals(SceneFormat.GLTF, FormatSniffer.format("{ \"asset\": {}}".toByteArray()))
+        assertEquals(SceneFormat.OBJ, FormatSniffer.format("# a cube\n\nmtllib a.mtl\nv 0 0 0\n".toByteArray()))
+        assertEquals(null, FormatSniffer.format("very interesting\n".toByteArray()))
+        assertEquals(null, FormatSniffer.format(ByteArray(0)))
+        assertEquals(null, FormatSniffer.format("{}".toByteArray()))
+    }
+
+    @Test
+    fun messagesSayWhatIsWrongWithTheFile() {
+        val missing = folder.resolve("no.obj")
+        assertEquals("$missing: there is no such file; check the name", message(missing))
+        assertEquals("$folder: is a folder; name a file in it", message(folder))
+        val empty = file("empty.obj", "")
+        assertEquals("$empty: is empty; check that it was written completely", message(empty))
+        assertTrue("is empty" in message(file("empty", "")))
+        val odd = file("odd.xyz", "1 2 3\n")
+        assertEquals(
+            "$odd: is of no known format; known are .obj, .stl, .ply, .gltf, .glb, .json",
+            message(odd),
+        )
+    }
+
+    @Test
+    fun aSceneFileNamesItsMeshesRelativeToItself() {
+        val inner = Files.createDirectory(folder.resolve("inner"))
+        val missing = Files.writeString(inner.resolve("a.json"), sceneWith("b.obj"))
+        assertEquals("${inner.resolve("b.obj")}: there is no such file; check the name", message(missing))
+        val absolute = Files.writeString(inner.resolve("c.json"), sceneWith("/b.obj"))
+        assertEquals(
+            "$absolute, surfaces[0].mesh: must be relative to the scene file: /b.obj",
+            message(absolute),
+        )
+    }
+
+    private fun sceneWith(mesh: String): String = """{"lazyz": 1, "surfaces": [{"mesh": "$mesh"}]}"""
+
+    @Test
+    fun aFileWithoutPermissionIsAnError() {
+        val locked = file("locked.json", "{}")
+        assumeTrue(locked.toFile().setReadable(false) && !Files.isReadable(locked), "all is permitted to this user")
+        assertTrue("permission denied" in message(locked), message(locked))
+    }
+
+    @Test
+    fun aStreamIsReadToItsEnd() {
+        val loaded = Scenes.load("""{"lazyz": 1, "size": [1, 2]}""".byteInputStream(), SceneFormat.SCENE)
+        assertEquals(ImageSize(1, 2), loaded.size)
+    }
+
+    @Test
+    fun aStreamThatFailsIsAnError() {
+        val broken = object : InputStream() {
+            override fun read(): Int = throw IOException("unplugged")
+        }
+        val error = assertThrows(SceneFormatException::class.java) { Scenes.load(broken, SceneFormat.OBJ, "pipe") }
+        assertEquals("pipe: cannot be read: unplugged", error.message)
+        val empty = assertThrows(SceneFormatException::class.java) {
+            Scenes.load(InputStream.nullInputStream(), SceneFormat.STL)
+        }
+        assertTrue("is empty" in empty.message.orEmpty(), empty.message)
+    }
+
+    private fun message(path: Path): String =
+        assertThrows(SceneFormatException::class.java) { Scenes.load(path) }.message.orEmpty()
+
+    private fun file(name: String, text: String): Path = Files.writeString(folder.resolve(name), text)
+}

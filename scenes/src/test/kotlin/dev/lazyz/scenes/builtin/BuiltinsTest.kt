@@ -1,0 +1,164 @@
+package dev.lazyz.scenes.builtin
+
+import dev.lazyz.Material
+import dev.lazyz.Mesh
+import dev.lazyz.Scene
+import dev.lazyz.Sides
+import dev.lazyz.Sphere
+import dev.lazyz.scenes.Builtin
+import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.scenefile.SceneFile
+import dev.lazyz.zbuffer.ZBuffer
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.MethodSource
+
+class BuiltinsTest {
+    @ParameterizedTest
+    @MethodSource("builtins")
+    fun hasSurfacesWithFiniteVertices(builtin: Builtin) {
+        val scene = builtin.scene()
+        assertTrue(scene.surfaces.isNotEmpty())
+        for (surface in scene.surfaces) {
+            assertTrue(surface.bounds != null, "$surface")
+            if (surface is Mesh) {
+                assertTrue(surface.triangleCount > 0)
+                assertTrue(surface.positions.all { it.isFinite() } && surface.uvs?.all { it.isFinite() } != false)
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("builtins")
+    fun fillsASensiblePartOfThePictureAtAnySize(builtin: Builtin) {
+        for ((width, height) in listOf(64 to 64, 64 to 48, 48 to 96)) {
+            val image = ZBuffer().render(builtin.scene().frame(width, height))
+            val part = image.visible / (width.toDouble() * height)
+            assertTrue(part in 0.05..0.98, "$part of ${width}x$height")
+            assertTrue(image.argb.toSet().size >= 3, "only ${image.argb.toSet().size} colours")
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("builtins")
+    fun isTheSameEveryTime(builtin: Builtin) {
+        assertEquals(SceneFile.format(builtin.scene()), SceneFile.format(builtin.scene()))
+    }
+
+    @ParameterizedTest
+    @MethodSource("builtins")
+    fun rendersToTheSameBitsFromASceneFile(builtin: Builtin) {
+        val scene = builtin.scene()
+        val back = SceneFile.parse(SceneFile.format(scene)).scene
+        assertEquals(ZBuffer().render(scene.frame(80, 60)), ZBuffer().render(back.frame(80, 60)))
+    }
+
+    @Test
+    fun idsAreUniqueWords() {
+        val ids = Scenes.builtins.map { it.id }
+        assertEquals(listOf("teapot", "cycle", "crossing", "molecule", "city", "layers", "plane", "star"), ids)
+        assertEquals(null, Scenes.builtin("nothing"))
+    }
+
+    @Test
+    fun barsOverlapInACycle() {
+        val isAbove = overlaps("cycle")
+        for (bar in 0..2) {
+            val next = (bar + 1) % 3
+            assertEquals(isAbove(0, 1), isAbove(bar, next), "$bar above $next")
+            assertNotEquals(isAbove(bar, next), isAbove(next, bar), "$bar and $next")
+        }
+    }
+
+    @Test
+    fun trianglesGoThroughEachOther() {
+        val isAbove = overlaps("crossing")
+        for ((a, b) in listOf(0 to 1, 1 to 2, 2 to 0)) {
+            assertTrue(isAbove(a, b) && isAbove(b, a), "$a and $b")
+        }
+    }
+
+    /** Whether the first of two surfaces, of a scene in which each is one primitive, is seen before the second. */
+    private fun overlaps(id: String): (Int, Int) -> Boolean {
+        val scene = Scenes.builtin(id)!!
+        val seen = ZBuffer().render(scene.frame(200, 200)).primitive
+        val alone = scene.surfaces.map {
+            ZBuffer().render(Scene(listOf(it), scene.lights, scene.camera(200, 200)).frame(200, 200)).primitive
+        }
+        return { a, b -> seen.indices.any { seen[it] == a && alone[b][it] == 0 } }
+    }
+
+    @Test
+    fun moleculeHasTheBondsOfCaffeine() {
+        val atoms = MoleculeScene.scene().surfaces.map { it as Sphere }
+        val count = atoms.groupingBy { it.material.name }.eachCount()
+        assertEquals(mapOf("oxygen" to 2, "nitrogen" to 4, "carbon" to 8, "hydrogen" to 10), count)
+
+        // Two atoms are bonded, 1.0 to 1.5 angstrom apart, or well separated; 25 bonds of 24 atoms make two rings
+        var bonds = 0
+        for (i in atoms.indices) {
+            for (j in 0 until i) {
+                val distance = Vector3d(atoms[i].center).distance(atoms[j].center)
+                assertFalse(distance < 1.0 || distance in 1.55..1.7, "atoms $i and $j are $distance apart")
+                if (distance < 1.55) bonds++
+            }
+        }
+        assertEquals(25, bonds)
+    }
+
+    @Test
+    fun layersHideEachOtherFromTheLastToTheFirst() {
+        val image = ZBuffer().render(Scenes.layers(50).frame(100, 100))
+        assertTrue(image.counters.fragments > 15L * image.visible, "${image.counters}")
+        assertEquals(image.counters.fragments, image.counters.shadingCalls)
+        assertEquals(7, Scenes.layers(7).surfaces.size)
+        assertEquals(1, Scenes.layers(1).surfaces.size)
+    }
+
+    @Test
+    fun theCityIsMostlyHidden() {
+        val image = ZBuffer().render(Scenes.city().frame(160, 120))
+        val shown = image.primitive.toSet().size
+        assertTrue(image.counters.fragments > 5L * image.visible, "${image.counters}")
+        assertTrue(shown < image.counters.primitives / 4, "$shown of ${image.counters.primitives} primitives show")
+    }
+
+    @Test
+    fun citiesDifferBySeedAndGrowWithBlocks() {
+        assertNotEquals(SceneFile.format(Scenes.city(2, 1)), SceneFile.format(Scenes.city(2, 2)))
+        assertEquals(SceneFile.format(Scenes.city(2, 7)), SceneFile.format(Scenes.city(2, 7)))
+        fun houses(blocks: Int) = Scenes.city(blocks).surfaces.drop(1).take(4).sumOf { (it as Mesh).triangleCount } / 8
+        assertEquals(4, houses(1))
+        assertEquals(4 * 25, houses(5))
+    }
+
+    @Test
+    fun parametersAreChecked() {
+        assertThrows(IllegalArgumentException::class.java) { Scenes.teapot(0) }
+        assertThrows(IllegalArgumentException::class.java) { Scenes.city(0) }
+        assertThrows(IllegalArgumentException::class.java) { Scenes.city(101) }
+        assertThrows(IllegalArgumentException::class.java) { Scenes.layers(0) }
+        assertEquals(64 * 9 - 24, (Scenes.teapot(3).surfaces.single() as Mesh).triangleCount)
+    }
+
+    @Test
+    fun boxesOfTheCityPointOutward() {
+        // Sides.FRONT drops what is seen from behind: of a closed box nothing may be missing
+        val scene = Scenes.city(3)
+        val fronts = scene.withMaterials { material ->
+            Material(material.baseColor, material.texture, sides = Sides.FRONT)
+        }
+        assertEquals(ZBuffer().render(scene.frame(160, 120)), ZBuffer().render(fronts.frame(160, 120)))
+    }
+
+    private companion object {
+        @JvmStatic
+        fun builtins(): List<Builtin> = Scenes.builtins
+    }
+}

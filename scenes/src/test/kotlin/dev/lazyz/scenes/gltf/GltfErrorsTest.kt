@@ -1,0 +1,169 @@
+package dev.lazyz.scenes.gltf
+
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.ONE_NODE
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.UINT
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.USHORT
+import dev.lazyz.scenes.images.PngFile
+import dev.lazyz.scenes.triangulation.TestSources
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.time.Duration
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+private const val PRIMITIVE = "meshes[0].primitives[0]"
+
+class GltfErrorsTest {
+    private val mesh = """$ONE_NODE,"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}]"""
+
+    private fun files(indices: List<Number> = listOf(0, 1, 2), type: Int = USHORT): GltfFiles {
+        val files = GltfFiles()
+        files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
+        files.accessor("SCALAR", type, indices)
+        return files
+    }
+
+    private fun assertFails(text: String, location: String?, vararg parts: String) =
+        assertFails(text.toByteArray(), location, *parts)
+
+    /** The good file with one thing changed in its JSON. */
+    private fun changed(from: String, to: String): String {
+        val json = files().json(mesh)
+        check(from in json) { "$from is not in $json" }
+        return json.replace(from, to)
+    }
+
+    private fun assertFails(bytes: ByteArray, location: String?, vararg parts: String) {
+        val error = TestSources.error(GltfParser, TestSources.of(bytes))
+        assertEquals(location, error.location, error.message)
+        for (part in parts) assertTrue(part in error.message!!, "\"$part\" in: ${error.message}")
+    }
+
+    @Test
+    fun textThatIsNoGltfIsRefused() {
+        assertFails("", null, "empty")
+        assertFails("[]", null, "no JSON object")
+        assertFails("{\n \"asset\": }", "line 2, column 12", "no JSON")
+        assertFails("""{"asset":{"version":"1.0"}}""", "asset.version", "\"1.0\"")
+        assertFails("{}", "asset.version", "\"\"")
+        val start = "{\"asset\":{\"version\":\"2.0\"},\"extras\":" + "[".repeat(100_000)
+        assertFails(start, "line 1, column 100037", "no JSON")
+        assertFails(start + "]".repeat(100_000) + "}", "extras", "nested")
+    }
+
+    @Test
+    fun valuesOfTheWrongKindNameTheirPlace() {
+        assertFails(changed("\"POSITION\":0", "\"POSITION\":\"x\""), "$PRIMITIVE.attributes.POSITION")
+        assertFails(changed("\"count\":3", "\"count\":\"many\""), "accessors[0].count")
+        assertFails(changed("\"count\":3", "\"count\":99999999999"), "accessors[0].count")
+        assertFails(changed("\"scene\":0", "\"scene\":{}"), "scene")
+    }
+
+    @Test
+    fun valuesThatAreOnlyNotAllowedArePassedOver() {
+        val source = TestSources.of(files().json(mesh + ""","materials":[],"cameras":[{"type":"odd"}]"""))
+        assertEquals(1, GltfParser.parse(source).surfaces.size)
+        assertTrue(source.warnings.any { "materials" in it }, source.warnings.toString())
+        assertTrue(source.warnings.any { "cameras.type" in it }, source.warnings.toString())
+        assertFails(changed("\"count\":3", "\"count\":0"), "accessors[0].count", "missing or not allowed")
+    }
+
+    @Test
+    fun referencesToNothingNameTheirPlace() {
+        assertFails(changed("\"POSITION\":0", "\"POSITION\":7"), "$PRIMITIVE.attributes.POSITION", "accessors[7]")
+        assertFails(changed("\"indices\":1", "\"indices\":7"), "$PRIMITIVE.indices", "accessors[7]")
+        assertFails(changed("\"mesh\":0", "\"mesh\":7"), "nodes[0].mesh", "meshes[7]")
+        assertFails(changed("\"nodes\":[0]", "\"nodes\":[7]"), "scenes[0].nodes[0]", "nodes[7]")
+        assertFails(changed("\"scene\":0", "\"scene\":7"), "scene", "scenes[7]")
+        assertFails(changed("\"mesh\":0", "\"children\":[7]"), "nodes[0].children[0]", "nodes[7]")
+        assertFails(changed("\"indices\":1", "\"material\":7"), "$PRIMITIVE.material", "materials[7]")
+        assertFails(changed("\"bufferView\":0", "\"bufferView\":7"), "accessors[0]", "bufferViews[7]")
+        assertFails(changed("\"buffer\":0", "\"buffer\":7"), "bufferViews[0].buffer", "buffers[7]")
+        assertFails(changed("[{\"mesh\":0}]", "[null]"), "nodes[0]", "null")
+    }
+
+    @Test
+    fun vertexNumbersOutOfRangeNameTheElement() {
+        assertFails(files(listOf(0, 1, 3)).json(mesh), "$PRIMITIVE.indices", "element 2 is 3", "3 vertices")
+        val beyond = files(listOf(0, 4294967295L, 2), UINT)
+        assertFails(beyond.json(mesh), "$PRIMITIVE.indices", "element 1 is beyond 31 bits")
+        assertFails(changed("\"indices\":1", "\"indices\":0"), "accessors[0].type", "SCALAR")
+    }
+
+    @Test
+    fun accessorsStayWithinTheirBytes() {
+        assertFails(changed("\"count\":3", "\"count\":4"), "accessors[0]", "byte 48", "36 bytes")
+        assertFails(changed("\"count\":3", "\"count\":2000000000"), "accessors[0]", "36 bytes")
+        assertFails(changed("\"byteLength\":36", "\"byteLength\":360"), "bufferViews[0]", "until 360")
+        assertFails(changed("\"byteLength\":42,", "\"byteLength\":43,"), "buffers[0].byteLength", "43", "42")
+        assertFails(changed("base64,", "base64,*"), "buffers[0].uri", "Base64")
+        val zeros = changed("\"bufferView\":0,\"componentType\"", "\"componentType\"")
+        assertFails(zeros.replace("\"count\":3", "\"count\":2000000000"), "accessors[0].count", "2000000000")
+    }
+
+    @Test
+    fun attributesMustMatch() {
+        val files = files()
+        files.accessor("VEC3", FLOAT, listOf(0, 0, 1))
+        val json = files.json(mesh.replace("\"POSITION\":0", "\"POSITION\":0,\"NORMAL\":2"))
+        assertFails(json, "$PRIMITIVE.attributes.NORMAL", "1 elements for 3 positions")
+    }
+
+    @Test
+    fun nodesThatAreNoTreeAreRefused() {
+        val nodes = """"nodes":"""
+        val circle = files().json("""$nodes[{"children":[1]},{"children":[2]},{"children":[1]}]""")
+        assertFails(circle, "nodes[2].children[0]", "node 1")
+        assertFails(files().json("""$nodes[{"children":[1,1]},{}]"""), "nodes[0].children[1]", "two parents")
+
+        // Every node twice below the one before: without a check this is walked 2 to the power of 60 times
+        val doubling = (0 until 60).joinToString(",") { """{"children":[${it + 1},${it + 1}]}""" }
+        val source = TestSources.of(files().json("$nodes[$doubling,{}]"))
+        assertTimeoutPreemptively(Duration.ofSeconds(10)) { TestSources.error(GltfParser, source) }
+    }
+
+    @Test
+    fun compressedMeshesAreRefused() {
+        val json = files().json("""$mesh,"extensionsRequired":["KHR_draco_mesh_compression"]""")
+        assertFails(json, "extensionsRequired", "KHR_draco_mesh_compression", "without compression")
+    }
+
+    @Test
+    fun binaryErrorsNameTheirByte() {
+        val glb = files().glb(mesh)
+
+        fun changed(at: Int, value: Int): ByteArray {
+            val bytes = glb.copyOf()
+            ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).putInt(at, value)
+            return bytes
+        }
+        assertFails(glb.copyOf(8), "byte 8", "within its header")
+        assertFails(glb.copyOf(glb.size - 1), "byte ${glb.size - 1}", "${glb.size} bytes")
+        assertFails(changed(4, 1), "byte 4", "version is 1")
+        assertFails(changed(12, -8), "byte 12", "4294967288 bytes")
+        assertFails(changed(16, 7), "byte 12", "not JSON")
+        assertFails(changed(glb.size - 52, 1 shl 30), "byte ${glb.size - 52}", "1073741824 bytes")
+        assertFails(changed(glb.size - 48, 7), "buffers[0].uri", "no binary chunk")
+    }
+
+    @Test
+    fun damageIsReportedAndNothingElse() {
+        val files = files()
+        val image = files.view(PngFile.of(1, 1, 8, PngFile.GREY, listOf(PngFile.bytes(9))))
+        val places = files.view(files.encode(USHORT, listOf(1)))
+        val values = files.view(files.encode(FLOAT, listOf(1, 2, 3)))
+        files.accessor(
+            """{"componentType":5126,"count":3,"type":"VEC3","sparse":{"count":1,
+            "indices":{"bufferView":$places,"componentType":5123},"values":{"bufferView":$values}}}""",
+        )
+        val rest = """"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"camera":0,"rotation":[0,0,1,0]}],
+            "meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":2},"indices":1,"material":0}]}],
+            "cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":1}}],
+            "images":[{"bufferView":$image}],"samplers":[{}],"textures":[{"source":0,"sampler":0}],
+            "materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}},"alphaMode":"MASK"}]"""
+        TestSources.assertSurvivesDamage(GltfParser, files.glb(rest), changes = listOf(0x01))
+    }
+}

@@ -1,0 +1,152 @@
+package dev.lazyz.scenes.gltf
+
+import dev.lazyz.AlphaMode
+import dev.lazyz.Material
+import dev.lazyz.Rgba
+import dev.lazyz.Shading
+import dev.lazyz.Sides
+import dev.lazyz.TextureFilter
+import dev.lazyz.TextureWrap
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.ONE_NODE
+import dev.lazyz.scenes.images.PngFile
+import dev.lazyz.scenes.triangulation.TestSources
+import dev.lazyz.scenes.triangulation.meshes
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.Base64
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+class GltfMaterialsTest {
+    private val png = PngFile.of(2, 1, 8, PngFile.GREY, listOf(PngFile.bytes(9, 200)))
+
+    private fun read(material: String, more: String = "", folder: Path? = null): Pair<Material, Source> {
+        val files = GltfFiles()
+        files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
+        files.view(png)
+        val mesh = """"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}]"""
+        val source = TestSources.of(files.json("""$ONE_NODE,$mesh,"materials":[$material]$more"""), folder)
+        return GltfParser.parse(source).meshes.single().material to source
+    }
+
+    private fun material(json: String, more: String = "") = read(json, more).first
+
+    private fun pbr(json: String) = material("""{"pbrMetallicRoughness":{$json}}""")
+
+    @Test
+    fun factorsAreLinear() {
+        val pbr = """"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,0,0.75]}"""
+        val material = material("""{"name":"a",$pbr,"emissiveFactor":[0,0.5,1]}""")
+        assertEquals(Rgba(0.5f, 0.25f, 0f, 0.75f), material.baseColor)
+        assertEquals(Rgba(0f, 0.5f, 1f), material.emission)
+        assertEquals("a", material.name)
+        assertEquals(Shading.BLINN_PHONG, material.shading)
+    }
+
+    @Test
+    fun alphaModesAndSidesAreKept() {
+        assertEquals(AlphaMode.OPAQUE to Sides.FRONT, material("{}").let { it.alphaMode to it.sides })
+        val masked = material("""{"alphaMode":"MASK","alphaCutoff":0.25,"doubleSided":true}""")
+        assertEquals(AlphaMode.MASK to Sides.BOTH, masked.alphaMode to masked.sides)
+        assertEquals(0.25f, masked.alphaCutoff)
+        assertEquals(AlphaMode.BLEND, material("""{"alphaMode":"BLEND"}""").alphaMode)
+        val (unknown, source) = read("""{"alphaMode":"MAGIC"}""")
+        assertEquals(AlphaMode.OPAQUE, unknown.alphaMode)
+        assertEquals(1, source.warnings.size)
+    }
+
+    @Test
+    fun roughnessWidensTheHighlight() {
+        fun rough(roughness: String) = pbr(""""metallicFactor":0,"roughnessFactor":$roughness""")
+        val shininess = listOf("0", "0.1", "0.5", "0.8", "1").map { rough(it).shininess }
+        assertEquals(listOf(1024, 1024, 30, 3, 1), shininess)
+        for ((roughness, peak) in listOf("0" to 1f, "0.5" to 0.08f, "0.8" to 0.005f, "1" to 0f)) {
+            assertEquals(peak, rough(roughness).specular.red, 1e-6f, roughness)
+        }
+    }
+
+    @Test
+    fun metalsReflectTheirColour() {
+        val gold = pbr(""""baseColorFactor":[1,0.8,0.2,1],"roughnessFactor":0.3""")
+        assertEquals(Rgba(1f, 0.8f, 0.2f), gold.specular)
+        assertEquals(Rgba(1f, 0.8f, 0.2f), gold.baseColor)
+        val plastic = pbr(""""baseColorFactor":[1,0.8,0.2,1],"roughnessFactor":0.5,"metallicFactor":0""")
+        assertEquals(plastic.specular.red, plastic.specular.blue)
+    }
+
+    @Test
+    fun defaultMaterialIsTheSpecifications() {
+        val files = GltfFiles()
+        files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
+        val json = files.json("""$ONE_NODE,"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]""")
+        val material = GltfParser.parse(TestSources.of(json)).meshes.single().material
+        assertEquals(Rgba.WHITE, material.baseColor)
+        assertEquals(AlphaMode.OPAQUE to Sides.FRONT, material.alphaMode to material.sides)
+    }
+
+    @Test
+    fun extensionsChangeLight() {
+        assertEquals(Shading.CONSTANT, material("""{"extensions":{"KHR_materials_unlit":{}}}""").shading)
+        val strength = """"KHR_materials_emissive_strength":{"emissiveStrength":4}"""
+        val strong = material("""{"emissiveFactor":[1,0.5,0],"extensions":{$strength}}""")
+        assertEquals(Rgba(4f, 2f, 0f), strong.emission)
+    }
+
+    @Test
+    fun glowOfATextureIsLeftOut() {
+        val glowing = """{"emissiveFactor":[1,1,1],"emissiveTexture":{"index":0}}"""
+        val (material, source) = read(glowing, ""","textures":[{}]""")
+        assertEquals(Rgba.BLACK, material.emission)
+        assertEquals(1, source.warnings.size)
+    }
+
+    @Test
+    fun imagesMayBeEmbeddedOrFiles(@TempDir folder: Path) {
+        Files.write(folder.resolve("dark oak.png"), png)
+        val textured = """{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}"""
+        val images = listOf(
+            """{"bufferView":1,"mimeType":"image/png"}""",
+            """{"uri":"data:image/png;base64,${Base64.getEncoder().encodeToString(png)}"}""",
+            """{"uri":"dark%20oak.png"}""",
+            """{"uri":"dark oak.png"}""",
+        )
+        for (image in images) {
+            val (material, source) = read(textured, ""","textures":[{"source":0}],"images":[$image]""", folder)
+            assertEquals(0xFFC8C8C8.toInt(), material.texture?.texel(1, 0), image)
+            assertEquals(emptyList<String>(), source.warnings)
+        }
+        for (uri in listOf("none.png", "data:image/png;base64,AAAA", "data:image/png;base64,*", "data:,x", null)) {
+            val image = if (uri == null) "{}" else """{"uri":"$uri"}"""
+            val (material, source) = read(textured, ""","textures":[{"source":0}],"images":[$image]""", folder)
+            assertNull(material.texture, image)
+            assertEquals(1, source.warnings.size, image)
+        }
+    }
+
+    @Test
+    fun samplersDecideFilterAndWrap() {
+        fun sampled(sampler: String): List<Any> {
+            val more = ""","textures":[{"source":0,"sampler":0}],"images":[{"bufferView":1}],"samplers":[$sampler]"""
+            val texture = material("""{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}""", more).texture
+            assertNotNull(texture)
+            return listOf(texture!!.filter, texture.wrapU, texture.wrapV)
+        }
+        assertEquals(listOf(TextureFilter.BILINEAR, TextureWrap.REPEAT, TextureWrap.REPEAT), sampled("{}"))
+        val nearest = sampled("""{"magFilter":9728,"wrapS":33071}""")
+        assertEquals(listOf(TextureFilter.NEAREST, TextureWrap.CLAMP, TextureWrap.REPEAT), nearest)
+        val mirrored = sampled("""{"magFilter":9729,"wrapS":33648,"wrapT":33071}""")
+        assertEquals(listOf(TextureFilter.BILINEAR, TextureWrap.REPEAT, TextureWrap.CLAMP), mirrored)
+    }
+
+    @Test
+    fun requiredExtensionsAreTakenSeriously() {
+        val (_, source) = read("{}", ""","extensionsRequired":["KHR_texture_basisu","KHR_materials_unlit"]""")
+        assertTrue("KHR_texture_basisu" in source.warnings.single(), source.warnings.toString())
+    }
+}

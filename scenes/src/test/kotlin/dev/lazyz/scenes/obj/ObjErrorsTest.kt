@@ -1,0 +1,81 @@
+package dev.lazyz.scenes.obj
+
+import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.triangulation.TestSources
+import java.nio.file.Files
+import java.nio.file.Path
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+class ObjErrorsTest {
+    private val triangle = "v 0 0 0\nv 1 0 0\nv 1 1 0\n"
+
+    private fun assertFails(text: String, location: String?, part: String) {
+        val error = TestSources.error(ObjParser, TestSources.of(text))
+        assertEquals(location, error.location, error.message)
+        assertTrue(part in error.message!!, "\"$part\" in: ${error.message}")
+    }
+
+    @Test
+    fun errorsNameTheirLine() {
+        assertFails("", null, "empty")
+        assertFails("# nothing\n", null, "no vertex")
+        assertFails(triangle + "f 1 2 4\n", "line 4", "number 4 of 3 vertices")
+        assertFails(triangle + "\n\nf 1 2 \\\n 4\n", "line 6", "number 4 of 3 vertices")
+        assertFails(triangle + "f 1 2 -4\n", "line 4", "number -4, counted backward, of the 3 vertices")
+        assertFails(triangle + "f 1/1 2/1 3/1\n", "line 4", "number 1 of 0 texture coordinates")
+        assertFails(triangle + "f 1//1 2//1 3//1\n", "line 4", "number 1 of 0 normals")
+        assertFails(triangle + "f 1 2 0\n", "line 4", "\"0\"")
+        assertFails(triangle + "f 1 2 x\n", "line 4", "\"x\"")
+        assertFails(triangle + "f 1 2 4294967297\n", "line 4", "\"4294967297\"")
+        assertFails(triangle + "f 1 2 3/1/1/1\n", "line 4", "more than three")
+        assertFails(triangle + "v 1 2\n", "line 4", "needs 3 numbers, not 2")
+        assertFails(triangle + "v\n", "line 4", "needs 3 numbers")
+        assertFails(triangle + "vt\n", "line 4", "needs 1 numbers")
+        assertFails(triangle + "v 1 2 x\n", "line 4", "\"x\"")
+        assertFails(triangle + "v 1,5 2 3\n", "line 4", "decimal point")
+        assertFails(triangle + "v 1 2 --3\n", "line 4", "cannot be understood")
+    }
+
+    @Test
+    fun materialErrorsNameTheLibraryAndItsLine(@TempDir folder: Path) {
+        val statements = listOf("Ns x", "d", "illum a").associateWith { true } +
+            listOf("Kd", "Kd spectral f", "bump").associateWith { false }
+        for ((statement, isBad) in statements) {
+            Files.writeString(folder.resolve("m.mtl"), "Kd 1 1 1\n\nnewmtl a\n$statement\n")
+            val source = TestSources.of(triangle + "mtllib m.mtl\nusemtl a\nf 1 2 3\n", folder)
+            if (isBad) {
+                val error = TestSources.error(ObjParser, source)
+                assertEquals("line 4", error.location)
+                assertTrue(error.source.endsWith("m.mtl") && statement in error.problem, error.message)
+            } else {
+                assertEquals(1, ObjParser.parse(source).surfaces.size, statement)
+            }
+        }
+    }
+
+    @Test
+    fun damageIsReportedAndNothingElse(@TempDir folder: Path) {
+        val text = "mtllib m.mtl\no a\n" + triangle + "v 0.5 2 0 1 0 0.5\nvt 0 1\nvt 1 0\nvn 0 0 1\nusemtl m\n" +
+            "f 1/1/1 2/2/1 3/1/1 4/2/1\ns off\nf -1 -2 \\\n-3\n"
+        TestSources.assertSurvivesDamage(ObjParser, text.toByteArray())
+
+        val colours = "newmtl m\nKd 1 0.5 0\nKs 1 1 1\nNs 10\nd 0.5\nTr 0.5\nillum 2\n"
+        val library = (colours + "map_Kd -s 2 2 2 -clamp on no.png\n").toByteArray()
+        for (length in library.indices) {
+            Files.write(folder.resolve("m.mtl"), library.copyOf(length))
+            try {
+                ObjParser.parse(TestSources.of(text, folder))
+            } catch (_: SceneFormatException) {
+                // The one exception that is allowed
+            }
+        }
+    }
+
+    @Test
+    fun bytesThatAreNoTextAreRefused() {
+        assertFails(String(ByteArray(3000) { (it * 7 % 256).toByte() }, Charsets.ISO_8859_1), null, "no vertex")
+    }
+}

@@ -1,0 +1,197 @@
+package dev.lazyz.scenes.obj
+
+import dev.lazyz.Mesh
+import dev.lazyz.Rgba
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.triangulation.TestSources
+import dev.lazyz.scenes.triangulation.corners
+import dev.lazyz.scenes.triangulation.meshes
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class ObjParserTest {
+    private val square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+
+    private fun parse(text: String): Pair<List<Mesh>, Source> =
+        TestSources.of(text).let { ObjParser.parse(it).meshes to it }
+
+    private fun meshes(text: String): List<Mesh> = parse(text).first
+
+    private fun mesh(text: String): Mesh = meshes(text).single()
+
+    /** The x and y of all corners as one digit each. */
+    private fun outline(mesh: Mesh) = mesh.corners().joinToString(" ") { "${it[0].toInt()}${it[1].toInt()}" }
+
+    @Test
+    fun quadIsTwoTriangles() {
+        val mesh = mesh(square + "f 1 2 3 4\n")
+        assertEquals("00 10 11 00 11 01", outline(mesh))
+        assertEquals(4, mesh.vertexCount)
+        assertEquals(listOf(0f, 0f, 1f), mesh.normals!!.take(3))
+    }
+
+    @Test
+    fun concaveFaceIsCutAtItsNotch() {
+        val mesh = mesh("v 0 0 0\nv 4 2 0\nv 0 4 0\nv 1 2 0\nf 1 2 3 4\n")
+        val triangles = outline(mesh).split(' ').chunked(3).map { it.toSet() }.toSet()
+        assertEquals(setOf(setOf("00", "42", "12"), setOf("42", "04", "12")), triangles)
+    }
+
+    @Test
+    fun negativeNumbersCountBackward() {
+        assertEquals("00 10 11", outline(mesh(square + "f -4 -3 -2\nv 9 9 9\n")))
+        val full = square + "vt 0 0\nvt 1 0\nvn 0 0 1\nf -4/-2/-1 -3/-1/-1 -2/-1/-1\n"
+        assertArrayEquals(floatArrayOf(0f, 1f, 1f, 1f, 1f, 1f), mesh(full).uvs)
+    }
+
+    @Test
+    fun faceMayStandBeforeItsVertices() {
+        assertEquals("00 10 11", outline(mesh("f 1 2 3\n$square")))
+    }
+
+    @Test
+    fun givenNormalsAreKept() {
+        val mesh = mesh(square + "vn 0 1 0\nvn 1 0 0\nf 1//1 2//2 3//1\n")
+        assertEquals(listOf(0f, 1f, 0f, 1f, 0f, 0f, 0f, 1f, 0f), mesh.normals!!.toList())
+        assertNull(mesh.uvs)
+    }
+
+    @Test
+    fun cornersThatDifferInAnythingAreDifferentVertices() {
+        val text = square + "vt 0 0\nvt 1 1\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\nf 1/2/1 3/1/1 4/1/1\n"
+        assertEquals(5, mesh(text).vertexCount)
+    }
+
+    @Test
+    fun normalsAreMadeSmoothUpToFortyFiveDegreesOrFlatAfterSOff() {
+        fun fold(height: String, statement: String = ""): Int? {
+            val mesh = mesh("v 0 0 0\nv 1 0 0\nv 1 1 $height\nv 0 1 0\n${statement}f 1 2 4\nf 2 3 4\n")
+            return mesh.normals?.toList()?.chunked(3)?.toSet()?.size
+        }
+        assertEquals(3, fold("0.6"), "40 degrees")
+        assertEquals(2, fold("0.8"), "49 degrees")
+        assertEquals(3, fold("0.6", "s 1\n"))
+        assertNull(fold("0.6", "s off\n"))
+        assertNull(fold("0.6", "s 0\n"))
+    }
+
+    @Test
+    fun changeOfMaterialIsNoCrease() {
+        val meshes = meshes("v 0 0 0\nv 1 0 0\nv 1 1 0.6\nv 0 1 0\nusemtl a\nf 1 2 4\nusemtl b\nf 2 3 4\n")
+        assertEquals(listOf("a", "b"), meshes.map { it.material.name })
+        fun normalAt(mesh: Mesh, x: Float): List<Float> {
+            val at = mesh.positions.indices.step(3).first {
+                mesh.positions[it] == x && mesh.positions[it + 1] == 1f - x
+            }
+            return mesh.normals!!.slice(at until at + 3)
+        }
+        assertEquals(normalAt(meshes[0], 1f), normalAt(meshes[1], 1f))
+    }
+
+    @Test
+    fun objectsAndMaterialsDivideTheFileInItsOrder() {
+        val text = square + "o one\nusemtl a\nf 1 2 3\nusemtl b\nf 1 3 4\ng ignored\nusemtl a\nf 2 3 4\n" +
+            "o two\nf 1 2 4\n"
+        val meshes = meshes(text)
+        assertEquals(listOf("a" to 2, "b" to 1, "a" to 1), meshes.map { it.material.name to it.triangleCount })
+        assertEquals("00 10 11 10 11 01", outline(meshes[0]))
+    }
+
+    @Test
+    fun facesWithoutTextureCoordinatesOrNormalsAreMeshesOfTheirOwn() {
+        val text = square + "vt 0.5 0.25\nvn 0 0 -1\nf 1/1 2/1 3/1\nf 1 3 4\nf 1//1 3//1 4//1\nf 2/1 3/1 4/1\n"
+        val meshes = meshes(text)
+        assertEquals(listOf(2, 1, 1), meshes.map { it.triangleCount })
+        assertEquals(listOf(true, false, false), meshes.map { it.uvs != null })
+        assertEquals(listOf(0.5f, 0.75f), meshes[0].uvs!!.take(2))
+        assertEquals(-1f, meshes[2].normals!![2])
+        assertEquals(1f, meshes[1].normals!![2])
+    }
+
+    @Test
+    fun attributesThatSomeCornersLackAreLeftOut() {
+        // The parser behind would give corner 2 what the face before had there
+        val mesh = meshes(square + "vt 0 0\nvt 1 1\nvn 0 0 -1\nf 1/2/1 2/2/1 3/2/1\nf 1/1 2 3/1\nf 1//1 2 3//1\n")
+        assertEquals(listOf(true, false), mesh.map { it.uvs != null })
+        assertEquals(2, mesh[1].triangleCount)
+        assertEquals(1f, mesh[1].normals!![2])
+    }
+
+    @Test
+    fun emptyPlacesBetweenSlashesAreNoNumbers() {
+        // The parser behind would take the next corner's number for a texture coordinate
+        assertEquals("00 10 11", outline(mesh(square + "vt 1 1\nvt 2 2\nvt 3 3\nf 1/ 2/ 3/\n")))
+        assertEquals("00 10 11", outline(mesh(square + "vn 1 1 1\nvn 2 2 2\nvn 3 3 3\nf 1// 2// 3//\n")))
+    }
+
+    @Test
+    fun linesMayBeContinued() {
+        // Not even the character before the backslash is lost
+        assertEquals("00 10 11", outline(mesh(square + "f 1 2\\\n3\n")))
+        assertEquals("00 10 11", outline(mesh(square + "f 1 \\\r\n 2 \\\r\n 3\r\n")))
+        assertEquals("00 10 11", outline(mesh(square + "f 1 2 3 \\")))
+        assertEquals("00 10 11", outline(mesh(square + "\\\n\\\nf 1 2 3")))
+    }
+
+    @Test
+    fun tabsCommentsAndCaseAreRead() {
+        val text = "\uFEFF# a mesh\nV\t0 0 0 # first\nv 1\t0\t0\nv 1 1 0\n\n  f\t1\t2\t3# last\n"
+        assertEquals("00 10 11", outline(mesh(text)))
+    }
+
+    @Test
+    fun vertexColoursAreDecoded() {
+        val mesh = mesh("v 0 0 0 1 0.5 0\nv 1 0 0\nv 1 1 0 0 0 1\nf 1 2 3\n")
+        val half = Rgba.ofRgb(0x808080).red
+        assertEquals(listOf(1f, 0f, 1f), listOf(mesh.colors!![0], mesh.colors!![2], mesh.colors!![3]))
+        assertEquals(half, mesh.colors!![1], 0.003f)
+        assertEquals(listOf(1f, 1f, 1f, 1f, 0f, 0f, 1f, 1f), mesh.colors!!.drop(4))
+        assertNull(mesh(square + "f 1 2 3\n").colors)
+        assertNull(mesh("v 0 0 0 1\nv 1 0 0 1\nv 1 1 0 1\nf 1 2 3\n").colors, "a fourth number is a weight")
+    }
+
+    @Test
+    fun notANumberIsKept() {
+        val mesh = mesh("v nan 0 0\nv 1 -inf 0\nv 1 1 1.#IND\nvt nan\nf 1/1 2/1 3/1\n")
+        assertTrue(mesh.positions[0].isNaN() && mesh.positions[8].isNaN())
+        assertEquals(Float.NEGATIVE_INFINITY, mesh.positions[4])
+    }
+
+    @Test
+    fun whatIsNotDrawnGivesOneWarningAKind() {
+        val (meshes, source) = parse(square + "l 1 2\nl 2 3\np 1\ncurv 0 1 1 2\nxyz\nf 1 2\nf 1 2 3\n")
+        assertEquals(1, meshes.single().triangleCount)
+        assertEquals(4, source.warnings.size, source.warnings.toString())
+        assertTrue(source.warnings.any { "2 statements \"l\"" in it })
+        assertTrue(source.warnings.any { "line 10: a face of 2 corners" in it })
+    }
+
+    @Test
+    fun realFilesAreWhole() {
+        val counts = mapOf("bunny" to 69_451, "cow" to 5_804, "teapot" to 6_320, "spot" to 5_856)
+        for ((name, count) in counts) {
+            val mesh = ObjParser.parse(TestSources.model("$name.obj")).meshes.single()
+            assertEquals(count, mesh.triangleCount, name)
+            assertNotNull(mesh.normals, name)
+            assertEquals(name == "spot", mesh.uvs != null, name)
+        }
+        val teapot = ObjParser.parse(TestSources.model("teapot.obj")).bounds!!
+        assertEquals(listOf(-3.0, 0.0, -2.0, 2.0), listOf(teapot.minX, teapot.minY, teapot.minZ, teapot.maxZ))
+        assertEquals(3.15, teapot.maxY, 1e-6)
+    }
+
+    @Test
+    fun realFileWithMaterialsHasItsTextures() {
+        val source = TestSources.model("spider.obj")
+        val meshes = ObjParser.parse(source).meshes
+        assertEquals(emptyList<String>(), source.warnings)
+        assertEquals(1368, meshes.sumOf { it.triangleCount })
+        assertEquals(setOf("HLeibTex", "Skin", "BeinTex", "Augentex"), meshes.map { it.material.name }.toSet())
+        assertTrue(meshes.all { it.material.texture != null && it.uvs != null && it.normals != null })
+        assertEquals("SpiderTex.jpg", meshes.first { it.material.name == "HLeibTex" }.material.texture!!.name)
+    }
+}

@@ -1,0 +1,99 @@
+package dev.lazyz.scenes.ply
+
+import dev.lazyz.scenes.triangulation.TestSources
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class PlyErrorsTest {
+    private val header = "ply\nformat FORMAT 1.0\nelement vertex 3\nproperty float x\nproperty float y\n" +
+        "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    private val body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
+
+    private fun file(format: PlyFormat, face: List<Int> = listOf(0, 1, 2)) = PlyFiles.of(
+        format,
+        header,
+        listOf(
+            "float float float" to listOf(listOf(0, 0, 0), listOf(1, 0, 0), listOf(0, 1, 0)),
+            "uchar/int" to listOf(listOf(face)),
+        ),
+    )
+
+    private fun assertFails(text: String, location: String?, vararg parts: String) =
+        assertFails(text.toByteArray(), location, *parts)
+
+    private fun assertFails(bytes: ByteArray, location: String?, vararg parts: String) {
+        val error = TestSources.error(PlyParser, TestSources.of(bytes))
+        assertEquals(location, error.location, error.message)
+        for (part in parts) assertTrue(part in error.message!!, "\"$part\" in: ${error.message}")
+    }
+
+    private fun ascii(header: String = this.header, body: String = this.body) = header.replace("FORMAT", "ascii") + body
+
+    @Test
+    fun headerErrorsNameTheirLine() {
+        assertFails("", null, "empty")
+        assertFails("plyx\n", "line 1", "begins with")
+        assertFails("ply\nformat ascii 1.0\n", "line 2", "before end_header")
+        assertFails(ascii(header.replace("1.0", "2.0")), "line 2", "\"2.0\"")
+        assertFails(header.replace("FORMAT", "binary"), "line 2", "\"binary\"", "binary_big_endian")
+        assertFails(ascii(header.replace("float y", "real y")), "line 5", "\"real\"")
+        assertFails(ascii(header.replace("vertex 3", "vertex -3")), "line 3", "-3")
+        assertFails(ascii(header.replace("vertex 3", "vertex 3000000000")), "line 3", "3000000000")
+        assertFails(ascii(header.replace("element face", "elem face")), "line 7", "\"elem\"")
+        assertFails(ascii(header.replace("element face", "element vertex")), "line 7", "second element vertex")
+        assertFails(ascii(header.replace("element vertex", "element point")), "line 9", "no element vertex")
+        assertFails(ascii(header.replace("property float z\n", "")), "header", "no property z")
+        assertFails(ascii(header.replace("vertex_indices", "corners")), "header", "no list vertex_indices")
+    }
+
+    @Test
+    fun bodyErrorsNameTheirLine() {
+        assertFails(ascii(body = body.replace("1 0 0", "1 0")), "line 11", "property z")
+        assertFails(ascii(body = body.replace("1 0 0", "1 0 0 0")), "line 11", "follows the last property")
+        assertFails(ascii(body = body.replace("1 0 0", "1 0 x")), "line 11", "\"x\"")
+        assertFails(ascii(body = body.replace("1 0 0", "1,5 0 0")), "line 11", "decimal point")
+        assertFails(ascii(body = body.replace("3 0 1 2", "3 0 1 3")), "line 13", "vertex number 3", "3 vertices")
+        assertFails(ascii(body = body.replace("3 0 1 2", "3 0 1 -1")), "line 13", "vertex number -1")
+        assertFails(ascii(body = body.replace("3 0 1 2", "3 0 1 1.5")), "line 13", "vertex number 1.5")
+        assertFails(ascii(body = body.replace("3 0 1 2", "4 0 1 2")), "line 13", "announces 4 numbers")
+        assertFails(ascii(body = body.replace("3 0 1 2", "-1 0 1 2")), "line 13", "-1")
+        assertFails(ascii(body = "0 0 0\n           \n\n\n\n\n\n\n\n\n"), "line 19", "before all rows of element")
+    }
+
+    @Test
+    fun binaryErrorsNameTheirByte() {
+        val start = header.replace("FORMAT", "binary_little_endian").length
+        val bytes = file(PlyFormat.LITTLE_ENDIAN)
+        assertFails(bytes.copyOf(start + 30), "byte $start", "3 rows", "30 bytes")
+        assertFails(bytes.copyOf(bytes.size - 1), "byte ${start + 37}", "announces 3 numbers", "room for 2")
+        val wrong = file(PlyFormat.BIG_ENDIAN, listOf(0, 1, 9))
+        assertFails(wrong, "byte ${wrong.size}", "vertex number 9")
+    }
+
+    @Test
+    fun hugeCountsAreNotBelieved() {
+        for (format in PlyFormat.entries) {
+            for (element in listOf("vertex 3", "face 1")) {
+                val huge = element.substringBefore(' ') + " 2000000000"
+                val text = header.replace("FORMAT", format.id).replace(element, huge)
+                assertFails(text.toByteArray() + ByteArray(1000), locationOf(format, element, text))
+            }
+        }
+        val list = header.replace("FORMAT", "binary_big_endian").replace("uchar int", "uint double").toByteArray() +
+            ByteArray(36) + ByteArray(4) { -1 }
+        assertFails(list, "byte ${list.size}", "4294967295")
+    }
+
+    private fun locationOf(format: PlyFormat, element: String, text: String): String = when {
+        format != PlyFormat.ASCII -> "byte ${text.length + if (element == "face 1") 36 else 0}"
+        element == "face 1" -> "line 10"
+        else -> "line 9"
+    }
+
+    @Test
+    fun damageIsReportedAndNothingElse() {
+        TestSources.assertSurvivesDamage(PlyParser, ascii().toByteArray())
+        for (format in PlyFormat.entries) TestSources.assertSurvivesDamage(PlyParser, file(format))
+    }
+}

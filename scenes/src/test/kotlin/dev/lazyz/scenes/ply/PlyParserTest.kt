@@ -1,0 +1,222 @@
+package dev.lazyz.scenes.ply
+
+import dev.lazyz.Mesh
+import dev.lazyz.Rgba
+import dev.lazyz.scenes.images.PngFile
+import dev.lazyz.scenes.triangulation.TestSources
+import dev.lazyz.scenes.triangulation.corners
+import dev.lazyz.scenes.triangulation.meshes
+import java.nio.file.Files
+import java.nio.file.Path
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+class PlyParserTest {
+    private val square = listOf(listOf(0, 0, 0), listOf(1, 0, 0), listOf(1, 1, 0), listOf(0, 1, 0))
+
+    private fun header(vararg lines: String) =
+        "ply\nformat FORMAT 1.0\n" + lines.joinToString("") { "$it\n" } + "end_header\n"
+
+    private val plain = header(
+        "element vertex 4", "property float x", "property float y", "property float z",
+        "element face 1", "property list uchar int vertex_indices",
+    )
+
+    private val tables = listOf("float float float" to square, "uchar/int" to listOf(listOf(listOf(0, 1, 2, 3))))
+
+    private fun plain(format: PlyFormat) = PlyFiles.of(format, plain, tables)
+
+    private fun mesh(bytes: ByteArray): Mesh = PlyParser.parse(TestSources.of(bytes)).meshes.single()
+
+    private fun mesh(text: String): Mesh = mesh(text.toByteArray())
+
+    private fun ascii(header: String, body: String) = header.replace("FORMAT", "ascii") + body
+
+    @Test
+    fun allFormsGiveTheSameMesh() {
+        for (format in PlyFormat.entries) {
+            val mesh = mesh(plain(format))
+            assertArrayEquals(intArrayOf(0, 1, 2, 0, 2, 3), mesh.triangles, "$format")
+            assertEquals(square.flatten().map { it.toFloat() }, mesh.positions.toList(), "$format")
+            assertEquals(listOf(0f, 0f, 1f), mesh.normals!!.take(3), "$format")
+        }
+    }
+
+    @Test
+    fun everyTypeUnderBothNamesIsRead() {
+        val limits = mapOf(
+            PlyType.CHAR to listOf(-128, 127),
+            PlyType.UCHAR to listOf(0, 255),
+            PlyType.SHORT to listOf(-32768, 32767),
+            PlyType.USHORT to listOf(0, 65535),
+            PlyType.INT to listOf(Int.MIN_VALUE, Int.MAX_VALUE),
+            PlyType.UINT to listOf(0, 4294967295L),
+            PlyType.FLOAT to listOf(-1.5, 0.1f),
+            PlyType.DOUBLE to listOf(1e-3, 1e30),
+        )
+        for ((type, numbers) in limits) {
+            for ((format, name) in PlyFormat.entries.flatMap { format -> type.names.map { format to it } }) {
+                val header = header(
+                    "element vertex 2", "property $name x", "property float y", "property $name z",
+                    "element face 1", "property list $name $name vertex_index",
+                )
+                val rows = numbers.map { listOf(it, 7, it) }
+                val face = "$name/$name" to listOf(listOf(listOf(0, 1, 0)))
+                val mesh = mesh(PlyFiles.of(format, header, listOf("$name float $name" to rows, face)))
+                val read = mesh.triangles.map { mesh.positions.slice(3 * it until 3 * it + 3) }
+                assertEquals(numbers.map { listOf(it.toFloat(), 7f, it.toFloat()) }, read.take(2), "$format $name")
+            }
+        }
+    }
+
+    @Test
+    fun unknownElementsAndPropertiesArePassedOver() {
+        val header = header(
+            "comment made by hand", "obj_info nothing",
+            "element camera 2", "property double view", "property list uchar short tags",
+            "element vertex 4", "property list ushort float weights", "property float x", "property uchar flag",
+            "property float y", "property float z",
+            "element edge 1", "property int a", "property int b",
+            "element face 1", "property float quality", "property list uchar uint vertex_index",
+            "property list uchar float more",
+            "element nothing 2000000000",
+        )
+        for (format in PlyFormat.entries) {
+            val bytes = PlyFiles.of(
+                format,
+                header,
+                listOf(
+                    "double uchar/short" to listOf(listOf(1, listOf(1, 2, 3)), listOf(2, listOf<Int>())),
+                    "ushort/float float uchar float float" to
+                        square.map { (x, y, z) -> listOf(List(x + y) { 9 }, x, 200, y, z) },
+                    "int int" to listOf(listOf(0, 1)),
+                    "float uchar/uint uchar/float" to listOf(listOf(0.5, listOf(0, 1, 2, 3), listOf(1, 2))),
+                ),
+            )
+            assertEquals(mesh(plain(format)).corners(), mesh(bytes).corners(), "$format")
+        }
+    }
+
+    @Test
+    fun stripsAlternateAndStartAgainAtMinusOne() {
+        val header = header(
+            "element vertex 5", "property float x", "property float y", "property float z",
+            "element tristrips 1", "property list int int vertex_indices",
+        )
+        val rows = List(5) { listOf(it, it * it, 0) }
+        val strip = listOf(listOf(listOf(0, 1, 2, 3, -1, 4, 3, 2, 2, 1)))
+        for (format in PlyFormat.entries) {
+            val mesh = mesh(PlyFiles.of(format, header, listOf("float float float" to rows, "int/int" to strip)))
+            val expected = listOf(0, 1, 2, 2, 1, 3, 4, 3, 2)
+            assertEquals(expected.map { it.toFloat() }, mesh.corners().map { it[0] }, "$format")
+        }
+    }
+
+    @Test
+    fun everyOtherTriangleOfAStripIsTurnedFromItsOwnStart() {
+        val header = header(
+            "element vertex 6", "property float x", "property float y", "property float z",
+            "element tristrips 1", "property list int int vertex_indices",
+        )
+        // Two strips of the same shape, the second beginning at an odd place
+        val body = (0 until 6).joinToString("") { "${it % 3} ${it % 2} 0\n" } + "8 0 1 2 -1 3 4 5 0\n"
+        val normals = mesh(ascii(header, body)).corners().chunked(3).map { (a, b, c) ->
+            (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+        }
+        assertTrue(normals[0] * normals[1] < 0f, "3 4 5 mirrors 0 1 2 here: $normals")
+    }
+
+    @Test
+    fun vertexNormalsAndTextureCoordinatesAreKept() {
+        for ((u, v) in listOf("s" to "t", "u" to "v", "texture_u" to "texture_v")) {
+            val header = header(
+                "element vertex 3", "property float x", "property float y", "property float z", "property float nx",
+                "property float ny", "property float nz", "property float $u", "property float $v",
+                "element face 1", "property list uchar int vertex_indices",
+            )
+            val mesh = mesh(ascii(header, "0 0 0 0 1 0 0.25 0\n1 0 0 0 1 0 0 1\n0 1 0 1 0 0 0 0.75\n3 0 1 2\n"))
+            assertEquals(listOf(0f, 1f, 0f, 0f, 1f, 0f, 1f, 0f, 0f), mesh.normals!!.toList())
+            assertEquals(listOf(0.25f, 1f, 0f, 0f, 0f, 0.25f), mesh.uvs!!.toList())
+        }
+    }
+
+    @Test
+    fun coloursAreDecoded() {
+        fun colours(type: String, row: String): List<Float> {
+            val header = header(
+                "element vertex 1", "property float x", "property float y", "property float z",
+                "property $type red", "property $type green", "property $type blue", "property $type alpha",
+                "element face 1", "property list uchar int vertex_indices",
+            )
+            return mesh(ascii(header, "0 0 0 $row\n3 0 0 0\n")).colors!!.toList()
+        }
+        val expected = Rgba.ofArgb(0x80FF6400.toInt()).let { listOf(it.red, it.green, it.blue, it.alpha) }
+        assertEquals(expected, colours("uchar", "255 100 0 128"))
+        val close = colours("float", "1 ${100 / 255.0} 0 ${128 / 255.0}")
+        for (i in 0 until 4) assertEquals(expected[i], close[i], 1e-6f)
+        assertEquals(listOf(1f, 0f, 1f, 1f), colours("ushort", "65535 0 65535 65535"))
+        assertEquals(listOf(1f, 0f, 0f, 1f), colours("float", "7 -1 nan 1"))
+    }
+
+    @Test
+    fun facesMayStandBeforeVertices() {
+        val text = "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nelement vertex 3\n" +
+            "property float x\nproperty float y\nproperty float z\nend_header\n3 0 1 2\n0 0 0\n1 0 0\n0 1 0\n"
+        assertEquals(1, mesh(text).triangleCount)
+    }
+
+    @Test
+    fun lineEndsOfAllKindsAreRead() {
+        val text = String(plain(PlyFormat.ASCII))
+        for (end in listOf("\r\n", "\r")) assertEquals(2, mesh(text.replace("\n", end)).triangleCount)
+        val mac = plain.replace("FORMAT", "binary_little_endian").replace('\n', '\r')
+
+        // The first number's first byte looks like the second half of a line end
+        val body = PlyFiles.of(PlyFormat.LITTLE_ENDIAN, "", tables)
+        body[0] = '\n'.code.toByte()
+        assertEquals(2, mesh(mac.toByteArray() + body).triangleCount)
+    }
+
+    @Test
+    fun textureIsTheOneThatTheCommentNames(@TempDir folder: Path) {
+        Files.write(folder.resolve("my skin.png"), PngFile.of(1, 1, 8, PngFile.GREY, listOf(PngFile.bytes(9))))
+        val header = header(
+            "comment TextureFile my skin.png", "element vertex 3", "property float x", "property float y",
+            "property float z", "property float s", "property float t",
+            "element face 1", "property list uchar int vertex_indices",
+        )
+        val text = ascii(header, "0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n")
+        assertNotNull(PlyParser.parse(TestSources.of(text, folder)).meshes.single().material.texture)
+        val stream = TestSources.of(text)
+        assertNull(PlyParser.parse(stream).meshes.single().material.texture)
+        assertEquals(1, stream.warnings.size)
+    }
+
+    @Test
+    fun notANumberIsKept() {
+        val mesh = mesh(String(plain(PlyFormat.ASCII)).replace("1 1 0\n", "nan -inf 0\n"))
+        assertEquals(2, mesh.triangleCount)
+        assertTrue(mesh.positions.any { it.isNaN() } && mesh.positions.any { it == Float.NEGATIVE_INFINITY })
+    }
+
+    @Test
+    fun pointsAloneGiveAWarning() {
+        val header = header("element vertex 1", "property float x", "property float y", "property float z")
+        val source = TestSources.of(ascii(header, "0 0 0\n"))
+        assertEquals(0, PlyParser.parse(source).surfaces.size)
+        assertEquals(1, source.warnings.size)
+    }
+
+    @Test
+    fun realStripsAreRead() {
+        val mesh = PlyParser.parse(TestSources.model("igea.ply")).meshes.single()
+        assertEquals(268_686, mesh.triangleCount)
+        val box = mesh.bounds!!
+        assertEquals(0.1, box.maxY - box.minY, 0.01)
+    }
+}

@@ -1,0 +1,134 @@
+package dev.lazyz.scenes.scenefile
+
+import dev.lazyz.AlphaMode
+import dev.lazyz.Camera
+import dev.lazyz.FillRule
+import dev.lazyz.Fit
+import dev.lazyz.Light
+import dev.lazyz.Material
+import dev.lazyz.Mesh
+import dev.lazyz.Polygon
+import dev.lazyz.Rgba
+import dev.lazyz.Scene
+import dev.lazyz.Shading
+import dev.lazyz.Sides
+import dev.lazyz.Sphere
+import dev.lazyz.Surface
+import dev.lazyz.Texture
+import dev.lazyz.TextureFilter
+import dev.lazyz.TextureWrap
+import dev.lazyz.Vertex
+import dev.lazyz.Viewpoint
+import java.util.Random
+import org.joml.Vector3d
+
+/** Scenes of all that a scene file can hold, with awkward numbers, names and shared materials. */
+internal class RandomScenes(seed: Long) {
+    private val random = Random(seed)
+    private val materials = List(1 + random.nextInt(4)) { material() }
+
+    fun scene(): Scene = Scene(
+        surfaces = List(random.nextInt(5)) { surface() },
+        lights = List(random.nextInt(4)) { light() },
+        viewpoint = viewpoint(),
+        background = color(),
+    )
+
+    private fun surface(): Surface = when (random.nextInt(3)) {
+        0 -> mesh()
+        1 -> Polygon(
+            List(random.nextInt(3)) { List(random.nextInt(6)) { vertex() } }, pick(materials), pick(FillRule.entries),
+        )
+        else -> Sphere(Vector3d(double(), double(), double()), StrictMath.abs(double()), pick(materials))
+    }
+
+    private fun mesh(): Mesh {
+        val vertices = random.nextInt(20)
+        val triangles = if (vertices == 0) 0 else random.nextInt(10)
+        fun some(count: Int): FloatArray? = if (random.nextBoolean()) FloatArray(count) { float() } else null
+        return Mesh(
+            FloatArray(3 * vertices) { float() },
+            IntArray(3 * triangles) { random.nextInt(vertices) },
+            pick(materials),
+            some(3 * vertices),
+            some(2 * vertices),
+            some(4 * vertices),
+        )
+    }
+
+    private fun vertex(): Vertex =
+        if (random.nextBoolean()) {
+            Vertex(double(), double(), double())
+        } else {
+            Vertex(double(), double(), double(), float(), float(), color())
+        }
+
+    private fun material(): Material = if (random.nextInt(4) == 0) {
+        Material()
+    } else {
+        Material(
+            color(), if (random.nextBoolean()) texture() else null, pick(Shading.entries), color(),
+            1 + random.nextInt(1024), color(), pick(AlphaMode.entries), random.nextFloat(), pick(Sides.entries),
+            null, name(),
+        )
+    }
+
+    private fun texture(): Texture {
+        val width = 1 + random.nextInt(5)
+        val height = 1 + random.nextInt(5)
+        return Texture(
+            width, height, IntArray(width * height) { random.nextInt() }, pick(TextureFilter.entries),
+            pick(TextureWrap.entries), pick(TextureWrap.entries), name(),
+        )
+    }
+
+    private fun light(): Light = when (random.nextInt(3)) {
+        0 -> Light.Ambient(color())
+        1 -> Light.Directional(direction(), color())
+        else -> Light.Point(Vector3d(random.nextGaussian(), random.nextGaussian() * 1e9, 0.1), color())
+    }
+
+    private fun viewpoint(): Viewpoint {
+        val eye = direction().mul(10.0)
+        val target = direction()
+        return when (random.nextInt(3)) {
+            0 -> Camera.perspective(eye, target, direction(), 1.0 + 170 * random.nextDouble(), 0.1, 100.0 / 3.0)
+            1 -> Camera.orthographic(eye, target, direction(), random.nextDouble() + 1e-3, -1.0 / 3.0, 10.0)
+            else -> Camera.fit(
+                random.nextGaussian() * 100,
+                random.nextDouble() * 180 - 90,
+                random.nextDouble() + 0.01,
+                pick(Fit.entries),
+            )
+        }
+    }
+
+    private fun direction(): Vector3d = Vector3d(random.nextGaussian(), random.nextGaussian(), random.nextGaussian())
+
+    private fun color(): Rgba = when (random.nextInt(3)) {
+        0 -> Rgba.ofArgb(random.nextInt())
+        1 -> Rgba(random.nextFloat(), random.nextFloat() * 100, 0f, pick(listOf(1f, random.nextFloat())))
+        else -> Rgba.WHITE
+    }
+
+    private fun name(): String =
+        pick(listOf("", "", "red", "material-1", "lamp \"A\"\\\n\t", "Grün", "\uD83C\uDF0D", "\uD800", "a.b[0]"))
+
+    private fun float(): Float = when (random.nextInt(12)) {
+        0 -> Float.NaN
+        1 -> pick(listOf(Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.MIN_VALUE, Float.MAX_VALUE, -0f))
+        2 -> random.nextInt(10).toFloat()
+        3 -> Float.fromBits(random.nextInt()).let { if (it.isNaN()) 0f else it }
+        else -> random.nextGaussian().toFloat()
+    }
+
+    private fun double(): Double = when (random.nextInt(12)) {
+        0 -> Double.NaN
+        1 -> pick(listOf(Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.MIN_VALUE, -0.0))
+        2 -> random.nextInt(10).toDouble()
+        3 -> float().toDouble()
+        else -> random.nextGaussian()
+    }
+
+    private fun <T> pick(from: List<T>): T = from[random.nextInt(from.size)]
+}

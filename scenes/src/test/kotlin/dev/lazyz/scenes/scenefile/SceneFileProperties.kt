@@ -1,0 +1,79 @@
+package dev.lazyz.scenes.scenefile
+
+import dev.lazyz.Box
+import dev.lazyz.Camera
+import dev.lazyz.Light
+import dev.lazyz.Mesh
+import dev.lazyz.Polygon
+import dev.lazyz.Scene
+import dev.lazyz.Sphere
+import dev.lazyz.scenes.ImageSize
+import net.jqwik.api.ForAll
+import net.jqwik.api.Property
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNull
+
+/** What is written reads back to the same scene, bit for bit. */
+class SceneFileProperties {
+    @Property(tries = 300)
+    fun everyFieldReadsBack(@ForAll seed: Long) {
+        val scene = RandomScenes(seed).scene()
+        val size = ImageSize(1 + (seed and 1023).toInt(), 480)
+        val loaded = SceneFile.parse(SceneFile.format(scene, size))
+        assertEquals(size, loaded.size)
+        assertEquals(emptyList<String>(), loaded.warnings)
+        assertEquals(fields(scene), fields(loaded.scene))
+    }
+
+    @Property(tries = 100)
+    fun writingAgainGivesTheSameText(@ForAll seed: Long) {
+        val text = SceneFile.format(RandomScenes(seed).scene())
+        val loaded = SceneFile.parse(text)
+        assertNull(loaded.size)
+        assertEquals(text, SceneFile.format(loaded.scene))
+    }
+
+    /** All that a scene is made of, as numbers' bits and as text, independent of the writer. */
+    private fun fields(scene: Scene): List<Any?> =
+        listOf(scene.background) + viewpoint(scene) + scene.lights.map(::light) + scene.surfaces.map { surface ->
+            when (surface) {
+                is Mesh -> listOf(
+                    bits(surface.positions), surface.triangles.toList(), bits(surface.normals), bits(surface.uvs),
+                    bits(surface.colors), MaterialFields.of(surface.material),
+                )
+                is Polygon -> listOf(
+                    surface.contours.map { contour ->
+                        contour.map {
+                            listOf(it.x.toBits(), it.y.toBits(), it.z.toBits(), it.u.toBits(), it.v.toBits(), it.color)
+                        }
+                    },
+                    surface.fillRule, MaterialFields.of(surface.material),
+                )
+                is Sphere -> listOf(
+                    surface.center.run { listOf(x().toBits(), y().toBits(), z().toBits()) },
+                    surface.radius.toBits(), MaterialFields.of(surface.material),
+                )
+                else -> error("not expected: $surface")
+            }
+        }
+
+    private val box = Box(-1.0, -2.0, -3.0, 4.0, 5.0, 6.0)
+
+    /** The camera for two rasters, by the matrices that set-up uses. */
+    private fun viewpoint(scene: Scene): List<Any?> = listOf(0.7, 1.9).map { aspect ->
+        val camera = scene.viewpoint.camera(box, aspect)
+        val view = DoubleArray(16).also { camera.viewMatrix().get(it) }
+        val projection = DoubleArray(16).also { camera.projectionMatrix(aspect).get(it) }
+        listOf(scene.viewpoint is Camera, (view + projection).map { it.toRawBits() }, camera.near, camera.far)
+    }
+
+    private fun light(light: Light): List<Any> = when (light) {
+        is Light.Ambient -> listOf("ambient", light.color)
+        is Light.Directional -> light.direction.run {
+            listOf("directional", x().toBits(), y().toBits(), z().toBits(), light.color)
+        }
+        is Light.Point -> light.position.run { listOf("point", x().toBits(), y().toBits(), z().toBits(), light.color) }
+    }
+
+    private fun bits(floats: FloatArray?): List<Int>? = floats?.map { it.toBits() }
+}

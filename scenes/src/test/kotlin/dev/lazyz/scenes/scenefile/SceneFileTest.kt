@@ -1,0 +1,127 @@
+package dev.lazyz.scenes.scenefile
+
+import dev.lazyz.Camera
+import dev.lazyz.Light
+import dev.lazyz.Material
+import dev.lazyz.Mesh
+import dev.lazyz.Projection
+import dev.lazyz.Rgba
+import dev.lazyz.Scene
+import dev.lazyz.Sphere
+import dev.lazyz.Texture
+import dev.lazyz.TextureWrap
+import dev.lazyz.Viewpoint
+import dev.lazyz.scenes.ImageSize
+import java.nio.file.Files
+import java.nio.file.Path
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertSame
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+class SceneFileTest {
+    @TempDir
+    lateinit var folder: Path
+
+    @Test
+    fun theLeastFileIsAnEmptyScene() {
+        val loaded = SceneFile.parse("""{"lazyz": 1}""")
+        assertEquals(0, loaded.scene.surfaces.size)
+        assertEquals(Rgba.WHITE, loaded.scene.background)
+        assertEquals(null, loaded.size)
+    }
+
+    @Test
+    fun coloursAreSrgbAsTextAndLinearAsNumbers() {
+        assertEquals(Rgba.ofRgb(0x336699), background("\"#336699\""))
+        assertEquals(Rgba(0.5f, 2f, 0f), background("[0.5, 2, 0]"))
+        assertEquals(Rgba(0.5f, 2f, 0f, 0.25f), background("[0.5, 2, 0, 0.25]"))
+    }
+
+    @Test
+    fun aFileThatPointsUpAlongZIsTurned() {
+        val scene = SceneFile.parse(
+            """
+            {"lazyz": 1, "up": "z",
+             "camera": {"orthographic": {"eye": [1, 2, 3], "target": [0, 0, 0], "up": [0, 0, 1],
+                                         "height": 2, "near": 1, "far": 9}},
+             "lights": [{"point": {"position": [1, 2, 3]}}],
+             "surfaces": [{"sphere": {"center": [1, 2, 3], "radius": 1}, "transform": [{"translate": [0, 0, 10]}]}]}
+            """,
+        ).scene
+        assertEquals(Vector3d(1.0, 13.0, -2.0), (scene.surfaces.single() as Sphere).center)
+        assertEquals(Vector3d(1.0, 3.0, -2.0), (scene.viewpoint as Camera).eye)
+        assertEquals(Vector3d(1.0, 3.0, -2.0), (scene.lights.single() as Light.Point).position)
+    }
+
+    @Test
+    fun surfacesShareTheMaterialThatTheyName() {
+        val sphere = """{"sphere": {"center": [0, 0, 0], "radius": 1}, "material": "red"}"""
+        val scene = SceneFile.parse(
+            """{"lazyz": 1, "materials": {"red": {"baseColor": "#ff0000"}}, "surfaces": [$sphere, $sphere]}""",
+        ).scene
+        val (first, second) = scene.surfaces.map { (it as Sphere).material }
+        assertSame(first, second)
+        assertEquals("red", first.name)
+        assertEquals(Rgba(1f, 0f, 0f), first.baseColor)
+    }
+
+    @Test
+    fun builtInScenesTakeTheirParameters() {
+        val teapot = """{"name": "teapot", "segments": 2}"""
+        val text = """{"lazyz": 1, "surfaces": [{"builtin": $teapot}, {"builtin": "cycle"}]}"""
+        val surfaces = SceneFile.parse(text).scene.surfaces
+        assertEquals(64 * 4 - 16, (surfaces[0] as Mesh).triangleCount)
+        assertEquals(4, surfaces.size)
+    }
+
+    @Test
+    fun aTextureIsKeptTexelByTexel() {
+        val texels = intArrayOf(0x00FF8040, 0x7F123456, -1, 0x01FFFFFF)
+        val texture = Texture(2, 2, texels, wrapU = TextureWrap.CLAMP, name = "t")
+        val back = throughFile(Scene(listOf(Sphere(Vector3d(), 1.0, Material(texture = texture)))))
+        val read = (back.surfaces.single() as Sphere).material.texture!!
+        assertEquals(texels.toList(), List(4) { read.texel(it % 2, it / 2) })
+        assertEquals(listOf(TextureWrap.CLAMP, TextureWrap.REPEAT, "t"), listOf(read.wrapU, read.wrapV, read.name))
+    }
+
+    @Test
+    fun aFileIsWrittenAndReadBack() {
+        val path = folder.resolve("a.json")
+        val camera = Camera.perspective(Vector3d(0.0, 0.0, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 33.3, 1.0, 9.0)
+        SceneFile.write(Scene(emptyList(), viewpoint = camera), path, ImageSize(12, 34))
+        val loaded = SceneFile.read(path)
+        assertEquals(ImageSize(12, 34), loaded.size)
+        val projection = (loaded.scene.viewpoint as Camera).projection as Projection.Perspective
+        assertEquals(33.3, projection.verticalFieldOfView)
+        assertEquals(listOf(path), Files.list(folder).use { it.toList() })
+    }
+
+    @Test
+    fun whatCannotBeWrittenIsRefusedBeforeAFileIsTouched() {
+        val path = folder.resolve("a.json")
+        Files.writeString(path, "old")
+        val shader = Material().withShader { }
+        val odd = listOf(
+            Scene(listOf(Sphere(Vector3d(), 1.0, shader))) to "surfaces[0] has one",
+            Scene(emptyList(), viewpoint = Viewpoint { _, _ -> error("") }) to "withViewpoint",
+        )
+        for ((scene, message) in odd) {
+            val error = assertThrows(IllegalArgumentException::class.java) { SceneFile.write(scene, path) }
+            assertTrue(message in error.message.orEmpty(), error.message)
+        }
+        assertEquals("old", Files.readString(path))
+    }
+
+    private fun background(json: String): Rgba =
+        SceneFile.parse("""{"lazyz": 1, "background": $json}""").scene.background
+
+    private fun throughFile(scene: Scene): Scene {
+        val path = folder.resolve("scene.json")
+        SceneFile.write(scene, path)
+        return SceneFile.read(path).scene
+    }
+}

@@ -1,0 +1,157 @@
+package dev.lazyz.scenes.stl
+
+import dev.lazyz.Mesh
+import dev.lazyz.scenes.triangulation.TestSources
+import dev.lazyz.scenes.triangulation.corners
+import dev.lazyz.scenes.triangulation.meshes
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class StlParserTest {
+    private val corner = floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 0f, 1f, 0f)
+    private val neighbour = floatArrayOf(1f, 0f, 0f, 1f, 1f, 0f, 0f, 1f, 0f)
+
+    private fun ascii(vararg facets: FloatArray, name: String = "part one", normal: String = "0 0 1") = buildString {
+        append("solid $name\n")
+        for (facet in facets) {
+            append("  facet normal $normal\n    outer loop\n")
+            for (i in facet.indices step 3) append("      vertex ${facet[i]} ${facet[i + 1]} ${facet[i + 2]}\n")
+            append("    endloop\n  endfacet\n")
+        }
+        append("endsolid $name\n")
+    }
+
+    private fun binary(vararg facets: FloatArray, header: String = "", count: Int = facets.size): ByteArray {
+        val buffer = ByteBuffer.allocate(84 + 50 * facets.size).order(ByteOrder.LITTLE_ENDIAN)
+        buffer.put(header.toByteArray()).position(80).putInt(count)
+        for (facet in facets) {
+            repeat(3) { buffer.putFloat(0f) }
+            for (number in facet) buffer.putFloat(number)
+            buffer.putShort(0x7FFF)
+        }
+        return buffer.array()
+    }
+
+    private fun mesh(bytes: ByteArray): Mesh = StlParser.parse(TestSources.of(bytes)).meshes.single()
+
+    private fun mesh(text: String): Mesh = mesh(text.toByteArray())
+
+    @Test
+    fun bothFormsGiveTheSameMesh() {
+        val text = mesh(ascii(corner, neighbour))
+        val bytes = mesh(binary(corner, neighbour))
+        assertEquals(corner.toList() + neighbour.toList(), text.corners().flatten())
+        assertEquals(text.corners(), bytes.corners())
+        assertEquals(text.normals!!.toList(), bytes.normals!!.toList())
+        assertEquals("part one", text.material.name)
+    }
+
+    @Test
+    fun cornersAtOnePositionAreOneVertex() {
+        assertEquals(4, mesh(binary(corner, neighbour)).vertexCount)
+        val negativeZero = neighbour.copyOf().also { it[2] = -0f }
+        assertEquals(4, mesh(binary(corner, negativeZero)).vertexCount)
+        val near = neighbour.copyOf().also { it[0] = 1.0000001f }
+        assertEquals(5, mesh(binary(corner, near)).vertexCount)
+    }
+
+    @Test
+    fun normalsFollowTheCornersWhateverTheFacetSays() {
+        for (normal in listOf("0 0 -1", "0 0 0", "nan nan nan", "5 5 5")) {
+            assertEquals(listOf(0f, 0f, 1f), mesh(ascii(corner, normal = normal)).normals!!.take(3), normal)
+        }
+    }
+
+    @Test
+    fun normalsAreSmoothUpToThirtyDegrees() {
+        fun normalsOfFold(height: Float): Set<List<Float>> {
+            val mesh = mesh(binary(corner, floatArrayOf(1f, 0f, 0f, 1f, 1f, height, 0f, 1f, 0f)))
+            return mesh.normals!!.toList().chunked(3).toSet()
+        }
+
+        // The second facet leans by the angle whose tangent is height times the root of 2
+        assertEquals(3, normalsOfFold(0.3f).size, "23 degrees: two flat ends and the fold")
+        assertEquals(2, normalsOfFold(0.6f).size, "40 degrees: a crease")
+    }
+
+    @Test
+    fun binaryFileMayBeginWithSolid() {
+        assertEquals(2, mesh(binary(corner, neighbour, header = "solid part")).triangleCount)
+        val withTail = binary(corner, neighbour, header = "solid part") + ByteArray(7)
+        val source = TestSources.of(withTail)
+        assertEquals(2, StlParser.parse(source).meshes.single().triangleCount)
+        assertTrue(source.warnings.single().contains("7 bytes after the last of 2 facets"), source.warnings.toString())
+    }
+
+    @Test
+    fun manySolidsAreManyMeshesInOrder() {
+        val text = ascii(corner, name = "a") + ascii(name = "empty") + ascii(neighbour, corner, name = "b c")
+        val meshes = StlParser.parse(TestSources.of(text)).meshes
+        assertEquals(listOf("a" to 1, "b c" to 2), meshes.map { it.material.name to it.triangleCount })
+    }
+
+    @Test
+    fun lineBreaksAndCaseAreFree() {
+        val words = ascii(corner).lines().drop(1).joinToString(" ")
+        assertEquals(1, mesh("SOLID x\n" + words.uppercase()).triangleCount)
+        assertEquals(1, mesh("\uFEFF" + ascii(corner).replace("\n", "\r\n")).triangleCount)
+        assertEquals(1, mesh(ascii(corner).replace("\n", "\r")).triangleCount)
+    }
+
+    @Test
+    fun loopOfFourVerticesIsTwoTriangles() {
+        val square = floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 1f, 1f, 0f, 0f, 1f, 0f)
+        assertEquals(2, mesh(ascii(square)).triangleCount)
+    }
+
+    @Test
+    fun notANumberIsKept() {
+        val holed = corner.copyOf().also { it[4] = Float.NaN }
+        assertTrue(mesh(ascii(holed, neighbour)).positions[4].isNaN())
+        assertEquals(2, mesh(binary(holed, neighbour)).triangleCount)
+    }
+
+    @Test
+    fun shortBinaryFileNamesTheFacetAndTheCount() {
+        val error = TestSources.error(StlParser, TestSources.of(binary(corner, neighbour).copyOf(84 + 50 + 20)))
+        assertEquals("byte 154", error.location)
+        assertTrue(error.problem.contains("within facet 1 of the 2 "), error.problem)
+        val huge = TestSources.error(StlParser, TestSources.of(binary(corner, count = -1)))
+        assertTrue(huge.problem.contains("4294967295"), huge.problem)
+        assertEquals(null, TestSources.error(StlParser, TestSources.of("")).location)
+    }
+
+    @Test
+    fun wrongWordNamesItsLine() {
+        val text = ascii(corner).replace("endloop", "endlop")
+        val error = TestSources.error(StlParser, TestSources.of(text))
+        assertEquals("line 7", error.location)
+        assertTrue(error.problem.contains("endlop"), error.problem)
+
+        val comma = TestSources.error(StlParser, TestSources.of(ascii(corner).replace("1.0 0.0 0.0", "1,0 0,0 0,0")))
+        assertEquals("line 5", comma.location)
+        assertTrue(comma.remedy!!.contains("decimal point"), comma.remedy)
+    }
+
+    @Test
+    fun damageIsReportedAndNothingElse() {
+        TestSources.assertSurvivesDamage(StlParser, ascii(corner, neighbour).toByteArray())
+        TestSources.assertSurvivesDamage(StlParser, binary(corner, neighbour))
+        TestSources.assertSurvivesDamage(StlParser, binary(corner, neighbour, header = "solid part"))
+    }
+
+    @Test
+    fun realFileIsTheSameInBothForms() {
+        val text = StlParser.parse(TestSources.model("spider-ascii.stl")).meshes.single()
+        val bytes = StlParser.parse(TestSources.model("spider-binary.stl")).meshes.single()
+        assertEquals(1368, text.triangleCount)
+        assertEquals(text.triangleCount, bytes.triangleCount)
+        assertEquals(text.vertexCount, bytes.vertexCount)
+        val all = text.corners().flatten().zip(bytes.corners().flatten())
+        for ((a, b) in all) assertEquals(a, b, 1e-6f)
+        assertEquals(8.0, text.bounds!!.maxY - text.bounds!!.minY, 1e-5)
+    }
+}

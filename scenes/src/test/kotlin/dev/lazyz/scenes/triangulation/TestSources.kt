@@ -1,0 +1,71 @@
+package dev.lazyz.scenes.triangulation
+
+import dev.lazyz.Mesh
+import dev.lazyz.Scene
+import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.SceneParser
+import dev.lazyz.scenes.Source
+import java.nio.file.Files
+import java.nio.file.Path
+import java.time.Duration
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively
+import org.junit.jupiter.api.Assumptions.assumeTrue
+
+/** What the loaders' tests share: sources out of text, bytes and files, and what a loader owes to a damaged file. */
+internal object TestSources {
+    fun of(text: String, folder: Path? = null) = Source(text.toByteArray(), "test", folder)
+
+    fun of(bytes: ByteArray, folder: Path? = null) = Source(bytes, "test", folder)
+
+    /** Opens one of the real meshes that stand beside the project, or skips the test. */
+    fun model(name: String): Source {
+        val folder = generateSequence(Path.of(System.getProperty("user.dir")).toAbsolutePath()) { it.parent }
+            .map { it.resolve("shared/models") }
+            .firstOrNull { Files.isDirectory(it) }
+        assumeTrue(folder != null && Files.exists(folder.resolve(name)), "no real mesh $name")
+        return Source(Files.readAllBytes(folder!!.resolve(name)), name, folder)
+    }
+
+    fun error(parser: SceneParser, source: Source): SceneFormatException =
+        assertThrows(SceneFormatException::class.java) { parser.parse(source) }
+
+    /** Cuts the file at every byte, and changes each byte in some ways: a scene or the one exception, and no hang. */
+    fun assertSurvivesDamage(
+        parser: SceneParser,
+        bytes: ByteArray,
+        folder: Path? = null,
+        changes: List<Int> = listOf(0xFF, 0x01, 0x80),
+    ) {
+        var damage = ""
+        assertTimeoutPreemptively(Duration.ofSeconds(60)) {
+            for (length in bytes.indices) {
+                damage = "cut at byte $length"
+                assertSurvives(parser, bytes.copyOf(length), damage, folder)
+            }
+            for (at in bytes.indices) {
+                for (change in changes) {
+                    damage = "byte $at xor $change"
+                    val broken = bytes.copyOf()
+                    broken[at] = (broken[at].toInt() xor change).toByte()
+                    assertSurvives(parser, broken, damage, folder)
+                }
+            }
+        }
+    }
+
+    private fun assertSurvives(parser: SceneParser, bytes: ByteArray, damage: String, folder: Path?) {
+        try {
+            parser.parse(Source(bytes, "test", folder))
+        } catch (_: SceneFormatException) {
+            // The one exception that is allowed
+        } catch (e: Throwable) {
+            throw AssertionError("$damage: $e", e)
+        }
+    }
+}
+
+internal val Scene.meshes: List<Mesh> get() = surfaces.map { it as Mesh }
+
+/** The corners of each triangle, `x y z` each, so that meshes with other vertex numbers compare. */
+internal fun Mesh.corners(): List<List<Float>> = triangles.map { positions.slice(3 * it until 3 * it + 3) }

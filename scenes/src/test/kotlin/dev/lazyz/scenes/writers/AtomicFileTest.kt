@@ -1,0 +1,123 @@
+package dev.lazyz.scenes.writers
+
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Assumptions.assumeTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+class AtomicFileTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val row = IntArray(4)
+
+    @Test
+    fun aFailureMidwayLeavesNothingBehind() {
+        val path = folder.resolve("new.png")
+        assertThrows(IllegalStateException::class.java) { failingRender(path) }
+        assertEquals(emptyList<Path>(), files())
+    }
+
+    @Test
+    fun aFailureMidwayKeepsTheOldFile() {
+        for (name in listOf("old.png", "old.ppm", "old.pfm")) {
+            val path = folder.resolve(name)
+            Files.writeString(path, "old")
+            assertThrows(IllegalStateException::class.java) { failingRender(path) }
+            assertEquals("old", Files.readString(path))
+        }
+        assertEquals(3, files().size)
+    }
+
+    @Test
+    fun tooFewRowsAreAFailureToo() {
+        val path = folder.resolve("short.png")
+        val error = assertThrows(IOException::class.java) {
+            ImageFiles.write(path, 4, 4) { sink -> sink.row(0, row, row, row) }
+        }
+        assertEquals("cannot write $path: the image is incomplete: 1 of 4 rows", error.message)
+        assertEquals(emptyList<Path>(), files())
+    }
+
+    @Test
+    fun theNameAppearsOnlyWhenTheFileIsComplete() {
+        val path = folder.resolve("whole.ppm")
+        val result = ImageFiles.write(path, 4, 2) { sink ->
+            sink.row(0, row, row, row)
+            assertFalse(Files.exists(path))
+            sink.row(1, row, row, row)
+            "done"
+        }
+        assertEquals("done", result)
+        assertEquals(listOf(path), files())
+    }
+
+    @Test
+    fun anOldFileIsReplaced() {
+        val path = folder.resolve("a.ppm")
+        Files.writeString(path, "a much longer old content than the new one will be")
+        ImageFiles.write(path, 1, 1) { it.row(0, row, row, row) }
+        assertEquals("P6\n1 1\n255\n".length + 3L, Files.size(path))
+    }
+
+    @Test
+    fun aLinkIsFollowed() {
+        val target = folder.resolve("target.ppm")
+        Files.writeString(target, "old")
+        val link = Files.createSymbolicLink(folder.resolve("link.ppm"), target)
+        ImageFiles.write(link, 1, 1) { it.row(0, row, row, row) }
+        assertTrue(Files.isSymbolicLink(link))
+        assertTrue(Files.readString(target).startsWith("P6"))
+    }
+
+    @Test
+    fun aDeviceIsWrittenDirectly() {
+        val device = Path.of("/dev/null")
+        assumeTrue(Files.exists(device))
+        ImageFiles.write(device, 1, 1, ImageFormat.PNG) { it.row(0, row, row, row) }
+        assertFalse(Files.isRegularFile(device))
+    }
+
+    @Test
+    fun messagesSayWhichFileWhyAndWhatToDo() {
+        val missing = folder.resolve("nowhere/a.png")
+        val noFolder = assertThrows(IOException::class.java) { failingRender(missing) }
+        assertEquals(
+            "cannot write $missing: there is no folder ${missing.parent}; create it or choose another",
+            noFolder.message,
+        )
+        val isFolder = assertThrows(IOException::class.java) {
+            ImageFiles.write(folder, 1, 1, ImageFormat.PNG) { it.row(0, row, row, row) }
+        }
+        assertEquals("cannot write $folder: it is a folder; name a file in it", isFolder.message)
+    }
+
+    @Test
+    fun aFolderWithoutPermissionIsAnIoException() {
+        val locked = Files.createDirectory(folder.resolve("locked"))
+        assumeTrue(locked.toFile().setWritable(false) && !Files.isWritable(locked), "all is permitted to this user")
+        try {
+            val error = assertThrows(IOException::class.java) {
+                ImageFiles.write(locked.resolve("a.png"), 1, 1) { it.row(0, row, row, row) }
+            }
+            assertTrue("permission denied" in error.message.orEmpty(), error.message)
+        } finally {
+            locked.toFile().setWritable(true)
+        }
+    }
+
+    private fun failingRender(path: Path) {
+        ImageFiles.write(path, 4, 4) { sink ->
+            sink.row(0, row, row, row)
+            error("out of luck")
+        }
+    }
+
+    private fun files(): List<Path> = Files.list(folder).use { it.toList() }
+}
