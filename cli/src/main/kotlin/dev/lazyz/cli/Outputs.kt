@@ -4,6 +4,7 @@ import dev.lazyz.Raster
 import dev.lazyz.RowSink
 import dev.lazyz.scenes.writers.ImageFiles
 import dev.lazyz.scenes.writers.PngSink
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 

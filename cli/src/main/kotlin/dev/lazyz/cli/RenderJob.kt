@@ -5,7 +5,6 @@ import dev.lazyz.Raster
 import dev.lazyz.Scene
 import dev.lazyz.Shading
 import dev.lazyz.scenes.ImageSize
-import dev.lazyz.scenes.ImageSize
 
 /** One run of `zcli render`: input, camera, raster, rows to all sinks at once, statistics. */
 internal class RenderJob(private val request: RenderRequest, private val streams: Streams) {
@@ -76,7 +75,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
     }
 
     private companion object {
-        val DEFAULT_SIZE = ImageImageSize(640, 480)
+        val DEFAULT_SIZE = ImageSize(640, 480)
         const val MAX_WARNINGS = 20
     }
 }

@@ -10,7 +10,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.Projection
 import dev.lazyz.Shading
 import dev.lazyz.Sides
-import dev.lazyz.Vectors
+import dev.lazyz.Transforms
 import kotlin.math.sqrt
 
 /** Makes primitives of triangles and polygons. */
@@ -19,7 +19,7 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
     private val clipper = Clipper(viewport.guardX, viewport.guardY)
 
     private val worldToClip =
-        Vectors.product(camera.projectionMatrix(raster.width.toDouble() / raster.height), camera.viewMatrix())
+        Transforms.product(camera.projectionMatrix(raster.width.toDouble() / raster.height), camera.viewMatrix())
 
     fun mesh(mesh: Mesh): Sequence<Primitive> = sequence {
         val vertices = meshVertices(mesh)

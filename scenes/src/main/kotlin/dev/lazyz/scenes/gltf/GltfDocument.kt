@@ -98,8 +98,9 @@ internal class GltfDocument(val source: Source, val json: GlTF, private val bina
         if (warned.add(sentence)) source.warn(sentence)
     }
 
-    /** Warns of what would move. */
-    fun warnOfMotion() {
+    /** Warns of what a viewer would show and this library does not. */
+    fun warnOfTheRest() {
+        if ("KHR_lights_punctual" in json.extensionsUsed.orEmpty()) warn("lights of the file are not used")
         if (!json.animations.isNullOrEmpty()) warn("animations are not applied")
         if (!json.skins.isNullOrEmpty()) warn("skins are not applied; meshes are drawn in the pose they are stored in")
     }

@@ -21,9 +21,9 @@ internal class GltfMaterial(val material: Material, val texCoordSet: Int, val tr
  * - The base colour is the diffuse colour, for metals too: with nothing around to mirror, they would be black else.
  * - The highlight has exponent `n = 2 / roughness^4 - 2` (B. Walter et al., "Microfacet Models for Refraction", 2007,
  *   section 5.2), clamped to 1..1024, and the colour `F0 (n + 2) / 8 (1 - roughness)`, never above 1: the reflectance
- *   at normal incidence (0.04, or the base colour of an untextured metal), by the peak of a lobe that wide (T.
- *   Akenine-Moeller et al., "Real-Time Rendering", 3rd edition, section 7.6), fading out where it is as wide as diffuse
- *   light.
+ *   at normal incidence (0.04, or the base colour of an untextured metal), by the peak of a lobe that wide (N. Hoffman,
+ *   "Crafting Physically Motivated Shading Models for Game Development", SIGGRAPH 2010), fading out where the lobe is
+ *   as wide as diffuse light.
  * - Light that a texture of its own gives off is left out, because the factor alone would make all of the surface glow.
  *   Metallic-roughness, normal and occlusion textures are left out without more ado.
  * - `KHR_materials_unlit` is [Shading.CONSTANT].
@@ -115,7 +115,7 @@ internal class GltfMaterials(private val document: GltfDocument) {
         number?.takeIf { it.isFinite() }?.coerceIn(0f, 1f) ?: missing
 
     private companion object {
-        /** Reflectance of glass, plastic and the like, section B.2.2. */
+        /** Reflectance of glass, plastic and the like, appendix B.2. */
         const val DIELECTRIC = 0.04f
     }
 }

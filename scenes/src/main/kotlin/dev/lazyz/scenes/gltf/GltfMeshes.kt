@@ -3,8 +3,12 @@ package dev.lazyz.scenes.gltf
 import de.javagl.jgltf.impl.v2.MeshPrimitive
 import de.javagl.jgltf.model.ElementType
 import dev.lazyz.Mesh
+import dev.lazyz.scenes.images.withoutTexture
 
-/** Meshes (section 3.7): each primitive that consists of triangles becomes a [Mesh]. */
+/**
+ * Meshes (section 3.7): each primitive that consists of triangles becomes a [Mesh], without the texture if it has no
+ * coordinates for it.
+ */
 internal class GltfMeshes(private val document: GltfDocument) {
     private val accessors = GltfAccessors(document)
     private val materials = GltfMaterials(document)
@@ -51,7 +55,7 @@ internal class GltfMeshes(private val document: GltfDocument) {
         return Mesh(
             positions,
             triangles(primitive, mode, count, where),
-            material.material,
+            if (uvs == null) material.material.withoutTexture() else material.material,
             normals,
             uvs?.let(material.transform::applyTo),
             colors,

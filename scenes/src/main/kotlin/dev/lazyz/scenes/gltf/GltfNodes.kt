@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.gltf
 
+import dev.lazyz.Transforms
 import de.javagl.jgltf.impl.v2.Node
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
@@ -34,7 +35,7 @@ internal class GltfNodes(private val document: GltfDocument) {
             val next = pending.removeLast()
             val node = document.element(nodes, next.index, "nodes", next.where)
             if (!seen.add(next.index)) document.fail(next.where, "node ${next.index} has two parents or holds itself")
-            val toWorld = NodeTransforms.product(next.toParent, NodeTransforms.of(node))
+            val toWorld = Transforms.product(next.toParent, NodeTransforms.of(node))
             placed.add(PlacedNode(node, next.index, toWorld))
             for ((i, child) in children(node).withIndex().reversed()) {
                 pending.addLast(Pending(child ?: -1, "nodes[${next.index}].children[$i]", toWorld))

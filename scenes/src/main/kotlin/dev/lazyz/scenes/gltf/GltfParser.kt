@@ -23,7 +23,7 @@ internal object GltfParser : SceneParser {
         val meshes = GltfMeshes(document)
         val surfaces = nodes.flatMap { meshes.of(it) }
         if (surfaces.isEmpty()) source.warn("there are no triangles, so there is nothing to see")
-        document.warnOfMotion()
+        document.warnOfTheRest()
         return when (val camera = GltfCameras(document).first(nodes)) {
             null -> Scene(surfaces)
             else -> Scene(surfaces, viewpoint = camera)

@@ -41,23 +41,6 @@ internal object NodeTransforms {
         )
     }
 
-    /** Returns the product of two affine transforms: [right] first, then [left]. */
-    fun product(left: Matrix4dc, right: Matrix4dc): Matrix4d {
-        val result = Matrix4d()
-        for (column in 0 until 4) {
-            for (row in 0 until 3) {
-                var sum = left.get(0, row) * right.get(column, 0)
-                sum += left.get(1, row) * right.get(column, 1)
-                sum += left.get(2, row) * right.get(column, 2)
-                if (column == 3) sum += left.get(3, row)
-                result.set(column, row, sum)
-            }
-        }
-        return result
-    }
-
     /** Whether [m] leaves every point where it is. */
-    fun isIdentity(m: Matrix4dc): Boolean = (0 until 4).all { column ->
-        (0 until 4).all { row -> m.get(column, row) == if (column == row) 1.0 else 0.0 }
-    }
+    fun isIdentity(m: Matrix4dc): Boolean = m.get(DoubleArray(16)).contentEquals(Matrix4d().get(DoubleArray(16)))
 }

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.Material
 import dev.lazyz.Mesh
+import dev.lazyz.scenes.images.withoutTexture
 import dev.lazyz.scenes.triangulation.Ints
 
 /**
@@ -40,7 +40,7 @@ internal class MeshParts(private val whole: Mesh, groupOf: Ints, groupCount: Int
         return Mesh(
             checkNotNull(gather(whole.positions, used, 3)),
             triangles,
-            if (isTextured) material.material else withoutTexture(material.material),
+            if (isTextured) material.material else material.material.withoutTexture(),
             gather(whole.normals, used, 3),
             if (isTextured) gather(whole.uvs, used, 2)?.also { place(it, material) } else null,
             gather(whole.colors, used, 4),
@@ -56,20 +56,4 @@ internal class MeshParts(private val whole: Mesh, groupOf: Ints, groupCount: Int
 
     private fun gather(array: FloatArray?, vertices: Ints, width: Int): FloatArray? =
         array?.let { FloatArray(width * vertices.size) { i -> it[width * vertices[i / width] + i % width] } }
-
-    private fun withoutTexture(material: Material): Material = if (material.texture == null) {
-        material
-    } else {
-        Material(
-            baseColor = material.baseColor,
-            shading = material.shading,
-            specular = material.specular,
-            shininess = material.shininess,
-            emission = material.emission,
-            alphaMode = material.alphaMode,
-            alphaCutoff = material.alphaCutoff,
-            sides = material.sides,
-            name = material.name,
-        )
-    }
 }

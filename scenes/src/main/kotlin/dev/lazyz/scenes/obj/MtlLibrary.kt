@@ -10,8 +10,8 @@ import java.io.IOException
 import java.nio.file.Path
 
 /**
- * The materials of an OBJ file's libraries, by name (Wavefront Technologies, "Advanced Visualizer" manual, appendix B2,
- * "Material Library File", and `map_Kd` options in wide use). The first definition of a name counts.
+ * The materials of an OBJ file's libraries, by name (Alias|Wavefront, "MTL material format", version 4.2, 1995). The
+ * first definition of a name counts.
  *
  * A library that is missing, and a name that none defines, give a warning and plain white. Textures are looked for in
  * the library's folder first, then in the OBJ file's.

@@ -43,7 +43,9 @@ internal object PlyParser : SceneParser {
             source.warn("there are no faces, so there is nothing to see; points alone are not drawn")
             return Scene(emptyList())
         }
-        val mesh = Mesh(found.positions, triangles, material(source, header), found.normals, found.uvs, found.colors)
+        val textureFile = header.textureFile?.takeIf { found.uvs != null }
+        val material = Material(texture = textureFile?.let { TextureFiles.find(source, it) })
+        val mesh = Mesh(found.positions, triangles, material, found.normals, found.uvs, found.colors)
         return Scene(listOf(if (mesh.normals == null) mesh.withSmoothNormals(CREASE_ANGLE) else mesh))
     }
 
@@ -53,7 +55,4 @@ internal object PlyParser : SceneParser {
         val row = PlyRow(element)
         repeat(element.count) { body.read(row) }
     }
-
-    private fun material(source: Source, header: PlyHeader): Material =
-        Material(texture = header.textureFile?.let { TextureFiles.find(source, it) })
 }

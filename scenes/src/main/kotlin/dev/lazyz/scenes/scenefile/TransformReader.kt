@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.scenefile
 
+import dev.lazyz.Transforms
 import org.joml.Matrix4d
-import org.joml.Matrix4dc
 
 /**
  * Reads a list of movements and multiplies them out.
@@ -12,7 +12,7 @@ import org.joml.Matrix4dc
 internal object TransformReader {
     /** Returns the matrix that applies the movements of [node], the first one first. */
     fun read(node: JsonNode): Matrix4d =
-        node.items().fold(Matrix4d()) { before, step -> product(step(step), before) }
+        node.items().fold(Matrix4d()) { before, step -> Transforms.product(step(step), before) }
 
     private fun step(node: JsonNode): Matrix4d {
         val members = node.members("translate", "rotate", "scale", "matrix")
@@ -94,17 +94,4 @@ internal object TransformReader {
         x[2], y[2], z[2], 0.0,
         x[3], y[3], z[3], 1.0,
     )
-
-    /** Returns the matrix that applies [right], then [left]. */
-    fun product(left: Matrix4dc, right: Matrix4dc): Matrix4d {
-        val result = Matrix4d()
-        for (column in 0 until 4) {
-            for (row in 0 until 4) {
-                var sum = 0.0
-                for (k in 0 until 4) sum += left.get(k, row) * right.get(column, k)
-                result.set(column, row, sum)
-            }
-        }
-        return result
-    }
 }

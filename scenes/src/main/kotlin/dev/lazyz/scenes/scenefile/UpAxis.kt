@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.scenefile
 
+import dev.lazyz.Transforms
 import org.joml.Matrix4d
 import org.joml.Vector3d
 
@@ -16,7 +17,7 @@ internal enum class UpAxis(val id: String) {
     fun toWorld(transform: Matrix4d?): Matrix4d? = when {
         this == Y -> transform
         transform == null -> Matrix4d(TURN)
-        else -> TransformReader.product(TURN, transform)
+        else -> Transforms.product(TURN, transform)
     }
 
     companion object {

@@ -15,11 +15,10 @@ internal object StlBinary {
     private const val PROBE = 1024
 
     /**
-     * Whether [bytes] are of the binary form. Its header may begin with `solid`, the mark of the ASCII form, so the
-     * size decides where it is what the count says; otherwise the mark, unless bytes follow that are not text.
+     * Whether [bytes] are of the binary form. Its header may begin with `solid`, the mark of the ASCII form, but its
+     * count of facets has bytes that no text has, zeros at least.
      */
     fun isBinary(bytes: ByteArray): Boolean {
-        if (bytes.size >= FACETS && bytes.size.toLong() == FACETS + FACET * countOf(bytes)) return true
         val start = String(bytes, 0, minOf(bytes.size, PROBE), Charsets.ISO_8859_1)
         val isMarked = start.removePrefix("\u00EF\u00BB\u00BF").trimStart().startsWith("solid", ignoreCase = true)
         return !isMarked || start.any { it < ' ' && !it.isWhitespace() }

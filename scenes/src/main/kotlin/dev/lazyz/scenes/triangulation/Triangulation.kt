@@ -6,7 +6,7 @@ import earcut4j.Earcut
  * Cuts polygons into triangles with the polygon's own corners and no others.
  *
  * The polygon is seen along its normal (M. E. Newell's: the sum over the edges, see I. E. Sutherland, R. F. Sproull and
- * R. A. Schumacker, "A Characterization of Ten Hidden-Surface Algorithms", 1974, section 1), with the coordinate
+ * R. A. Schumacker, "A Characterization of Ten Hidden-Surface Algorithms", 1974), with the coordinate
  * dropped in which the normal is longest. A convex polygon becomes a fan around its first corner, any other is cut by
  * ear clipping (earcut4j). The result runs the same way round as the polygon.
  *

@@ -29,8 +29,9 @@ class GltfMaterialsTest {
     private fun read(material: String, more: String = "", folder: Path? = null): Pair<Material, Source> {
         val files = GltfFiles()
         files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
+        files.accessor("VEC2", FLOAT, List(6) { 0 })
         files.view(png)
-        val mesh = """"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}]"""
+        val mesh = """"meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0}]}]"""
         val source = TestSources.of(files.json("""$ONE_NODE,$mesh,"materials":[$material]$more"""), folder)
         return GltfParser.parse(source).meshes.single().material to source
     }
@@ -111,7 +112,7 @@ class GltfMaterialsTest {
         Files.write(folder.resolve("dark oak.png"), png)
         val textured = """{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}"""
         val images = listOf(
-            """{"bufferView":1,"mimeType":"image/png"}""",
+            """{"bufferView":2,"mimeType":"image/png"}""",
             """{"uri":"data:image/png;base64,${Base64.getEncoder().encodeToString(png)}"}""",
             """{"uri":"dark%20oak.png"}""",
             """{"uri":"dark oak.png"}""",
@@ -130,9 +131,24 @@ class GltfMaterialsTest {
     }
 
     @Test
+    fun textureWithoutCoordinatesIsLeftOut() {
+        val files = GltfFiles()
+        files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
+        files.view(png)
+        val json = files.json(
+            """$ONE_NODE,"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],
+            "textures":[{"source":0}],"images":[{"bufferView":1}],
+            "materials":[{"name":"a","pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}]""",
+        )
+        val material = GltfParser.parse(TestSources.of(json)).meshes.single().material
+        assertNull(material.texture)
+        assertEquals("a", material.name)
+    }
+
+    @Test
     fun samplersDecideFilterAndWrap() {
         fun sampled(sampler: String): List<Any> {
-            val more = ""","textures":[{"source":0,"sampler":0}],"images":[{"bufferView":1}],"samplers":[$sampler]"""
+            val more = ""","textures":[{"source":0,"sampler":0}],"images":[{"bufferView":2}],"samplers":[$sampler]"""
             val texture = material("""{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}""", more).texture
             assertNotNull(texture)
             return listOf(texture!!.filter, texture.wrapU, texture.wrapV)

@@ -192,6 +192,8 @@ class PlyParserTest {
         )
         val text = ascii(header, "0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n")
         assertNotNull(PlyParser.parse(TestSources.of(text, folder)).meshes.single().material.texture)
+        val bare = String(plain(PlyFormat.ASCII)).replace("1.0\n", "1.0\ncomment TextureFile my skin.png\n")
+        assertNull(PlyParser.parse(TestSources.of(bare, folder)).meshes.single().material.texture)
         val stream = TestSources.of(text)
         assertNull(PlyParser.parse(stream).meshes.single().material.texture)
         assertEquals(1, stream.warnings.size)

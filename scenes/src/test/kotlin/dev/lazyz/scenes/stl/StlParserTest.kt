@@ -80,6 +80,7 @@ class StlParserTest {
     @Test
     fun binaryFileMayBeginWithSolid() {
         assertEquals(2, mesh(binary(corner, neighbour, header = "solid part")).triangleCount)
+        assertEquals(2, mesh(binary(corner, neighbour, header = "solid part".padEnd(80))).triangleCount)
         val withTail = binary(corner, neighbour, header = "solid part") + ByteArray(7)
         val source = TestSources.of(withTail)
         assertEquals(2, StlParser.parse(source).meshes.single().triangleCount)
