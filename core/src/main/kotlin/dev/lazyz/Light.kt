@@ -45,13 +45,14 @@ public sealed class Light {
     public companion object {
         /**
          * Returns lights that make a bare shape readable from [camera]: a key light from the upper left, a weak fill
-         * from the right, and a little ambient light, all fixed to the camera.
+         * from the right, and a little ambient light, all fixed to the camera. A white surface stays darker than white,
+         * so that it can be told from a white background.
          */
         @JvmStatic
         public fun studio(camera: Camera): List<Light> = listOf(
-            Ambient(Rgba(0.10f, 0.10f, 0.11f)),
-            Directional(camera.toWorldDirection(0.55, -0.75, -0.85), Rgba(0.80f, 0.79f, 0.76f)),
-            Directional(camera.toWorldDirection(-0.90, 0.05, -0.45), Rgba(0.16f, 0.18f, 0.22f)),
+            Ambient(Rgba(0.060f, 0.062f, 0.068f)),
+            Directional(camera.toWorldDirection(0.55, -0.75, -0.85), Rgba(0.62f, 0.61f, 0.59f)),
+            Directional(camera.toWorldDirection(-0.90, 0.05, -0.45), Rgba(0.11f, 0.125f, 0.15f)),
         )
     }
 }

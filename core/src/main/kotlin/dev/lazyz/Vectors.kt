@@ -5,8 +5,17 @@ import org.joml.Vector3dc
 
 /** Vector arithmetic with one order of operations, see [Transforms]. */
 internal object Vectors {
+    /** What three divisions by a length, squared and summed, can be off by. */
+    private const val ROUNDING = 8 * 2.220446049250313e-16
+
+    /**
+     * Returns [v] at unit length. What has it already, but for rounding, is returned as it is, so that a vector that is
+     * written to a file and read again keeps its bits.
+     */
     fun unit(v: Vector3dc, what: String): Vector3d {
-        val length = StrictMath.sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z())
+        val square = v.x() * v.x() + v.y() * v.y() + v.z() * v.z()
+        if (StrictMath.abs(square - 1.0) <= ROUNDING) return Vector3d(v)
+        val length = StrictMath.sqrt(square)
         require(length > 0.0 && length.isFinite()) { "$what must be finite and not zero: $v" }
         return Vector3d(v.x() / length, v.y() / length, v.z() / length)
     }

@@ -27,12 +27,8 @@ internal object Failure {
         is IOException -> failure.message ?: failure.javaClass.simpleName
         is InvalidPathException -> "not a file name: ${failure.input} (${failure.reason})"
         is ServiceConfigurationError -> "a renderer on the class path cannot be loaded: ${failure.message}"
-        else -> failure.cause?.takeIf { failure is java.io.UncheckedIOException }?.let { mistake(it) }
+        else -> null
     }
-
-    /** Returns the [OutputClosed] among the causes of [failure], for a writer may have wrapped it, or null. */
-    fun outputClosed(failure: Throwable): OutputClosed? =
-        generateSequence(failure) { it.cause }.take(MAX_CAUSES).filterIsInstance<OutputClosed>().firstOrNull()
 
     /** Clikt's message, and where to read more. A misspelt option hides the faults that follow from it. */
     fun usage(error: UsageError): String {
@@ -69,6 +65,4 @@ internal object Failure {
         is AccessDeniedException -> "${failure.file}: permission denied"
         else -> "${failure.file}: ${failure.reason ?: failure.javaClass.simpleName}"
     }
-
-    private const val MAX_CAUSES = 20
 }

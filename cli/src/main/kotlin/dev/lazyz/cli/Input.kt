@@ -30,15 +30,18 @@ internal class Input(private val word: String, private val format: SceneFormat?)
     /** Reads the scene. Finds all mistakes in the name before it reads anything. */
     fun load(streams: Streams): LoadedScene {
         if (isStandardInput) {
-            val known = format ?: throw Mistake(
-                "say what standard input is with --format ${SceneFormat.entries.joinToString("|") { it.id }}",
-            )
+            val known = format ?: throw Mistake("say what standard input is with --format $FORMATS")
             return Scenes.load(streams.input, known, name)
         }
         if (builtin != null) return LoadedScene(builtin.scene(), emptyList(), builtin.size)
         val path = Path.of(word)
         requireFile(path)
-        return Scenes.load(path, format ?: formatOf(path))
+        if (format != null) return Scenes.load(path, format)
+
+        // What has no ending, such as a pipe, is told by its first bytes; an ending that says nothing is a mistake
+        val ending = path.fileName.toString().substringAfterLast('.', "")
+        if (ending.isEmpty() || SceneFormat.ofFileName(word) != null) return Scenes.load(path)
+        throw Mistake("cannot tell from '.$ending' what $word is; say it with --format $FORMATS")
     }
 
     private fun requireFile(path: Path) {
@@ -52,9 +55,7 @@ internal class Input(private val word: String, private val format: SceneFormat?)
         if (!Files.isReadable(path)) throw Mistake("$word: permission denied")
     }
 
-    private fun formatOf(path: Path): SceneFormat = SceneFormat.ofFileName(path.fileName.toString()) ?: throw Mistake(
-        "cannot tell from the name what $word is; say it with --format " +
-            "${SceneFormat.entries.joinToString("|") { it.id }}, or rename it to end in one of " +
-            SceneFormat.entries.flatMap { it.extensions }.joinToString { ".$it" },
-    )
+    private companion object {
+        val FORMATS = SceneFormat.entries.joinToString("|") { it.id }
+    }
 }

@@ -39,9 +39,9 @@ private fun attempt(args: Array<String>, streams: Streams): Int {
         return ExitCode.DONE
     } catch (request: CliktError) {
         return answer(request, streams)
+    } catch (closed: OutputClosed) {
+        throw closed
     } catch (failure: Throwable) {
-        val closed = Failure.outputClosed(failure)
-        if (closed != null) throw closed
         val mistake = Failure.mistake(failure)
         if (mistake != null) {
             streams.error(mistake)

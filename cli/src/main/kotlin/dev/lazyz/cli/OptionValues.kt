@@ -12,7 +12,7 @@ private val sizeForm = Regex("""(-?\d+)[xX×](-?\d+)""")
 private val numberForm = Regex("""[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?""")
 
 /** Takes `640x480`. */
-internal fun RawOption.size(): NullableOption<ImageSize, ImageSize> = convert(SIZE) { text ->
+internal fun RawOption.size(): NullableOption<ImageSize, ImageSize> = convert("WxH") { text ->
     val (width, height) = sizeForm.matchEntire(text)?.destructured
         ?: fail("'$text' is not WIDTHxHEIGHT, such as 640x480")
     val sides = listOf(width, height).map { side ->
@@ -49,7 +49,5 @@ internal fun <T : Any> RawOption.oneOf(metavar: String, values: Map<String, T>):
         values[text.lowercase()]
             ?: fail("'$text' is not one of ${values.keys.joinToString()}${Nearest.hint(text, values.keys)}")
     }
-
-private const val SIZE = "WxH"
 
 private fun plain(number: Double): String = if (number % 1.0 == 0.0) number.toLong().toString() else number.toString()

@@ -30,13 +30,14 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
         }
     }
 
-    /** Lets [render] write to all outputs and to [tally] at once. A file is there, whole, when it returns, or not at all. */
+    /** Lets [render] write to all outputs and to [tally] at once. When it returns, the files are there; else they are not. */
     fun <T> write(raster: Raster, tally: Tally, render: (RowSink) -> T): T = try {
         writePicture(raster) { picture ->
             writeDepth(raster) { depth -> render(FanOut(listOfNotNull(picture, depth, tally))) }
         }
     } catch (closed: OutputClosed) {
-        throw request.depthOutput?.let { Mistake("standard output was closed too early; $it was not written") } ?: closed
+        val file = request.depthOutput ?: throw closed
+        throw Mistake("standard output was closed before the end, and $file was not written")
     }
 
     private fun <T> writePicture(raster: Raster, render: (RowSink) -> T): T {

@@ -89,7 +89,8 @@ private class PictureOptions : OptionGroup("Picture") {
 
     val depthOutput by option(
         "--depth-out",
-        help = "Also write the depth of every pixel to a .pfm file: 0 at the near plane, 1 at the far plane",
+        help = "Also write the depth of every pixel to a .pfm file: 0 at the near plane, 1 at the far plane, " +
+            "infinity where nothing is",
     ).convert("FILE") { Path.of(it) }
 
     val depthConvention by option(

@@ -100,7 +100,7 @@ internal class Streams(
 }
 
 /** Standard output is a pipe whose reader has gone. */
-internal class OutputClosed(cause: IOException) : IOException("standard output is closed", cause)
+internal class OutputClosed(cause: IOException) : RuntimeException("standard output is closed", cause)
 
 /** Tells a closed pipe, which is nobody's fault, from a full disk. */
 private class StandardOutput(private val target: OutputStream) : OutputStream() {

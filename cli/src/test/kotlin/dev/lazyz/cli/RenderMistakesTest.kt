@@ -87,7 +87,7 @@ class RenderMistakesTest {
         zcli("render", folder, *out).mistake("is a folder")
         zcli("render", "teapto", *out).mistake("no built-in scene and no file 'teapto'", "did you mean 'teapot'?")
         zcli("render", "", *out).mistake("no built-in scene and no file ''")
-        zcli("render", folder.wedge("wedge.xyz"), *out).mistake("cannot tell", "--format obj|stl|ply", ".glb")
+        zcli("render", folder.wedge("wedge.xyz"), *out).mistake("cannot tell from '.xyz'", "--format obj|stl|ply")
         Files.delete(folder.resolve("wedge.xyz"))
         zcli("render", "-", *out).mistake("say what standard input is", "--format obj|stl|ply")
         zcliReading(WEDGE, "render", "-", "--format", "obj").mistake("say where the picture goes: -o")
