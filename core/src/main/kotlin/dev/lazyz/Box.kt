@@ -54,19 +54,26 @@ public class Box(
          * coordinate that is NaN or infinite are passed over, as they are by every renderer (contract rule 9.5).
          */
         @JvmStatic
-        public fun around(xyz: FloatArray): Box? {
+        public fun around(xyz: FloatArray): Box? = around(xyz.size / 3) { point, axis -> xyz[3 * point + axis].toDouble() }
+
+        /** As above, for [count] points whose coordinates [coordinate] gives by number and axis, 0..2. */
+        internal inline fun around(count: Int, coordinate: (point: Int, axis: Int) -> Double): Box? {
             val low = doubleArrayOf(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY)
             val high = doubleArrayOf(Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY)
-            for (i in 0..xyz.size - 3 step 3) {
-                if (!xyz[i].isFinite() || !xyz[i + 1].isFinite() || !xyz[i + 2].isFinite()) continue
+            val point = DoubleArray(3)
+            for (i in 0 until count) {
+                for (axis in 0 until 3) point[axis] = coordinate(i, axis)
+                if (point.any { !(StrictMath.abs(it) < LARGEST) }) continue
                 for (axis in 0 until 3) {
-                    val value = xyz[i + axis].toDouble()
-                    if (value < low[axis]) low[axis] = value
-                    if (value > high[axis]) high[axis] = value
+                    low[axis] = minOf(low[axis], point[axis])
+                    high[axis] = maxOf(high[axis], point[axis])
                 }
             }
             if (low[0] > high[0]) return null
             return Box(low[0], low[1], low[2], high[0], high[1], high[2])
         }
+
+        /** Coordinates from here on are treated as infinite: they could not be added up and multiplied. */
+        internal const val LARGEST: Double = 1e100
     }
 }

@@ -23,10 +23,7 @@ public class FittedViewpoint internal constructor(
         val up = if (StrictMath.abs(elevation) == 90.0) upAtPole() else Vector3d(0.0, 1.0, 0.0)
 
         // Measure the box in the camera's axes, about its centre
-        val probe = Camera.orthographic(
-            Vector3d(center.x + direction.x, center.y + direction.y, center.z + direction.z),
-            center, up, 1.0, 0.0, 1.0,
-        )
+        val probe = Camera.orthographic(direction, Vector3d(), up, 1.0, 0.0, 1.0)
         var halfWidth = 0.0
         var halfHeight = 0.0
         var halfDepth = 0.0

@@ -29,7 +29,7 @@ public class Polygon @JvmOverloads constructor(
 ) : Surface {
     override val bounds: Box? by lazy {
         val all = contours.flatten()
-        Box.around(FloatArray(3 * all.size) { all[it / 3].position(it % 3).toFloat() })
+        Box.around(all.size) { vertex, axis -> all[vertex].position(axis) }
     }
 
     override fun primitives(setUp: SetUp): Sequence<Primitive> = sequenceOf(this).map { setUp.polygon(it) }

@@ -27,10 +27,12 @@ public class Sphere @JvmOverloads constructor(
         require(!(radius < 0.0)) { "radius must not be negative: $radius" }
     }
 
-    private val isFinite: Boolean get() = center.isFinite && radius.isFinite()
+    /** Whether coordinates are numbers that can still be added up. */
+    private val hasBounds: Boolean
+        get() = StrictMath.abs(center.x()) + StrictMath.abs(center.y()) + StrictMath.abs(center.z()) + radius < Box.LARGEST
 
     override val bounds: Box?
-        get() = if (!isFinite) {
+        get() = if (!hasBounds) {
             null
         } else {
             Box(

@@ -14,7 +14,7 @@ internal object Srgb {
         when (it) {
             0 -> Float.NEGATIVE_INFINITY
             256 -> Float.POSITIVE_INFINITY
-            else -> toLinear((it - 0.5) / 255.0).toFloat()
+            else -> leastFloatFrom(toLinear((it - 0.5) / 255.0))
         }
     }
 
@@ -39,13 +39,18 @@ internal object Srgb {
     private fun encodeAlpha(alpha: Float): Int = when {
         !(alpha > 0f) -> 0
         alpha >= 1f -> 255
-        else -> (alpha * 255f + 0.5f).toInt()
+        else -> (alpha.toDouble() * 255.0 + 0.5).toInt()
     }
 
     private fun searchCode(linear: Float): Int {
         var code = 0
         while (code < 255 && linear >= threshold[code + 1]) code++
         return code
+    }
+
+    private fun leastFloatFrom(value: Double): Float {
+        val nearest = value.toFloat()
+        return if (nearest < value) Math.nextUp(nearest) else nearest
     }
 
     private fun toLinear(encoded: Double): Double =

@@ -1,5 +1,6 @@
 package dev.lazyz
 
+import java.util.Random
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.EdgeCasesMode
@@ -8,7 +9,6 @@ import net.jqwik.api.Property
 import net.jqwik.api.Provide
 import net.jqwik.api.constraints.IntRange
 import org.junit.jupiter.api.Assertions.assertEquals
-import java.util.Random
 
 /** Contract rules 1.3 and 2.1 to 2.5: which samples polygons cover. */
 class CoverageProperties {
@@ -57,7 +57,7 @@ class CoverageProperties {
         val side = sample.side(from, to)
         val isTop = from.y == to.y && to.x > from.x
         val isLeft = to.y < from.y
-        return side > 0 || side == 0L && (isTop || isLeft)
+        return side > 0 || (side == 0L && (isTop || isLeft))
     }
 
     @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)

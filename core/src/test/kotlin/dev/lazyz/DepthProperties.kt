@@ -1,8 +1,12 @@
 package dev.lazyz
 
+import java.math.BigDecimal
+import java.math.RoundingMode
+import java.util.Random
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.Example
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import net.jqwik.api.Provide
@@ -10,9 +14,6 @@ import net.jqwik.api.constraints.DoubleRange
 import net.jqwik.api.constraints.IntRange
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
-import java.math.BigDecimal
-import java.math.RoundingMode
-import java.util.Random
 
 /** Contract rules 3.4, 3.5 and 4: depth. */
 class DepthProperties {
@@ -97,8 +98,28 @@ class DepthProperties {
         }
     }
 
+    @Example
+    fun rule_4_4_boundsHoldAtTheVeryEndOfTheRange() {
+        // The plane's depth at the fourth vertex is 2^31-1.01
+        val nearer = Depth.toUnit(Depth.FAR - 16_794_010)
+        val contour = listOf(
+            0.0, 0.0, 1.0,
+            1500 / 256.0, -1000 / 256.0, nearer,
+            3000 / 256.0, 0.0, 1.0,
+            1500 / 256.0, 999 / 256.0, 1.0,
+        )
+        val builder = FrameBuilder(Raster(16, 16)).polygon(shader, FillRule.NON_ZERO, contour.toDoubleArray())
+        val primitive = builder.build().primitives.single()
+        assertTrue(primitive.depth(5, 3) in primitive.leastDepth..primitive.greatestDepth) {
+            "${primitive.depth(5, 3)} is outside ${primitive.leastDepth}..${primitive.greatestDepth}"
+        }
+    }
+
     @Property(tries = 500, edgeCases = EdgeCasesMode.NONE)
-    fun rule_3_5_theReferenceTriangleIsWellApart(@ForAll random: Random, @ForAll @IntRange(min = 4, max = 9) count: Int) {
+    fun rule_3_5_theReferenceTriangleIsWellApart(
+        @ForAll random: Random,
+        @ForAll @IntRange(min = 4, max = 9) count: Int,
+    ) {
         // Depth of the plane through the three vertices that the contract names; the others' depths do not matter
         val points = List(count) { GridPoint(random.nextInt(6000) - 1000, random.nextInt(6000) - 1000) }
         val first = points[0]
@@ -125,7 +146,10 @@ class DepthProperties {
     private fun square(n: Int): Long = n.toLong() * n
 
     @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
-    fun rule_4_1_theOtherConventionMirrorsDepth(@ForAll("drawings") drawing: Drawing, @ForAll("units") units: List<Double>) {
+    fun rule_4_1_theOtherConventionMirrorsDepth(
+        @ForAll("drawings") drawing: Drawing,
+        @ForAll("units") units: List<Double>,
+    ) {
         fun frame(convention: DepthConvention): Frame {
             val builder = FrameBuilder(Raster(drawing.width, drawing.height, convention = convention))
             for (contour in drawing.contours) {

@@ -55,7 +55,7 @@ data class Drawing(val width: Int, val height: Int, val contours: List<List<Grid
     companion object {
         private const val LIMIT = 1 shl 27
 
-        /** Deliberately awkward: on samples, on pixel corners, one step beside them, off the raster, at the far ends. */
+        /** Deliberately awkward: on samples, on pixel corners, a step beside them, off the raster, at the far ends. */
         fun coordinates(size: Int): Arbitrary<Int> {
             val pixels = Arbitraries.integers().between(-1, size)
             return Arbitraries.frequencyOf(

@@ -10,7 +10,8 @@ import org.joml.Vector4d
 class RayOracle(camera: Camera, private val raster: Raster, corners: List<Vector3d>) {
     private val near = camera.near
     private val far = camera.far
-    private val tangent = StrictMath.tan((camera.projection as Projection.Perspective).verticalFieldOfView * Math.PI / 360)
+    private val angle = (camera.projection as Projection.Perspective).verticalFieldOfView
+    private val tangent = StrictMath.tan(angle * StrictMath.PI / 360)
 
     /** Corners in camera space. */
     private val points = corners.map {

@@ -1,13 +1,13 @@
 package dev.lazyz
 
+import java.util.Random
+import java.util.concurrent.Callable
+import java.util.concurrent.Executors
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
-import java.util.Random
-import java.util.concurrent.Callable
-import java.util.concurrent.Executors
 
 /** Contract rules 6.1 and 3.1: colours and depths are pure functions of primitive and sample. */
 class ShadingProperties {
@@ -16,7 +16,9 @@ class ShadingProperties {
     private fun places(frame: Frame): List<Place> = frame.primitives.flatMap { primitive ->
         val covered = primitive.samples(frame.raster)
         val all = ArrayList<Place>()
-        for (y in 0 until frame.height) for (x in 0 until frame.width) if (covered[x, y]) all.add(Place(primitive, x, y))
+        for (y in 0 until frame.height) {
+            for (x in 0 until frame.width) if (covered[x, y]) all.add(Place(primitive, x, y))
+        }
         all
     }
 

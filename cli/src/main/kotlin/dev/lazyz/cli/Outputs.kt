@@ -32,8 +32,9 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
 
     /** Lets [render] write to all outputs and to [tally] at once. When it returns, the files are there; else they are not. */
     fun <T> write(raster: Raster, tally: Tally, render: (RowSink) -> T): T = try {
-        writePicture(raster) { picture ->
-            writeDepth(raster) { depth -> render(FanOut(listOfNotNull(picture, depth, tally))) }
+        // Outermost is what is finished last: a file of depth appears only when the picture is out
+        writeDepth(raster) { depth ->
+            writePicture(raster) { picture -> render(FanOut(listOfNotNull(picture, depth, tally))) }
         }
     } catch (closed: OutputClosed) {
         val file = request.depthOutput ?: throw closed

@@ -8,12 +8,12 @@ import dev.lazyz.GuardBandTriangles
 import dev.lazyz.Raster
 import dev.lazyz.Shader
 import dev.lazyz.samples
+import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import net.jqwik.api.constraints.IntRange
 import org.junit.jupiter.api.Assertions.assertTrue
-import java.util.Random
 
 /** Contract rules 3.5 and 3.6: attributes against exact perspective-correct interpolation. */
 class AttributeProperties {
@@ -25,7 +25,9 @@ class AttributeProperties {
     ) {
         val triangle = GuardBandTriangles.around(random, column, row) ?: return
         val ws = List(3) { StrictMath.pow(2.0, random.nextDouble() * random.nextInt(12)) }
-        val values = List(3) { if (random.nextInt(4) == 0) random.nextInt(3).toDouble() else random.nextDouble() * 2 - 1 }
+        val values = List(3) {
+            if (random.nextInt(4) == 0) random.nextInt(3).toDouble() else random.nextDouble() * 2 - 1
+        }
         val primitive = primitive(Raster(262144, 262144), triangle, ws, values) ?: return
         val range = (values.max() - values.min()) / ws.min() * maxOf(1.0, 1.0 / leastHeight(triangle))
         val corners = triangle.indices.map { Corner(triangle[it], ws[it], values[it]) }
@@ -33,7 +35,10 @@ class AttributeProperties {
     }
 
     @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
-    fun rule_3_6_attributesOfPolygonsStayWithinTheirBound(@ForAll random: Random, @ForAll @IntRange(max = 12) depth: Int) {
+    fun rule_3_6_attributesOfPolygonsStayWithinTheirBound(
+        @ForAll random: Random,
+        @ForAll @IntRange(max = 12) depth: Int,
+    ) {
         // A flat polygon in perspective: 1/w and value/w are linear on the screen
         val points = List(4 + random.nextInt(5)) { GridPoint(random.nextInt(8192) - 2048, random.nextInt(8192) - 2048) }
         val tilt = List(4) { random.nextDouble() * 2 - 1 }
@@ -49,7 +54,8 @@ class AttributeProperties {
             for (x in 0 until 16) {
                 if (!covered[x, y] || random.nextInt(8) > 0) continue
                 val range = (values.max() - values.min()) / ws.min()
-                check(primitive, reference.map { Corner(points[it], ws[it], values[it]) }, GridPoint(x, y), POLYGON * range)
+                val corners = reference.map { Corner(points[it], ws[it], values[it]) }
+                check(primitive, corners, GridPoint(x, y), POLYGON * range)
             }
         }
     }
@@ -73,7 +79,8 @@ class AttributeProperties {
         val (a, b, c) = corners.map { it.point }
         val coordinates = Fraction.barycentric(a, b, c, sample) ?: return
         val over = coordinates.zip(corners) { weight, corner -> weight / Fraction.of(corner.w) }
-        val exact = Fraction.sum(over.zip(corners) { weight, corner -> weight * Fraction.of(corner.value) }) / Fraction.sum(over)
+        val top = over.zip(corners) { weight, corner -> weight * Fraction.of(corner.value) }
+        val exact = Fraction.sum(top) / Fraction.sum(over)
         val sampleW = 1.0 / Fraction.sum(over).toDouble()
 
         val fragment = Fragment()
@@ -94,7 +101,12 @@ class AttributeProperties {
         return Math.abs(t[2].side(t[0], t[1])) / longest / 256.0
     }
 
-    private fun primitive(raster: Raster, points: List<GridPoint>, ws: List<Double>, values: List<Double>): AttributedPrimitive? {
+    private fun primitive(
+        raster: Raster,
+        points: List<GridPoint>,
+        ws: List<Double>,
+        values: List<Double>,
+    ): AttributedPrimitive? {
         val vertices = Vertices(points.size)
         for (i in points.indices) {
             vertices.set(i, Vertices.W, ws[i])

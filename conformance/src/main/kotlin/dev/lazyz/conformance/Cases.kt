@@ -1,0 +1,52 @@
+package dev.lazyz.conformance
+
+import net.jqwik.api.Arbitraries
+import net.jqwik.api.Arbitrary
+import net.jqwik.api.ArbitrarySupplier
+
+// What the rules are tried on.
+
+/** Frames given on the screen. */
+internal class ScreenCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Frames.screen()
+}
+
+/** Frames in which the order of submission decides. */
+internal class TiedCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Frames.tied()
+}
+
+/** Frames of primitives of one's own. */
+internal class ConfettiCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Frames.confetti()
+}
+
+/** Frames of scenes. */
+internal class WorldCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Frames.world()
+}
+
+/** Frames of all kinds. */
+internal class MixedCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> =
+        Arbitraries.oneOf(listOf(Frames.screen(), Frames.tied(), Frames.confetti(), Frames.world())).withoutEdgeCases()
+}
+
+/** A few frames of all kinds. */
+internal class SeveralCases : ArbitrarySupplier<List<FrameCase>> {
+    override fun get(): Arbitrary<List<FrameCase>> =
+        MixedCases().get().list().ofMinSize(2).ofMaxSize(4).withoutEdgeCases()
+}
+
+/** Frames without primitives. */
+internal class EmptyCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Frames.screen(maxPrimitives = 0)
+}
+
+/** Frames of one sample, one row or one column. */
+internal class NarrowCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> {
+        val shapes = listOf(Frames.screen(1, 1), Frames.screen(1, 60), Frames.screen(60, 1))
+        return Arbitraries.oneOf(shapes).withoutEdgeCases()
+    }
+}

@@ -1,0 +1,107 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Depth
+import dev.lazyz.DepthConvention
+import dev.lazyz.DepthTest
+import dev.lazyz.Raster
+import dev.lazyz.Rgba
+import dev.lazyz.Shader
+import net.jqwik.api.Arbitraries
+import net.jqwik.api.Arbitrary
+import net.jqwik.api.Combinators
+
+/**
+ * Generators of awkward frames, for jqwik's `@ForAll` and `@Provide`.
+ *
+ * All shrink: to fewer primitives, smaller rasters and rounder numbers. Sizes are upper bounds, in samples and in
+ * primitives; frames without primitives and rasters of one sample are among the results. Thread safe.
+ */
+public object Frames {
+    /** Sides of rasters, in samples, where none are given. */
+    public const val DEFAULT_SIDE: Int = 20
+
+    /** Most primitives of a frame, where none are given. */
+    public const val DEFAULT_PRIMITIVES: Int = 8
+
+    /** Returns rasters of any shape, background, convention, depth test and background depth, mostly the usual. */
+    @JvmStatic
+    @JvmOverloads
+    public fun rasters(maxWidth: Int = DEFAULT_SIDE, maxHeight: Int = DEFAULT_SIDE): Arbitrary<Raster> {
+        val backgrounds = oneOf(Rgba.WHITE, Rgba.TRANSPARENT, Rgba(0.25f, 0.5f, 0.125f, 0.75f))
+        val conventions = oneOf(DepthConvention.SMALLER_IS_NEARER, DepthConvention.LARGER_IS_NEARER)
+        return Combinators
+            .combine(sides(maxWidth), sides(maxHeight), backgrounds, conventions, ints(0, 15), ints(0, 15))
+            .`as` { width, height, background, convention, test, depth ->
+                val depthTest = DepthTest.entries.getOrElse(test - 12) { convention.nearest }
+                val backgroundDepth = BACKGROUND_DEPTHS.getOrElse(depth - 10) { behindAll(depthTest) }
+                Raster(width, height, background, convention, depthTest, backgroundDepth)
+            }
+    }
+
+    /**
+     * Returns frames of polygons given on the screen, with some [Confetti] among them: tiny to huge, slivers, concave,
+     * self-crossing, with holes, coincident, coplanar, interpenetrating, with shared edges, with vertices exactly on
+     * samples and on pixel corners, off the raster, degenerate, not finite.
+     */
+    @JvmStatic
+    @JvmOverloads
+    public fun screen(
+        maxWidth: Int = DEFAULT_SIDE,
+        maxHeight: Int = DEFAULT_SIDE,
+        maxPrimitives: Int = DEFAULT_PRIMITIVES,
+    ): Arbitrary<FrameCase> =
+        ScreenFrames(maxWidth, maxHeight).cases(rasters(maxWidth, maxHeight), maxPrimitives).withoutEdgeCases()
+
+    /** Returns frames on the screen in which a depth often occurs twice at a sample, so that the order decides. */
+    @JvmStatic
+    @JvmOverloads
+    public fun tied(maxSide: Int = DEFAULT_SIDE, maxPrimitives: Int = DEFAULT_PRIMITIVES): Arbitrary<FrameCase> =
+        ScreenFrames(maxSide, maxSide).tiedCases(rasters(maxSide, maxSide), maxPrimitives).withoutEdgeCases()
+
+    /** Returns frames of [Confetti] alone: primitives of one's own, most without a linear form. */
+    @JvmStatic
+    @JvmOverloads
+    public fun confetti(maxSide: Int = DEFAULT_SIDE, maxPrimitives: Int = DEFAULT_PRIMITIVES): Arbitrary<FrameCase> =
+        ScreenFrames(maxSide, maxSide).confettiCases(rasters(maxSide, maxSide), maxPrimitives).withoutEdgeCases()
+
+    /**
+     * Returns frames of scenes: polygons with and without holes, meshes, spheres, in front of the camera, behind it,
+     * and across its near and far planes, with and without perspective, of several materials, masks among them. None is
+     * translucent.
+     *
+     * @param maxSurfaces most surfaces of a scene; a mesh is one and has up to six triangles
+     */
+    @JvmStatic
+    @JvmOverloads
+    public fun world(maxSide: Int = DEFAULT_SIDE, maxSurfaces: Int = DEFAULT_PRIMITIVES): Arbitrary<FrameCase> =
+        WorldFrames.cases(rasters(maxSide, maxSide), maxSurfaces).withoutEdgeCases()
+
+    /**
+     * Returns a shader whose colour and opacity depend on [number], on the sample and on the fragment's interpolated
+     * depth: hardly ever the same for two primitives, or at two samples.
+     */
+    @JvmStatic
+    public fun tint(number: Int): Shader = Shader {
+        val bits = Confetti.hash(number, it.x, it.y, it.worldZ.toRawBits())
+        it.setColor(
+            (bits and 0xFF) / 255f,
+            (bits ushr 8 and 0xFF) / 255f,
+            (bits ushr 16 and 0xFF) / 255f,
+            (bits ushr 24) / 127f,
+        )
+    }
+
+    /** The depth that everything passes [test] against: the usual one of a background. */
+    internal fun behindAll(test: DepthTest): Int = when (test) {
+        DepthTest.LESS, DepthTest.LESS_OR_EQUAL -> Int.MAX_VALUE
+        DepthTest.GREATER, DepthTest.GREATER_OR_EQUAL -> 0
+    }
+
+    /** Depths that a background may have, besides the usual. */
+    private val BACKGROUND_DEPTHS = listOf(0, Int.MAX_VALUE, Int.MAX_VALUE / 2, Depth.NEAR, Depth.FAR)
+
+    private fun sides(max: Int): Arbitrary<Int> {
+        require(max in 1..Raster.MAX_SIDE) { "a side must be in 1..${Raster.MAX_SIDE}: $max" }
+        return mixed(3 to ints(1, max), 4 to ints((max + 1) / 2, max), 1 to Arbitraries.just(1))
+    }
+}

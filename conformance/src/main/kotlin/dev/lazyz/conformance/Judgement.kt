@@ -1,0 +1,104 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Frame
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.Renderer
+import dev.lazyz.Spans
+import java.util.concurrent.CyclicBarrier
+import java.util.concurrent.ExecutionException
+import java.util.concurrent.Executors
+
+/**
+ * What [renderer] makes of [case]. A failure says who did what, and how to make the frame.
+ *
+ * @param how what is special about this renderer, or nothing
+ */
+internal class Judgement(private val renderer: Renderer, private val case: FrameCase, private val how: String = "") {
+    /** The frame, rendered row by row. */
+    val rendering: Rendering = attempt { Rendering.of(renderer, case.frame) }
+
+    /** Fails unless the frame came out as the oracle says, bit for bit. */
+    fun equalsReference(): Judgement = apply {
+        val expected = Rendering.of(ReferenceRenderer(), case.frame).image
+        difference(expected, rendering.image)?.let { fail(it) }
+    }
+
+    /** Fails unless the frame comes out the same when it is rendered into memory. */
+    fun equalsItsImage(): Judgement = apply {
+        difference(rendering.image, attempt { renderer.render(case.frame) })?.let { fail("into memory: $it") }
+    }
+
+    /** Fails unless the rows of the frame's region arrived from the top to the bottom, each once. */
+    fun rowsInOrder(): Judgement = apply {
+        val expected = (case.frame.region.rowStart until case.frame.region.rowEnd).toList()
+        if (rendering.rows != expected) fail("rows arrived as ${rendering.rows}, not as $expected")
+    }
+
+    /** Fails because of [what]. */
+    fun fail(what: String, cause: Throwable? = null): Nothing =
+        throw AssertionError("${renderer.id}${if (how.isEmpty()) "" else " with $how"}: $what\nin\n$case", cause)
+
+    private fun <T> attempt(block: () -> T): T = try {
+        block()
+    } catch (e: Exception) {
+        fail("threw $e", e)
+    } catch (e: StackOverflowError) {
+        fail("threw $e", e)
+    }
+}
+
+/** The same primitives on [raster], which has the same size. */
+internal fun FrameCase.on(raster: Raster): FrameCase =
+    FrameCase(Frame(raster, frame.primitives), "$code\n    .let { Frame(${code(raster)}, it.primitives) }")
+
+/** The part of the frame within [region]. */
+internal fun FrameCase.within(region: Region): FrameCase = FrameCase(
+    frame.within(region),
+    "$code\n    .within(Region(${region.columnStart}, ${region.rowStart}, ${region.columnEnd}, ${region.rowEnd}))",
+)
+
+/** The part of the frame that [parity] is the parity of the primitives' indices in. */
+internal fun FrameCase.keeping(parity: Int): FrameCase =
+    FrameCase(frame.keeping { it % 2 == parity }, "$code\n    .keeping { it % 2 == $parity }")
+
+/** The primitive that was number `order[i]` becomes number i. */
+internal fun FrameCase.inOrder(order: List<Int>): FrameCase = FrameCase(
+    Frame(frame.raster, order.map { frame.primitives[it] }),
+    "$code\n    .let { Frame(it.raster, listOf<Int>(${order.joinToString()}).map(it.primitives::get)) }",
+)
+
+/** Before each primitive comes one that covers nothing, whatever its bounds. */
+internal fun FrameCase.padded(): FrameCase = FrameCase(
+    Frame(frame.raster, frame.primitives.flatMap { listOf(NothingThere(frame.raster), it) }),
+    "$code // and before each primitive one that covers nothing, with the raster's bounds",
+)
+
+/** Whether the primitives [a] and [b] both cover column [x] of row [y], at the same depth. */
+internal fun Frame.isTie(a: Int, b: Int, x: Int, y: Int): Boolean =
+    covers(a, x, y) && covers(b, x, y) && primitives[a].depth(x, y) == primitives[b].depth(x, y)
+
+private fun Frame.covers(index: Int, x: Int, y: Int): Boolean {
+    val spans = Spans()
+    primitives.getOrNull(index)?.spans(y, spans)
+    return (0 until spans.count).any { x >= spans.start(it) && x < spans.end(it) }
+}
+
+/** Calls [block] for each of [cases] in a thread of its own, all at the same time. Fails as the first that fails. */
+internal fun atOnce(cases: List<FrameCase>, block: (FrameCase) -> Unit) {
+    val threads = Executors.newFixedThreadPool(cases.size)
+    try {
+        val barrier = CyclicBarrier(cases.size)
+        val results = cases.map { case ->
+            threads.submit {
+                barrier.await()
+                block(case)
+            }
+        }
+        for (result in results) result.get()
+    } catch (e: ExecutionException) {
+        throw e.cause ?: e
+    } finally {
+        threads.shutdown()
+    }
+}

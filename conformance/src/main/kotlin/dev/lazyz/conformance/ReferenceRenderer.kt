@@ -1,0 +1,100 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Capability
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.Renderer
+import dev.lazyz.RowSink
+import dev.lazyz.Spans
+
+/**
+ * The oracle: asks every primitive at every sample and compares by the words of contract rule 5, nothing else.
+ *
+ * It shares no code with the strategies: no cursor, no linear form, no [DepthTest.key], no bounds; a primitive is asked
+ * on every row of the raster. Use it to judge a renderer, not to render. Thread safe; no state between calls.
+ *
+ * Time: samples x primitives. Memory: one row. Shading calls: exactly the visible samples.
+ */
+public class ReferenceRenderer : Renderer {
+    override val id: String get() = "reference"
+
+    override val summary: String get() = "asks every primitive at every sample: the contract's words, for comparison"
+
+    override val capabilities: Set<Capability>
+        get() = setOf(Capability.SHADES_ONLY_VISIBLE, Capability.CONSTANT_MEMORY, Capability.STREAMS_ROWS)
+
+    override fun render(frame: Frame, sink: RowSink): Counters {
+        val row = Row(frame)
+        for (y in frame.region.rowStart until frame.region.rowEnd) {
+            row.clear()
+            for (index in frame.primitives.indices) row.compare(index, y)
+            row.shade(y)
+            sink.row(y, row.argb, row.depth, row.primitive)
+        }
+        return row.counters
+    }
+
+    private class Row(private val frame: Frame) {
+        private val raster = frame.raster
+        private val firstColumn = frame.region.columnStart
+        private val spans = Spans()
+        private val fragment = Fragment()
+        val argb = IntArray(frame.width)
+        val depth = IntArray(frame.width)
+        val primitive = IntArray(frame.width)
+        val counters = Counters().apply {
+            primitives = frame.primitives.size.toLong()
+            peakBytes = 12L * frame.width
+        }
+
+        /** Before the first primitive every sample has the background's colour, depth and no primitive (rule 4.3). */
+        fun clear() {
+            argb.fill(raster.background.toArgb())
+            depth.fill(raster.backgroundDepth)
+            primitive.fill(DepthTest.BACKGROUND)
+        }
+
+        /** Lets the primitive with this submission index compete for the samples of row [y] that it covers. */
+        fun compare(index: Int, y: Int) {
+            spans.clear()
+            frame.primitives[index].spans(y, spans)
+            for (i in 0 until frame.width) {
+                val x = firstColumn + i
+                if (!isCovered(x)) continue
+                counters.fragments++
+                counters.depthEvaluations++
+                val own = frame.primitives[index].depth(x, y)
+                if (raster.depthTest.prefers(own, index, depth[i], primitive[i])) {
+                    counters.depthPasses++
+                    depth[i] = own
+                    primitive[i] = index
+                }
+            }
+        }
+
+        private fun isCovered(x: Int): Boolean = (0 until spans.count).any { x >= spans.start(it) && x < spans.end(it) }
+
+        /** Gives every sample of row [y] the colour of its visible primitive. */
+        fun shade(y: Int) {
+            for (i in 0 until frame.width) {
+                if (primitive[i] == DepthTest.BACKGROUND) continue
+                counters.shadingCalls++
+                fragment.moveTo(firstColumn + i, y)
+                frame.primitives[primitive[i]].shade(fragment)
+                argb[i] = fragment.toArgb()
+            }
+        }
+    }
+
+    private companion object {
+        /** Whether the fragment ([depth], [index]) hides the other: rules 5.1 to 5.3, in their words. */
+        fun DepthTest.prefers(depth: Int, index: Int, otherDepth: Int, otherIndex: Int): Boolean = when (this) {
+            DepthTest.LESS -> depth < otherDepth || (depth == otherDepth && index < otherIndex)
+            DepthTest.LESS_OR_EQUAL -> depth < otherDepth || (depth == otherDepth && index > otherIndex)
+            DepthTest.GREATER -> depth > otherDepth || (depth == otherDepth && index < otherIndex)
+            DepthTest.GREATER_OR_EQUAL -> depth > otherDepth || (depth == otherDepth && index > otherIndex)
+        }
+    }
+}

@@ -1,0 +1,68 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Renderer
+import dev.lazyz.RowSink
+
+/** What came of rendering a frame: the image, the counters, and the rows in the order in which they arrived. */
+internal class Rendering private constructor(val image: Image, val counters: Counters, val rows: List<Int>) {
+    companion object {
+        /** Stands for the depth of samples whose row has not arrived. */
+        const val MISSING: Int = -1
+
+        /** Renders [frame] row by row; whatever the renderer throws is thrown. */
+        fun of(renderer: Renderer, frame: Frame): Rendering {
+            val recorder = Recorder(frame)
+            val counters = renderer.render(frame, recorder)
+            return Rendering(recorder.image(counters), counters, recorder.rows)
+        }
+    }
+
+    /** Keeps rows by their number, and forgives everything; the rules judge. */
+    private class Recorder(private val frame: Frame) : RowSink {
+        private val region = frame.region
+        private val size = region.size.toInt()
+        private val argb = IntArray(size)
+        private val depth = IntArray(size) { MISSING }
+        private val primitive = IntArray(size) { DepthTest.BACKGROUND }
+        val rows = ArrayList<Int>()
+
+        override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+            rows.add(y)
+            if (y !in region.rowStart until region.rowEnd) return
+            copy(argb, this.argb, y)
+            copy(depth, this.depth, y)
+            copy(primitive, this.primitive, y)
+        }
+
+        private fun copy(row: IntArray, to: IntArray, y: Int) {
+            row.copyInto(to, (y - region.rowStart) * region.width, 0, minOf(row.size, region.width))
+        }
+
+        fun image(counters: Counters): Image = Image(region, argb, depth, primitive, counters)
+    }
+}
+
+/** Returns the first sample, in rows from the top, at which [actual] differs, with both answers; null if none does. */
+internal fun difference(expected: Image, actual: Image): String? {
+    val samples = expected.argb.indices.filter { i ->
+        expected.argb[i] != actual.argb[i] || expected.depth[i] != actual.depth[i] ||
+            expected.primitive[i] != actual.primitive[i]
+    }
+    val first = samples.firstOrNull() ?: return null
+    val x = expected.region.columnStart + first % expected.width
+    val y = expected.region.rowStart + first / expected.width
+    return "sample ($x, $y) is the first of ${samples.size} that differ\n" +
+        "    expected ${answer(expected, first)}\n" +
+        "    but was  ${answer(actual, first)}"
+}
+
+private fun answer(image: Image, sample: Int): String {
+    if (image.depth[sample] == Rendering.MISSING) return "nothing: the row never arrived"
+    val index = image.primitive[sample]
+    val owner = if (index == DepthTest.BACKGROUND) "the background" else "primitive $index"
+    return "#%08x".format(image.argb[sample]) + ", depth ${image.depth[sample]}, $owner"
+}

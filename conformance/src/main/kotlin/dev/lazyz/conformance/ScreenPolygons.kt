@@ -1,0 +1,133 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.FillRule
+import net.jqwik.api.Arbitraries
+import net.jqwik.api.Arbitrary
+import net.jqwik.api.Combinators
+
+/** Generates polygons around a raster of at most [maxWidth] x [maxHeight] samples, in pixels. */
+internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: Int) {
+    private val fillRules = oneOf(FillRule.NON_ZERO, FillRule.EVEN_ODD)
+
+    /** Points anywhere on the grid, on the raster and a quarter of its size around it. */
+    private val near = points(grid(maxWidth), grid(maxHeight), depths)
+
+    /** Points on samples and pixel corners. */
+    private val aligned = points(halves(maxWidth), halves(maxHeight), depths)
+
+    private val either = mixed(1 to near, 1 to aligned)
+
+    /** Points up to the end of the guard band. */
+    private val far = points(guard, guard, depths)
+
+    /** One polygon of any kind. */
+    fun single(): Arbitrary<List<Piece>> = mixed(
+        4 to polygon(contour(near, 3, 6).map { listOf(it) }),
+        4 to polygon(contour(aligned, 3, 6).map { listOf(it) }),
+        1 to polygon(contour(far, 3, 4).map { listOf(it) }),
+        1 to polygon(contour(mixed(1 to near, 1 to far), 3, 5).map { listOf(it) }),
+        2 to polygon(tiny()),
+        2 to polygon(sliver()),
+        2 to polygon(holed()),
+        2 to level(),
+        1 to polygon(degenerate()),
+    ).map { listOf(it) }
+
+    /** The same polygon twice. */
+    fun twins(): Arbitrary<List<Piece>> = single().map { it + it }
+
+    /** A polygon of one depth, of a few: coplanar with many others. */
+    fun level(): Arbitrary<Piece> {
+        val outlines = contour(either, 3, 6)
+        val levels = oneOf(0.5, 0.25, 0.75, 0.0, 1.0)
+        val contours = Combinators.combine(outlines, levels).`as` { outline, level ->
+            listOf(DoubleArray(outline.size) { if (it % 3 == 2) level else outline[it] })
+        }
+        return polygon(contours)
+    }
+
+    /** Triangles around a point, each of which shares an edge with the next; some overlap. */
+    fun fan(): Arbitrary<List<Piece>> = Combinators
+        .combine(either, either.list().ofMinSize(3).ofMaxSize(5))
+        .`as` { center, ring ->
+            ring.indices.map {
+                PolygonPiece(listOf(center + ring[it] + ring[(it + 1) % ring.size]), FillRule.NON_ZERO)
+            }
+        }
+
+    private fun polygon(contours: Arbitrary<List<DoubleArray>>): Arbitrary<Piece> =
+        Combinators.combine(contours, fillRules).`as` { list, rule -> PolygonPiece(list, rule) }
+
+    private fun contour(points: Arbitrary<DoubleArray>, min: Int, max: Int): Arbitrary<DoubleArray> =
+        points.list().ofMinSize(min).ofMaxSize(max).map { list -> list.reduce { all, point -> all + point } }
+
+    /** Within about two pixels of a point: covers a sample or two, or none. */
+    private fun tiny(): Arbitrary<List<DoubleArray>> = Combinators
+        .combine(near, contour(points(ints(-300, 300).map(::pixels), ints(-300, 300).map(::pixels), depths), 3, 4))
+        .`as` { at, around ->
+            listOf(
+                DoubleArray(around.size) {
+                    if (it % 3 ==
+                        2
+                    ) {
+                        around[it]
+                    } else {
+                        at[it % 3] + around[it]
+                    }
+                }
+            )
+        }
+
+    /** A triangle a few grid steps wide and any length, with any depths: steep. */
+    private fun sliver(): Arbitrary<List<DoubleArray>> = Combinators
+        .combine(near, mixed(1 to near, 1 to aligned, 1 to far), ints(-3, 3), ints(-3, 3), depths)
+        .`as` { a, b, dx, dy, depth ->
+            val third = doubleArrayOf((b[0] + pixels(dx)).coerceIn(BAND), (b[1] + pixels(dy)).coerceIn(BAND), depth)
+            listOf(a + b + third)
+        }
+
+    /** Two or three contours: nested, touching or crossing, wound either way. */
+    private fun holed(): Arbitrary<List<DoubleArray>> {
+        val box = Combinators.combine(aligned, aligned, oneOf(true, false)).`as` { a, b, isTurned ->
+            val other = if (isTurned) doubleArrayOf(a[0], b[1], a[2]) else doubleArrayOf(b[0], a[1], a[2])
+            val fourth = if (isTurned) doubleArrayOf(b[0], a[1], b[2]) else doubleArrayOf(a[0], b[1], b[2])
+            a + other + b + fourth
+        }
+        return mixed(1 to box, 1 to contour(near, 3, 4)).list().ofMinSize(2).ofMaxSize(3)
+    }
+
+    /** What covers nothing: too few vertices, no area, numbers that are none. */
+    private fun degenerate(): Arbitrary<List<DoubleArray>> {
+        val empty = Arbitraries.just(emptyList<DoubleArray>())
+        val few = contour(near, 1, 2).map { listOf(it) }
+        val flat = Combinators.combine(aligned, aligned).`as` { a, b -> listOf(a + b + a + b) }
+        val awkward = oneOf(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY)
+        val unreal = Combinators.combine(contour(near, 3, 4), awkward, ints(0, 8)).`as` { contour, value, at ->
+            listOf(contour.copyOf().also { it[at] = value })
+        }
+        return mixed(1 to empty, 1 to few, 1 to flat, 1 to unreal)
+    }
+
+    private companion object {
+        /** The guard band. */
+        val BAND = -524288.0..524288.0
+
+        /** Depths from near to far, in steps that a double holds exactly. */
+        val depths: Arbitrary<Double> = mixed(1 to ints(0, 1024).map { it / 1024.0 }, 1 to oneOf(0.5, 0.0, 1.0))
+
+        /** Coordinates up to the end of the guard band, often its very end. */
+        val guard: Arbitrary<Double> = mixed(
+            3 to ints(-(1 shl 27), 1 shl 27).map(::pixels),
+            1 to oneOf(BAND.start, BAND.endInclusive),
+        )
+
+        fun pixels(gridSteps: Int): Double = gridSteps / 256.0
+
+        fun grid(side: Int): Arbitrary<Double> = ints(-64 * side, 320 * side).map(::pixels)
+
+        fun halves(side: Int): Arbitrary<Double> = ints(-2, 2 * side + 2).map { it / 2.0 }
+
+        fun points(xs: Arbitrary<Double>, ys: Arbitrary<Double>, depths: Arbitrary<Double>): Arbitrary<DoubleArray> =
+            Combinators.combine(xs, ys, depths).`as` { x, y, depth -> doubleArrayOf(x, y, depth) }
+    }
+}

@@ -1,0 +1,53 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.ShadingCursor
+import dev.lazyz.Spans
+import java.util.concurrent.atomic.AtomicLong
+
+/** Counts how often the primitives of [frame] are shaded, whoever asks. */
+internal class ShadingWitness(frame: Frame) {
+    private val calls = AtomicLong()
+
+    /** The frame whose primitives are watched. */
+    val frame: Frame = Frame(frame.raster, frame.primitives.map { Watched(it) }, frame.region)
+
+    /** Colours computed so far, by [Primitive.shade] or by [ShadingCursor.shade]. */
+    val count: Long get() = calls.get()
+
+    private inner class Watched(private val primitive: Primitive) : Primitive by primitive {
+        override fun shade(fragment: Fragment) {
+            calls.incrementAndGet()
+            primitive.shade(fragment)
+        }
+
+        override fun shadingCursor(x: Int, y: Int): ShadingCursor? =
+            primitive.shadingCursor(x, y)?.let { WatchedCursor(it) }
+    }
+
+    private inner class WatchedCursor(private val cursor: ShadingCursor) : ShadingCursor by cursor {
+        override fun shade(fragment: Fragment) {
+            calls.incrementAndGet()
+            cursor.shade(fragment)
+        }
+    }
+}
+
+/** Covers nothing, though its bounds say that it may cover everything; must not be asked for anything else. */
+internal class NothingThere(private val raster: Raster) : Primitive {
+    override val rowStart: Int get() = 0
+    override val rowEnd: Int get() = raster.height
+    override val columnStart: Int get() = 0
+    override val columnEnd: Int get() = raster.width
+
+    override fun spans(y: Int, spans: Spans): Unit = Unit
+
+    override fun depth(x: Int, y: Int): Int =
+        throw AssertionError("asked for depth at ($x, $y), where nothing is covered")
+
+    override fun shade(fragment: Fragment): Unit =
+        throw AssertionError("asked to shade (${fragment.x}, ${fragment.y}), where nothing is covered")
+}

@@ -1,0 +1,178 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Capability
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.RowSink
+import dev.lazyz.zbuffer.ZBuffer
+
+/** A renderer with one mistake. */
+class BrokenRenderer(
+    override val id: String,
+    override val capabilities: Set<Capability> = emptySet(),
+    private val other: Renderer? = null,
+    private val how: (Frame, RowSink) -> Counters,
+) : Renderer {
+    override val summary: String get() = "makes one mistake: $id"
+
+    override fun configured(options: RenderOptions): Renderer = other ?: this
+
+    override fun render(frame: Frame, sink: RowSink): Counters = how(frame, sink)
+
+    override fun toString(): String = id
+}
+
+/**
+ * Renderers that are right but for one mistake.
+ *
+ * Each function returns a new renderer, so that some may keep state.
+ */
+object BrokenRenderers {
+    /** `<=` where `<` is meant. */
+    fun lastWinsTies() = drawing("last-wins-ties") { frame -> frame.on { tested(swappedTies(depthTest)) } }
+
+    /** Right indices and depths, but on ties the colour of the other primitive. */
+    fun colourOfTheLoser() = BrokenRenderer("colour-of-the-loser") { frame, sink ->
+        val right = ZBuffer().render(frame)
+        val wrong = ZBuffer().render(frame.on { tested(swappedTies(depthTest)) })
+        emit(Image(right.region, wrong.argb, right.depth, right.primitive, right.counters), sink)
+    }
+
+    /** The usual depth test, whatever the raster says. */
+    fun usualTestOnly() = drawing("usual-test-only") { frame -> frame.on { tested(convention.nearest) } }
+
+    /** The painter's algorithm without its sort. */
+    fun lastSubmittedWins() = drawing("last-submitted-wins") { frame ->
+        val last = frame.raster.tested(DepthTest.LESS_OR_EQUAL)
+        Frame(last, frame.primitives.map { AtDepth(it, 0) }, frame.region)
+    }
+
+    /** A background that is always behind everything. */
+    fun backgroundAtInfinity() = drawing("background-at-infinity") { frame ->
+        frame.on { Raster(width, height, background, convention, depthTest, Frames.behindAll(depthTest)) }
+    }
+
+    /** Spans without their last column. */
+    fun spanEndsEarly() = primitives("span-ends-early") { ShortSpans(it) }
+
+    /** One span a row, from the first start to the last end. */
+    fun gapsFilled() = primitives("gaps-filled") { FilledGaps(it) }
+
+    /** Colours of the sample to the left. */
+    fun shadesTheNeighbour() = primitives("shades-the-neighbour") { ShiftedShade(it) }
+
+    /** No primitives without a linear form. */
+    fun linearFormsOnly() = drawing("linear-forms-only") { frame ->
+        frame.keeping { frame.primitives[it].depthForm != null }
+    }
+
+    /** Primitives that cover nothing have no index. */
+    fun dropsTheInvisible() = drawing("drops-the-invisible") { frame ->
+        Frame(frame.raster, frame.primitives.filter { it.coversAnything() }, frame.region)
+    }
+
+    /** Rows from the bottom. */
+    fun bottomUp() = rows("bottom-up") { height -> List(height) { height - 1 - it } }
+
+    /** The first row two times. */
+    fun firstRowTwice() = rows("first-row-twice") { height -> listOf(0) + (0 until height) }
+
+    /** All rows but the last. */
+    fun lastRowMissing() = rows("last-row-missing") { height -> (0 until height - 1).toList() }
+
+    /** Samples of the background show what the frame before showed there. */
+    fun remembersTheLastFrame(): BrokenRenderer {
+        var last = IntArray(0)
+        return BrokenRenderer("remembers-the-last-frame") { frame, sink ->
+            val image = ZBuffer().render(frame)
+            for (i in image.argb.indices) {
+                if (image.primitive[i] == DepthTest.BACKGROUND && i < last.size) image.argb[i] = last[i]
+            }
+            last = image.argb
+            emit(image, sink)
+        }
+    }
+
+    /** The frame in a field, so that threads render each other's. */
+    fun oneThreadOnly(): BrokenRenderer {
+        var current: Frame? = null
+        return BrokenRenderer("one-thread-only") { frame, sink ->
+            current = frame
+            Thread.sleep(1)
+            ZBuffer().render(checkNotNull(current), sink)
+        }
+    }
+
+    /** Counts primitives that are visible. */
+    fun countsTheVisible() = counting("counts-the-visible") { image ->
+        primitives =
+            image.primitive.distinct().size.toLong()
+    }
+
+    /** Counts a shading call that never happens. */
+    fun countsACallTooMany() = counting("counts-a-call-too-many") { shadingCalls++ }
+
+    /** Does not count what passes. */
+    fun countsNoPasses() = counting("counts-no-passes") { depthPasses = 0 }
+
+    /** The whole raster, whatever the region. */
+    fun ignoresTheRegion() = drawing("ignores-the-region") { Frame(it.raster, it.primitives) }
+
+    /** Another picture when it is configured. */
+    fun optionsMatter() = BrokenRenderer("options-matter", other = lastWinsTies()) { frame, sink ->
+        ZBuffer().render(frame, sink)
+    }
+
+    /** The eager z-buffer under false pretences. */
+    fun shadesMoreThanItPromises() =
+        BrokenRenderer("shades-more-than-it-promises", setOf(Capability.SHADES_ONLY_VISIBLE)) { frame, sink ->
+            ZBuffer().render(frame, sink)
+        }
+
+    /** Fails without primitives. */
+    fun needsAPrimitive() = drawing("needs-a-primitive") { frame -> frame.also { it.primitives.first() } }
+
+    /** Fails on a single column. */
+    fun needsTwoColumns() = drawing("needs-two-columns") { frame -> frame.also { check(it.raster.width > 1) } }
+
+    private fun drawing(id: String, change: (Frame) -> Frame) =
+        BrokenRenderer(id) { frame, sink -> ZBuffer().render(change(frame), sink) }
+
+    private fun primitives(id: String, change: (Primitive) -> Primitive) =
+        drawing(id) { Frame(it.raster, it.primitives.map(change), it.region) }
+
+    private fun rows(id: String, order: (Int) -> List<Int>) =
+        BrokenRenderer(id) { frame, sink -> emit(ZBuffer().render(frame), sink, order(frame.height)) }
+
+    private fun counting(id: String, change: Counters.(Image) -> Unit) = BrokenRenderer(id) { frame, sink ->
+        val image = ZBuffer().render(frame)
+        emit(image, sink).apply { change(image) }
+    }
+
+    private fun emit(image: Image, sink: RowSink, rows: List<Int> = (0 until image.height).toList()): Counters {
+        for (row in rows) {
+            val (argb, depth, primitive) = listOf(image.argb, image.depth, image.primitive).map {
+                it.copyOfRange(row * image.width, (row + 1) * image.width)
+            }
+            sink.row(image.region.rowStart + row, argb, depth, primitive)
+        }
+        return image.counters
+    }
+
+    private fun Frame.on(change: Raster.() -> Raster) = Frame(raster.change(), primitives, region)
+
+    private fun Raster.tested(test: DepthTest) = Raster(width, height, background, convention, test, backgroundDepth)
+
+    private fun swappedTies(test: DepthTest) = when (test) {
+        DepthTest.LESS -> DepthTest.LESS_OR_EQUAL
+        DepthTest.LESS_OR_EQUAL -> DepthTest.LESS
+        DepthTest.GREATER -> DepthTest.GREATER_OR_EQUAL
+        DepthTest.GREATER_OR_EQUAL -> DepthTest.GREATER
+    }
+}

@@ -1,0 +1,31 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Renderer
+import dev.lazyz.Renderers
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.DynamicTest
+import org.junit.jupiter.api.DynamicTest.dynamicTest
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.TestFactory
+
+/** Runs the suite on every renderer of the library, whichever there are. */
+class BuiltInRenderersTest {
+    @TestFactory
+    fun passes(): List<DynamicTest> = (Renderers.builtIn + ReferenceRenderer()).map { renderer ->
+        dynamicTest(renderer.id) { assertPasses(renderer) }
+    }
+
+    private fun assertPasses(renderer: Renderer) {
+        val run = SuiteRun.of(tries = 1.0) { renderer }
+        val failures = run.failures.entries.joinToString("\n\n") { (rule, failure) -> "$rule\n${failure.message}" }
+        assertEquals("", failures)
+        assertEquals(SuiteRun.rules, run.rules)
+    }
+
+    @Test
+    fun suiteIsExtendedFromJava() {
+        val run = SuiteRun.of(FromJava::class, tries = 0.05)
+        assertEquals(emptyMap<String, Throwable>(), run.failures)
+        assertEquals(SuiteRun.rules, run.rules)
+    }
+}

@@ -1,0 +1,8 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Renderer
+import dev.lazyz.zbuffer.ZBuffer
+
+class ZBufferConformanceTest : RendererConformance() {
+    override fun renderer(): Renderer = ZBuffer()
+}

@@ -1,0 +1,78 @@
+package dev.lazyz;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.lazyz.zbuffer.ZBuffer;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** What Java users write. */
+class JavaSampleTest {
+    @Test
+    void aShaderIsALambda() {
+        Material striped = new Material().withShader(f -> f.setColor(f.getX() % 2, 0.5f, f.worldY));
+        Mesh mesh = new Mesh(new float[] {-1, -1, 0, 1, -1, 0, 0, 1, 0}, new int[] {0, 1, 2}, striped);
+        Scene scene = new Scene(List.of(mesh.withSmoothNormals()), List.of(), Camera.fit(0, 0));
+        Image image = new ZBuffer().render(scene.frame(32, 32));
+        assertTrue(Arrays.stream(image.getArgb()).distinct().count() > 10);
+    }
+
+    @Test
+    void rowsGoToASink() {
+        int[] rows = {0};
+        Frame frame = new FrameBuilder(new Raster(5, 3))
+                .polygon(Rgba.BLACK, new double[9])
+                .build();
+        Counters counters = new ZBuffer().render(frame, (y, argb, depth, primitive) -> rows[0]++);
+        assertEquals(3, rows[0]);
+        assertEquals(1, counters.primitives);
+    }
+
+    @Test
+    void aPrimitiveOfOnesOwn() {
+        Primitive dot = new Primitive() {
+            @Override
+            public int getRowStart() {
+                return 1;
+            }
+
+            @Override
+            public int getRowEnd() {
+                return 2;
+            }
+
+            @Override
+            public int getColumnStart() {
+                return 2;
+            }
+
+            @Override
+            public int getColumnEnd() {
+                return 3;
+            }
+
+            @Override
+            public void spans(int y, Spans spans) {
+                if (y == 1) {
+                    spans.add(2, 3);
+                }
+            }
+
+            @Override
+            public int depth(int x, int y) {
+                return 7;
+            }
+
+            @Override
+            public void shade(Fragment fragment) {
+                fragment.setColor(1, 1, 1);
+            }
+        };
+        Image image = new ZBuffer().render(new Frame(new Raster(4, 4, Rgba.BLACK), List.of(dot)));
+        assertEquals(1, image.getVisible());
+        assertEquals(7, image.depth(2, 1));
+        assertEquals(-1, image.argb(2, 1));
+    }
+}

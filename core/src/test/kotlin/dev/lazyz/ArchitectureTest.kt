@@ -1,0 +1,107 @@
+package dev.lazyz
+
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.name
+import kotlin.io.path.readLines
+import kotlin.io.path.relativeTo
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** What the sources of `core` may import and call. */
+class ArchitectureTest {
+    private val root: Path = ProjectFiles.root.resolve("core/src/main/kotlin/dev/lazyz")
+
+    private val sources: List<Path> = Files.walk(root).use { paths ->
+        paths.filter { it.name.endsWith(".kt") }.sorted().toList()
+    }
+
+    private fun imports(source: Path): List<String> =
+        source.readLines().filter {
+            it.startsWith("import ")
+        }.map { it.removePrefix("import ").substringBefore(" as ") }
+
+    /** The package of a strategy: the folder below `dev/lazyz`, set-up aside. */
+    private fun strategy(source: Path): String? =
+        source.relativeTo(root).takeIf { it.nameCount > 1 }?.getName(0)?.name?.takeIf { it != "setup" }
+
+    @Test
+    fun sourcesAreFound() {
+        assertTrue(sources.size > 30) { "only ${sources.size} sources in $root" }
+        assertTrue(sources.any { strategy(it) == "zbuffer" })
+    }
+
+    @Test
+    fun strategiesDoNotImportEachOther() {
+        val strategies = sources.mapNotNull(::strategy).toSet()
+        val offences = sources.filter { strategy(it) != null }.flatMap { source ->
+            val others = strategies - strategy(source)
+            imports(source).filter { import -> others.any { import.startsWith("dev.lazyz.$it.") } }
+                .map { "${source.name} imports $it" }
+        }
+        assertEquals(emptyList<String>(), offences)
+    }
+
+    @Test
+    fun setUpDoesNotKnowTheStrategies() {
+        val strategies = sources.mapNotNull(::strategy).toSet()
+        val offences = sources.filter { it.parent.name == "setup" }.flatMap { source ->
+            imports(source).filter { import -> strategies.any { import.startsWith("dev.lazyz.$it.") } }
+        }
+        assertEquals(emptyList<String>(), offences)
+    }
+
+    @Test
+    fun onlyTheNamedLibrariesAreImported() {
+        val offences = sources.flatMap { source ->
+            imports(source)
+                .filterNot { import -> ALLOWED.any { import.startsWith(it) } }
+                .map { "${source.name} imports $it" }
+        }
+        assertEquals(emptyList<String>(), offences)
+    }
+
+    @Test
+    fun rule_6_3_onlyPermittedArithmeticIsUsed() {
+        val offences = sources.flatMap { source ->
+            val code = source.readLines().map { it.substringBefore("//") }.filterNot { it.trimStart().startsWith("*") }
+            code.filter { line -> FORBIDDEN.any { it.containsMatchIn(line) } }.map { "${source.name}: ${it.trim()}" }
+        }
+        assertEquals(emptyList<String>(), offences)
+    }
+
+    @Test
+    fun rule_6_3_theSearchFindsWhatIsForbidden() {
+        val forbidden = listOf(
+            "val s = Math.sin(x)", "val p = a.pow(2)", "import kotlin.math.cos", "x = Math.fma(a, b, c)",
+            "kotlin.math.hypot(a, b)", "m.mul(n)", "v.normalize()", "Matrix4d().lookAt(a, b, c)", "m.transform(v)",
+            "m.invert(n)", "q.rotateX(a)", "m.perspective(a, b, c, d)", "import kotlin.math.*", "v.fma(a, b)",
+        )
+        for (line in forbidden) assertTrue(FORBIDDEN.any { it.containsMatchIn(line) }) { line }
+        val permitted = listOf(
+            "StrictMath.sin(x)", "import kotlin.math.sqrt", "mesh.transformed(m)", "Math.floorMod(a, b)", "sqrt(x)",
+            "Camera.perspective(a)", "StrictMath.pow(a, b)",
+        )
+        for (line in permitted) assertTrue(FORBIDDEN.none { it.containsMatchIn(line) }) { line }
+    }
+
+    private companion object {
+        /** `java.` but for desktop and what has no place in a renderer. */
+        val ALLOWED = listOf(
+            "dev.lazyz.", "kotlin.", "kotlinx.coroutines.", "org.joml.", "java.util.", "java.security.", "java.lang.",
+            "java.nio.", "java.io.",
+        )
+
+        const val INEXACT =
+            "sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|expm1|log|log10|log1p|ln|pow|cbrt|hypot|fma"
+
+        val FORBIDDEN = listOf(
+            Regex("""(?<!Strict)Math\.($INEXACT)\("""),
+            Regex("""kotlin\.math\.($INEXACT|\*)"""),
+            Regex("""(?<!StrictMath)\.(pow|fma)\("""),
+            Regex("""(?<!Camera)\.(perspective|ortho|lookAt)\w*\("""),
+            Regex("""\.(mul|rotate|rotation|invert|transform|normalize|reflect|lerp|slerp)([A-Z][A-Za-z]*)?\("""),
+        )
+    }
+}

@@ -1,0 +1,86 @@
+package dev.lazyz
+
+import java.nio.ByteBuffer
+import java.security.MessageDigest
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Test
+
+/** Contract rule 7: equality and identity of pictures. */
+class ImageTest {
+    private val argb = intArrayOf(0x01020304, 0x7FFFFFFF, -1, 0x00FF00FF, 5, 6)
+
+    private fun image(argb: IntArray = this.argb, depth: Int = 7, primitive: Int = 2, width: Int = 3) =
+        Image(width, 6 / width, argb, IntArray(6) { depth + it }, IntArray(6) { primitive }, Counters())
+
+    @Test
+    fun rule_7_1_imagesAreEqualByColourDepthAndPrimitive() {
+        assertEquals(image(), image())
+        assertEquals(image().hashCode(), image().hashCode())
+        assertNotEquals(image(), image(argb = argb.copyOf().also { it[5]++ }))
+        assertNotEquals(image(), image(depth = 8))
+        assertNotEquals(image(), image(primitive = 3))
+        assertNotEquals(image(), image(width = 2))
+        val other = Counters().also { it.shadingCalls = 9 }
+        assertEquals(image(), Image(3, 2, argb, IntArray(6) { 7 + it }, IntArray(6) { 2 }, other))
+    }
+
+    @Test
+    fun rule_7_2_thePixelHashIsWhatTheContractSays() {
+        val bytes = ByteBuffer.allocate(24)
+        for (color in argb) for (shift in listOf(24, 16, 8, 0)) bytes.put((color ushr shift and 0xFF).toByte())
+        val expected = MessageDigest.getInstance("SHA-256").digest(bytes.array()).joinToString("") { "%02x".format(it) }
+        assertEquals(expected, image().pixelHash())
+        assertEquals(expected, image(depth = 99, primitive = 1, width = 2).pixelHash())
+    }
+
+    @Test
+    fun rule_7_2_aPixelHashIsPinned() {
+        // printf '\xff\xff\xff\xff' | sha256sum
+        val white = Image(1, 1, intArrayOf(-1), intArrayOf(0), intArrayOf(0), Counters())
+        assertEquals("ad95131bc0b799c0b1af477fb14fcf26a6a9f76079e48bf090acb7e8367bfd0e", white.pixelHash())
+    }
+
+    @Test
+    fun rule_7_2_hashingByRowsIsHashingAtOnce() {
+        val hash = PixelHash()
+        hash.add(intArrayOf(argb[0], argb[1], argb[2], 99), 3)
+        hash.add(argb.copyOfRange(3, 6), 3)
+        assertEquals(image().pixelHash(), hash.digest())
+        hash.add(argb, 6)
+        assertEquals(image().pixelHash(), hash.digest())
+    }
+
+    @Test
+    fun samplesAreReadByColumnAndRow() {
+        assertEquals(0x00FF00FF, image().argb(0, 1))
+        assertEquals(12, image().depth(2, 1))
+        assertEquals(2, image().primitive(2, 1))
+        assertEquals(6, image().visible)
+        assertEquals(0, image(primitive = DepthTest.BACKGROUND).visible)
+        assertThrows(IllegalArgumentException::class.java) { image().argb(3, 0) }
+        assertThrows(IllegalArgumentException::class.java) { image().depth(0, -1) }
+    }
+
+    @Test
+    fun anImageNeedsAllItsSamples() {
+        assertThrows(IllegalArgumentException::class.java) {
+            Image(2, 2, IntArray(4), IntArray(4), IntArray(3), Counters())
+        }
+    }
+
+    @Test
+    fun aRegionKeepsTheRastersColumnsAndRows() {
+        val region = Region(10, 20, 13, 22)
+        val image = Image(region, argb, IntArray(6), IntArray(6), Counters())
+        assertEquals(argb[4], image.argb(11, 21))
+        assertThrows(IllegalArgumentException::class.java) { image.argb(0, 0) }
+        assertEquals(6L, region.size)
+        assertEquals(true, region.contains(Region(11, 20, 13, 21)))
+        assertEquals(false, region.contains(Region(11, 20, 14, 21)))
+        assertEquals(Region(0, 20, 13, 30), region.union(Region(0, 25, 5, 30)))
+        assertThrows(IllegalArgumentException::class.java) { Region(3, 0, 3, 1) }
+        assertThrows(IllegalArgumentException::class.java) { Region(-1, 0, 3, 1) }
+    }
+}

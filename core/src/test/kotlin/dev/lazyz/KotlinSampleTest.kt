@@ -1,0 +1,49 @@
+package dev.lazyz
+
+import dev.lazyz.zbuffer.ZBuffer
+import kotlin.io.path.readLines
+import kotlin.io.path.readText
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** The README's ten lines, compiled and run. */
+class KotlinSampleTest {
+    @Test
+    fun tenLines() {
+        val world = scene {
+            add(Sphere(Vector3d(0.0, 0.0, 0.0), 1.0, Material(Rgba.ofRgb(0xD0452F))))
+            add(Sphere(Vector3d(1.2, 0.6, 0.4), 0.5, Material(Rgba.ofRgb(0x2F7FD0))))
+        }
+        val image = ZBuffer().render(world.frame(640, 480))
+        println("${image.visible} samples covered, ${image.counters.shadingCalls} shading calls, ${image.pixelHash()}")
+        assertEquals(PINNED, image.pixelHash())
+    }
+
+    @Test
+    fun aShaderIsALambda() {
+        val checks = Material(shader = { f -> f.setColor(f.u, f.v, if (f.normalZ > 0) 1f else 0f) })
+        val image = ZBuffer().render(scene { add(Sphere(Vector3d(), 1.0, checks)) }.frame(32, 32))
+        assertTrue(image.visible > 200)
+        assertTrue(image.argb.toSet().size > 100)
+    }
+
+    @Test
+    fun theReadmeShowsTheseLines() {
+        val readme = ProjectFiles.root.resolve("README.md").readText()
+        val block = readme.substringAfter("```kotlin\n").substringBefore("\n```").lines()
+        val source = ProjectFiles.root.resolve("core/src/test/kotlin/dev/lazyz/KotlinSampleTest.kt")
+        val code = source.readLines().map { it.trim() }
+        val shown = block.map { it.trim() }.filterNot { it.isEmpty() || it.startsWith("import ") }
+        assertTrue(shown.size in 4..10) { "the Kotlin block of README.md: $shown" }
+        val start = code.indexOf(shown.first())
+        assertTrue(start >= 0) { "no line is: ${shown.first()}" }
+        assertEquals(shown.joinToString("\n"), code.drop(start).take(shown.size).joinToString("\n"))
+    }
+
+    private companion object {
+        /** The same on every machine; it changes only when the contract or the default lights do. */
+        const val PINNED = "9867446e185b98450badc79a2e3d78c345ffebac4a201006bd8d8409362ce1de"
+    }
+}

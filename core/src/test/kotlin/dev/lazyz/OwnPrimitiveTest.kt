@@ -1,0 +1,124 @@
+package dev.lazyz
+
+import dev.lazyz.zbuffer.ZBuffer
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Test
+
+/** Contract rule 2.8: primitives and surfaces of the user's own. */
+class OwnPrimitiveTest {
+    /** A disk on the screen whose depth is a bowl: no linear form, no cursor of its own. */
+    private class Disk(private val raster: Raster, private val middle: Int, private val radius: Int) : Primitive {
+        override val rowStart: Int get() = maxOf(middle - radius, 0)
+        override val rowEnd: Int get() = minOf(middle + radius + 1, raster.height)
+        override val columnStart: Int get() = maxOf(middle - radius, 0)
+        override val columnEnd: Int get() = minOf(middle + radius + 1, raster.width)
+
+        override fun spans(y: Int, spans: Spans) {
+            val rest = radius * radius - (y - middle) * (y - middle)
+            if (rest < 0) return
+            var half = 0
+            while ((half + 1) * (half + 1) <= rest) half++
+            spans.add(maxOf(middle - half, 0), minOf(middle + half + 1, raster.width))
+        }
+
+        override fun depth(x: Int, y: Int): Int {
+            val dx = x - middle
+            val dy = y - middle
+            return (1 shl 30) + (dx * dx + dy * dy) * 1000
+        }
+
+        override fun shade(fragment: Fragment) {
+            fragment.setColor(fragment.x / 16f, fragment.y / 16f, 0f)
+        }
+    }
+
+    private val raster = Raster(16, 16)
+    private val disk = Disk(raster, 8, 5)
+
+    @Test
+    fun rule_2_8_aDiskIsRendered() {
+        val image = ZBuffer().render(Frame(raster, listOf(disk)))
+        val expected = SampleSet.where(16, 16) { x, y -> (x - 8) * (x - 8) + (y - 8) * (y - 8) <= 25 }
+        assertEquals(expected, disk.samples(raster))
+        assertEquals(expected, disk.samplesByCursor(raster, 0))
+        assertEquals(
+            expected,
+            disk.samplesByCursor(raster, 7).also {
+                for (y in 0 until 7) {
+                    for (x in 0 until 16) {
+                        it[x, y] =
+                            expected[x, y]
+                    }
+                }
+            }
+        )
+        assertEquals(expected, SampleSet.where(16, 16) { x, y -> image.primitive(x, y) == 0 })
+        assertEquals((1 shl 30) + 13_000, image.depth(10, 5))
+        assertEquals(Rgba(10 / 16f, 5 / 16f, 0f).toArgb(), image.argb(10, 5))
+    }
+
+    @Test
+    fun rule_2_8_twoBowlsInterpenetrate() {
+        val image = ZBuffer().render(Frame(raster, listOf(disk, Disk(raster, 12, 5))))
+        for (y in 0 until 16) {
+            for (x in 0 until 16) {
+                val first = (x - 8) * (x - 8) + (y - 8) * (y - 8)
+                val second = (x - 12) * (x - 12) + (y - 12) * (y - 12)
+                val expected = if (first <= 25 && (first <= second || second > 25)) {
+                    0
+                } else if (second <= 25) {
+                    1
+                } else {
+                    -1
+                }
+                assertEquals(expected, image.primitive(x, y)) { "sample $x, $y" }
+            }
+        }
+    }
+
+    @Test
+    fun rule_2_8_aFrameBuilderTakesIt() {
+        val wall = doubleArrayOf(0.0, 0.0, 0.55, 16.0, 0.0, 0.55, 16.0, 16.0, 0.55, 0.0, 16.0, 0.55)
+        val frame = FrameBuilder(raster).polygon(Rgba.BLACK, wall).add(disk).build()
+        val image = ZBuffer().render(frame)
+        assertEquals(1, image.primitive(8, 8))
+        assertEquals(0, image.primitive(0, 0))
+    }
+
+    /** A surface of two spheres and a part that is never seen. */
+    private class Dumbbell(private val material: Material) : Surface {
+        private val left = Sphere(Vector3d(-1.0, 0.0, 0.0), 0.8, material)
+        private val right = Sphere(Vector3d(1.0, 0.0, 0.0), 0.8, material)
+        override val bounds: Box get() = left.bounds!!.union(right.bounds!!)
+
+        override fun primitives(setUp: SetUp): Sequence<Primitive> =
+            sequenceOf(left, Sphere(Vector3d(), 0.0), right).map { setUp.sphere(it) }
+
+        override fun withMaterials(change: (Material) -> Material): Surface = Dumbbell(change(material))
+    }
+
+    @Test
+    fun aSurfaceOfOnesOwnIsASurface() {
+        val red = Material(shading = Shading.CONSTANT, baseColor = Rgba(1f, 0f, 0f))
+        val scene = scene { add(Dumbbell(red)) }.withViewpoint(Camera.fit(0.0, 0.0))
+        val image = ZBuffer().render(scene.frame(64, 32))
+        assertEquals(3, image.counters.primitives)
+        assertEquals(setOf(-1, 0, 2), image.primitive.toSet())
+        assertEquals(0, image.primitive(20, 16))
+        assertEquals(2, image.primitive(44, 16))
+        val blue = scene.withMaterials { it.withShader { f -> f.setColor(0f, 0f, 1f) } }
+        assertEquals(0xFF0000FF.toInt(), ZBuffer().render(blue.frame(64, 32)).argb(20, 16))
+        assertEquals(0xFFFF0000.toInt(), image.argb(20, 16))
+    }
+
+    @Test
+    fun surfacesThatHaveNoMaterialStayThemselves() {
+        val bare = object : Surface {
+            override val bounds: Box? get() = null
+            override fun primitives(setUp: SetUp): Sequence<Primitive> = emptySequence()
+        }
+        assertEquals(bare, bare.withMaterials { Material() })
+        assertEquals(0, scene { add(bare) }.frame(4, 4).primitives.size)
+    }
+}
