@@ -54,7 +54,9 @@ public class Box(
          * coordinate that is NaN or infinite are passed over, as they are by every renderer (contract rule 9.5).
          */
         @JvmStatic
-        public fun around(xyz: FloatArray): Box? = around(xyz.size / 3) { point, axis -> xyz[3 * point + axis].toDouble() }
+        public fun around(xyz: FloatArray): Box? = around(xyz.size / 3) { point, axis ->
+            xyz[3 * point + axis].toDouble()
+        }
 
         /** As above, for [count] points whose coordinates [coordinate] gives by number and axis, 0..2. */
         internal inline fun around(count: Int, coordinate: (point: Int, axis: Int) -> Double): Box? {

@@ -86,7 +86,8 @@ public class Camera private constructor(
         require(projection !is Projection.Perspective || near > 0.0) {
             "near must be positive under perspective: $near"
         }
-        backward = Vectors.unit(Vector3d(eye.x() - target.x(), eye.y() - target.y(), eye.z() - target.z()), "line of sight")
+        backward =
+            Vectors.unit(Vector3d(eye.x() - target.x(), eye.y() - target.y(), eye.z() - target.z()), "line of sight")
         val side = Vectors.cross(Vectors.unit(up, "up"), backward)
 
         // Looking along the up vector leaves the roll open: take the axis that is least along the line of sight

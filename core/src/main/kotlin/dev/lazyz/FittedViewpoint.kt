@@ -82,8 +82,10 @@ public class FittedViewpoint internal constructor(
         center.z + direction.z * distance,
     )
 
-    private fun tiny(box: Box): Double =
-        1e-6 * (1e-30 + maxOf(StrictMath.abs(box.center.x), StrictMath.abs(box.center.y), StrictMath.abs(box.center.z), 1e-6))
+    private fun tiny(box: Box): Double {
+        val center = box.center
+        return 1e-6 * maxOf(StrictMath.abs(center.x), StrictMath.abs(center.y), StrictMath.abs(center.z), 1e-6)
+    }
 
     override fun toString(): String = "FittedViewpoint(azimuth=$azimuth, elevation=$elevation, zoom=$zoom, $kind)"
 

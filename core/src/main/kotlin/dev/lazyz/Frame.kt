@@ -36,7 +36,13 @@ public class Frame @JvmOverloads constructor(
      * their indices, so that pictures of parts can be merged into the picture of the whole, see [Image.merge].
      */
     public fun keeping(test: (index: Int) -> Boolean): Frame =
-        Frame(raster, primitives.mapIndexed { index, primitive -> if (test(index)) primitive else EmptyPrimitive }, region)
+        Frame(
+            raster,
+            primitives.mapIndexed { index, primitive ->
+                if (test(index)) primitive else EmptyPrimitive
+            },
+            region
+        )
 
     override fun toString(): String = "Frame($raster, $region, ${primitives.size} primitives)"
 }

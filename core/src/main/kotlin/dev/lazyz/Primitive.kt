@@ -104,4 +104,3 @@ private class DirectCursor(private val primitive: Primitive, private var y: Int)
         y++
     }
 }
-

@@ -29,7 +29,8 @@ public class Region(
 
     /** Whether all samples of [other] are in the region. */
     public fun contains(other: Region): Boolean =
-        columnStart <= other.columnStart && other.columnEnd <= columnEnd && rowStart <= other.rowStart && other.rowEnd <= rowEnd
+        columnStart <= other.columnStart && other.columnEnd <= columnEnd && rowStart <= other.rowStart &&
+            other.rowEnd <= rowEnd
 
     /** Returns the least region that holds both. */
     public fun union(other: Region): Region = Region(

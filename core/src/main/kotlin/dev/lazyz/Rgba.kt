@@ -24,7 +24,8 @@ public class Rgba @JvmOverloads constructor(
     override fun equals(other: Any?): Boolean =
         other is Rgba && red == other.red && green == other.green && blue == other.blue && alpha == other.alpha
 
-    override fun hashCode(): Int = ((red.hashCode() * 31 + green.hashCode()) * 31 + blue.hashCode()) * 31 + alpha.hashCode()
+    override fun hashCode(): Int =
+        ((red.hashCode() * 31 + green.hashCode()) * 31 + blue.hashCode()) * 31 + alpha.hashCode()
 
     override fun toString(): String = "Rgba($red, $green, $blue, $alpha)"
 

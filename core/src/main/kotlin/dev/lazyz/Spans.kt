@@ -50,5 +50,7 @@ public class Spans @JvmOverloads constructor(
         count = 0
     }
 
-    override fun toString(): String = (0 until count).joinToString(prefix = "[", postfix = "]") { "${start(it)}..<${end(it)}" }
+    override fun toString(): String = (0 until count).joinToString(prefix = "[", postfix = "]") {
+        "${start(it)}..<${end(it)}"
+    }
 }

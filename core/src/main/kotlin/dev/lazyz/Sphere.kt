@@ -29,7 +29,8 @@ public class Sphere @JvmOverloads constructor(
 
     /** Whether coordinates are numbers that can still be added up. */
     private val hasBounds: Boolean
-        get() = StrictMath.abs(center.x()) + StrictMath.abs(center.y()) + StrictMath.abs(center.z()) + radius < Box.LARGEST
+        get() = StrictMath.abs(center.x()) + StrictMath.abs(center.y()) + StrictMath.abs(center.z()) + radius <
+            Box.LARGEST
 
     override val bounds: Box?
         get() = if (!hasBounds) {

@@ -98,7 +98,15 @@ class MaterialTest {
 
     @Test
     fun rule_6_2_aShaderOnAFlatMaterialSeesTheMeshsNormals() {
-        val normals = FloatArray(12) { if (it % 3 == 0) 1f else if (it % 3 == 2) 2f else 0f }
+        val normals = FloatArray(12) {
+            if (it % 3 == 0) {
+                1f
+            } else if (it % 3 == 2) {
+                2f
+            } else {
+                0f
+            }
+        }
         val shader = Shader { it.setColor(it.normalX, it.normalY, it.normalZ) }
         for (shading in Shading.entries) {
             val plain = square(Material(shading = shading, shader = shader))

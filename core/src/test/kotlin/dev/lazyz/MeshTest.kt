@@ -1,12 +1,12 @@
 package dev.lazyz
 
+import java.util.Random
 import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import java.util.Random
 
 class MeshTest {
     private fun point(array: FloatArray, i: Int) =

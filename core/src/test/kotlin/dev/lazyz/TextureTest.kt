@@ -1,11 +1,11 @@
 package dev.lazyz
 
+import java.util.Random
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import java.util.Random
 
 /** Contract rule 6.6: reading textures. */
 class TextureTest {
@@ -39,7 +39,13 @@ class TextureTest {
             for (x in 0 until 4) {
                 val u = turn + (x + 0.5f) / 4
                 assertEquals(linear(repeated, x, 1).red, read(repeated, u, 0.75f)[0])
-                val stays = if (turn < 0) 0 else if (turn > 0) 3 else x
+                val stays = if (turn < 0) {
+                    0
+                } else if (turn > 0) {
+                    3
+                } else {
+                    x
+                }
                 assertEquals(linear(clamped, stays, 1).red, read(clamped, u, 0.75f + 100f)[0])
             }
         }

@@ -70,7 +70,10 @@ internal class Clipper(private val guardX: Double, private val guardY: Double) {
             if (from < firstCut || to < firstCut) continue
             val length = along(vertices, from, to, to)
             (firstCut until vertices.count)
-                .filter { it != from && it != to && along(vertices, from, to, it) > 0.0 && along(vertices, from, to, it) < length }
+                .filter {
+                    it != from && it != to && along(vertices, from, to, it) > 0.0 &&
+                        along(vertices, from, to, it) < length
+                }
                 .sortedBy { along(vertices, from, to, it) }
                 .forEach { result.add(it) }
         }

@@ -129,7 +129,12 @@ internal object MeshGeometry {
             normals[3 * i + 2] = copy.z
         }
         return Mesh(
-            checkNotNull(gather(mesh.positions, 3)), triangles, mesh.material, normals, gather(mesh.uvs, 2), gather(mesh.colors, 4),
+            checkNotNull(gather(mesh.positions, 3)),
+            triangles,
+            mesh.material,
+            normals,
+            gather(mesh.uvs, 2),
+            gather(mesh.colors, 4),
         )
     }
 
@@ -179,7 +184,8 @@ internal object MeshGeometry {
     }
 
     private fun dot(normals: DoubleArray, a: Int, b: Int): Double =
-        normals[3 * a] * normals[3 * b] + normals[3 * a + 1] * normals[3 * b + 1] + normals[3 * a + 2] * normals[3 * b + 2]
+        normals[3 * a] * normals[3 * b] + normals[3 * a + 1] * normals[3 * b + 1] +
+            normals[3 * a + 2] * normals[3 * b + 2]
 
     private fun length(normals: DoubleArray, face: Int): Double = StrictMath.sqrt(dot(normals, face, face))
 

@@ -44,7 +44,13 @@ internal class PlanarAssembly(
         val reference = ReferenceTriangle(xs[a], ys[a], xs[b], ys[b], xs[c], ys[c])
         val depthForm = depthForm(reference, a, b, c)
         val corners = intArrayOf(selection[a], selection[b], selection[c])
-        val depthsOfForm = if (depthForm.dx == 0L && depthForm.dy == 0L) intArrayOf(depths[a]) else cornerDepths(reference, a, b, c)
+        val depthsOfForm = if (depthForm.dx == 0L &&
+            depthForm.dy == 0L
+        ) {
+            intArrayOf(depths[a])
+        } else {
+            cornerDepths(reference, a, b, c)
+        }
         return PlanarPrimitive(
             edges, columnStart, columnEnd, depthForm, reference, vertices, corners, normalSign, fields, shader,
             maxOf(depthsOfForm.min() - 1, 0), depthsOfForm.max() + 1, isTranslucent,
@@ -74,7 +80,9 @@ internal class PlanarAssembly(
         if (xs.size == 3) {
             depths
         } else {
-            IntArray(xs.size) { StrictMath.rint(reference.valueAt(xs[it], ys[it], depths[a], depths[b], depths[c])).toInt() }
+            IntArray(xs.size) {
+                StrictMath.rint(reference.valueAt(xs[it], ys[it], depths[a], depths[b], depths[c])).toInt()
+            }
         }
 
     /** The plane of depth; constant if it would come within a unit of leaving the range of depths (rule 3.4). */

@@ -73,7 +73,13 @@ internal class PlanarPrimitive(
         )
     }
 
-    override fun shadingCursor(x: Int, y: Int): ShadingCursor? = if (fields == 0) null else WeightCursor(weights(), x, y)
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor? = if (fields ==
+        0
+    ) {
+        null
+    } else {
+        WeightCursor(weights(), x, y)
+    }
 
     private fun weights(): Weights = weights ?: Weights.of(reference, vertices, corners).also { weights = it }
 
@@ -120,8 +126,10 @@ internal class PlanarPrimitive(
         if (fields and NORMAL != 0) {
             val i = Vertices.NORMAL
             fragment.normalX = (normalSign * (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i])).toFloat()
-            fragment.normalY = (normalSign * (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1])).toFloat()
-            fragment.normalZ = (normalSign * (w0 * data[a + i + 2] + w1 * data[b + i + 2] + w2 * data[c + i + 2])).toFloat()
+            fragment.normalY =
+                (normalSign * (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1])).toFloat()
+            fragment.normalZ =
+                (normalSign * (w0 * data[a + i + 2] + w1 * data[b + i + 2] + w2 * data[c + i + 2])).toFloat()
         }
         if (fields and UV != 0) {
             val i = Vertices.UV

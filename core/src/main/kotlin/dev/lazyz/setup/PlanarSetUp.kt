@@ -23,7 +23,11 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
 
     fun mesh(mesh: Mesh): Sequence<Primitive> = sequence {
         val vertices = meshVertices(mesh)
-        val face = face(mesh.material, hasNormals = mesh.normals != null, hasUvs = mesh.uvs != null, hasColors = mesh.colors != null)
+        val face = face(
+            mesh.material, hasNormals = mesh.normals != null, hasUvs = mesh.uvs != null,
+            hasColors =
+            mesh.colors != null
+        )
         val ends = intArrayOf(3)
         for (i in mesh.triangles.indices step 3) {
             val corners = intArrayOf(mesh.triangles[i], mesh.triangles[i + 1], mesh.triangles[i + 2])
@@ -83,7 +87,8 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
     private fun face(material: Material, hasNormals: Boolean, hasUvs: Boolean, hasColors: Boolean): FaceSetUp {
         val isPrelit = material.shader == null &&
             (material.shading == Shading.FLAT || material.shading == Shading.GOURAUD)
-        val isLit = material.shader != null || material.shading == Shading.PHONG || material.shading == Shading.BLINN_PHONG
+        val isLit =
+            material.shader != null || material.shading == Shading.PHONG || material.shading == Shading.BLINN_PHONG
         var fields = 0
         if (isLit) fields = fields or PlanarPrimitive.WORLD or PlanarPrimitive.NORMAL
         if (hasUvs && (material.texture != null || material.shader != null)) fields = fields or PlanarPrimitive.UV
@@ -241,7 +246,8 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
                 for (k in 0 until 3) {
                     var sum = 0.0
                     for (vertex in 0 until vertices.count) sum += vertices.get(vertex, Vertices.WORLD + k)
-                    for (vertex in 0 until vertices.count) vertices.set(vertex, Vertices.WORLD + k, sum / vertices.count)
+                    val mean = sum / vertices.count
+                    for (vertex in 0 until vertices.count) vertices.set(vertex, Vertices.WORLD + k, mean)
                 }
             }
             val scratch = FloatArray(6)

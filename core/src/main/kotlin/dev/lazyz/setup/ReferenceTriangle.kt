@@ -48,7 +48,8 @@ internal class ReferenceTriangle(
         val row = Math.floorDiv(y0, ScreenGrid.STEPS)
         val offsetX = (column * ScreenGrid.STEPS + ScreenGrid.CENTER - x0) / ScreenGrid.STEPS.toDouble()
         val offsetY = (row * ScreenGrid.STEPS + ScreenGrid.CENTER - y0) / ScreenGrid.STEPS.toDouble()
-        val anchor = (v0.toLong() shl 32) + LinearForm.HALF + StrictMath.rint(slopeX * offsetX + slopeY * offsetY).toLong()
+        val anchor =
+            (v0.toLong() shl 32) + LinearForm.HALF + StrictMath.rint(slopeX * offsetX + slopeY * offsetY).toLong()
         return LinearForm(anchor - dx * column - dy * row, dx, dy)
     }
 

@@ -194,7 +194,8 @@ internal class SpherePrimitive private constructor(
     }
 
     /** Rounds a position down to a column or row of the raster; NaN gives 0. */
-    private fun clamp(position: Double, size: Int): Int = StrictMath.floor(position).coerceIn(0.0, size.toDouble()).toInt()
+    private fun clamp(position: Double, size: Int): Int =
+        StrictMath.floor(position).coerceIn(0.0, size.toDouble()).toInt()
 
     override fun toString(): String = "SpherePrimitive($sphere)"
 

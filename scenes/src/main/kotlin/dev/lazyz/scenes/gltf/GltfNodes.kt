@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.gltf
 
-import dev.lazyz.Transforms
 import de.javagl.jgltf.impl.v2.Node
+import dev.lazyz.Transforms
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
 

@@ -1,15 +1,15 @@
 package dev.lazyz.scenes.teapot
 
+import java.nio.ByteBuffer
+import java.util.zip.CRC32
+import kotlin.math.abs
+import kotlin.math.sqrt
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import java.nio.ByteBuffer
-import java.util.zip.CRC32
-import kotlin.math.abs
-import kotlin.math.sqrt
 
 class TeapotTest {
     private val resolutions = listOf(1, 2, 3, 7, 10, 32)

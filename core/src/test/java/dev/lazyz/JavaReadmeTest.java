@@ -1,0 +1,21 @@
+package dev.lazyz;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import dev.lazyz.zbuffer.ZBuffer;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+
+/** The README's lines of Java, compiled and run: the same picture as its lines of Kotlin. */
+class JavaReadmeTest {
+    @Test
+    void tenLines() {
+        Scene world = Scene.builder()
+                .add(new Sphere(new Vector3d(0, 0, 0), 1.0, new Material(Rgba.ofRgb(0xD0452F))))
+                .add(new Sphere(new Vector3d(1.2, 0.6, 0.4), 0.5, new Material(Rgba.ofRgb(0x2F7FD0))))
+                .build();
+        Image image = new ZBuffer().render(world.frame(640, 480));
+        System.out.println(image.getVisible() + " samples covered, " + image.pixelHash());
+        assertEquals("9867446e185b98450badc79a2e3d78c345ffebac4a201006bd8d8409362ce1de", image.pixelHash());
+    }
+}
