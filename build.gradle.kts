@@ -50,7 +50,7 @@ subprojects {
 
     tasks.withType<JavaCompile>().configureEach {
         options.release = javaRelease
-        options.compilerArgs.addAll(listOf("-Xlint:all,-processing,-path", "-Werror"))
+        options.compilerArgs.addAll(listOf("-Xlint:all,-processing,-path,-classfile", "-Werror"))
     }
 
     tasks.withType<Jar>().configureEach {
@@ -88,7 +88,6 @@ for (module in listOf("core", "scenes", "conformance")) {
         configure<DokkaExtension> {
             dokkaPublications.configureEach { failOnWarning = true }
             dokkaSourceSets.configureEach {
-                reportUndocumented = true
                 jdkVersion = javaRelease
                 // Links to other libraries' pages would need a network
                 enableJdkDocumentationLink = false

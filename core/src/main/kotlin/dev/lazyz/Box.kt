@@ -5,6 +5,12 @@ import org.joml.Vector3d
 /**
  * An axis-aligned box in world space, closed on all sides; possibly of no thickness.
  *
+ * @property minX least x
+ * @property minY least y
+ * @property minZ least z
+ * @property maxX greatest x
+ * @property maxY greatest y
+ * @property maxZ greatest z
  * @throws IllegalArgumentException if a bound is not finite or a minimum exceeds its maximum
  */
 public class Box(

@@ -53,6 +53,10 @@ public fun interface Viewpoint {
  * seen; both are distances from the eye along the line of sight. Immutable and thread safe.
  *
  * Every number is computed with [StrictMath] and plain products, so a camera is the same bits on every machine.
+ *
+ * @property projection with perspective or without
+ * @property near distance of the near plane from the eye, along the line of sight
+ * @property far distance of the far plane from the eye, along the line of sight
  */
 public class Camera private constructor(
     eye: Vector3dc,

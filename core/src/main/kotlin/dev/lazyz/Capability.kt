@@ -29,7 +29,7 @@ public enum class Capability {
     /** Shades late, and heeds [RenderOptions.coherence]. */
     COHERENCE,
 
-    /** Heeds [RenderOptions.selector]. */
+    /** Lets the caller choose which fragments of a sample make its colour. */
     SELECTION,
 }
 
