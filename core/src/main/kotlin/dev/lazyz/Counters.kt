@@ -22,7 +22,7 @@ public class Counters {
     @JvmField
     public var depthPasses: Long = 0
 
-    /** Calls of [Primitive.shade]. */
+    /** Colours computed, by [Primitive.shade] or [ShadingCursor.shade]. */
     @JvmField
     public var shadingCalls: Long = 0
 

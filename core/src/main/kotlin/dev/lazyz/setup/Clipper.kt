@@ -4,8 +4,8 @@ package dev.lazyz.setup
  * Cuts polygons at the near plane, the far plane and the guard band, in homogeneous space (contract rule 9).
  *
  * Source: Ivan Sutherland and Gary Hodgman, "Reentrant Polygon Clipping", Communications of the ACM 17 (1974), contour by
- * contour. Two refinements. A cut runs from the inner vertex to the outer one whichever way the contour goes, so that
- * both polygons at an edge get the same point. And where a contour runs along the plane, from where it left to where it
+ * contour. Two refinements. A cut is computed in one way whichever way the contour goes, so that both polygons at an edge
+ * get the same point. And where a contour runs along the plane, from where it left to where it
  * came back, it visits every other cut in between: runs that overlap then share their ends, and cancel exactly after
  * snapping.
  *
@@ -46,11 +46,10 @@ internal class Clipper(private val guardX: Double, private val guardY: Double) {
         for (current in contour) {
             val currentDistance = distance(vertices, current, plane)
             if ((previousDistance < 0.0) != (currentDistance < 0.0)) {
-                // Cut from the inner vertex to the outer one
                 result[size++] = if (previousDistance >= 0.0) {
-                    vertices.addBetween(previous, current, previousDistance / (previousDistance - currentDistance))
+                    vertices.addCut(previous, current, previousDistance, currentDistance)
                 } else {
-                    vertices.addBetween(current, previous, currentDistance / (currentDistance - previousDistance))
+                    vertices.addCut(current, previous, currentDistance, previousDistance)
                 }
             }
             if (currentDistance >= 0.0) result[size++] = current

@@ -53,7 +53,7 @@ internal class PlanarAssembly(
         }
         return PlanarPrimitive(
             edges, columnStart, columnEnd, depthForm, reference, vertices, corners, normalSign, fields, shader,
-            maxOf(depthsOfForm.min() - 1, 0), depthsOfForm.max() + 1, isTranslucent,
+            maxOf(depthsOfForm.min() - 1, 0), minOf(depthsOfForm.max(), Int.MAX_VALUE - 1) + 1, isTranslucent,
         )
     }
 

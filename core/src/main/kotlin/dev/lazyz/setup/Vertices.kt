@@ -30,12 +30,21 @@ internal class Vertices(count: Int) {
         return copy
     }
 
-    /** Appends the point at [t] of the way from vertex [a] to vertex [b] and returns its number. */
-    fun addBetween(a: Int, b: Int, t: Double): Int {
+    /**
+     * Appends the point where the edge from [inner] to [outer] meets a plane, and returns its number. The distances from
+     * the plane are not negative at the inner vertex and negative at the outer one.
+     *
+     * The point is reached from the nearer end: from a vertex very far away, rounding would leave nothing of it.
+     */
+    fun addCut(inner: Int, outer: Int, innerDistance: Double, outerDistance: Double): Int {
         if (STRIDE * (count + 1) > data.size) data = data.copyOf(maxOf(2 * data.size, 8 * STRIDE))
+        val isInnerNearer = innerDistance <= -outerDistance
+        val near = if (isInnerNearer) inner else outer
+        val far = if (isInnerNearer) outer else inner
+        val t = (if (isInnerNearer) innerDistance else -outerDistance) / (innerDistance - outerDistance)
         for (field in 0 until STRIDE) {
-            val from = get(a, field)
-            set(count, field, from + t * (get(b, field) - from))
+            val from = get(near, field)
+            set(count, field, from + t * (get(far, field) - from))
         }
         return count++
     }
