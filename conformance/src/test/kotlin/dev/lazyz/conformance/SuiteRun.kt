@@ -58,7 +58,7 @@ class SuiteRun private constructor(val rules: Set<String>, val failures: Map<Str
             val request = LauncherDiscoveryRequestBuilder.request()
                 .selectors(what)
                 .filters(includeEngines("jqwik"))
-                .configurationParameter("jqwik.database", "target/suite-runs.jqwik.db")
+                .configurationParameter("jqwik.database", "")
                 .configurationParameter("jqwik.failures.after.default", "RANDOM_SEED")
                 .configurationParameter("jqwik.shrinking.default", shrinking)
                 .configurationParameter("jqwik.reporting.usejunitplatform", "true")
