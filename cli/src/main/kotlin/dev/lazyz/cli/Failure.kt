@@ -25,7 +25,7 @@ internal object Failure {
         is FileSystemException -> describe(failure)
         is OutOfMemoryError -> outOfMemory(failure)
         is IOException -> failure.message ?: failure.javaClass.simpleName
-        is InvalidPathException -> "not a file name: ${failure.input} (${failure.reason})"
+        is InvalidPathException -> "not a file name: ${failure.input} (${failure.reason}; is the locale set to UTF-8?)"
         is ServiceConfigurationError -> "a renderer on the class path cannot be loaded: ${failure.message}"
         else -> null
     }

@@ -13,16 +13,20 @@ import java.nio.file.Path
  * The three standard streams, and which of them a person is looking at.
  *
  * @property messages standard error, for errors, warnings and progress
- * @property isOutputTerminal whether standard output is a terminal, where the bytes of a picture would do harm
- * @property isErrorTerminal whether standard error is a terminal, where progress is welcome
+ * @param isTerminal whether the stream with this number, 1 or 2, is a terminal; asked only when it matters
  */
 internal class Streams(
     val input: InputStream,
     output: OutputStream,
     val messages: PrintStream,
-    val isOutputTerminal: Boolean = false,
-    val isErrorTerminal: Boolean = false,
+    isTerminal: (Int) -> Boolean = { false },
 ) {
+    /** Whether standard output is a terminal, where the bytes of a picture would do harm. */
+    val isOutputTerminal: Boolean by lazy { isTerminal(1) }
+
+    /** Whether standard error is a terminal, where progress is welcome. */
+    private val isProgressWelcome: Boolean by lazy { isTerminal(2) }
+
     /** Standard output. When nobody reads it any more, writing throws [OutputClosed]. */
     val output: OutputStream = StandardOutput(output)
 
@@ -46,14 +50,14 @@ internal class Streams(
 
     /** Prints a line to standard error if somebody sees it. */
     fun remark(message: String) {
-        if (!isErrorTerminal) return
+        if (!isProgressWelcome) return
         clearProgress()
         messages.println(message)
     }
 
     /** Shows on the terminal, if there is one, what is going on; replaces what was shown before. */
     fun progress(message: String) {
-        if (!isErrorTerminal) return
+        if (!isProgressWelcome) return
         clearProgress()
         progress.append(message)
         messages.print(message)
@@ -77,23 +81,26 @@ internal class Streams(
             System.`in`,
             FileOutputStream(FileDescriptor.out).buffered(),
             System.err,
-            isTerminal(1),
-            isTerminal(2),
+            ::isTerminal,
         )
 
-        /** Java does not tell which stream is a terminal; a character device that is not the null device is one. */
+        /** Java does not tell which stream is a terminal; a character device that is none of the usual others is one. */
         private fun isTerminal(descriptor: Int): Boolean = try {
             val mode = Files.getAttribute(Path.of("/dev/fd/$descriptor"), "unix:mode") as Int
             val isCharacterDevice = mode and FILE_TYPE == CHARACTER_DEVICE
-            isCharacterDevice && device("/dev/fd/$descriptor") != device("/dev/null") && System.getenv("TERM") != "dumb"
+            isCharacterDevice && others.none { isSameDevice("/dev/fd/$descriptor", it) }
         } catch (unknown: IOException) {
             false
         } catch (notUnix: UnsupportedOperationException) {
             System.console() != null
         }
 
-        private fun device(path: String): Any? = Files.getAttribute(Path.of(path), "unix:rdev")
+        private fun isSameDevice(first: String, second: String): Boolean {
+            val (a, b) = listOf(first, second).map { Path.of(it) }
+            return Files.exists(b) && Files.getAttribute(a, "unix:rdev") == Files.getAttribute(b, "unix:rdev")
+        }
 
+        private val others = listOf("/dev/null", "/dev/full", "/dev/zero")
         private const val FILE_TYPE = 0xF000
         private const val CHARACTER_DEVICE = 0x2000
     }

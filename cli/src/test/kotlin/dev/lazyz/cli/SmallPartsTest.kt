@@ -50,7 +50,7 @@ class SmallPartsTest {
     fun progressIsShownOnTerminalsAndWipedOut() {
         val shown = ByteArrayOutputStream()
         val messages = PrintStream(shown, true)
-        val terminal = Streams("".byteInputStream(), ByteArrayOutputStream(), messages, isErrorTerminal = true)
+        val terminal = Streams("".byteInputStream(), ByteArrayOutputStream(), messages) { it == 2 }
         terminal.progress("one")
         terminal.progress("two")
         terminal.warning("three")
@@ -64,7 +64,7 @@ class SmallPartsTest {
     fun picturesAreNotWrittenToATerminal() {
         val shown = ByteArrayOutputStream()
         val screen = ByteArrayOutputStream()
-        val terminal = Streams("".byteInputStream(), screen, PrintStream(shown, true), isOutputTerminal = true)
+        val terminal = Streams("".byteInputStream(), screen, PrintStream(shown, true)) { it == 1 }
         assertEquals(2, run(arrayOf("render", "teapot", "-o", "-"), terminal))
         assertTrue("would confuse the terminal" in shown.toString())
         assertEquals(0, screen.size())
