@@ -1,5 +1,9 @@
 package dev.lazyz
 
+import dev.lazyz.flow.FlowPipeline
+import dev.lazyz.lazy.LazyZBuffer
+import dev.lazyz.painter.Painter
+import dev.lazyz.scanline.ScanLine
 import dev.lazyz.zbuffer.ZBuffer
 import java.util.ServiceLoader
 
@@ -14,6 +18,10 @@ public object Renderers {
     @JvmStatic
     public val builtIn: List<Renderer> = listOf(
         ZBuffer(),
+        LazyZBuffer(),
+        FlowPipeline(),
+        ScanLine(),
+        Painter(),
     )
 
     /**

@@ -21,6 +21,9 @@ public class Spans @JvmOverloads constructor(
     public var count: Int = 0
         private set
 
+    /** Bytes that the list holds, grown as it is. */
+    internal val bytes: Long get() = Int.SIZE_BYTES * bounds.size.toLong()
+
     /** First column of span [i]. */
     public fun start(i: Int): Int = bounds[2 * i]
 

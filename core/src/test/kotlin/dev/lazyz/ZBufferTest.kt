@@ -112,6 +112,13 @@ class ZBufferTest {
     }
 
     @Test
+    fun rule_7_2_aPictureOfEverythingIsTheSameOnEveryMachine() {
+        // The scene has a camera and lights of its own; the hash changes only with the contract
+        val image = ZBuffer().render(SampleScenes.mixed(Random(1995)).frame(96, 72))
+        assertEquals("ba4ca7ba2667a09fff57ddc49df7c4e3cf4c776075fa7b0b0d536728e7ee6078", image.pixelHash())
+    }
+
+    @Test
     fun tooManySamplesAreRefused() {
         val exception = assertThrows(IllegalArgumentException::class.java) {
             ZBuffer().render(Frame(Raster(Raster.MAX_SIDE, Raster.MAX_SIDE), emptyList())) { _, _, _, _ -> }

@@ -10,7 +10,7 @@ internal object Nearest {
     fun of(text: String, names: Collection<String>): String? {
         val wanted = text.lowercase()
         val best = names.minByOrNull { distance(wanted, it.lowercase()) } ?: return null
-        val isNear = distance(wanted, best.lowercase()) <= maxOf(1, wanted.length / 3)
+        val isNear = distance(wanted, best.lowercase()) <= wanted.length / 3
         return if (isNear) best else names.firstOrNull { wanted.length >= 3 && it.lowercase().startsWith(wanted) }
     }
 

@@ -81,7 +81,7 @@ internal class Streams(
             System.`in`,
             FileOutputStream(FileDescriptor.out).buffered(),
             System.err,
-            ::isTerminal,
+            { isTerminal(it) && (it == 1 || System.getenv("TERM") != "dumb") },
         )
 
         /** Java does not tell which stream is a terminal; a character device that is none of the usual others is one. */

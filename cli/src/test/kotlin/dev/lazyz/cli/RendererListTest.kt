@@ -27,7 +27,8 @@ class RendererListTest {
     fun thirdPartiesComeBehindTheBuiltIns() = withRenderers(folder, BuggyRenderer::class.java.name) {
         assertEquals(Renderers.builtIn.map { it.id } + "buggy", Renderers.all().map { it.id })
         assertEquals(BuggyRenderer::class.java, Renderers.find("buggy")?.javaClass)
-        assertTrue(zcli("strategies").done().text.endsWith("\nbuggy    fails half way\n"))
+        val last = zcli("strategies").done().text.trimEnd().lines().last()
+        assertTrue(last.matches(Regex("buggy {2,}fails half way")), last)
     }
 
     @Test

@@ -20,6 +20,7 @@ class SmallPartsTest {
         assertEquals("city", Nearest.of("cty", names))
         assertEquals("molecule", Nearest.of("mol", names))
         for (other in listOf("", "x", "te", "bunny", "teapot-on-a-table")) assertNull(Nearest.of(other, names), other)
+        assertNull(Nearest.of("x", listOf("y", "z")))
         assertNull(Nearest.of("teapot", listOf()))
     }
 

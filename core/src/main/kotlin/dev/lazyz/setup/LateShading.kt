@@ -44,7 +44,6 @@ internal class LateShading(private val frame: Frame, private val coherence: Cohe
             val index = indices[i]
             argb[i] = if (index == DepthTest.BACKGROUND) background else shade(firstColumn + i, y, index)
         }
-        peakBytes = maxOf(peakBytes, chains.size * CHAIN_BYTES)
     }
 
     /** Computes the colour of the primitive [index] at a sample. Within a row, columns do not decrease. */
@@ -76,6 +75,7 @@ internal class LateShading(private val frame: Frame, private val coherence: Cohe
         val cursor = frame.primitives[index].shadingCursor(x, y) ?: return null
         counters.shadingStarts++
         chains[index] = Chain(cursor, x)
+        peakBytes = maxOf(peakBytes, chains.size * CHAIN_BYTES)
         return cursor
     }
 

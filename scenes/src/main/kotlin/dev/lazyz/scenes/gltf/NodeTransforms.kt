@@ -42,5 +42,7 @@ internal object NodeTransforms {
     }
 
     /** Whether [m] leaves every point where it is. */
-    fun isIdentity(m: Matrix4dc): Boolean = m.get(DoubleArray(16)).contentEquals(Matrix4d().get(DoubleArray(16)))
+    fun isIdentity(m: Matrix4dc): Boolean = (0 until 4).all { column ->
+        (0 until 4).all { row -> m.get(column, row) == if (column == row) 1.0 else 0.0 }
+    }
 }

@@ -25,11 +25,10 @@ internal object FileReferences {
         if (folder == null) return null
         val name = reference.trim().removeSurrounding("\"").replace('\\', '/')
         return try {
-            if (!isAbsolute(name)) {
-                lookUp(folder, name)
+            if (isAbsolute(name)) {
+                inside(folder, name) ?: lookUp(folder, name.substringAfterLast('/'))
             } else {
-                inside(folder, name)
-                    ?: lookUp(folder, name.substringAfterLast('/'))
+                lookUp(folder, name)
             }
         } catch (_: InvalidPathException) {
             null

@@ -1,7 +1,5 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.scenes.triangulation.TextLines
-
 /**
  * The statements of a material library that say colours and numbers, for `MtlReader`; texture statements are kept here
  * instead, because that parser takes the last word for the file's name.
@@ -37,51 +35,5 @@ internal class MtlStatements(text: String) : StatementReader(text) {
             "map_kd", "map_d" -> null.also { current[keyword] = MtlMap.parse(statement.substring(keyword.length)) }
             else -> null
         }
-    }
-}
-
-/**
- * A texture statement of a material library.
- *
- * @property file the file's name, which may contain spaces
- * @property isClamped whether the texture is not repeated
- * @property scale factors of u and v
- * @property offset what is added to u and v after that
- */
-internal class MtlMap(val file: String, val isClamped: Boolean, val scale: List<Double>, val offset: List<Double>) {
-    companion object {
-        /** The options and how many words follow each at most. */
-        private val options = mapOf(
-            "-blendu" to 1, "-blendv" to 1, "-boost" to 1, "-cc" to 1, "-clamp" to 1, "-imfchan" to 1, "-mm" to 2,
-            "-o" to 3,
-            "-s" to 3, "-t" to 3, "-texres" to 1, "-bm" to 1, "-type" to 1, "-colorspace" to 1,
-        )
-        private val vectors = listOf("-o", "-s", "-t")
-
-        /** Parses what follows the keyword: options, then a file name. */
-        fun parse(arguments: String): MtlMap {
-            val given = HashMap<String, List<String>>()
-            var rest = arguments.trim()
-            while (true) {
-                val words = TextLines.words(rest)
-                val option = words.firstOrNull()?.lowercase()
-                val most = options[option] ?: break
-
-                // A vector may be shorter than three numbers; the last word of all is the file
-                val following = words.drop(1).take(most).take(maxOf(words.size - 2, 0))
-                val values = if (option in vectors) following.takeWhile { it.toDoubleOrNull() != null } else following
-                given[checkNotNull(option)] = values
-                repeat(1 + values.size) { rest = rest.dropWhile { it != ' ' }.trimStart() }
-            }
-            return MtlMap(
-                rest,
-                given["-clamp"]?.firstOrNull()?.lowercase() in listOf("on", "true"),
-                vector(given["-s"], 1.0),
-                vector(given["-o"], 0.0),
-            )
-        }
-
-        private fun vector(words: List<String>?, missing: Double): List<Double> =
-            List(2) { words?.getOrNull(it)?.toDoubleOrNull()?.takeIf { number -> number.isFinite() } ?: missing }
     }
 }

@@ -63,22 +63,17 @@ internal class PlyVertices private constructor(
 
     private fun setColor(vertex: Int, row: PlyRow, color: List<Int>, alpha: Int?) {
         if (colors == null) return
-        for (channel in 0 until 3) {
-            val most = row.element.properties[color[channel]].type.most
-            val encoded = row.numbers[color[channel]]
-            colors[4 * vertex + channel] =
-                if (most ==
-                    255.0
-                ) {
-                    SrgbDecoding.decodeByte(encoded.coerceIn(0.0, 255.0).toInt())
-                } else {
-                    SrgbDecoding.decode(encoded / most)
-                }
-        }
-        colors[4 * vertex + 3] = if (alpha == null) {
-            1f
-        } else {
-            (row.numbers[alpha] / row.element.properties[alpha].type.most).toFloat()
-        }
+        for (channel in 0 until 3) colors[4 * vertex + channel] = decoded(row, color[channel])
+        colors[4 * vertex + 3] = if (alpha == null) 1f else (row.numbers[alpha] / most(row, alpha)).toFloat()
     }
+
+    private fun decoded(row: PlyRow, column: Int): Float {
+        // Codes go by the table, so that they are the colours of the same codes in a texture
+        val number = row.numbers[column]
+        val isCode = row.element.properties[column].type == PlyType.UCHAR
+        if (isCode) return SrgbDecoding.decodeByte(number.toInt().coerceIn(0, 255))
+        return SrgbDecoding.decode(number / most(row, column))
+    }
+
+    private fun most(row: PlyRow, column: Int): Double = row.element.properties[column].type.most
 }

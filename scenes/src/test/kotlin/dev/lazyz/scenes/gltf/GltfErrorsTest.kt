@@ -105,6 +105,19 @@ class GltfErrorsTest {
     }
 
     @Test
+    fun sparseIndicesStayWithinTheirAccessor() {
+        val files = GltfFiles()
+        val places = files.view(files.encode(USHORT, listOf(3)))
+        val values = files.view(files.encode(FLOAT, listOf(1, 2, 3)))
+        files.accessor(
+            """{"componentType":5126,"count":3,"type":"VEC3","sparse":{"count":1,
+            "indices":{"bufferView":$places,"componentType":5123},"values":{"bufferView":$values}}}""",
+        )
+        val json = files.json(mesh.replace(",\"indices\":1", ""))
+        assertFails(json, "accessors[0].sparse.indices", "element 0 is 3", "3 elements")
+    }
+
+    @Test
     fun attributesMustMatch() {
         val files = files()
         files.accessor("VEC3", FLOAT, listOf(0, 0, 1))

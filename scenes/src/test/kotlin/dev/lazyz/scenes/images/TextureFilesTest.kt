@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.images
 
+import com.sun.management.ThreadMXBean
 import dev.lazyz.Texture
 import dev.lazyz.scenes.images.PngFile.bytes
 import dev.lazyz.scenes.triangulation.TestSources
@@ -7,6 +8,7 @@ import java.awt.color.ColorSpace
 import java.awt.color.ICC_Profile
 import java.awt.image.BufferedImage
 import java.io.ByteArrayOutputStream
+import java.lang.management.ManagementFactory
 import java.nio.file.Files
 import java.nio.file.Path
 import javax.imageio.ImageIO
@@ -120,9 +122,12 @@ class TextureFilesTest {
 
     @Test
     fun headerThatPromisesTooMuchIsNotBelieved() {
-        for ((width, height) in listOf(60_000 to 60_000, 16_000 to 16_000, Int.MAX_VALUE to 1)) {
-            val png = PngFile.of(width, height, 8, PngFile.RGBA, listOf(ByteArray(4)))
-            assertNull(TextureFiles.decode(png, "test"), "$width x $height")
+        // The longer file would have room for the picture, if it were one colour
+        for ((side, padding) in listOf(60_000 to 0, 16_000 to 0, 20_000 to 40_000)) {
+            val png = PngFile.of(side, side, 8, PngFile.RGBA, listOf(ByteArray(4)), "paDd" to ByteArray(padding))
+            val before = allocated()
+            assertNull(TextureFiles.decode(png, "test"), "$side")
+            assertTrue(allocated() - before < 10_000_000, "$side took ${allocated() - before} bytes")
         }
     }
 
@@ -142,6 +147,9 @@ class TextureFilesTest {
         assertNotNull(TextureFiles.find(file, ".\\Good.PNG"))
         assertEquals(2, file.warnings.size)
     }
+
+    private fun allocated(): Long =
+        (ManagementFactory.getThreadMXBean() as ThreadMXBean).getThreadAllocatedBytes(Thread.currentThread().id)
 
     private fun jpeg(image: BufferedImage): ByteArray {
         val out = ByteArrayOutputStream()
