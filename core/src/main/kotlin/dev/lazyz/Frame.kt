@@ -28,6 +28,13 @@ public class Frame @JvmOverloads constructor(
     /** Number of rows to render. */
     public val height: Int get() = region.height
 
+    /**
+     * Whether some primitive is translucent, so that the picture needs a renderer that blends: one with
+     * [Capability.TRANSPARENCY]. Others refuse the frame before they start (contract rule 5.6). Cost: one pass over the
+     * primitives, once.
+     */
+    public val hasTranslucency: Boolean by lazy { primitives.any { it.isTranslucent } }
+
     /** Returns the part of this frame within [region]: the picture is that rectangle of the whole picture. */
     public fun within(region: Region): Frame = Frame(raster, primitives, region)
 
@@ -43,6 +50,13 @@ public class Frame @JvmOverloads constructor(
             },
             region
         )
+
+    /**
+     * Returns this frame with its translucent primitives made opaque: their colours have alpha 1, and any renderer takes
+     * them. The frame itself if nothing is translucent; otherwise cost: one small object a translucent primitive.
+     */
+    public fun asOpaque(): Frame =
+        if (hasTranslucency) Frame(raster, primitives.map { it.asOpaque() }, region) else this
 
     override fun toString(): String = "Frame($raster, $region, ${primitives.size} primitives)"
 }

@@ -22,23 +22,37 @@ public class FrameBuilder(private val raster: Raster) {
     public fun add(primitive: Primitive): FrameBuilder = apply { primitives.add(primitive) }
 
     /**
-     * Adds a polygon.
+     * Adds a polygon; it counts as opaque.
      *
      * @param contours for each closed contour x, y, depth triples; vertices with NaN or infinity make it cover nothing
      * @throws IllegalArgumentException if a contour is not made of triples, or is more than 2^19 pixels away
      */
     public fun polygon(shader: Shader, fillRule: FillRule, vararg contours: DoubleArray): FrameBuilder = apply {
-        primitives.add(primitive(shader, fillRule, contours.filter { it.isNotEmpty() }).orEmpty())
+        add(shader, fillRule, contours.asList(), isTranslucent = false)
     }
 
-    /** Adds a polygon of one contour, convex or concave, all of one [color]. */
-    public fun polygon(color: Rgba, contour: DoubleArray): FrameBuilder =
-        polygon({ it.setColor(color.red, color.green, color.blue, color.alpha) }, FillRule.NON_ZERO, contour)
+    /**
+     * Adds a polygon of one contour, convex or concave, all of one [color]; translucent if the colour's alpha is below 1.
+     * Throws as the other [polygon] does.
+     */
+    public fun polygon(color: Rgba, contour: DoubleArray): FrameBuilder = apply {
+        val shader = Shader { it.setColor(color.red, color.green, color.blue, color.alpha) }
+        add(shader, FillRule.NON_ZERO, listOf(contour), isTranslucent = !(color.alpha >= 1f))
+    }
 
     /** Returns the frame so far; the builder may go on. */
     public fun build(): Frame = Frame(raster, primitives.toList())
 
-    private fun primitive(shader: Shader, fillRule: FillRule, contours: List<DoubleArray>): Primitive? {
+    private fun add(shader: Shader, fillRule: FillRule, contours: List<DoubleArray>, isTranslucent: Boolean) {
+        primitives.add(primitive(shader, fillRule, contours.filter { it.isNotEmpty() }, isTranslucent).orEmpty())
+    }
+
+    private fun primitive(
+        shader: Shader,
+        fillRule: FillRule,
+        contours: List<DoubleArray>,
+        isTranslucent: Boolean,
+    ): Primitive? {
         for (contour in contours) {
             require(contour.size % 3 == 0) { "a contour must be x, y, depth triples: ${contour.size} numbers" }
         }
@@ -63,7 +77,7 @@ public class FrameBuilder(private val raster: Raster) {
             IntArray(count) { ScreenGrid.snap(all[3 * it + 1]) },
             IntArray(count) { viewport.depthOfUnit(all[3 * it + 2]) },
         )
-        return assembly.primitive(raster, fillRule, shader, PlanarPrimitive.WORLD, 1.0, isTranslucent = false)
+        return assembly.primitive(raster, fillRule, shader, PlanarPrimitive.WORLD, 1.0, isTranslucent)
     }
 
     private fun isInGuardBand(pixels: Double): Boolean = StrictMath.abs(pixels) <= ScreenGrid.GUARD

@@ -76,9 +76,13 @@ public class Material @JvmOverloads constructor(
         require(alphaCutoff in 0f..1f) { "alphaCutoff must be in 0..1: $alphaCutoff" }
     }
 
-    /** Whether a sample of this material may let through what lies behind it: [AlphaMode.BLEND] with alpha below 1. */
+    /**
+     * Whether a sample of this material may let through what lies behind it: [AlphaMode.BLEND] with alpha below 1 in the
+     * base colour or the texture, or with a shader of the user's own. Vertex colours may make it so besides.
+     */
     public val isTranslucent: Boolean
-        get() = alphaMode == AlphaMode.BLEND && (baseColor.alpha < 1f || texture?.hasAlpha == true)
+        get() = alphaMode == AlphaMode.BLEND &&
+            (!(baseColor.alpha >= 1f) || texture?.hasAlpha == true || shader != null)
 
     /** Returns this material with light evaluated elsewhere. */
     public fun withShading(shading: Shading): Material = Material(

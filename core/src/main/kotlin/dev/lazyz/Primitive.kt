@@ -1,5 +1,7 @@
 package dev.lazyz
 
+import dev.lazyz.setup.OpaquePrimitive
+
 /**
  * Something that covers samples of a raster: what a renderer orders.
  *
@@ -55,6 +57,13 @@ public interface Primitive {
     public val isTranslucent: Boolean get() = false
 
     /**
+     * Bytes of memory that stay in use as long as this primitive is kept, at most; what it shares with many others, such
+     * as a texture, is not counted. Renderers that keep primitives of a stream within [RenderOptions.memoryBudget] add
+     * these up. Override it in a primitive that holds more.
+     */
+    public val heldBytes: Long get() = 256
+
+    /**
      * Adds the spans of covered samples of row [y] to [spans], from left to right, none of them empty, none overlapping.
      *
      * [y] may be any row of the raster; outside [rowStart] until [rowEnd] there is nothing to add.
@@ -76,6 +85,9 @@ public interface Primitive {
      */
     public fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
 }
+
+/** Returns this primitive, or an opaque one like it whose colours have alpha 1 if it is translucent. */
+public fun Primitive.asOpaque(): Primitive = if (isTranslucent) OpaquePrimitive(this) else this
 
 /**
  * Coherent shading: state that is carried from sample to sample along a row. Belongs to one thread.

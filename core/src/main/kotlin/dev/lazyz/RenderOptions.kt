@@ -1,7 +1,7 @@
 package dev.lazyz
 
 /**
- * Choices that change what a rendering costs, and never its picture. Immutable.
+ * Choices that change what a rendering costs and, but for [selector], never its picture. Immutable.
  *
  * A renderer heeds those that go with its [Capability]s, see [Renderer.configured].
  *
@@ -9,6 +9,8 @@ package dev.lazyz
  * @property memoryBudget most bytes of working memory besides the image, or null for no limit
  * @property threads number of threads, at least 1
  * @property tileSize width and height of tiles, for renderers that have tiles; samples, a power of two in 8..512
+ * @property selector what a sample shows of its fragments, for renderers with [Capability.SELECTION]; null for the usual:
+ *   the visible one, or all blended where the frame has translucent primitives
  * @throws IllegalArgumentException if a number is out of range
  */
 public class RenderOptions @JvmOverloads constructor(
@@ -16,6 +18,7 @@ public class RenderOptions @JvmOverloads constructor(
     public val memoryBudget: Long? = null,
     public val threads: Int = Runtime.getRuntime().availableProcessors(),
     public val tileSize: Int = 64,
+    public val selector: Selector? = null,
 ) {
     init {
         require(memoryBudget == null || memoryBudget >= 0) { "memoryBudget must not be negative: $memoryBudget" }
@@ -26,5 +29,6 @@ public class RenderOptions @JvmOverloads constructor(
     }
 
     override fun toString(): String =
-        "RenderOptions($coherence, memoryBudget=$memoryBudget, threads=$threads, tileSize=$tileSize)"
+        "RenderOptions($coherence, memoryBudget=$memoryBudget, threads=$threads, tileSize=$tileSize, " +
+            "selector=$selector)"
 }

@@ -1,7 +1,9 @@
 package dev.lazyz
 
 import dev.lazyz.flow.FlowPipeline
+import dev.lazyz.hybrid.Hybrid
 import dev.lazyz.lazy.LazyZBuffer
+import dev.lazyz.lists.Lists
 import dev.lazyz.painter.Painter
 import dev.lazyz.scanline.ScanLine
 import dev.lazyz.zbuffer.ZBuffer
@@ -20,6 +22,8 @@ public object Renderers {
         ZBuffer(),
         LazyZBuffer(),
         FlowPipeline(),
+        Hybrid(),
+        Lists(),
         ScanLine(),
         Painter(),
     )

@@ -1,5 +1,6 @@
 package dev.lazyz
 
+import dev.lazyz.lists.Lists
 import dev.lazyz.zbuffer.ZBuffer
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -57,7 +58,9 @@ class MaterialTest {
             for (mode in AlphaMode.entries) {
                 val material = Material(Rgba(1f, 1f, 1f, 0.6f), shading = shading, alphaMode = mode)
                 val expected = if (mode == AlphaMode.BLEND) 153 else 255
-                assertEquals(expected, image(square(material)).argb(3, 3) ushr 24) { "$shading $mode" }
+                val frame = Scene(listOf(square(material)), viewpoint = camera).frame(8, 8)
+                val unblended = Lists(RenderOptions(selector = Selector.nearest())).render(frame)
+                assertEquals(expected, unblended.argb(3, 3) ushr 24) { "$shading $mode" }
                 assertEquals(mode == AlphaMode.BLEND, material.isTranslucent)
             }
         }

@@ -9,6 +9,7 @@ import dev.lazyz.Row
 import dev.lazyz.RowSink
 import dev.lazyz.setup.Chain
 import dev.lazyz.setup.Stage
+import dev.lazyz.setup.requireOpaque
 import kotlin.coroutines.CoroutineContext
 import kotlinx.coroutines.currentCoroutineContext
 import kotlinx.coroutines.ensureActive
@@ -73,25 +74,30 @@ public class FlowPipeline @JvmOverloads constructor(private val options: RenderO
      * time. It runs in the collector's context and suspends in the collector only; to make rows elsewhere, or ahead, add
      * [kotlinx.coroutines.flow.flowOn] or [kotlinx.coroutines.flow.buffer], whose capacity is then the number of rows that
      * may wait. Cancellable between any two stages of a row.
+     *
+     * @throws IllegalArgumentException if a primitive is translucent
      */
     public fun rows(frame: Frame): Flow<Row> = rows(frame, CoroutineContext::ensureActive)
 
     /** The pipeline; [checkpoint] is passed before each stage and throws if it is to stop. */
-    private fun rows(frame: Frame, checkpoint: (CoroutineContext) -> Unit): Flow<Row> = flow {
-        val context = currentCoroutineContext()
-        val chain = Chain(frame, options.coherence, ::Stage)
-        for (y in frame.region.rowStart until frame.region.rowEnd) {
-            // Run a row of background down the chain
-            checkpoint(context)
-            var row = chain.begin(y)
-            for (i in 0 until chain.size) {
+    private fun rows(frame: Frame, checkpoint: (CoroutineContext) -> Unit): Flow<Row> {
+        requireOpaque(frame, this)
+        return flow {
+            val context = currentCoroutineContext()
+            val chain = Chain(frame, options.coherence, ::Stage)
+            for (y in frame.region.rowStart until frame.region.rowEnd) {
+                // Run a row of background down the chain
                 checkpoint(context)
-                row = chain[i].next(row)
-            }
-            chain.end(row)
+                var row = chain.begin(y)
+                for (i in 0 until chain.size) {
+                    checkpoint(context)
+                    row = chain[i].next(row)
+                }
+                chain.end(row)
 
-            // Wait until the collector is done with it
-            emit(row)
+                // Wait until the collector is done with it
+                emit(row)
+            }
         }
     }
 

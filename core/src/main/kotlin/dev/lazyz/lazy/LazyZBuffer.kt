@@ -8,6 +8,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.Row
 import dev.lazyz.RowSink
 import dev.lazyz.setup.Chain
+import dev.lazyz.setup.requireOpaque
 import java.util.stream.Stream
 import kotlin.streams.asStream
 
@@ -61,15 +62,20 @@ public class LazyZBuffer @JvmOverloads constructor(private val options: RenderOp
      * columns, narrow the frame down with [Frame.within]; then the rest costs nothing either.
      *
      * The sequence may be walked any number of times, and by several threads at once; each walk starts anew.
+     *
+     * @throws IllegalArgumentException if a primitive is translucent
      */
-    public fun rows(frame: Frame): Sequence<Row> = sequence {
-        val chain = Chain(frame, options.coherence, ::LazyStage)
-        for (y in frame.region.rowStart until frame.region.rowEnd) {
-            // Demand has reached the upstream end; the row runs down the chain
-            var row = chain.begin(y)
-            for (i in 0 until chain.size) row = chain[i].next(row)
-            chain.end(row)
-            yield(row)
+    public fun rows(frame: Frame): Sequence<Row> {
+        requireOpaque(frame, this)
+        return sequence {
+            val chain = Chain(frame, options.coherence, ::LazyStage)
+            for (y in frame.region.rowStart until frame.region.rowEnd) {
+                // Demand has reached the upstream end; the row runs down the chain
+                var row = chain.begin(y)
+                for (i in 0 until chain.size) row = chain[i].next(row)
+                chain.end(row)
+                yield(row)
+            }
         }
     }
 

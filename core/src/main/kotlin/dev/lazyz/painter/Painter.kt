@@ -4,6 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.setup.requireOpaque
 
 /**
  * Paints from back to front: what is painted later covers what was painted before.
@@ -31,6 +32,7 @@ public class Painter : Renderer {
     override val summary: String get() = "paints from back to front, compares samples where no order is proved"
 
     override fun render(frame: Frame, sink: RowSink): Counters {
+        requireOpaque(frame, this)
         val counters = Counters()
         counters.primitives = frame.primitives.size.toLong()
         val canvas = Canvas(frame, counters)

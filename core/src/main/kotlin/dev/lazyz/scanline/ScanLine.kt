@@ -7,6 +7,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.setup.LateShading
+import dev.lazyz.setup.requireOpaque
 
 /**
  * Row by row, and along a row from edge to edge: between two edges one comparison of depth decides all samples.
@@ -49,6 +50,7 @@ public class ScanLine @JvmOverloads constructor(private val options: RenderOptio
     override fun configured(options: RenderOptions): Renderer = ScanLine(options)
 
     override fun render(frame: Frame, sink: RowSink): Counters {
+        requireOpaque(frame, this)
         val counters = Counters()
         counters.primitives = frame.primitives.size.toLong()
         val edges = ActiveEdges(frame, counters)

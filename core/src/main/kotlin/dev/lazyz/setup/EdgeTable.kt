@@ -74,6 +74,9 @@ internal class EdgeTable(
         rowEnd = bottom
     }
 
+    /** Bytes of the table: its fields, counted as if each took 8 bytes, and its array. */
+    val heldBytes: Long get() = 72L + Int.SIZE_BYTES * fields.size
+
     /** First row that edge [edge] crosses. */
     fun start(edge: Int): Int = fields[STRIDE * edge + START]
 

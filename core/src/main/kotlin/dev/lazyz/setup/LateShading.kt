@@ -5,6 +5,7 @@ import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
+import dev.lazyz.Primitive
 import dev.lazyz.ShadingCursor
 
 /**
@@ -39,30 +40,40 @@ internal class LateShading(private val frame: Frame, private val coherence: Cohe
      * into [argb].
      */
     fun shadeRow(y: Int, indices: IntArray, argb: IntArray) {
-        chains.clear()
+        beginRow()
         for (i in 0 until frame.width) {
             val index = indices[i]
             argb[i] = if (index == DepthTest.BACKGROUND) background else shade(firstColumn + i, y, index)
         }
     }
 
+    /** Ends all chains. To be called before each row that is not shaded by [shadeRow]. */
+    fun beginRow() {
+        chains.clear()
+    }
+
     /** Computes the colour of the primitive [index] at a sample. Within a row, columns do not decrease. */
-    fun shade(x: Int, y: Int, index: Int): Int {
+    fun shade(x: Int, y: Int, index: Int): Int = shaded(x, y, index, frame.primitives[index]).toArgb()
+
+    /**
+     * As [shade], for a [primitive] that the frame need not hold. Returns a fragment with the colour, not packed; it is
+     * valid until the next call.
+     */
+    fun shaded(x: Int, y: Int, index: Int, primitive: Primitive): Fragment {
         counters.shadingCalls++
         fragment.moveTo(x, y)
-        val primitive = frame.primitives[index]
-        val cursor = if (coherence == Coherence.DIRECT) null else cursorAt(x, y, index)
+        val cursor = if (coherence == Coherence.DIRECT) null else cursorAt(x, y, index, primitive)
         if (cursor != null) {
             cursor.shade(fragment)
         } else {
             counters.shadingStarts++
             primitive.shade(fragment)
         }
-        return fragment.toArgb()
+        return fragment
     }
 
     /** Returns shading of the primitive [index] at column [x], or null if the primitive has none that steps. */
-    private fun cursorAt(x: Int, y: Int, index: Int): ShadingCursor? {
+    private fun cursorAt(x: Int, y: Int, index: Int, primitive: Primitive): ShadingCursor? {
         val chain = chains[index]
         if (chain != null && isWorthStepping(x - chain.x)) {
             val gap = x - chain.x
@@ -72,7 +83,7 @@ internal class LateShading(private val frame: Frame, private val coherence: Cohe
             counters.longestChain = maxOf(counters.longestChain, gap.toLong())
             return chain.cursor
         }
-        val cursor = frame.primitives[index].shadingCursor(x, y) ?: return null
+        val cursor = primitive.shadingCursor(x, y) ?: return null
         counters.shadingStarts++
         chains[index] = Chain(cursor, x)
         peakBytes = maxOf(peakBytes, chains.size * CHAIN_BYTES)

@@ -13,7 +13,7 @@ import dev.lazyz.Spans
  * depth is compared. Cost: one look at the texture for each covered sample of each row that is asked for.
  */
 internal class MaskedPrimitive(
-    private val whole: AttributedPrimitive,
+    val whole: AttributedPrimitive,
     private val shader: MaterialShader,
     private val cutoff: Float,
 ) : Primitive {
@@ -24,6 +24,7 @@ internal class MaskedPrimitive(
     override val depthForm: LinearForm? get() = whole.depthForm
     override val leastDepth: Int get() = whole.leastDepth
     override val greatestDepth: Int get() = whole.greatestDepth
+    override val heldBytes: Long get() = whole.heldBytes
 
     override fun spans(y: Int, spans: Spans) {
         val uncut = Spans()

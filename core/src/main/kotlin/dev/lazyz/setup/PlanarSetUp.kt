@@ -106,7 +106,6 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
         private val usesFaceNormal: Boolean,
     ) {
         private val normal = DoubleArray(3)
-        private val isTranslucent = material.alphaMode == AlphaMode.BLEND
 
         /** Returns the face with the given contours, ready for a renderer. */
         fun primitive(shared: Vertices, corners: IntArray, contourEnds: IntArray, fillRule: FillRule): Primitive {
@@ -172,9 +171,16 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
             val isMasked = material.alphaMode == AlphaMode.MASK
             val all = if (isMasked) fields or PlanarPrimitive.UV or PlanarPrimitive.COLOR else fields
             val shader = material.shader ?: materialShader
+            val isTranslucent = isTranslucent(vertices, selection)
             val whole = assembly.primitive(raster, fillRule, shader, all, normalSign, isTranslucent)
             if (!isMasked) return whole
             return whole?.let { MaskedPrimitive(it, materialShader, material.alphaCutoff) }
+        }
+
+        /** Whether some sample may be translucent: the material's doing or a vertex colour's. */
+        private fun isTranslucent(vertices: Vertices, corners: IntArray): Boolean {
+            if (material.isTranslucent) return true
+            return material.alphaMode == AlphaMode.BLEND && corners.any { vertices.get(it, Vertices.COLOR + 3) != 1.0 }
         }
 
         /** The contours' common normal in world space (Newell's method), to scale; into [normal]. */

@@ -43,7 +43,7 @@ internal class SpherePrimitive private constructor(
     override val columnEnd: Int
     override val leastDepth: Int
     override val greatestDepth: Int
-    override val isTranslucent: Boolean get() = sphere.material.alphaMode == AlphaMode.BLEND
+    override val isTranslucent: Boolean get() = sphere.material.isTranslucent
 
     init {
         val depths = intArrayOf(

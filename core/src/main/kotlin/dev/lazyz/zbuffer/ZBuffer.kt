@@ -11,6 +11,7 @@ import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
+import dev.lazyz.setup.requireOpaque
 import kotlinx.coroutines.flow.Flow
 
 /**
@@ -33,6 +34,7 @@ public class ZBuffer : Renderer {
     override val capabilities: Set<Capability> get() = setOf(Capability.STREAMS_PRIMITIVES)
 
     override fun render(frame: Frame, sink: RowSink): Counters {
+        requireOpaque(frame, this)
         val buffer = Buffer(frame.raster, frame.region)
         for (primitive in frame.primitives) buffer.draw(primitive)
         return buffer.finish(sink)
@@ -47,7 +49,11 @@ public class ZBuffer : Renderer {
      */
     public suspend fun render(raster: Raster, primitives: Flow<Primitive>, sink: RowSink): Counters {
         val buffer = Buffer(raster, raster.region)
-        primitives.collect { buffer.draw(it) }
+        var index = 0
+        primitives.collect {
+            requireOpaque(it, index++, this)
+            buffer.draw(it)
+        }
         return buffer.finish(sink)
     }
 
