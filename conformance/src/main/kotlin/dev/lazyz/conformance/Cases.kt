@@ -32,6 +32,11 @@ internal class MixedCases : ArbitrarySupplier<FrameCase> {
         Arbitraries.oneOf(listOf(Frames.screen(), Frames.tied(), Frames.confetti(), Frames.world())).withoutEdgeCases()
 }
 
+/** Frames of which some primitives are translucent. */
+internal class TranslucentCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Frames.translucent()
+}
+
 /** A few frames of all kinds. */
 internal class SeveralCases : ArbitrarySupplier<List<FrameCase>> {
     override fun get(): Arbitrary<List<FrameCase>> =

@@ -16,6 +16,10 @@ internal fun <T : Any> oneOf(vararg values: T): Arbitrary<T> = ints(0, values.si
 internal fun <T : Any> mixed(vararg choices: Pair<Int, Arbitrary<out T>>): Arbitrary<T> =
     Arbitraries.frequencyOf(*choices.map { Tuple.of<Int, Arbitrary<out T>>(it.first, it.second) }.toTypedArray())
 
-/** Lists of at most [max] elements, all lengths equally likely. */
-internal fun <T : Any> listsOf(elements: Arbitrary<T>, max: Int): Arbitrary<List<T>> =
-    elements.list().ofMaxSize(max).withSizeDistribution(RandomDistribution.uniform()).map { it }
+/** Lists of at most [max] elements, seldom none, all other lengths equally likely. */
+internal fun <T : Any> listsOf(elements: Arbitrary<T>, max: Int): Arbitrary<List<T>> {
+    val none = Arbitraries.just(emptyList<T>())
+    if (max == 0) return none
+    val some = elements.list().ofMinSize(1).ofMaxSize(max).withSizeDistribution(RandomDistribution.uniform())
+    return mixed(1 to none, 15 to some)
+}

@@ -30,10 +30,10 @@ public object Frames {
         val backgrounds = oneOf(Rgba.WHITE, Rgba.TRANSPARENT, Rgba(0.25f, 0.5f, 0.125f, 0.75f))
         val conventions = oneOf(DepthConvention.SMALLER_IS_NEARER, DepthConvention.LARGER_IS_NEARER)
         return Combinators
-            .combine(sides(maxWidth), sides(maxHeight), backgrounds, conventions, ints(0, 15), ints(0, 15))
+            .combine(sides(maxWidth), sides(maxHeight), backgrounds, conventions, ints(0, 15), ints(0, 31))
             .`as` { width, height, background, convention, test, depth ->
                 val depthTest = DepthTest.entries.getOrElse(test - 12) { convention.nearest }
-                val backgroundDepth = BACKGROUND_DEPTHS.getOrElse(depth - 10) { behindAll(depthTest) }
+                val backgroundDepth = BACKGROUND_DEPTHS.getOrElse(depth - 27) { behindAll(depthTest) }
                 Raster(width, height, background, convention, depthTest, backgroundDepth)
             }
     }
@@ -63,6 +63,25 @@ public object Frames {
     @JvmOverloads
     public fun confetti(maxSide: Int = DEFAULT_SIDE, maxPrimitives: Int = DEFAULT_PRIMITIVES): Arbitrary<FrameCase> =
         ScreenFrames(maxSide, maxSide).confettiCases(rasters(maxSide, maxSide), maxPrimitives).withoutEdgeCases()
+
+    /**
+     * Returns frames of all kinds in which some primitives, most or none are [Glass]: contract rule 5.5 decides what a
+     * sample shows, and renderers that do not blend refuse them (rule 5.6).
+     */
+    @JvmStatic
+    @JvmOverloads
+    public fun translucent(maxSide: Int = DEFAULT_SIDE, maxPrimitives: Int = DEFAULT_PRIMITIVES): Arbitrary<FrameCase> {
+        val kinds = listOf(
+            screen(maxSide, maxSide, maxPrimitives),
+            tied(maxSide, maxPrimitives),
+            confetti(maxSide, maxPrimitives),
+            world(maxSide, maxPrimitives),
+        )
+        return Combinators.combine(Arbitraries.oneOf(kinds), ints(0, 0xFFFF)).`as` { case, choice ->
+            case.glazed(choice)
+        }
+            .withoutEdgeCases()
+    }
 
     /**
      * Returns frames of scenes: polygons with and without holes, meshes, spheres, in front of the camera, behind it,
@@ -102,6 +121,6 @@ public object Frames {
 
     private fun sides(max: Int): Arbitrary<Int> {
         require(max in 1..Raster.MAX_SIDE) { "a side must be in 1..${Raster.MAX_SIDE}: $max" }
-        return mixed(3 to ints(1, max), 4 to ints((max + 1) / 2, max), 1 to Arbitraries.just(1))
+        return mixed(2 to ints(1, max), 13 to ints((max + 1) / 2, max), 1 to Arbitraries.just(1))
     }
 }

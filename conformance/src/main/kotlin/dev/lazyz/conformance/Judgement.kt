@@ -74,6 +74,24 @@ internal fun FrameCase.padded(): FrameCase = FrameCase(
     "$code // and before each primitive one that covers nothing, with the raster's bounds",
 )
 
+/** The same frame without translucency. */
+internal fun FrameCase.asOpaque(): FrameCase = FrameCase(frame.asOpaque(), "$code\n    .asOpaque()")
+
+/** Fails unless [renderer] refuses [case] by an [IllegalArgumentException] before it hands out a row. */
+internal fun refused(renderer: Renderer, case: FrameCase) {
+    var rows = 0
+    val answer = try {
+        renderer.render(case.frame) { _, _, _, _ -> rows++ }
+        "renders it"
+    } catch (_: IllegalArgumentException) {
+        if (rows == 0) return
+        "hands out $rows rows before it refuses"
+    } catch (e: Exception) {
+        "throws $e"
+    }
+    throw AssertionError("${renderer.id} does not blend, and $answer\nin\n$case")
+}
+
 /** Whether the primitives [a] and [b] both cover column [x] of row [y], at the same depth. */
 internal fun Frame.isTie(a: Int, b: Int, x: Int, y: Int): Boolean =
     covers(a, x, y) && covers(b, x, y) && primitives[a].depth(x, y) == primitives[b].depth(x, y)

@@ -112,6 +112,23 @@ public abstract class RendererConformance {
         }
     }
 
+    /** A renderer that promises transparency blends in exact order of depth. */
+    @Property(tries = 200, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_5_5_translucentPrimitivesBlendInOrderOfDepth(
+        @ForAll(supplier = TranslucentCases::class) case: FrameCase,
+    ) {
+        val renderer = renderer()
+        if (Capability.TRANSPARENCY in renderer.capabilities) Judgement(renderer, case).equalsReference().rowsInOrder()
+    }
+
+    /** A renderer that does not promise transparency refuses a translucent primitive before it hands out a row. */
+    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_5_6_whoCannotBlendRefuses(@ForAll(supplier = TranslucentCases::class) case: FrameCase) {
+        val renderer = renderer()
+        if (Capability.TRANSPARENCY !in renderer.capabilities && case.frame.hasTranslucency) refused(renderer, case)
+        Judgement(renderer, case.asOpaque()).equalsReference()
+    }
+
     /** A renderer that renders a frame again after others gives the same bits, by rows and into memory. */
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_sameBitsAgain(@ForAll(supplier = SeveralCases::class) cases: List<FrameCase>) {

@@ -38,8 +38,8 @@ internal object WorldFrames {
     }
 
     private val coordinates: Arbitrary<Double> = mixed(
-        16 to ints(-16, 16).map { it / 8.0 },
-        3 to ints(-40, 40).map { it.toDouble() },
+        80 to ints(-16, 16).map { it / 8.0 },
+        9 to ints(-40, 40).map { it.toDouble() },
         1 to oneOf(1e30, Double.NaN, Double.POSITIVE_INFINITY),
     )
 

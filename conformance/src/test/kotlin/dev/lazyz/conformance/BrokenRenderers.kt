@@ -1,6 +1,7 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Capability
+import dev.lazyz.Cell
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
@@ -9,7 +10,10 @@ import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
+import dev.lazyz.Rgba
 import dev.lazyz.RowSink
+import dev.lazyz.Selector
+import dev.lazyz.lists.Lists
 import dev.lazyz.zbuffer.ZBuffer
 
 /** A renderer with one mistake. */
@@ -135,11 +139,71 @@ object BrokenRenderers {
             ZBuffer().render(frame, sink)
         }
 
+    /** Takes what is translucent for opaque, without a word. */
+    fun takesGlassForOpaque() = drawing("takes-glass-for-opaque") { it.asOpaque() }
+
+    /** Blends in the order of submission. */
+    fun blendsAsSubmitted() = blending("blends-as-submitted") { cell ->
+        over(cell, cell.upToBackdrop().sortedByDescending { cell.primitive(it) })
+    }
+
+    /** The textbook's order of sums, from the back: the same but for the last bits. */
+    fun blendsFromTheBack() = blending("blends-from-the-back") { cell -> over(cell, cell.upToBackdrop().reversed()) }
+
+    /** Blends what lies behind an opaque fragment, too. */
+    fun blendsBehindTheBackdrop() = blending("blends-behind-the-backdrop") { cell ->
+        over(cell, (0 until cell.size).filter { it == 0 || cell.isTranslucent(it) }.reversed())
+    }
+
+    /** Blends right, and tells the depth of what is farthest. */
+    fun depthOfTheBackdrop() = blending("depth-of-the-backdrop") { cell ->
+        val right = SeenThrough(cell)
+        Selector.blend().select(right)
+        val last = cell.upToBackdrop().last()
+        right.color?.let { cell.show(last, it.red, it.green, it.blue, it.alpha) } ?: cell.show(0)
+    }
+
     /** Fails without primitives. */
     fun needsAPrimitive() = drawing("needs-a-primitive") { frame -> frame.also { it.primitives.first() } }
 
     /** Fails on a single column. */
     fun needsTwoColumns() = drawing("needs-two-columns") { frame -> frame.also { check(it.raster.width > 1) } }
+
+    /** Hears which colour a selector shows. */
+    private class SeenThrough(private val cell: Cell) : Cell by cell {
+        var color: Rgba? = null
+
+        override fun show(i: Int, red: Float, green: Float, blue: Float, alpha: Float) {
+            color = Rgba(red, green, blue, alpha)
+        }
+    }
+
+    private fun Cell.upToBackdrop(): List<Int> {
+        val backdrop = (0 until size).firstOrNull { !isTranslucent(it) } ?: (size - 1)
+        return (0..backdrop).toList()
+    }
+
+    /** Shows the fragments [fromBack], one over the other, over the background. */
+    private fun over(cell: Cell, fromBack: List<Int>) {
+        var color = cell.background
+        for (i in fromBack) {
+            val fragment = cell.shade(i)
+            val a = fragment.alpha.coerceIn(0f, 1f)
+            val alpha = a + color.alpha * (1 - a)
+            fun mix(front: Float, back: Float) =
+                if (alpha == 0f) 0f else (a * front + (1 - a) * color.alpha * back) / alpha
+            color = Rgba(
+                mix(fragment.red, color.red), mix(fragment.green, color.green), mix(fragment.blue, color.blue), alpha,
+            )
+        }
+        cell.show(0, color.red, color.green, color.blue, color.alpha)
+    }
+
+    private fun blending(id: String, selector: Selector) =
+        BrokenRenderer(id, setOf(Capability.TRANSPARENCY)) { frame, sink ->
+            val chosen = if (frame.hasTranslucency) selector else Selector.nearest()
+            Lists(RenderOptions(selector = chosen)).render(frame, sink)
+        }
 
     private fun drawing(id: String, change: (Frame) -> Frame) =
         BrokenRenderer(id) { frame, sink -> ZBuffer().render(change(frame), sink) }

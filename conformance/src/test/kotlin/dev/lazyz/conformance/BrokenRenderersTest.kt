@@ -19,6 +19,8 @@ class BrokenRenderersTest {
     private val order = "rule_5_4_orderIsIrrelevantWithoutTies"
     private val own = "rule_2_8_primitivesOfOnesOwnCoverWhatTheySay"
     private val background = "rule_4_3_backgroundIsWhereNothingPasses"
+    private val blend = "rule_5_5_translucentPrimitivesBlendInOrderOfDepth"
+    private val refuse = "rule_5_6_whoCannotBlendRefuses"
     private val again = "rule_7_1_sameBitsAgain"
     private val threads = "rule_7_1_sameBitsFromSeveralThreads"
     private val rows = "rule_7_3_rowsArriveInOrderEachOnce"
@@ -58,6 +60,11 @@ class BrokenRenderersTest {
         Mistake(BrokenRenderers::shadesMoreThanItPromises, promise),
         Mistake(BrokenRenderers::remembersTheLastFrame, again, threads, parts),
         Mistake(BrokenRenderers::oneThreadOnly, threads),
+        Mistake(BrokenRenderers::takesGlassForOpaque, refuse),
+        Mistake(BrokenRenderers::blendsAsSubmitted, blend),
+        Mistake(BrokenRenderers::blendsFromTheBack, blend),
+        Mistake(BrokenRenderers::blendsBehindTheBackdrop, blend),
+        Mistake(BrokenRenderers::depthOfTheBackdrop, blend),
         Mistake(BrokenRenderers::countsTheVisible, counts),
         Mistake(BrokenRenderers::countsACallTooMany, counts, empty),
         Mistake(BrokenRenderers::countsNoPasses, passes),
@@ -89,7 +96,7 @@ class BrokenRenderersTest {
                 but was  #[0-9a-f]{8}, depth [0-9]+, primitive 0
             in
             FrameBuilder\(Raster\([1-9], [1-9], Rgba.WHITE, DepthConvention.SMALLER_IS_NEARER, DepthTest.LESS, .*\)\)
-                .add\(Confetti\(0, 0, [3-9], 0, [1-9], 1.*\)\)
+                .add\(Confetti\(-?[0-9], 0, [3-9], 0, [1-9], 1.*\)\)
                 .build\(\)
             """.trimIndent(),
         )

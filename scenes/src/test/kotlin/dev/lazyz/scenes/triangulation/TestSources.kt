@@ -20,11 +20,17 @@ internal object TestSources {
 
     /** Opens one of the real meshes that stand beside the project, or skips the test. */
     fun model(name: String): Source {
+        val path = modelPath(name)
+        return Source(Files.readAllBytes(path), name, path.parent)
+    }
+
+    /** Finds one of the real meshes that stand beside the project, or skips the test. */
+    fun modelPath(name: String): Path {
         val folder = generateSequence(Path.of(System.getProperty("user.dir")).toAbsolutePath()) { it.parent }
             .map { it.resolve("shared/models") }
             .firstOrNull { Files.isDirectory(it) }
         assumeTrue(folder != null && Files.exists(folder.resolve(name)), "no real mesh $name")
-        return Source(Files.readAllBytes(folder!!.resolve(name)), name, folder)
+        return folder!!.resolve(name)
     }
 
     fun error(parser: SceneParser, source: Source): SceneFormatException =

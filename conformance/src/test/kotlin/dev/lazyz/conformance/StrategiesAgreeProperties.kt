@@ -1,0 +1,115 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Capability
+import dev.lazyz.Coherence
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Region
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.Renderers
+import java.util.Random
+import java.util.function.Predicate
+import net.jqwik.api.Arbitraries
+import net.jqwik.api.Arbitrary
+import net.jqwik.api.ArbitrarySupplier
+import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.ForAll
+import net.jqwik.api.Property
+import net.jqwik.api.statistics.Statistics
+import org.junit.jupiter.api.Assertions.assertTrue
+
+/**
+ * The library's one sentence: all its renderers give the same bits, on more than 20,000 frames, with random options and
+ * in random regions.
+ *
+ * [RendererConformance] compares each with the oracle, on fewer frames; here they are compared with each other.
+ */
+class StrategiesAgreeProperties {
+    @Property(tries = 8000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    fun rule_7_1_onTheScreen(@ForAll(supplier = ScreenCases::class) case: FrameCase, @ForAll salt: Long) =
+        agree(case, salt)
+
+    @Property(tries = 3000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    fun rule_7_1_onTies(@ForAll(supplier = TiedCases::class) case: FrameCase, @ForAll salt: Long) = agree(case, salt)
+
+    @Property(tries = 2000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    fun rule_7_1_onPrimitivesOfOnesOwn(@ForAll(supplier = ConfettiCases::class) case: FrameCase, @ForAll salt: Long) =
+        agree(case, salt)
+
+    @Property(tries = 7000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    fun rule_7_1_inScenes(@ForAll(supplier = WorldCases::class) case: FrameCase, @ForAll salt: Long) = agree(case, salt)
+
+    /** Rasters of several tiles and subdivisions, and primitives enough to hide each other. */
+    @Property(tries = 500, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    fun rule_7_1_onLargerFrames(@ForAll(supplier = LargerCases::class) case: FrameCase, @ForAll salt: Long) =
+        agree(case, salt)
+
+    @Property(tries = 2000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    fun rule_5_5_onTranslucentFrames(@ForAll(supplier = TranslucentCases::class) case: FrameCase, @ForAll salt: Long) =
+        agree(case, salt)
+
+    private fun agree(case: FrameCase, salt: Long) {
+        val random = Random(salt)
+        val part = if (random.nextInt(3) == 0) case.within(region(case.frame, random)) else case
+        val renderers = Renderers.builtIn.filter {
+            !part.frame.hasTranslucency || Capability.TRANSPARENCY in it.capabilities
+        }
+        val images = renderers.map { it.configured(options(random)) }.map { it to it.render(part.frame) }
+        val (first, expected) = images.first()
+        for ((renderer, image) in images) {
+            difference(expected, image)?.let {
+                throw AssertionError("$renderer and $first do not agree: $it\nin\n$part")
+            }
+        }
+        count(part.frame, expected, renderers)
+    }
+
+    /** Says how many frames were worth looking at: a run of empty pictures would prove nothing. */
+    private fun count(frame: Frame, image: Image, renderers: List<Renderer>) {
+        assertTrue(renderers.isNotEmpty())
+        val visible = image.primitive.distinct().count { it >= 0 }
+        Statistics.label("several primitives visible").collect(visible > 1)
+        Statistics.label("several primitives visible").coverage {
+            it.check(true).percentage(Predicate { share -> share > 25.0 })
+        }
+        Statistics.label("something hidden").collect(image.counters.fragments > image.visible)
+        Statistics.label("something hidden").coverage {
+            it.check(true).percentage(Predicate { share -> share > 40.0 })
+        }
+        Statistics.label("nothing visible").collect(visible == 0)
+        Statistics.label("nothing visible").coverage {
+            it.check(true).percentage(Predicate { share -> share < 45.0 })
+        }
+        Statistics.label("part of the raster").collect(image.region != frame.raster.region)
+    }
+
+    private fun options(random: Random) = RenderOptions(
+        Coherence.entries[random.nextInt(Coherence.entries.size)],
+        if (random.nextBoolean()) null else random.nextInt(4000).toLong(),
+        1 + random.nextInt(3),
+        8 shl random.nextInt(3),
+    )
+
+    private fun region(frame: Frame, random: Random): Region {
+        val columnStart = random.nextInt(frame.width)
+        val rowStart = random.nextInt(frame.height)
+        return Region(
+            columnStart,
+            rowStart,
+            columnStart + 1 + random.nextInt(frame.width - columnStart),
+            rowStart + 1 + random.nextInt(frame.height - rowStart),
+        )
+    }
+
+    private companion object {
+        const val SEED = "1995"
+    }
+}
+
+/** Frames of more samples and more primitives than the rules need. */
+class LargerCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Arbitraries.oneOf(
+        listOf(Frames.screen(70, 70, 60), Frames.tied(50, 40), Frames.world(70, 30)),
+    ).withoutEdgeCases()
+}

@@ -1,0 +1,48 @@
+package dev.lazyz.scenes
+
+import dev.lazyz.Capability
+import dev.lazyz.Frame
+import dev.lazyz.Renderers
+import dev.lazyz.Scene
+import dev.lazyz.scenes.triangulation.TestSources
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.DynamicTest
+import org.junit.jupiter.api.DynamicTest.dynamicTest
+import org.junit.jupiter.api.TestFactory
+
+/** Contract rule 7.1: all renderers give the same bits of every built-in scene, and of real meshes where there are some. */
+class StrategiesAgreeTest {
+    @TestFactory
+    fun rule_7_1_onEveryBuiltinScene(): List<DynamicTest> = Scenes.builtins.map { builtin ->
+        dynamicTest(builtin.id) { assertAgree(builtin.scene()) }
+    }
+
+    @TestFactory
+    fun rule_7_1_onRealMeshes(): List<DynamicTest> = MODELS.map { name ->
+        dynamicTest(name) { assertAgree(Scenes.load(TestSources.modelPath(name)).scene) }
+    }
+
+    private fun assertAgree(scene: Scene) {
+        for ((width, height) in listOf(160 to 120, 67 to 131)) {
+            val frame = scene.frame(width, height)
+            assertAgree(frame.asOpaque(), Renderers.builtIn.map { it.id })
+            if (!frame.hasTranslucency) continue
+            assertAgree(frame, Renderers.builtIn.filter { Capability.TRANSPARENCY in it.capabilities }.map { it.id })
+        }
+    }
+
+    private fun assertAgree(frame: Frame, ids: List<String>) {
+        assertTrue(ids.isNotEmpty())
+        val expected = Renderers.find(ids.first())!!.render(frame)
+        assertTrue(expected.visible > 0)
+        for (id in ids) assertEquals(expected, Renderers.find(id)!!.render(frame), id)
+    }
+
+    private companion object {
+        val MODELS = listOf(
+            "2CylinderEngine.glb", "BoxTextured.glb", "bunny.obj", "cow.obj", "igea.ply", "spider-ascii.stl",
+            "spider-binary.stl", "spider.obj", "spot.obj", "teapot.obj",
+        )
+    }
+}
