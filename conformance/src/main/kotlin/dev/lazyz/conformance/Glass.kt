@@ -15,8 +15,8 @@ public class Glass(private val whole: Primitive) : Primitive by whole {
 }
 
 /** The same frame, with [Glass] for each primitive whose number, modulo 16, is that of a bit set in [choice]. */
-internal fun FrameCase.glazed(choice: Int): FrameCase = FrameCase(
-    Frame(frame.raster, frame.primitives.mapIndexed { i, it -> if (choice shr i % 16 and 1 == 1) Glass(it) else it }),
-    "$code\n    .let { frame ->\n        Frame(\n            frame.raster,\n            frame.primitives.mapIndexed { i, it -> " +
-        "if ($choice shr i % 16 and 1 == 1) Glass(it) else it },\n        )\n    }",
-)
+public fun Frame.glazed(choice: Int): Frame =
+    Frame(raster, primitives.mapIndexed { i, it -> if (choice shr i % 16 and 1 == 1) Glass(it) else it }, region)
+
+/** The same frame, with [Glass] as [choice] says. */
+internal fun FrameCase.glazed(choice: Int): FrameCase = FrameCase(frame.glazed(choice), "$code\n    .glazed($choice)")
