@@ -41,6 +41,6 @@ public enum class Coherence {
     /** Each colour is reached by steps from the last visible sample of the primitive on the row. */
     INCREMENTAL,
 
-    /** A cost model chooses between the two, gap by gap. */
+    /** A cost model chooses between the two, for each primitive and gap (see [Primitive.shadingStartCost]). */
     ADAPTIVE,
 }

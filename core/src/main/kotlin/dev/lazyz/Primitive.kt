@@ -84,6 +84,17 @@ public interface Primitive {
      * the colours that [shade] gives, bit for bit.
      */
     public fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
+
+    /**
+     * What it costs to evaluate the attributes of one sample afresh, in steps of a [shadingCursor], at least 0:
+     * [Coherence.ADAPTIVE] steps over gaps of no more columns than that. Override it where starting is dear.
+     */
+    public val shadingStartCost: Int get() = DEFAULT_SHADING_START_COST
+
+    public companion object {
+        /** The [shadingStartCost] of primitives with linear attributes; see docs/algorithms/coherent-shading.md. */
+        public const val DEFAULT_SHADING_START_COST: Int = 4
+    }
 }
 
 /** Returns this primitive, or an opaque one like it whose colours have alpha 1 if it is translucent. */
@@ -95,7 +106,7 @@ public fun Primitive.asOpaque(): Primitive = if (isTranslucent) OpaquePrimitive(
  * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), section 4.
  */
 public interface ShadingCursor {
-    /** Goes to the next column. Much cheaper than [shade]. */
+    /** Goes to the next column. Cheap beside [shade]: [Primitive.shadingStartCost] says how much. */
     public fun step()
 
     /** Computes the colour at the current column; [fragment] has been moved there. */

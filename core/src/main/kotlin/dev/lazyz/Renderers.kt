@@ -1,11 +1,13 @@
 package dev.lazyz
 
 import dev.lazyz.flow.FlowPipeline
+import dev.lazyz.hierarchical.HierarchicalZBuffer
 import dev.lazyz.hybrid.Hybrid
 import dev.lazyz.lazy.LazyZBuffer
 import dev.lazyz.lists.Lists
 import dev.lazyz.painter.Painter
 import dev.lazyz.scanline.ScanLine
+import dev.lazyz.warnock.Warnock
 import dev.lazyz.zbuffer.ZBuffer
 import java.util.ServiceLoader
 
@@ -26,6 +28,8 @@ public object Renderers {
         Lists(),
         ScanLine(),
         Painter(),
+        Warnock(),
+        HierarchicalZBuffer(),
     )
 
     /**

@@ -14,7 +14,9 @@ import dev.lazyz.ShadingCursor
  * Shared by all renderers that shade late. A suspension is no more than the index of the primitive: primitive and sample
  * determine the colour (contract rule 6.1). What is carried along the row under [Coherence.INCREMENTAL] is a chain of
  * steps, one for each primitive seen on the row: where the primitive is hidden the steps are still made, the colours are
- * dropped; so a chain costs steps for its gaps, and saves evaluating the attributes where it is visible.
+ * dropped; so a chain costs steps for its gaps, and saves evaluating the attributes where it is visible. Under
+ * [Coherence.ADAPTIVE] a gap is stepped over if that costs no more than a new chain, by the primitive's own word
+ * ([Primitive.shadingStartCost]).
  *
  * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), section 4. There a chain begins at
  * the primitive's first sample on the row; here at the first that is visible, which gives the same colours for less.
@@ -26,14 +28,15 @@ internal class LateShading(private val frame: Frame, private val coherence: Cohe
     private val background = frame.raster.background.toArgb()
     private val firstColumn = frame.region.columnStart
 
-    /** The chains of this row, by primitive. */
+    /** The chains of this row, by primitive, and the one that was used last: neighbours are mostly of one primitive. */
     private val chains = HashMap<Int, Chain>()
+    private var last: Chain? = null
 
     /** Bytes held by chains at their most numerous, estimated by the size of their fields. */
     var peakBytes: Long = 0
         private set
 
-    private class Chain(val cursor: ShadingCursor, var x: Int)
+    private class Chain(val index: Int, val cursor: ShadingCursor, var x: Int)
 
     /**
      * Computes the colours of row [y] for the visible primitives of [indices] (one a column, from the region's first)
@@ -50,6 +53,7 @@ internal class LateShading(private val frame: Frame, private val coherence: Cohe
     /** Ends all chains. To be called before each row that is not shaded by [shadeRow]. */
     fun beginRow() {
         chains.clear()
+        last = null
     }
 
     /** Computes the colour of the primitive [index] at a sample. Within a row, columns do not decrease. */
@@ -74,32 +78,31 @@ internal class LateShading(private val frame: Frame, private val coherence: Cohe
 
     /** Returns shading of the primitive [index] at column [x], or null if the primitive has none that steps. */
     private fun cursorAt(x: Int, y: Int, index: Int, primitive: Primitive): ShadingCursor? {
-        val chain = chains[index]
-        if (chain != null && isWorthStepping(x - chain.x)) {
+        // Go on with the primitive's chain
+        val chain = last?.takeIf { it.index == index } ?: chains[index]
+        if (chain != null && isWorthStepping(x - chain.x, primitive)) {
             val gap = x - chain.x
             for (step in 0 until gap) chain.cursor.step()
             chain.x = x
             counters.shadingSteps += gap
             counters.longestChain = maxOf(counters.longestChain, gap.toLong())
+            last = chain
             return chain.cursor
         }
+
+        // Begin a new one
         val cursor = primitive.shadingCursor(x, y) ?: return null
         counters.shadingStarts++
-        chains[index] = Chain(cursor, x)
+        last = Chain(index, cursor, x).also { chains[index] = it }
         peakBytes = maxOf(peakBytes, chains.size * CHAIN_BYTES)
         return cursor
     }
 
-    private fun isWorthStepping(gap: Int): Boolean = coherence == Coherence.INCREMENTAL || gap <= BREAK_EVEN
+    private fun isWorthStepping(gap: Int, primitive: Primitive): Boolean =
+        coherence == Coherence.INCREMENTAL || gap <= primitive.shadingStartCost
 
     private companion object {
-        /**
-         * Steps that cost as much as evaluating the attributes' forms afresh: three additions against six
-         * multiplications, six additions and a new cursor.
-         */
-        const val BREAK_EVEN = 4
-
-        /** A chain: two objects of a header and four 8-byte fields, and an entry of the map. */
-        const val CHAIN_BYTES = 144L
+        /** A chain: two objects of a header and five 8-byte fields, and an entry of the map. */
+        const val CHAIN_BYTES = 152L
     }
 }
