@@ -7,6 +7,7 @@ import dev.lazyz.lazy.LazyZBuffer
 import dev.lazyz.lists.Lists
 import dev.lazyz.painter.Painter
 import dev.lazyz.scanline.ScanLine
+import dev.lazyz.tiled.Tiled
 import dev.lazyz.warnock.Warnock
 import dev.lazyz.zbuffer.ZBuffer
 import java.util.ServiceLoader
@@ -30,6 +31,7 @@ public object Renderers {
         Painter(),
         Warnock(),
         HierarchicalZBuffer(),
+        Tiled(),
     )
 
     /**

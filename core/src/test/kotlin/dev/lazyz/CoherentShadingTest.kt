@@ -87,8 +87,9 @@ class CoherentShadingTest {
     private fun cost(counters: Counters): Long =
         counters.shadingStarts * Primitive.DEFAULT_SHADING_START_COST + counters.shadingSteps
 
+    /** In tiles as wide as the raster, if there are tiles: chains end with a tile's row. */
     private fun counters(renderer: Renderer, frame: Frame, coherence: Coherence): Counters =
-        renderer.configured(RenderOptions(coherence)).render(frame).counters
+        renderer.configured(RenderOptions(coherence, threads = 1, tileSize = 512)).render(frame).counters
 
     private fun lateRenderers(): List<Renderer> = Renderers.builtIn.filter { Capability.COHERENCE in it.capabilities }
 

@@ -27,7 +27,7 @@ class TranslucencyTest {
             val error = assertThrows<IllegalArgumentException> { renderer.render(frame, noRows) }
             assertEquals(
                 "primitive 1 is translucent and the renderer '${renderer.id}' does not blend: " +
-                    "use 'lists', which does, or make it opaque with asOpaque()",
+                    "use 'tiled' or 'lists', which do, or make it opaque with asOpaque()",
                 error.message,
             )
         }

@@ -1,6 +1,9 @@
 package dev.lazyz.cli
 
 import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.option
+import dev.lazyz.Renderer
 import dev.lazyz.scenes.Scenes
 
 /** `zcli scenes`: the built-in scenes, one line each. */
@@ -17,19 +20,30 @@ internal class ScenesCommand(private val streams: Streams) : Command("scenes") {
     }
 }
 
-/** `zcli strategies`: the renderers, one line each. */
+/** `zcli strategies`: the renderers, one line each, or with a second one that tells what they are capable of. */
 internal class StrategiesCommand(private val streams: Streams) : Command("strategies") {
+    private val isLong by option("--long", help = "Below each, tell what it is capable of").flag()
+
     override fun help(context: Context): String =
         "Lists the strategies for removing hidden surfaces.\n\nThey all give the same picture, bit for bit; they " +
-            "differ in time and memory."
+            "differ in time and memory. 'zcli compare' shows by how much."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli strategies" to "an id and a description a line",
+        "zcli strategies --long" to "and who blends, keeps to a memory budget, works in parallel",
         "zcli render city --strategy zbuffer --stats -o city.png" to "renders with one of them and says what it took",
     )
 
     override fun run() {
-        streams.print(columns(Strategies.all().map { it.id to it.summary }))
+        val rows = Strategies.all().flatMap { strategy ->
+            listOfNotNull(strategy.id to strategy.summary, if (isLong) "" to capabilities(strategy) else null)
+        }
+        streams.print(columns(rows))
+    }
+
+    private fun capabilities(strategy: Renderer): String {
+        val words = strategy.capabilities.sorted().map { it.name.lowercase().replace('_', ' ') }
+        return words.joinToString(", ", "[", "]")
     }
 }
 

@@ -2,6 +2,7 @@ package dev.lazyz.cli
 
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.PrintHelpMessage
+import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.core.parse
 import java.io.InputStream
@@ -16,8 +17,8 @@ fun main(args: Array<String>) {
 }
 
 /**
- * Runs zcli on streams of one's own, without a terminal, and returns its exit code: 0 done, 2 the user's mistake or a
- * bad file, 70 a bug of ours.
+ * Runs zcli on streams of one's own, without a terminal, and returns its exit code: 0 done, 1 the strategies'
+ * pictures differ, 2 the user's mistake or a bad file, 70 a bug of ours.
  */
 fun run(args: Array<String>, stdin: InputStream, stdout: OutputStream, stderr: PrintStream): Int =
     run(args, Streams(stdin, stdout, stderr))
@@ -34,7 +35,7 @@ internal fun run(args: Array<String>, streams: Streams): Int = try {
 
 private fun attempt(args: Array<String>, streams: Streams): Int {
     try {
-        Zcli(streams, args.firstOrNull()).parse(args.asList())
+        Zcli(streams, args.asList()).parse(args.asList())
         streams.output.flush()
         return ExitCode.DONE
     } catch (request: CliktError) {
@@ -59,18 +60,28 @@ private fun answer(request: CliktError, streams: Streams): Int {
 
         is UsageError -> streams.error(Failure.usage(request))
 
+        // All has been said
+        is ProgramResult -> Unit
+
         else -> {
             val text = request.message.orEmpty()
             if (request.statusCode == ExitCode.DONE) streams.print(text + "\n") else streams.error(text)
         }
     }
     streams.output.flush()
-    return if (request is PrintHelpMessage || request.statusCode == 0) ExitCode.DONE else ExitCode.MISTAKE
+    return when {
+        request is PrintHelpMessage || request.statusCode == ExitCode.DONE -> ExitCode.DONE
+        request is ProgramResult -> request.statusCode
+        else -> ExitCode.MISTAKE
+    }
 }
 
 /** What zcli returns to the shell. */
 internal object ExitCode {
     const val DONE = 0
+
+    /** The strategies' pictures differ, or a strategy failed. */
+    const val DIFFERENT = 1
 
     /** The user's mistake, or a file that is no good. */
     const val MISTAKE = 2

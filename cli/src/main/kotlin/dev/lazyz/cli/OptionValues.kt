@@ -4,10 +4,22 @@ import com.github.ajalt.clikt.parameters.options.NullableOption
 import com.github.ajalt.clikt.parameters.options.RawOption
 import com.github.ajalt.clikt.parameters.options.convert
 import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
+import dev.lazyz.Selector
 import dev.lazyz.scenes.ImageSize
 
 private val sizeForm = Regex("""(-?\d+)[xX×](-?\d+)""")
+
+private val regionForm = Regex("""(-?\d+),(-?\d+),(-?\d+)[xX×](-?\d+)""")
+
+private val selectors = mapOf(
+    "nearest" to Selector.nearest(),
+    "farthest" to Selector.farthest(),
+    "count" to Selector.count(),
+    "blend" to Selector.blend(),
+)
 
 private val numberForm = Regex("""[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?""")
 
@@ -20,6 +32,56 @@ internal fun RawOption.size(): NullableOption<ImageSize, ImageSize> = convert("W
             ?: fail("width and height must be in 1..${Raster.MAX_SIDE}: $text")
     }
     ImageSize(sides[0], sides[1])
+}
+
+/** Takes `100,50,320x240`: column and row of the upper left pixel, width and height. */
+internal fun RawOption.region(): NullableOption<Region, Region> = convert("X,Y,WxH") { text ->
+    val words = regionForm.matchEntire(text)?.groupValues?.drop(1)
+        ?: fail("'$text' is not X,Y,WIDTHxHEIGHT, such as 100,50,320x240")
+    val (x, y, width, height) = words.map { it.toIntOrNull()?.takeIf { side -> side <= Raster.MAX_SIDE } ?: -1 }
+    if (x < 0 || y < 0) fail("column and row must be in 0..${Raster.MAX_SIDE - 1}: $text")
+    if (width < 1 || height < 1) fail("width and height must be in 1..${Raster.MAX_SIDE}: $text")
+    Region(x, y, x + width, y + height)
+}
+
+/** Takes the name of a selector, or `kth:K`. */
+internal fun RawOption.selector(): NullableOption<Selector, Selector> = convert("SELECTOR") { text ->
+    val name = text.lowercase()
+    val number = name.substringAfter("kth:", "").takeIf { it.isNotEmpty() }
+    when {
+        name in selectors -> selectors.getValue(name)
+        number != null -> Selector.kthNearest(
+            number.toIntOrNull()?.takeIf { it >= 1 } ?: fail("K of kth:K must be a whole number, 1 or more: $text"),
+        )
+        else -> {
+            val hint = Nearest.hint(text, selectors.keys)
+            fail("'$text' is not one of nearest, farthest, kth:K, count, blend$hint")
+        }
+    }
+}
+
+/** Takes an amount of memory: `65536`, `64k`, `16MiB`. */
+internal fun RawOption.bytes(): NullableOption<Long, Long> = convert("SIZE") { text ->
+    Bytes.parse(text) ?: fail("'$text' is not an amount of memory, such as 65536, 64k or 16MiB")
+}
+
+/** Takes a whole number that goes into [RenderOptions] by way of [use], which says what is legal. */
+internal fun RawOption.count(use: (Int) -> RenderOptions): NullableOption<Int, Int> = convert("N") { text ->
+    val number = text.toIntOrNull() ?: fail("'$text' is not a whole number")
+    try {
+        use(number)
+    } catch (illegal: IllegalArgumentException) {
+        // The message begins with the option's name in the library
+        fail(illegal.message.orEmpty().substringAfter(' '))
+    }
+    number
+}
+
+/** Takes a whole number in [range]. */
+internal fun RawOption.count(range: IntRange): NullableOption<Int, Int> = convert("N") { text ->
+    val number = text.toIntOrNull() ?: fail("'$text' is not a whole number")
+    if (number !in range) fail("must be in $range: $text")
+    number
 }
 
 /** Takes a decimal number in [range], which [unit] follows in messages. */

@@ -1,6 +1,6 @@
 package dev.lazyz.cli
 
-import dev.lazyz.Raster
+import dev.lazyz.Region
 import dev.lazyz.RowSink
 import dev.lazyz.scenes.writers.ImageFiles
 import dev.lazyz.scenes.writers.PngSink
@@ -30,33 +30,36 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
         }
     }
 
-    /** Lets [render] write to all outputs and to [tally] at once. When it returns, the files are there; else they are not. */
-    fun <T> write(raster: Raster, tally: Tally, render: (RowSink) -> T): T = try {
+    /**
+     * Lets [render] write rows of [region] to all outputs and to [tally] at once. When it returns, the files are there;
+     * else they are not.
+     */
+    fun <T> write(region: Region, tally: Tally, render: (RowSink) -> T): T = try {
         // Outermost is what is finished last: a file of depth appears only when the picture is out
-        writeDepth(raster) { depth ->
-            writePicture(raster) { picture -> render(FanOut(listOfNotNull(picture, depth, tally))) }
+        writeDepth(region) { depth ->
+            writePicture(region) { picture -> render(FanOut(listOfNotNull(picture, depth, tally))) }
         }
     } catch (closed: OutputClosed) {
         val file = request.depthOutput ?: throw closed
         throw Mistake("standard output was closed before the end, and $file was not written")
     }
 
-    private fun <T> writePicture(raster: Raster, render: (RowSink) -> T): T {
-        if (picture != null) return writeFile(picture, raster, render)
-        return PngSink(streams.output, raster.width, raster.height).use(render)
+    private fun <T> writePicture(region: Region, render: (RowSink) -> T): T {
+        if (picture != null) return writeFile(picture, region, render)
+        return PngSink(streams.output, region.width, region.height).use(render)
     }
 
-    private fun <T> writeDepth(raster: Raster, render: (RowSink?) -> T): T {
+    private fun <T> writeDepth(region: Region, render: (RowSink?) -> T): T {
         val path = request.depthOutput ?: return render(null)
-        return writeFile(path, raster, render)
+        return writeFile(path, region, render)
     }
 
-    private fun <T> writeFile(path: Path, raster: Raster, render: (RowSink) -> T): T =
-        ImageFiles.write(path, raster.width, raster.height) { sink -> render(Blaming(path, sink)) }
+    private fun <T> writeFile(path: Path, region: Region, render: (RowSink) -> T): T =
+        ImageFiles.write(path, region.width, region.height) { sink -> render(Blaming(path, sink)) }
 
     /** Tells a person what was written. */
-    fun describe(raster: Raster) {
-        if (picture != null) streams.remark("wrote $picture, ${raster.width}x${raster.height}")
+    fun describe(region: Region) {
+        if (picture != null) streams.remark("wrote $picture, ${region.width}x${region.height}")
         request.depthOutput?.let { streams.remark("wrote $it") }
     }
 

@@ -3,58 +3,58 @@ package dev.lazyz.cli
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.PixelHash
-import dev.lazyz.Raster
+import dev.lazyz.Region
 import dev.lazyz.RowSink
 
-/** What a rendering took, by name, in the order in which it is told. The names are an interface to scripts. */
+/**
+ * What a rendering took, by name, in the order in which it is told. The names are an interface to scripts.
+ *
+ * @param picture the samples that were rendered
+ */
 internal class Statistics(
     input: String,
     strategy: String,
-    raster: Raster,
+    picture: Region,
     counters: Counters,
     tally: Tally,
     warnings: Int,
     nanoseconds: Long,
 ) {
-    val entries: List<Pair<String, Any>> = listOf(
+    val entries: Map<String, Any> = mapOf(
         "input" to input,
         "strategy" to strategy,
-        "width" to raster.width,
-        "height" to raster.height,
-        "primitives" to counters.primitives,
-        "fragments" to counters.fragments,
-        "overdraw" to counters.fragments.toDouble() / raster.size,
-        "depthEvaluations" to counters.depthEvaluations,
-        "depthPasses" to counters.depthPasses,
-        "shadingCalls" to counters.shadingCalls,
-        "shadingStarts" to counters.shadingStarts,
-        "shadingSteps" to counters.shadingSteps,
-        "longestChain" to counters.longestChain,
-        "peakSuspensions" to counters.peakSuspensions,
-        "peakBytes" to counters.peakBytes,
+        "width" to picture.width,
+        "height" to picture.height,
+    ) + counted(counters, picture) + mapOf(
         "visible" to tally.visible,
-        "coverage" to tally.visible.toDouble() / raster.size,
+        "coverage" to tally.visible.toDouble() / picture.size,
         "blank" to (tally.visible == 0L),
         "warnings" to warnings,
-        "millis" to nanoseconds / 100_000 / 10.0,
+        "millis" to millis(nanoseconds),
         "pixelHash" to tally.hash(),
     )
 
-    /** Returns one JSON object (RFC 8259) in one line of ASCII. */
-    fun toJson(): String = entries.joinToString(", ", "{", "}") { (key, value) ->
-        "\"$key\": " + if (value is String) quoted(value) else value.toString()
-    }
+    /** Returns one JSON object in one line. */
+    fun toJson(): String = Json.of(entries)
 
-    private fun quoted(text: String): String = buildString {
-        append('"')
-        for (char in text) {
-            when {
-                char == '"' || char == '\\' -> append('\\').append(char)
-                char in ' '..'~' -> append(char)
-                else -> append("\\u").append(char.code.toString(16).padStart(4, '0'))
-            }
-        }
-        append('"')
+    companion object {
+        /** What the counters say of rendering [picture]. */
+        fun counted(counters: Counters, picture: Region): Map<String, Any> = mapOf(
+            "primitives" to counters.primitives,
+            "fragments" to counters.fragments,
+            "overdraw" to counters.fragments.toDouble() / picture.size,
+            "depthEvaluations" to counters.depthEvaluations,
+            "depthPasses" to counters.depthPasses,
+            "shadingCalls" to counters.shadingCalls,
+            "shadingStarts" to counters.shadingStarts,
+            "shadingSteps" to counters.shadingSteps,
+            "longestChain" to counters.longestChain,
+            "peakSuspensions" to counters.peakSuspensions,
+            "peakBytes" to counters.peakBytes,
+        )
+
+        /** Milliseconds with one decimal. */
+        fun millis(nanoseconds: Long): Double = nanoseconds / 100_000 / 10.0
     }
 }
 

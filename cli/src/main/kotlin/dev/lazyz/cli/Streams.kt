@@ -84,7 +84,7 @@ internal class Streams(
             { isTerminal(it) && (it == 1 || System.getenv("TERM") != "dumb") },
         )
 
-        /** Java does not tell which stream is a terminal; a character device that is none of the usual others is one. */
+        /** Java does not tell which stream is a terminal; a character device that is no usual other is one. */
         private fun isTerminal(descriptor: Int): Boolean = try {
             val mode = Files.getAttribute(Path.of("/dev/fd/$descriptor"), "unix:mode") as Int
             val isCharacterDevice = mode and FILE_TYPE == CHARACTER_DEVICE

@@ -31,8 +31,8 @@ internal class PointOfView(
     private val isGiven: Boolean get() = listOfNotNull(view, azimuth, elevation, zoom, projection).isNotEmpty()
 
     /**
-     * Returns [scene] seen as the user wants it. Whatever is chosen, the camera then frames the whole scene; what is not
-     * chosen stays as the scene's own camera has it, as far as a framing camera can.
+     * Returns [scene] seen as the user wants it. Whatever is chosen, the camera then frames the whole scene; what is
+     * not chosen stays as the scene's own camera has it, as far as a framing camera can.
      */
     fun applyTo(scene: Scene): Scene {
         if (!isGiven) return scene

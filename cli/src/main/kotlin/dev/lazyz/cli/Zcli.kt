@@ -9,18 +9,20 @@ import dev.lazyz.scenes.Scenes
 /**
  * The command `zcli`, which only leads to others.
  *
- * @param first the first word of the command line: if it is a command, no other is built, for zcli starts sooner so
+ * @param args the words of the command line; if the first is a command, no other is built, for zcli starts sooner so
  */
-internal class Zcli(streams: Streams, first: String?) : Command("zcli") {
+internal class Zcli(streams: Streams, args: List<String>) : Command("zcli") {
     override val printHelpOnEmptyArgs: Boolean get() = true
 
     init {
         versionOption(Version.text, help = "Print the version and exit", message = { "zcli $it" })
         val commands = mapOf(
             "render" to { RenderCommand(streams) },
+            "compare" to { CompareCommand(streams, args) },
             "scenes" to { ScenesCommand(streams) },
             "strategies" to { StrategiesCommand(streams) },
         )
+        val first = args.firstOrNull()
         val only = commands[first]
         if (only == null && first != null && !first.startsWith("-")) throw unknown(first, commands.keys)
         subcommands(if (only != null) listOf(only()) else commands.values.map { it() })

@@ -1,5 +1,6 @@
 package dev.lazyz.cli
 
+import dev.lazyz.Renderers
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -13,7 +14,7 @@ class CommandLineTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = ["", "render", "scenes", "strategies"])
+    @ValueSource(strings = ["", "render", "compare", "scenes", "strategies"])
     fun helpHasUsageAndExamplesInEightyColumns(command: String) {
         val words = listOf(command, "--help").filter { it.isNotEmpty() }
         val help = zcli(*words.toTypedArray()).done().text
@@ -25,13 +26,13 @@ class CommandLineTest {
 
     @Test
     fun examplesOfHelpParse() {
-        val helps = listOf("render", "scenes", "strategies").map { zcli(it, "--help") } + zcli("--help")
+        val helps = listOf("render", "compare", "scenes", "strategies").map { zcli(it, "--help") } + zcli("--help")
         val examples = helps.flatMap { it.text.lines() }.filter { "  zcli" in it || "| zcli" in it }
-        assertTrue(examples.size > 8, "$examples")
+        assertTrue(examples.size > 12, "$examples")
         for (example in examples) {
             val words = example.substringAfter("zcli ").substringBefore(" >").split(" ")
 
-            if (words[0] != "render" || "--help" in words) {
+            if (words[0] !in setOf("render", "compare") || "--help" in words) {
                 zcli(*words.toTypedArray()).done()
                 continue
             }
@@ -57,6 +58,17 @@ class CommandLineTest {
     fun strategiesAreListedALineEach() {
         val lines = zcli("strategies").done().text.lines().dropLast(1)
         assertTrue(lines.any { it.startsWith("zbuffer ") }, "$lines")
+        assertEquals(Renderers.all().map { it.id }, lines.map { it.substringBefore(' ') })
+    }
+
+    @Test
+    fun strategiesTellWhatTheyAreCapableOf() {
+        val lines = zcli("strategies", "--long").done().text.lines().dropLast(1)
+        assertEquals(zcli("strategies").text.lines().dropLast(1), lines.filterIndexed { i, _ -> i % 2 == 0 })
+        for ((strategy, words) in Renderers.all().zip(lines.filterIndexed { i, _ -> i % 2 == 1 })) {
+            val told = words.trim().removeSurrounding("[", "]").split(", ").filter { it.isNotEmpty() }
+            assertEquals(strategy.capabilities.map { it.name.lowercase().replace('_', ' ') }.sorted(), told.sorted())
+        }
     }
 
     @Test
@@ -69,6 +81,7 @@ class CommandLineTest {
         zcli("--versoin").mistake("no such option --versoin", "--version")
         zcli("scenes", "extra").mistake("unexpected extra argument (extra)", "See 'zcli scenes --help'")
         zcli("strategies", "--all").mistake("no such option --all")
+        zcli("compare").mistake("missing argument INPUT", "See 'zcli compare --help'")
         zcli("render").mistake("missing argument INPUT", "See 'zcli render --help'")
     }
 }

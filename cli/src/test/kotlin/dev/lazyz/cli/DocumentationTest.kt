@@ -1,5 +1,6 @@
 package dev.lazyz.cli
 
+import dev.lazyz.Capability
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.readText
@@ -14,20 +15,20 @@ class DocumentationTest {
             .first { it.exists() }
             .readText()
 
-    private val commands = listOf("render", "scenes", "strategies")
+    private val commands = listOf("render", "compare", "scenes", "strategies")
 
     private fun help(vararg command: String) = zcli(*command, "--help").done().text
 
     /** Flags in the form `--flag METAVAR` or `-o`, as they stand at the beginning of a line of help. */
     private fun rows(help: String): List<String> {
-        val flag = Regex("""(?m)^ {2}(-[^ ,]*(?:, --[^ ]+)?(?: [A-Zx]+(?= |$))?)""")
+        val flag = Regex("""(?m)^ {2}(-[^ ,]*(?:, --[^ ]+)?(?: [A-Zx,]+(?= |$))?)""")
         return flag.findAll(help).map { it.groupValues[1] }.toList()
     }
 
     @Test
     fun eachFlagOfHelpHasARow() {
         val flags = (listOf(help()) + commands.map { help(it) }).flatMap { rows(it) }.toSet()
-        assertTrue(flags.size >= 17, "$flags")
+        assertTrue(flags.size >= 27, "$flags")
         val missing = flags.filter { "| `$it` |" !in page }
         assertEquals(listOf<String>(), missing, "flags of --help without a row in docs/cli.md")
     }
@@ -44,7 +45,8 @@ class DocumentationTest {
     @Test
     fun commandsStatisticsAndExitCodesAreTold() {
         for (command in commands) assertTrue("`zcli $command" in page, command)
-        for (code in listOf(ExitCode.DONE, ExitCode.MISTAKE, ExitCode.BUG)) assertTrue("| `$code` |" in page, "$code")
+        val codes = listOf(ExitCode.DONE, ExitCode.DIFFERENT, ExitCode.MISTAKE, ExitCode.BUG)
+        for (code in codes) assertTrue("| `$code` |" in page, "$code")
         val json = zcli("render", "teapot", "-o", "-", "--size", "4x3", "--stats=json").errors
         val keys = Regex("\"(\\w+)\": ").findAll(json).map { it.groupValues[1] }.toList()
         val rows = Regex("""\| `(\w+)` \|""").findAll(page.substringAfter("## Statistics")).map { it.groupValues[1] }
@@ -52,9 +54,26 @@ class DocumentationTest {
     }
 
     @Test
+    fun keysOfAComparisonAreTold() {
+        val json = zcli("compare", "teapot", "--size", "4x3", "--strategy", "zbuffer", "--json").done().text
+        val own = Regex("\"(\\w+)\": ").findAll(json).map { it.groupValues[1] }.toSet()
+        val section = page.substringAfter("## zcli compare").substringBefore("\n## ")
+        val statistics = zcli("render", "teapot", "-o", "-", "--size", "4x3", "--stats=json").errors
+        for (key in own) assertTrue("`$key`" in section || "\"$key\": " in statistics, key)
+    }
+
+    @Test
+    fun capabilitiesAreTold() {
+        val words = Capability.entries.map { it.name.lowercase().replace('_', ' ') }
+        val told = Regex("""\| ([a-z ]+) \|""").findAll(page).map { it.groupValues[1] }.filter { it in words }
+        assertEquals(words, told.toList())
+    }
+
+    @Test
     fun examplesOfThePageParse() {
-        val examples = Regex("""(?m)^(?:.*\| )?zcli (render .*)$""").findAll(page).map { it.groupValues[1] }.toList()
-        assertTrue(examples.size >= 5, "$examples")
+        val example = Regex("""(?m)^(?:.*\| )?zcli ((?:render|compare) .*)$""")
+        val examples = example.findAll(page).map { it.groupValues[1] }.toList()
+        assertTrue(examples.size >= 10, "$examples")
         for (example in examples) {
             val words = example.substringBefore(" >").trim().split(" ")
             zcli(*words.toTypedArray(), "--zoom", "0").mistake("--zoom: must be in")

@@ -1,6 +1,13 @@
 package dev.lazyz.cli
 
+import dev.lazyz.Capability
 import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.Renderer
+import dev.lazyz.Renderers
+import dev.lazyz.hybrid.Hybrid
+import dev.lazyz.painter.Painter
+import dev.lazyz.scanline.ScanLine
 import dev.lazyz.zbuffer.ZBuffer
 import java.io.ByteArrayOutputStream
 import java.io.PrintStream
@@ -38,13 +45,65 @@ class SmallPartsTest {
     }
 
     @Test
+    fun bytesAreRead() {
+        val expected = mapOf(
+            "0" to 0L,
+            "65536" to 65_536L,
+            "100 bytes" to 100L,
+            "7b" to 7L,
+            "64k" to 65_536L,
+            "64K" to 65_536L,
+            "1ki" to 1024L,
+            "1 KiB" to 1024L,
+            "16m" to (16L shl 20),
+            "16MiB" to (16L shl 20),
+            "3g" to (3L shl 30),
+            "2T" to (2L shl 40),
+            "8388607t" to (8_388_607L shl 40),
+            "8388608t" to Long.MAX_VALUE,
+            "99999999999999999999" to Long.MAX_VALUE,
+        )
+        for ((text, bytes) in expected) assertEquals(bytes, Bytes.parse(text), text)
+        for (other in listOf("", "k", "-1", "1.5g", "64kb", "64KB", "1x", "1kk", "0x10", " 1")) {
+            assertNull(Bytes.parse(other), other)
+        }
+    }
+
+    @Test
     fun memoryIsEstimatedBeforeItIsNeeded() {
-        MemoryNeed.check(ZBuffer(), Raster(100, 100), available = 120_000)
-        val larger = Raster(100, 101)
+        MemoryNeed.check(ZBuffer(), Region(0, 0, 100, 100), available = 120_000)
+        val larger = Region(0, 0, 100, 101)
         val mistake = assertThrows(Mistake::class.java) { MemoryNeed.check(ZBuffer(), larger, available = 120_000) }
         val parts = listOf("100x101", "'zbuffer'", "118.3 KiB", "117.1 KiB", "-Xmx2g")
         assertEquals(parts, parts.filter { it in mistake.message.orEmpty() }, mistake.message)
-        MemoryNeed.check(BuggyRenderer(), Raster(262_144, 262_144), available = 1)
+        MemoryNeed.check(BuggyRenderer(), Region(0, 0, 262_144, 262_144), available = 1)
+    }
+
+    @Test
+    fun whoKeepsThePictureIsFoundOutByMeasuring() {
+        fun assertNeeds(bytesPerPixel: Long, strategy: Renderer, kept: Long = 0) {
+            val picture = Region(0, 0, 1000, 1000)
+            val need = (bytesPerPixel + kept) * picture.size
+            MemoryNeed.check(strategy, picture, kept, need)
+            assertThrows(Mistake::class.java) { MemoryNeed.check(strategy, picture, kept, need - 1) }
+        }
+        assertNeeds(12, ZBuffer())
+        assertNeeds(12, Hybrid())
+        assertNeeds(8, Painter())
+        assertNeeds(12, WrongColorRenderer())
+        assertNeeds(0, ScanLine(), kept = 12)
+    }
+
+    @Test
+    fun everyBuiltInEitherStreamsOrRefusesWhatCannotFit() {
+        val largest = Raster(262_144, 262_144).region
+        for (strategy in Renderers.builtIn) {
+            if (Capability.CONSTANT_MEMORY in strategy.capabilities) {
+                MemoryNeed.check(strategy, largest)
+            } else {
+                assertThrows(Mistake::class.java, { MemoryNeed.check(strategy, largest) }, strategy.id)
+            }
+        }
     }
 
     @Test

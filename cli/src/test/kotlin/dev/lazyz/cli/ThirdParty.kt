@@ -1,9 +1,12 @@
 package dev.lazyz.cli
 
+import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.Frame
+import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.lists.Lists
 import dev.lazyz.zbuffer.ZBuffer
 import java.net.URLClassLoader
 import java.nio.file.Path
@@ -31,6 +34,76 @@ class UnbornRenderer : FailingRenderer("unborn", { IllegalStateException() }) {
         error("cannot be made")
     }
 }
+
+/** Capable of all that flags ask for, by way of `lists`, and remembers what it was asked. */
+class CapableRenderer(private val options: RenderOptions = RenderOptions()) : Renderer {
+    override val id: String get() = "capable"
+
+    override val summary: String get() = "heeds every flag"
+
+    override val capabilities: Set<Capability>
+        get() = setOf(
+            Capability.MEMORY_BUDGET,
+            Capability.COHERENCE,
+            Capability.PARALLEL,
+            Capability.SELECTION,
+            Capability.TRANSPARENCY,
+        )
+
+    override fun configured(options: RenderOptions): Renderer = CapableRenderer(options)
+
+    override fun render(frame: Frame, sink: RowSink): Counters {
+        asked = options
+        return Lists(options).render(frame, sink)
+    }
+
+    companion object {
+        /** The options of the last rendering. */
+        var asked: RenderOptions? = null
+    }
+}
+
+/** Right but for the pixel at (20, 15), which [spoil] changes. */
+open class WrongRenderer(override val id: String, private val spoil: (IntArray, IntArray, IntArray) -> Unit) :
+    Renderer {
+    override val summary: String get() = "has one wrong pixel"
+
+    override fun render(frame: Frame, sink: RowSink): Counters = ZBuffer().render(frame) { y, argb, depth, primitive ->
+        if (y == 15) spoil(argb, depth, primitive)
+        sink.row(y, argb, depth, primitive)
+    }
+}
+
+class WrongColorRenderer : WrongRenderer("wrong-color", { argb, _, _ -> argb[20] = argb[20] xor 0x100 })
+
+class WrongDepthRenderer : WrongRenderer("wrong-depth", { _, depth, _ -> depth[20]++ })
+
+class WrongPrimitiveRenderer : WrongRenderer("wrong-primitive", { _, _, primitive -> primitive[20]++ })
+
+/** Right every other time only. */
+class FickleRenderer : Renderer {
+    private var runs = 0
+
+    override val id: String get() = "fickle"
+
+    override val summary: String get() = "is right every other time"
+
+    override fun render(frame: Frame, sink: RowSink): Counters =
+        (if (runs++ % 2 == 0) ZBuffer() else WrongColorRenderer()).render(frame, sink)
+}
+
+/** Hands out rows as [deliver] will have it. */
+open class RowsRenderer(override val id: String, private val deliver: (Int, () -> Unit) -> Unit) : Renderer {
+    override val summary: String get() = "loses or repeats rows"
+
+    override fun render(frame: Frame, sink: RowSink): Counters = ZBuffer().render(frame) { y, argb, depth, primitive ->
+        deliver(y) { sink.row(y, argb, depth, primitive) }
+    }
+}
+
+class ShortRenderer : RowsRenderer("short", { y, row -> if (y < 20) row() })
+
+class StutteringRenderer : RowsRenderer("stuttering", { y, row -> repeat(if (y == 7) 2 else 1) { row() } })
 
 /** Runs [block] with the classes called [names] offered as renderers on the class path, by way of [folder]. */
 internal fun withRenderers(folder: Path, vararg names: String, block: () -> Unit) {

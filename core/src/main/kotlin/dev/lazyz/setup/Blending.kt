@@ -2,6 +2,7 @@ package dev.lazyz.setup
 
 import dev.lazyz.Fragment
 import dev.lazyz.Rgba
+import dev.lazyz.Srgb
 
 /**
  * Blends the fragments of one sample, nearest first (contract rule 5.5): all renderers that blend use these operations,
@@ -60,6 +61,9 @@ internal class Blending {
     fun end(background: Rgba) {
         end(background.red, background.green, background.blue, background.alpha)
     }
+
+    /** Returns the finished colour, packed to 8-bit sRGB. */
+    fun toArgb(): Int = Srgb.pack(red, green, blue, alpha)
 
     private fun add(red: Float, green: Float, blue: Float, opacity: Float) {
         val weight = transmittance * opacity

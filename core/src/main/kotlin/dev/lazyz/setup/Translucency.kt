@@ -22,7 +22,7 @@ internal fun requireOpaque(frame: Frame, renderer: Renderer) {
 internal fun requireOpaque(primitive: Primitive, index: Int, renderer: Renderer) {
     require(!primitive.isTranslucent) {
         "primitive $index is translucent and the renderer '${renderer.id}' does not blend: " +
-            "use 'lists', which does, or make it opaque with asOpaque()"
+            "use 'tiled' or 'lists', which do, or make it opaque with asOpaque()"
     }
 }
 

@@ -1,0 +1,73 @@
+package dev.lazyz.cli
+
+import dev.lazyz.Frame
+import dev.lazyz.Material
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.Scene
+import dev.lazyz.Shading
+import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.LoadedScene
+
+/** The one way from the command line to a frame: reads what [subject] names, and sets it up as the user wants it. */
+internal class FrameSource(private val subject: Subject, private val streams: Streams) {
+    val input = Input(subject.input, subject.format)
+
+    /** Reads the input, and tells its warnings. */
+    fun load(): LoadedScene {
+        streams.progress("reading ${input.name} ...")
+        val loaded = input.load(streams)
+        val warnings = loaded.warnings
+        warnings.take(MAX_WARNINGS).forEach { streams.warning(it) }
+        val rest = warnings.size - MAX_WARNINGS
+        if (rest > 0) streams.warning("and $rest more")
+        return loaded
+    }
+
+    /** Sets [loaded] up. */
+    fun frame(loaded: LoadedScene): Frame {
+        // Turn, light and look at it as asked
+        val upright = if (subject.up == Up.Z) UpAxis.fromZ(loaded.scene) else loaded.scene
+        val seen = subject.pointOfView.applyTo(upright)
+        val scene = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
+
+        // The camera frames the whole raster, the picture is a part of it
+        val raster = raster(scene, loaded.size)
+        val region = region(raster)
+        streams.progress("setting up ${raster.width}x${raster.height} ...")
+        val frame = scene.frame(raster).within(region)
+        return if (subject.translucency == Translucency.OPAQUE) frame.asOpaque() else frame
+    }
+
+    /** Shading by name replaces a material's own shader too, or it would change nothing. */
+    private fun shaded(material: Material, shading: Shading): Material = Material(
+        material.baseColor,
+        material.texture,
+        shading,
+        material.specular,
+        material.shininess,
+        material.emission,
+        material.alphaMode,
+        material.alphaCutoff,
+        material.sides,
+        null,
+        material.name,
+    )
+
+    private fun raster(scene: Scene, own: ImageSize?): Raster {
+        val size = subject.size ?: own ?: DEFAULT_SIZE
+        return Raster(size.width, size.height, subject.background ?: scene.background, subject.depthConvention)
+    }
+
+    private fun region(raster: Raster): Region {
+        val region = subject.region ?: return raster.region
+        if (raster.region.contains(region)) return region
+        val text = "${region.columnStart},${region.rowStart},${region.width}x${region.height}"
+        throw Mistake("--region $text reaches beyond the whole picture, which is ${raster.width}x${raster.height}")
+    }
+
+    private companion object {
+        val DEFAULT_SIZE = ImageSize(640, 480)
+        const val MAX_WARNINGS = 20
+    }
+}

@@ -1,0 +1,179 @@
+package dev.lazyz.tiled
+
+import dev.lazyz.Frame
+import dev.lazyz.RowSink
+import dev.lazyz.setup.VisibilityOrder
+import java.util.concurrent.atomic.AtomicInteger
+import java.util.concurrent.atomic.AtomicLong
+
+/**
+ * A row of tiles: the bins with what each has to draw, and room for what comes out.
+ *
+ * Filled by the calling thread, read by all, each of which writes the samples of its own tile; then used again for a
+ * later band. A *member* is a primitive of the band, by its place in submission order within it.
+ */
+internal class Band(private val frame: Frame, private val grid: TileGrid) {
+    private val order = VisibilityOrder(frame.raster.depthTest)
+    private val region = frame.region
+
+    /** First row of samples. */
+    var rowStart: Int = 0
+        private set
+
+    /** The row after the last. */
+    var rowEnd: Int = 0
+        private set
+
+    private var count = 0
+    private var indices = IntArray(0)
+    private var nearest = LongArray(0)
+    private var spans = arrayOfNulls<BandSpans>(0)
+
+    /** First and last tile of each member. */
+    private var firstColumns = IntArray(0)
+    private var lastColumns = IntArray(0)
+
+    /** The bins: what tile c has to draw is `entries[ends[c - 1]]` until `entries[ends[c]]`, and its part of [wide]. */
+    private val ends = IntArray(grid.columns + 1)
+    private var entries = IntArray(0)
+    private var wide = IntArray(0)
+    private var wideCount = 0
+
+    /** What is visible, row by row, from the region's first column. */
+    val argb: Array<IntArray> = Array(grid.tileHeight) { IntArray(region.width) }
+    val depth: Array<IntArray> = Array(grid.tileHeight) { IntArray(region.width) }
+    val primitive: Array<IntArray> = Array(grid.tileHeight) { IntArray(region.width) }
+
+    private val remaining = AtomicInteger()
+
+    /** Bytes of the spans that members share, in this band and in the fullest so far. */
+    private val spanBytes = AtomicLong()
+    private var peakSpanBytes = 0L
+
+    /** Whether all tiles have been rendered. */
+    val isComplete: Boolean get() = remaining.get() == 0
+
+    /** Bytes held at most. */
+    val bytes: Long
+        get() = 3L * Int.SIZE_BYTES * grid.tileHeight * region.width +
+            Int.SIZE_BYTES * (indices.size + firstColumns.size + lastColumns.size + ends.size).toLong() +
+            Int.SIZE_BYTES * (entries.size + wide.size).toLong() + Long.SIZE_BYTES * nearest.size +
+            REFERENCE_BYTES * spans.size + maxOf(peakSpanBytes, spanBytes.get())
+
+    /** The submission index of a member. */
+    fun index(member: Int): Int = indices[member]
+
+    /** A key that no fragment of a member is before. */
+    fun nearest(member: Int): Long = nearest[member]
+
+    /** The rows of a member that covers more than one tile; null for others. */
+    fun spans(member: Int): BandSpans? = spans[member]
+
+    /** Fills the bins of band number [band] with what has [arrivals]. */
+    fun fill(band: Int, arrivals: Arrivals) {
+        rowStart = grid.rowStart(band)
+        rowEnd = grid.rowEnd(band)
+        remaining.set(grid.columns)
+        peakSpanBytes = maxOf(peakSpanBytes, spanBytes.getAndSet(0))
+        enter(arrivals)
+
+        // Count the members of each tile, but not those of many tiles
+        ends.fill(0)
+        wideCount = 0
+        for (member in 0 until count) {
+            if (isWide(member)) wideCount++ else tiles(member) { ends[it + 1]++ }
+        }
+
+        // Sum up, so that each tile knows where its members begin
+        for (column in 0 until grid.columns) ends[column + 1] += ends[column]
+        val size = ends[grid.columns]
+        if (entries.size < size) entries = IntArray(size + size / 4)
+        if (wide.size < wideCount) wide = IntArray(wideCount + wideCount / 4)
+
+        // Put the members in; where they begin becomes where they end
+        wideCount = 0
+        for (member in 0 until count) {
+            if (isWide(member)) wide[wideCount++] = member else tiles(member) { entries[ends[it]++] = member }
+        }
+    }
+
+    private fun enter(arrivals: Arrivals) {
+        count = arrivals.count
+        if (indices.size < count) reserve(count + count / 4)
+        for (member in 0 until count) {
+            val index = arrivals.present[member]
+            val primitive = frame.primitives[index]
+            val first = grid.columnOf(maxOf(primitive.columnStart, region.columnStart))
+            val last = grid.columnOf(minOf(primitive.columnEnd, region.columnEnd) - 1)
+            indices[member] = index
+            nearest[member] = order.nearestKey(primitive, index)
+            firstColumns[member] = first
+            lastColumns[member] = last
+            spans[member] = if (first == last) {
+                null
+            } else {
+                BandSpans(primitive, maxOf(primitive.rowStart, rowStart), minOf(primitive.rowEnd, rowEnd), spanBytes)
+            }
+        }
+        spans.fill(null, count)
+    }
+
+    private fun reserve(size: Int) {
+        indices = IntArray(size)
+        nearest = LongArray(size)
+        firstColumns = IntArray(size)
+        lastColumns = IntArray(size)
+        spans = arrayOfNulls(size)
+    }
+
+    private fun isWide(member: Int): Boolean = lastColumns[member] - firstColumns[member] >= WIDE
+
+    private inline fun tiles(member: Int, action: (column: Int) -> Unit) {
+        for (column in firstColumns[member]..lastColumns[member]) action(column)
+    }
+
+    /** Calls [action] for each member that may cover samples of the tile [column], in submission order. */
+    inline fun forEachMember(column: Int, action: (member: Int) -> Unit) {
+        var entry = if (column == 0) 0 else ends[column - 1]
+        val entryEnd = ends[column]
+        var wideEntry = 0
+        while (true) {
+            // Two ascending lists: whoever was submitted first is next
+            val narrow = if (entry < entryEnd) entries[entry] else NOBODY
+            val broad = if (wideEntry < wideCount) wide[wideEntry] else NOBODY
+            if (narrow == NOBODY && broad == NOBODY) return
+            if (narrow < broad) {
+                entry++
+                action(narrow)
+            } else {
+                wideEntry++
+                if (column in firstColumns[broad]..lastColumns[broad]) action(broad)
+            }
+        }
+    }
+
+    /** Notes that one more tile has been rendered, and returns whether it was the last. */
+    fun finishTile(): Boolean = remaining.decrementAndGet() == 0
+
+    /** Hands the rows to [sink], with a look at [checkpoint] before each. */
+    inline fun sendTo(sink: RowSink, checkpoint: () -> Unit) {
+        for (row in 0 until rowEnd - rowStart) {
+            checkpoint()
+            sink.row(rowStart + row, argb[row], depth[row], primitive[row])
+        }
+    }
+
+    companion object {
+        /** Behind all members. */
+        private const val NOBODY = Int.MAX_VALUE
+
+        /**
+         * Members that reach this many tiles beyond their first are not entered tile by tile, so that bins take at most
+         * so many entries a member, however small the tiles.
+         */
+        private const val WIDE = 8
+
+        /** Of a Java heap beyond 32 gigabytes; half as much below. */
+        private const val REFERENCE_BYTES = 8L
+    }
+}

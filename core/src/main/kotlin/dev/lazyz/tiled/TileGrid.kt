@@ -1,0 +1,40 @@
+package dev.lazyz.tiled
+
+import dev.lazyz.Region
+
+/**
+ * A region cut into tiles of [size] x [size] samples, smaller at the right and lower border. Immutable.
+ *
+ * A row of tiles is called a band: *row* is kept for rows of samples.
+ */
+internal class TileGrid(val region: Region, val size: Int) {
+    /** Number of tiles in a band. */
+    val columns: Int = (region.width - 1) / size + 1
+
+    /** Number of bands. */
+    val bands: Int = (region.height - 1) / size + 1
+
+    /** Columns of samples of the widest tile. */
+    val tileWidth: Int = minOf(size, region.width)
+
+    /** Rows of samples of the highest tile. */
+    val tileHeight: Int = minOf(size, region.height)
+
+    /** The band that row [y] of the region is in. */
+    fun bandOf(y: Int): Int = (y - region.rowStart) / size
+
+    /** The tile of each band that column [x] of the region is in. */
+    fun columnOf(x: Int): Int = (x - region.columnStart) / size
+
+    /** First row of samples of a band. */
+    fun rowStart(band: Int): Int = region.rowStart + band * size
+
+    /** The row after the last of a band. */
+    fun rowEnd(band: Int): Int = minOf(region.rowEnd, rowStart(band) + size)
+
+    /** First column of samples of a tile. */
+    fun columnStart(column: Int): Int = region.columnStart + column * size
+
+    /** The column after the last of a tile. */
+    fun columnEnd(column: Int): Int = minOf(region.columnEnd, columnStart(column) + size)
+}

@@ -1,0 +1,82 @@
+package dev.lazyz.tiled
+
+import dev.lazyz.Capability
+import dev.lazyz.Coherence
+import dev.lazyz.Counters
+import dev.lazyz.Frame
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.RowSink
+
+/**
+ * The production default: the picture in tiles, each decided by one thread in its cache, on all cores.
+ *
+ * Primitives are put into bins, one a tile. A tile runs a small depth buffer of 64-bit visibility keys: the nearest
+ * fragment is a minimum, and a primitive that is behind all that the tile shows is thrown away as a whole. When all of
+ * its primitives have been drawn, each visible sample is shaded once. Threads take tiles from a counter; what they
+ * decide is a minimum of a total order, so nothing depends on who was first: the same bits, and the same counters, for
+ * any number of threads (but [Counters.peakBytes], which grows with it). Translucent fragments that lie before what is
+ * opaque are noted, sorted by sample and blended in exact order of depth.
+ *
+ * Use it wherever nothing speaks against it. Use `ZBuffer` where primitives arrive one by one and are too many to
+ * keep, `LazyZBuffer` or `FlowPipeline` to stop after some rows or to look at few samples, and `ScanLine` where depth
+ * is dear.
+ *
+ * Memory: one row of tiles (with several threads two or more), at 12 bytes a sample and some 30 bytes for each
+ * primitive in it, and the spans of those that several tiles share; for each thread a tile's keys, 8 bytes a sample, and
+ * 20 bytes for each translucent fragment of a tile;
+ * and 16 bytes for each primitive of the frame. It does not grow with the number of rows. Make tiles smaller for
+ * pictures that are very wide. Time: proportional to the spans, to the fragments that are not rejected and to the
+ * visible samples, divided by the threads; besides, on the calling thread, some nanoseconds for each primitive and row
+ * of tiles.
+ *
+ * Rows reach the sink on the calling thread, which also renders tiles. [RenderOptions.threads] - 1 threads are started
+ * for a rendering and have ended when it ends, however it ends: what a primitive, a shader or the sink throws on any
+ * thread reaches the caller as it is; of several exceptions one, with the others suppressed. Primitives and shaders are
+ * called from all threads at once. Thread safe; no state between calls.
+ *
+ * Source: Henry Fuchs et al., "Pixel-Planes 5: A Heterogeneous Multiprocessor Graphics System Using Processor-Enhanced
+ * Memories", SIGGRAPH 1989, for bins of regions that processors take one after the other; Steven Molnar, Michael Cox,
+ * David Ellsworth, Henry Fuchs, "A Sorting Classification of Parallel Rendering", IEEE Computer Graphics and
+ * Applications 14 (1994), whose "sort-middle" this is; Larry Seiler et al., "Larrabee: A Many-Core x86 Architecture
+ * for Visual Computing", SIGGRAPH 2008, for doing it in software. There a bin keeps the order of submission
+ * because later results depend on it; here order is part of the key.
+ *
+ * @param options [RenderOptions.coherence], [RenderOptions.threads] and [RenderOptions.tileSize] are heeded
+ */
+public class Tiled internal constructor(
+    private val coherence: Coherence,
+    private val threads: Int,
+    private val tileSize: Int,
+) : Renderer {
+    @JvmOverloads
+    public constructor(options: RenderOptions = RenderOptions()) :
+        this(options.coherence, options.threads, options.tileSize)
+
+    override val id: String get() = "tiled"
+
+    override val summary: String get() = "tiles on all cores, visibility keys merged by minimum, colours at the end"
+
+    override val capabilities: Set<Capability>
+        get() = setOf(
+            Capability.SHADES_ONLY_VISIBLE,
+            Capability.CONSTANT_MEMORY,
+            Capability.PARALLEL,
+            Capability.TRANSPARENCY,
+            Capability.COHERENCE,
+        )
+
+    override fun configured(options: RenderOptions): Tiled = Tiled(options)
+
+    /**
+     * Renders [frame] and hands every row to [sink], on this thread.
+     *
+     * @throws InterruptedException if this thread is interrupted; all threads stop at their next primitive or row, and
+     *   the sink gets no further row
+     */
+    @Throws(InterruptedException::class)
+    override fun render(frame: Frame, sink: RowSink): Counters =
+        Rendering(frame, TileGrid(frame.region, tileSize), coherence, threads).run(sink)
+
+    override fun toString(): String = "Tiled($coherence, threads=$threads, tileSize=$tileSize)"
+}
