@@ -86,15 +86,11 @@ public interface Primitive {
     public fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
 
     /**
-     * What it costs to evaluate the attributes of one sample afresh, in steps of a [shadingCursor], at least 0:
-     * [Coherence.ADAPTIVE] steps over gaps of no more columns than that. Override it where starting is dear.
+     * What it costs to evaluate the attributes of one sample afresh, in steps of a [shadingCursor], at least 0.
+     * [Coherence.ADAPTIVE] steps over as many columns and no more; with 0 it never steps. The default takes a step for
+     * as dear as a start: neighbours are stepped to, gaps are not. Override it where starting is dearer.
      */
-    public val shadingStartCost: Int get() = DEFAULT_SHADING_START_COST
-
-    public companion object {
-        /** The [shadingStartCost] of primitives with linear attributes; see docs/algorithms/coherent-shading.md. */
-        public const val DEFAULT_SHADING_START_COST: Int = 4
-    }
+    public val shadingStartCost: Int get() = 1
 }
 
 /** Returns this primitive, or an opaque one like it whose colours have alpha 1 if it is translucent. */

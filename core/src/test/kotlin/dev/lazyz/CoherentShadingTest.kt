@@ -12,11 +12,11 @@ import org.junit.jupiter.api.TestFactory
 class CoherentShadingTest {
     private val raster = Raster(512, 8)
 
-    /** One wall, visible everywhere. */
-    private val wall = frame(pickets = 0, pitch = 1) { it }
+    /** One wall, visible everywhere, whose starts are dear. */
+    private val wall = frame(wallCost = 64, pickets = 0, pitch = 1) { it }
 
     /** The wall behind pickets that let it through at every 32nd column only; steps have nothing to do with pickets. */
-    private val fence = frame(pickets = 16, pitch = 32) { Plain(it) }
+    private val fence = frame(wallCost = 4, pickets = 16, pitch = 32) { Plain(it) }
 
     @TestFactory
     fun incrementalWinsOnAWall(): List<DynamicTest> = forEachRenderer { renderer ->
@@ -27,8 +27,12 @@ class CoherentShadingTest {
         assertEquals(8, incremental.shadingStarts)
         assertEquals(511L * 8, incremental.shadingSteps)
         assertEquals(1, incremental.longestChain)
-        assertTrue(cost(incremental) < 0.3 * cost(direct))
-        assertNearTheBetter(renderer, wall)
+        assertTrue(64 * incremental.shadingStarts + incremental.shadingSteps < 0.02 * 64 * direct.shadingStarts)
+
+        // Adaptive is as good as the better
+        val adaptive = counters(renderer, wall, Coherence.ADAPTIVE)
+        assertEquals(incremental.shadingStarts, adaptive.shadingStarts)
+        assertEquals(incremental.shadingSteps, adaptive.shadingSteps)
     }
 
     @TestFactory
@@ -41,19 +45,51 @@ class CoherentShadingTest {
         assertEquals(32, incremental.longestChain)
 
         // Of the wall itself, seen through the gaps
-        val pickets = PICKETS * Primitive.DEFAULT_SHADING_START_COST
-        assertTrue(cost(direct) - pickets < 0.3 * (cost(incremental) - pickets))
-        assertNearTheBetter(renderer, fence)
+        val gaps = direct.shadingStarts - PICKETS
+        assertTrue(4 * gaps < 0.2 * (4 * 8 + incremental.shadingSteps))
+
+        // Adaptive is as good as the better
+        val adaptive = counters(renderer, fence, Coherence.ADAPTIVE)
+        assertEquals(direct.shadingStarts, adaptive.shadingStarts)
+        assertEquals(0, adaptive.shadingSteps)
     }
 
     @TestFactory
-    fun adaptiveIsNearTheBetterOnAnything(): List<DynamicTest> = forEachRenderer { renderer ->
-        for (seed in 1L..20L) assertNearTheBetter(renderer, SampleScenes.mixed(Random(seed)).frame(60, 40))
+    fun adaptiveIsNeverDearerThanTheBetter(): List<DynamicTest> = forEachRenderer { renderer ->
+        for (seed in 1L..20L) {
+            val mixed = SampleScenes.mixed(Random(seed)).frame(60, 40)
+            val cost = seed.toInt()
+            val frame = Frame(mixed.raster, mixed.primitives.map { Dear(it, cost) })
+            val costs = Coherence.entries.associateWith { coherence ->
+                counters(renderer, frame, coherence).let { it.shadingStarts * cost + it.shadingSteps }
+            }
+            val better = minOf(costs.getValue(Coherence.DIRECT), costs.getValue(Coherence.INCREMENTAL))
+            assertTrue(costs.getValue(Coherence.ADAPTIVE) <= better) { "$seed: $costs" }
+        }
+    }
+
+    @TestFactory
+    fun stepsSaveWorkWhereStartsAreDear(): List<DynamicTest> = forEachRenderer { renderer ->
+        val work = Coherence.entries.associateWith { coherence ->
+            val ripple = Ripple(raster)
+            counters(renderer, Frame(raster, listOf(ripple)), coherence)
+            ripple.additions
+        }
+        assertEquals(8 * 512 * 513L / 2, work[Coherence.DIRECT])
+        assertEquals(8 * 512L, work[Coherence.INCREMENTAL])
+        assertEquals(8 * 512L, work[Coherence.ADAPTIVE])
+    }
+
+    @TestFactory
+    fun linearAttributesAreNotSteppedWithoutNeed(): List<DynamicTest> = forEachRenderer { renderer ->
+        val plain = SampleScenes.mixed(Random(3)).frame(60, 40)
+        assertTrue(counters(renderer, plain, Coherence.INCREMENTAL).shadingSteps > 0)
+        assertEquals(0, counters(renderer, plain, Coherence.ADAPTIVE).shadingSteps)
     }
 
     @TestFactory
     fun memoryIsWhatTheChainsOfARowTake(): List<DynamicTest> = forEachRenderer { renderer ->
-        val crowd = frame(pickets = 256, pitch = 2) { it }
+        val crowd = frame(wallCost = 0, pickets = 256, pitch = 2) { it }
         val direct = counters(renderer, crowd, Coherence.DIRECT).peakBytes
         val incremental = counters(renderer, crowd, Coherence.INCREMENTAL).peakBytes
         val chains = 257 * 152L
@@ -75,18 +111,6 @@ class CoherentShadingTest {
         assertTrue(lateRenderers().size >= 5) { "${lateRenderers()}" }
     }
 
-    private fun assertNearTheBetter(renderer: Renderer, frame: Frame) {
-        val better = minOf(
-            cost(counters(renderer, frame, Coherence.DIRECT)), cost(counters(renderer, frame, Coherence.INCREMENTAL)),
-        )
-        val adaptive = cost(counters(renderer, frame, Coherence.ADAPTIVE))
-        assertTrue(adaptive <= better) { "adaptive $adaptive, the better of both $better" }
-    }
-
-    /** What the attributes cost, in steps. */
-    private fun cost(counters: Counters): Long =
-        counters.shadingStarts * Primitive.DEFAULT_SHADING_START_COST + counters.shadingSteps
-
     /** In tiles as wide as the raster, if there are tiles: chains end with a tile's row. */
     private fun counters(renderer: Renderer, frame: Frame, coherence: Coherence): Counters =
         renderer.configured(RenderOptions(coherence, threads = 1, tileSize = 512)).render(frame).counters
@@ -97,7 +121,7 @@ class CoherentShadingTest {
         lateRenderers().map { renderer -> dynamicTest(renderer.id) { test(renderer) } }
 
     /** A wall behind [pickets], each of which leaves one column free of [pitch]. */
-    private fun frame(pickets: Int, pitch: Int, picket: (Primitive) -> Primitive): Frame {
+    private fun frame(wallCost: Int, pickets: Int, pitch: Int, picket: (Primitive) -> Primitive): Frame {
         val builder = FrameBuilder(raster)
         val shader = Shader { it.setColor(it.worldX, it.worldY, it.worldZ) }
         fun box(from: Int, until: Int, depth: Double) = doubleArrayOf(
@@ -107,7 +131,7 @@ class CoherentShadingTest {
         builder.polygon(shader, FillRule.NON_ZERO, box(0, raster.width, 0.75))
         for (i in 0 until pickets) builder.polygon(shader, FillRule.NON_ZERO, box(i * pitch + 1, (i + 1) * pitch, 0.25))
         val primitives = builder.build().primitives
-        return Frame(raster, primitives.take(1) + primitives.drop(1).map(picket))
+        return Frame(raster, listOf(Dear(primitives[0], wallCost)) + primitives.drop(1).map(picket))
     }
 
     /** A primitive whose colours cannot be stepped. */
@@ -117,6 +141,39 @@ class CoherentShadingTest {
 
     /** A primitive that says what its starts cost. */
     private class Dear(whole: Primitive, override val shadingStartCost: Int) : Primitive by whole
+
+    /** A primitive whose colour is a sum along the row: a start is as many additions as there are columns before it. */
+    private class Ripple(private val raster: Raster) : Primitive {
+        var additions = 0L
+
+        override val rowStart: Int get() = 0
+        override val rowEnd: Int get() = raster.height
+        override val columnStart: Int get() = 0
+        override val columnEnd: Int get() = raster.width
+        override val shadingStartCost: Int get() = raster.width
+
+        override fun spans(y: Int, spans: Spans): Unit = spans.add(0, raster.width)
+
+        override fun depth(x: Int, y: Int): Int = 1000
+
+        override fun shade(fragment: Fragment) = shadingCursor(fragment.x, fragment.y).shade(fragment)
+
+        override fun shadingCursor(x: Int, y: Int) = object : ShadingCursor {
+            private var sum = 0f
+            private var column = -1
+
+            init {
+                repeat(x + 1) { step() }
+            }
+
+            override fun step() {
+                additions++
+                sum += 1f / (1 + ++column)
+            }
+
+            override fun shade(fragment: Fragment) = fragment.setColor(sum / 8, sum / 16, 0.5f)
+        }
+    }
 
     private companion object {
         /** Samples of the fence at which a picket is visible. */

@@ -66,7 +66,7 @@ internal class LateShading(private val frame: Frame, private val coherence: Cohe
     fun shaded(x: Int, y: Int, index: Int, primitive: Primitive): Fragment {
         counters.shadingCalls++
         fragment.moveTo(x, y)
-        val cursor = if (coherence == Coherence.DIRECT) null else cursorAt(x, y, index, primitive)
+        val cursor = if (mayStep(primitive)) cursorAt(x, y, index, primitive) else null
         if (cursor != null) {
             cursor.shade(fragment)
         } else {
@@ -74,6 +74,12 @@ internal class LateShading(private val frame: Frame, private val coherence: Cohe
             primitive.shade(fragment)
         }
         return fragment
+    }
+
+    private fun mayStep(primitive: Primitive): Boolean = when (coherence) {
+        Coherence.DIRECT -> false
+        Coherence.INCREMENTAL -> true
+        Coherence.ADAPTIVE -> primitive.shadingStartCost > 0
     }
 
     /** Returns shading of the primitive [index] at column [x], or null if the primitive has none that steps. */

@@ -25,6 +25,7 @@ internal class MaskedPrimitive(
     override val leastDepth: Int get() = whole.leastDepth
     override val greatestDepth: Int get() = whole.greatestDepth
     override val heldBytes: Long get() = whole.heldBytes
+    override val shadingStartCost: Int get() = whole.shadingStartCost
 
     override fun spans(y: Int, spans: Spans) {
         val uncut = Spans()
