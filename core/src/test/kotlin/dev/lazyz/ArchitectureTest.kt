@@ -4,6 +4,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.name
 import kotlin.io.path.readLines
+import kotlin.io.path.readText
 import kotlin.io.path.relativeTo
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -37,10 +38,28 @@ class ArchitectureTest {
         val strategies = sources.mapNotNull(::strategy).toSet()
         val offences = sources.filter { strategy(it) != null }.flatMap { source ->
             val others = strategies - strategy(source)
-            imports(source).filter { import -> others.any { import.startsWith("dev.lazyz.$it.") } }
-                .map { "${source.name} imports $it" }
+            source.readLines().filter { line -> others.any { line.contains("dev.lazyz.$it.") } }
+                .map { "${source.name} names another strategy: $it" }
         }
         assertEquals(emptyList<String>(), offences)
+    }
+
+    @Test
+    fun aStrategyIsOnePackageOneClassOneLineAndOnePage() {
+        val packages = sources.mapNotNull(::strategy).distinct().sorted()
+        assertEquals(packages, Renderers.builtIn.map { it.id }.sorted())
+        val readme = ProjectFiles.root.resolve("README.md").readText()
+        for (id in packages) {
+            val classes = sources.filter { strategy(it) == id }.flatMap { it.readLines() }
+                .filter { it.startsWith("public class") || it.startsWith("public object") }
+            assertEquals(1, classes.size) { "$id: $classes" }
+            val page = ProjectFiles.root.resolve("docs/algorithms/$id.md")
+            assertTrue(Files.exists(page)) { "$page" }
+            for (part in listOf("Source", "Order of evaluation", "Cost", "Where we differ, and why")) {
+                assertTrue(page.readLines().any { it.startsWith("## $part") }) { "$page has no part '$part'" }
+            }
+            assertTrue(readme.contains("| [`$id`](docs/algorithms/$id.md) |")) { "README.md does not list $id" }
+        }
     }
 
     @Test

@@ -43,6 +43,7 @@ internal class StrategiesCommand(private val streams: Streams) : Command("strate
 
     private fun capabilities(strategy: Renderer): String {
         val words = strategy.capabilities.sorted().map { it.name.lowercase().replace('_', ' ') }
+        if (words.isEmpty()) return "[no promises beyond the picture]"
         return words.joinToString(", ", "[", "]")
     }
 }
