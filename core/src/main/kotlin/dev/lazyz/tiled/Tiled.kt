@@ -41,14 +41,13 @@ import dev.lazyz.RowSink
  * Applications 14 (1994), whose "sort-middle" this is; Larry Seiler et al., "Larrabee: A Many-Core x86 Architecture
  * for Visual Computing", SIGGRAPH 2008, for doing it in software. There a bin keeps the order of submission
  * because later results depend on it; here order is part of the key.
- *
- * @param options [RenderOptions.coherence], [RenderOptions.threads] and [RenderOptions.tileSize] are heeded
  */
 public class Tiled internal constructor(
     private val coherence: Coherence,
     private val threads: Int,
     private val tileSize: Int,
 ) : Renderer {
+    /** A renderer that heeds [RenderOptions.coherence], [RenderOptions.threads] and [RenderOptions.tileSize]. */
     @JvmOverloads
     public constructor(options: RenderOptions = RenderOptions()) :
         this(options.coherence, options.threads, options.tileSize)
