@@ -58,6 +58,8 @@ public class HierarchicalZBuffer @JvmOverloads constructor(private val options: 
         return counters
     }
 
+    override fun toString(): String = "HierarchicalZBuffer($options)"
+
     /** Returns for each primitive the key that none of its fragments is before, ascending. */
     private fun nearestFirst(frame: Frame): LongArray {
         val order = VisibilityOrder(frame.raster.depthTest)

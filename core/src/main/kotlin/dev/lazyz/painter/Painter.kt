@@ -44,4 +44,6 @@ public class Painter : Renderer {
         canvas.finish(sink)
         return counters
     }
+
+    override fun toString(): String = "Painter()"
 }

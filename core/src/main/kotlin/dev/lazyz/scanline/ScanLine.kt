@@ -74,4 +74,6 @@ public class ScanLine @JvmOverloads constructor(private val options: RenderOptio
         counters.peakBytes += shading.peakBytes + Int.SIZE_BYTES * frame.width
         return counters
     }
+
+    override fun toString(): String = "ScanLine($options)"
 }

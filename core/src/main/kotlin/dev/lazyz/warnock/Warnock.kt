@@ -69,6 +69,8 @@ public class Warnock @JvmOverloads constructor(private val options: RenderOption
         return counters
     }
 
+    override fun toString(): String = "Warnock($options)"
+
     private companion object {
         /** Rows that are decided together: enough for an area to be large, few enough to hold all their spans. */
         const val BAND = 64

@@ -40,6 +40,8 @@ public class ZBuffer : Renderer {
         return buffer.finish(sink)
     }
 
+    override fun toString(): String = "ZBuffer()"
+
     /**
      * Renders primitives as they arrive, without keeping them. The order of arrival is the order of submission.
      *
