@@ -25,7 +25,7 @@ class DepthProperties {
     @Provide
     fun units(): Arbitrary<List<Double>> = Arbitraries.doubles().between(0.0, 1.0).ofScale(9).list().ofSize(21)
 
-    @Property(tries = 1000)
+    @Property(seed = "1995", tries = 1000)
     fun rule_4_2_depthIsTheNearestIntegerBetweenThePlanes(@ForAll @DoubleRange(min = 0.0, max = 1.0) unit: Double) {
         val near = BigDecimal(1 shl 24)
         val range = BigDecimal(Int.MAX_VALUE).subtract(near).subtract(near)
@@ -35,14 +35,14 @@ class DepthProperties {
         assertTrue(Math.abs(Depth.toUnit(Depth.ofUnit(unit)) - unit) < 1e-9)
     }
 
-    @Property(tries = 500)
+    @Property(seed = "1995", tries = 500)
     fun rule_4_2_whatLiesOutsideThePlanesIsClamped(@ForAll unit: Double) {
         assertTrue(Depth.ofUnit(unit) in (1 shl 24)..(Int.MAX_VALUE - (1 shl 24)))
         assertEquals(Depth.NEAR, Depth.ofUnit(-0.001))
         assertEquals(Depth.FAR, Depth.ofUnit(1.001))
     }
 
-    @Property(tries = 1500, edgeCases = EdgeCasesMode.NONE)
+    @Property(seed = "1995", tries = 1500, edgeCases = EdgeCasesMode.NONE)
     fun rule_4_4_depthOfTrianglesIsWithinAUnitOfExact(
         @ForAll random: Random,
         @ForAll @IntRange(min = 0, max = 262143) column: Int,
@@ -74,7 +74,7 @@ class DepthProperties {
         }
     }
 
-    @Property(tries = 1000, edgeCases = EdgeCasesMode.NONE)
+    @Property(seed = "1995", tries = 1000, edgeCases = EdgeCasesMode.NONE)
     fun rule_4_4_depthIsInRangeHoweverBentThePolygon(
         @ForAll("drawings") drawing: Drawing,
         @ForAll("units") units: List<Double>,
@@ -115,7 +115,7 @@ class DepthProperties {
         }
     }
 
-    @Property(tries = 500, edgeCases = EdgeCasesMode.NONE)
+    @Property(seed = "1995", tries = 500, edgeCases = EdgeCasesMode.NONE)
     fun rule_3_5_theReferenceTriangleIsWellApart(
         @ForAll random: Random,
         @ForAll @IntRange(min = 4, max = 9) count: Int,
@@ -145,7 +145,7 @@ class DepthProperties {
 
     private fun square(n: Int): Long = n.toLong() * n
 
-    @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
+    @Property(seed = "1995", tries = 300, edgeCases = EdgeCasesMode.NONE)
     fun rule_4_1_theOtherConventionMirrorsDepth(
         @ForAll("drawings") drawing: Drawing,
         @ForAll("units") units: List<Double>,

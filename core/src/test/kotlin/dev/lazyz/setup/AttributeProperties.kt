@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 
 /** Contract rules 3.5 and 3.6: attributes against exact perspective-correct interpolation. */
 class AttributeProperties {
-    @Property(tries = 2000, edgeCases = EdgeCasesMode.NONE)
+    @Property(seed = "1995", tries = 2000, edgeCases = EdgeCasesMode.NONE)
     fun rule_3_6_attributesOfTrianglesStayWithinTheirBound(
         @ForAll random: Random,
         @ForAll @IntRange(min = 0, max = 262143) column: Int,
@@ -34,7 +34,7 @@ class AttributeProperties {
         check(primitive, corners, GridPoint(column, row), TRIANGLE * range)
     }
 
-    @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
+    @Property(seed = "1995", tries = 300, edgeCases = EdgeCasesMode.NONE)
     fun rule_3_6_attributesOfPolygonsStayWithinTheirBound(
         @ForAll random: Random,
         @ForAll @IntRange(max = 12) depth: Int,

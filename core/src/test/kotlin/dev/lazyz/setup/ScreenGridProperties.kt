@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 
 /** Contract rules 1.2 to 1.4 and 2.1: the grid, and where edges cross rows. */
 class ScreenGridProperties {
-    @Property(tries = 1000)
+    @Property(seed = "1995", tries = 1000)
     fun rule_1_3_positionsRoundHalfUp(@ForAll @IntRange(min = -268435456, max = 268435456) half: Int) {
         // Every other value lies halfway between two grid lines
         val expected = BigDecimal(half).divide(BigDecimal(2)).setScale(0, RoundingMode.HALF_UP)
@@ -20,7 +20,7 @@ class ScreenGridProperties {
         assertEquals(halfUp.toInt(), ScreenGrid.snap(half / 512.0))
     }
 
-    @Property(tries = 1000)
+    @Property(seed = "1995", tries = 1000)
     fun rule_1_3_positionsAreNearest(@ForAll pixels: Double) {
         val snapped = ScreenGrid.snap(pixels)
         val limit = 1 shl 27
@@ -31,13 +31,13 @@ class ScreenGridProperties {
         }
     }
 
-    @Property(tries = 1000)
+    @Property(seed = "1995", tries = 1000)
     fun rule_1_2_firstSampleIsAtOrAfter(@ForAll @IntRange(min = -134217728, max = 134217728) grid: Int) {
         val first = ScreenGrid.firstSample(grid)
         assertTrue(256L * first + 128 >= grid && 256L * (first - 1) + 128 < grid) { "$grid: $first" }
     }
 
-    @Property(tries = 3000)
+    @Property(seed = "1995", tries = 3000)
     fun rule_2_1_crossingsAreRoundedUpExactly(
         @ForAll @IntRange(min = -134217728, max = 134217728) x0: Int,
         @ForAll @IntRange(min = -134217728, max = 134217728) y0: Int,

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Assertions.assertNull
 
 /** What is written reads back to the same scene, bit for bit. */
 class SceneFileProperties {
-    @Property(tries = 300)
+    @Property(seed = "1995", tries = 300)
     fun everyFieldReadsBack(@ForAll seed: Long) {
         val scene = RandomScenes(seed).scene()
         val size = ImageSize(1 + (seed and 1023).toInt(), 480)
@@ -25,7 +25,7 @@ class SceneFileProperties {
         assertEquals(fields(scene), fields(loaded.scene))
     }
 
-    @Property(tries = 100)
+    @Property(seed = "1995", tries = 100)
     fun writingAgainGivesTheSameText(@ForAll seed: Long) {
         val text = SceneFile.format(RandomScenes(seed).scene())
         val loaded = SceneFile.parse(text)
