@@ -1,4 +1,5 @@
 import com.diffplug.gradle.spotless.SpotlessExtension
+import java.time.Duration
 import java.util.zip.ZipFile
 import org.jetbrains.dokka.gradle.DokkaExtension
 import org.jetbrains.kotlin.gradle.dsl.JvmDefaultMode
@@ -64,6 +65,7 @@ subprojects {
         include("**/*Test.class", "**/*Properties.class", "**/*Example.class")
         systemProperty("jqwik.database", layout.buildDirectory.file("jqwik.db").get().asFile.path)
         systemProperty("jqwik.reporting.onlyfailures", "true")
+        timeout = Duration.ofMinutes(15)
     }
 
     configure<SpotlessExtension> {
