@@ -1,5 +1,7 @@
 package dev.lazyz.cli
 
+import dev.lazyz.Capability
+import dev.lazyz.Renderers
 import java.io.ByteArrayInputStream
 import java.io.File
 import java.nio.file.Path
@@ -10,7 +12,10 @@ import kotlin.io.path.readText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
+import org.junit.jupiter.api.DynamicTest
+import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.TestFactory
 import org.junit.jupiter.api.io.TempDir
 
 /** A few runs as a process of its own: streams, exit codes, working folder. */
@@ -89,4 +94,18 @@ class ProcessTest {
         assertTrue("needs 102.9 MiB" in errors && "-Xmx" in errors, errors)
         assertTrue(!folder.resolve("x.png").exists())
     }
+
+    /** A picture that would take 137 MiB, in a heap of 32: whoever promises constant memory keeps that promise. */
+    @TestFactory
+    fun picturesLargerThanTheHeapAreStreamed(): List<DynamicTest> =
+        Renderers.builtIn.filter { Capability.CONSTANT_MEMORY in it.capabilities }.map { strategy ->
+            dynamicTest(strategy.id) {
+                val size = listOf("--size", "400x30000", "--stats=json")
+                val args = listOf("render", "cycle", "--strategy", strategy.id, "-o", "${strategy.id}.png") + size
+                val process = start(args, listOf("-Xmx32m")) {}
+                val stats = process.inputStream.readAllBytes().decodeToString()
+                assertEquals(0, process.code(), errors)
+                assertTrue(statIn(stats, "peakBytes").toLong() < 16 shl 20, stats)
+            }
+        }
 }
