@@ -10,6 +10,8 @@ configurations.all {
 dependencies {
     implementation(project(":core"))
     implementation(project(":scenes"))
+    implementation(project(":conformance"))
+    implementation(libs.jqwik)
     implementation(libs.clikt)
     implementation(libs.mordant)
 }

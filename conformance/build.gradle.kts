@@ -9,6 +9,7 @@ dependencies {
     api(project(":scenes"))
     api(platform(libs.junit.bom))
     api(libs.jqwik)
+    implementation(libs.serialization.json)
     api(libs.junit.jupiter.api)
     api(libs.junit.platform.launcher)
 }

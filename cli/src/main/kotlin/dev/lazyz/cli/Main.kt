@@ -18,7 +18,7 @@ fun main(args: Array<String>) {
 
 /**
  * Runs zcli on streams of one's own, without a terminal, and returns its exit code: 0 done, 1 the strategies'
- * pictures differ, 2 the user's mistake or a bad file, 70 a bug of ours.
+ * pictures differ or a strategy does not conform, 2 the user's mistake or a bad file, 70 a bug of ours.
  */
 fun run(args: Array<String>, stdin: InputStream, stdout: OutputStream, stderr: PrintStream): Int =
     run(args, Streams(stdin, stdout, stderr))
@@ -80,7 +80,7 @@ private fun answer(request: CliktError, streams: Streams): Int {
 internal object ExitCode {
     const val DONE = 0
 
-    /** The strategies' pictures differ, or a strategy failed. */
+    /** The strategies' pictures differ, a strategy failed, or it does not conform. */
     const val DIFFERENT = 1
 
     /** The user's mistake, or a file that is no good. */

@@ -15,7 +15,7 @@ class DocumentationTest {
             .first { it.exists() }
             .readText()
 
-    private val commands = listOf("render", "compare", "scenes", "strategies")
+    private val commands = listOf("render", "compare", "conformance", "scenes", "strategies")
 
     private fun help(vararg command: String) = zcli(*command, "--help").done().text
 

@@ -18,7 +18,7 @@ import java.math.MathContext
  * @param fillRule what is inside
  * @throws IllegalArgumentException if a contour is not made of triples, or there are fewer than three vertices
  */
-public class ExactPolygon(contours: List<IntArray>, private val fillRule: FillRule) {
+public class ExactPolygon(contours: List<IntArray>, private val fillRule: FillRule) : ExactSurface {
     private val contours = contours.filter { it.isNotEmpty() }.map { it.copyOf() }
     private val vertices: List<Corner>
     private val reference: List<Corner>
@@ -55,13 +55,15 @@ public class ExactPolygon(contours: List<IntArray>, private val fillRule: FillRu
         return if (fillRule == FillRule.EVEN_ODD) windings % 2 != 0 else windings != 0
     }
 
+    override fun coverage(x: Int, y: Int): Coverage = if (covers(x, y)) Coverage.COVERED else Coverage.UNCOVERED
+
     /**
      * Returns how many units [depth] differs from the exact one at column [x] and row [y], 0 or more.
      *
      * Exact is the plane through the reference triangle (rule 3.5), or, where rule 3.4 says so, the depth of the first
      * vertex. The contract allows less than 1.
      */
-    public fun depthError(x: Int, y: Int, depth: Int): Double {
+    override fun depthError(x: Int, y: Int, depth: Int): Double {
         val plane = plane()
         if (isConstant(plane)) return Math.abs(depth.toDouble() - reference[0].depth)
         val difference = big(depth.toLong()) * plane.area - plane.timesArea(sample(x), sample(y))

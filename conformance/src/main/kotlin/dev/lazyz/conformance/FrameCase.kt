@@ -1,6 +1,7 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Frame
+import dev.lazyz.Scene
 
 /**
  * A frame to try a renderer on, that prints itself as the Kotlin code that makes it.
@@ -12,5 +13,13 @@ import dev.lazyz.Frame
  *   `dev.lazyz.conformance.*` and `org.joml.Vector3d`
  */
 public class FrameCase(public val frame: Frame, public val code: String) {
+    /** The scene of which this is the frame, if it is the whole frame of a scene: then a scene file can say it. */
+    internal var scene: Scene? = null
+        private set
+
+    internal constructor(frame: Frame, code: String, scene: Scene) : this(frame, code) {
+        this.scene = scene
+    }
+
     override fun toString(): String = code
 }

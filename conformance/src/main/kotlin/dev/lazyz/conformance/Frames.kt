@@ -95,6 +95,10 @@ public object Frames {
     public fun world(maxSide: Int = DEFAULT_SIDE, maxSurfaces: Int = DEFAULT_PRIMITIVES): Arbitrary<FrameCase> =
         WorldFrames.cases(rasters(maxSide, maxSide), maxSurfaces).withoutEdgeCases()
 
+    /** Returns frames as [mix] says: kinds, weights, sizes, counts, depth complexity, translucency. */
+    @JvmStatic
+    public fun of(mix: FrameMix): Arbitrary<FrameCase> = mix.frames()
+
     /**
      * Returns a shader whose colour and opacity depend on [number], on the sample and on the fragment's interpolated
      * depth: hardly ever the same for two primitives, or at two samples.

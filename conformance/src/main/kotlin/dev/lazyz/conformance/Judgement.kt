@@ -18,15 +18,19 @@ internal class Judgement(private val renderer: Renderer, private val case: Frame
     /** The frame, rendered row by row. */
     val rendering: Rendering = attempt { Rendering.of(renderer, case.frame) }
 
+    init {
+        Trial.current?.saw(case.frame)
+    }
+
     /** Fails unless the frame came out as the oracle says, bit for bit. */
     fun equalsReference(): Judgement = apply {
         val expected = Rendering.of(ReferenceRenderer(), case.frame).image
-        difference(expected, rendering.image)?.let { fail(it) }
+        difference(expected, rendering.image)?.let { fail("", it) }
     }
 
     /** Fails unless the frame comes out the same when it is rendered into memory. */
     fun equalsItsImage(): Judgement = apply {
-        difference(rendering.image, attempt { renderer.render(case.frame) })?.let { fail("into memory: $it") }
+        difference(rendering.image, attempt { renderer.render(case.frame) })?.let { fail("into memory: ", it) }
     }
 
     /** Fails unless the rows of the frame's region arrived from the top to the bottom, each once. */
@@ -36,15 +40,24 @@ internal class Judgement(private val renderer: Renderer, private val case: Frame
     }
 
     /** Fails because of [what]. */
-    fun fail(what: String, cause: Throwable? = null): Nothing =
-        throw AssertionError("${renderer.id}${if (how.isEmpty()) "" else " with $how"}: $what\nin\n$case", cause)
+    fun fail(what: String, cause: Throwable? = null): Nothing {
+        val expected = Rendering.of(ReferenceRenderer(), case.frame).image
+        throw Violation(message(what), case, expected, rendering.image, cause)
+    }
+
+    /** Fails because of a [difference]; [lead] says what of. */
+    fun fail(lead: String, difference: Difference): Nothing =
+        throw Violation(message("$lead$difference"), case, difference.expected, difference.actual)
+
+    private fun message(what: String): String =
+        "${renderer.id}${if (how.isEmpty()) "" else " with $how"}: $what\nin\n$case"
 
     private fun <T> attempt(block: () -> T): T = try {
         block()
     } catch (e: Exception) {
-        fail("threw $e", e)
+        throw Violation(message("threw $e"), case, cause = e)
     } catch (e: StackOverflowError) {
-        fail("threw $e", e)
+        throw Violation(message("threw $e"), case, cause = e)
     }
 }
 
@@ -89,7 +102,7 @@ internal fun refused(renderer: Renderer, case: FrameCase) {
     } catch (e: Exception) {
         "throws $e"
     }
-    throw AssertionError("${renderer.id} does not blend, and $answer\nin\n$case")
+    throw Violation("${renderer.id} does not blend, and $answer\nin\n$case", case)
 }
 
 /** Whether the primitives [a] and [b] both cover column [x] of row [y], at the same depth. */

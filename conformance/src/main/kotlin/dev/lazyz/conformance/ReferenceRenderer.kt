@@ -16,6 +16,11 @@ import dev.lazyz.Spans
  * It shares no code with the strategies: no cursor, no linear form, no [DepthTest.key], no bounds; a primitive is asked
  * on every row of the raster. Use it to judge a renderer, not to render. Thread safe; no state between calls.
  *
+ * It trusts primitives: their spans, depths and colours are what they say. What ties primitives to the contract is
+ * exact arithmetic: [ExactPolygon], [ExactProjection] and [ExactSphere] decide coverage and depth from vertices,
+ * without set-up's code, and [ExactPicture] the visible primitive. This renderer is held to those by tests, and all
+ * others to this one by the suite, so a mistake in set-up that all strategies share does not go unseen.
+ *
  * Time: samples x primitives. Memory: one row. Shading calls: exactly the visible samples, and where a translucent
  * primitive is visible those of the fragments that show through.
  */

@@ -46,19 +46,33 @@ internal class Rendering private constructor(val image: Image, val counters: Cou
     }
 }
 
+/** Where [actual] is not [expected]: the first sample, column [x] and row [y] of the raster, of [count] that differ. */
+internal class Difference(val expected: Image, val actual: Image, val x: Int, val y: Int, val count: Int) {
+    /** What the sample should show, in words. */
+    val expectedAnswer: String get() = answer(expected, sample)
+
+    /** What it shows, in words. */
+    val actualAnswer: String get() = answer(actual, sample)
+
+    private val sample get() = (y - expected.region.rowStart) * expected.width + x - expected.region.columnStart
+
+    override fun toString(): String = "sample ($x, $y) is the first of $count that differ\n" +
+        "    expected $expectedAnswer\n" +
+        "    but was  $actualAnswer"
+}
+
 /** Returns the first sample, in rows from the top, at which [actual] differs, with both answers; null if none does. */
-internal fun difference(expected: Image, actual: Image): String? {
-    val samples = expected.argb.indices.filter { i ->
-        expected.argb[i] != actual.argb[i] || expected.depth[i] != actual.depth[i] ||
-            expected.primitive[i] != actual.primitive[i]
-    }
+internal fun difference(expected: Image, actual: Image): Difference? {
+    val samples = expected.argb.indices.filter { expected.differsAt(actual, it) }
     val first = samples.firstOrNull() ?: return null
     val x = expected.region.columnStart + first % expected.width
     val y = expected.region.rowStart + first / expected.width
-    return "sample ($x, $y) is the first of ${samples.size} that differ\n" +
-        "    expected ${answer(expected, first)}\n" +
-        "    but was  ${answer(actual, first)}"
+    return Difference(expected, actual, x, y, samples.size)
 }
+
+/** Whether [other], a picture of the same region, has another colour, depth or primitive at index [sample]. */
+internal fun Image.differsAt(other: Image, sample: Int): Boolean = argb[sample] != other.argb[sample] ||
+    depth[sample] != other.depth[sample] || primitive[sample] != other.primitive[sample]
 
 private fun answer(image: Image, sample: Int): String {
     if (image.depth[sample] == Rendering.MISSING) return "nothing: the row never arrived"

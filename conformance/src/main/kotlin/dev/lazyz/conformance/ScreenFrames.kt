@@ -86,12 +86,12 @@ internal class ScreenFrames(private val maxWidth: Int, private val maxHeight: In
     fun confettiCases(rasters: Arbitrary<Raster>, max: Int): Arbitrary<FrameCase> =
         frames(rasters, confetti().map { listOf(it) }, max)
 
-    private fun frames(rasters: Arbitrary<Raster>, groups: Arbitrary<List<Piece>>, max: Int): Arbitrary<FrameCase> =
+    fun frames(rasters: Arbitrary<Raster>, groups: Arbitrary<List<Piece>>, max: Int): Arbitrary<FrameCase> =
         Combinators.combine(rasters, listsOf(groups, max)).`as` { raster, list ->
             screenCase(raster, list.flatten().take(max))
         }
 
-    private fun confetti(): Arbitrary<Piece> {
+    fun confetti(): Arbitrary<Piece> {
         val columns = Combinators.combine(ints(0, maxWidth), ints(0, maxWidth))
             .`as` { a, b -> minOf(a, b)..maxOf(a, b) }
         val ordered = Combinators.combine(ints(0, maxHeight), ints(0, maxHeight))

@@ -10,15 +10,15 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
     private val fillRules = oneOf(FillRule.NON_ZERO, FillRule.EVEN_ODD)
 
     /** Points anywhere on the grid, on the raster and a quarter of its size around it. */
-    private val near = points(grid(maxWidth), grid(maxHeight), depths)
+    val near = points(grid(maxWidth), grid(maxHeight), depths)
 
     /** Points on samples and pixel corners. */
-    private val aligned = points(halves(maxWidth), halves(maxHeight), depths)
+    val aligned = points(halves(maxWidth), halves(maxHeight), depths)
 
     private val either = mixed(1 to near, 1 to aligned)
 
     /** Points up to the end of the guard band. */
-    private val far = points(guard, guard, depths)
+    val far = points(guard, guard, depths)
 
     /** One polygon of any kind. */
     fun single(): Arbitrary<List<Piece>> = mixed(
@@ -55,14 +55,14 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
             }
         }
 
-    private fun polygon(contours: Arbitrary<List<DoubleArray>>): Arbitrary<Piece> =
+    fun polygon(contours: Arbitrary<List<DoubleArray>>): Arbitrary<Piece> =
         Combinators.combine(contours, fillRules).`as` { list, rule -> PolygonPiece(list, rule) }
 
-    private fun contour(points: Arbitrary<DoubleArray>, min: Int, max: Int): Arbitrary<DoubleArray> =
+    fun contour(points: Arbitrary<DoubleArray>, min: Int, max: Int): Arbitrary<DoubleArray> =
         points.list().ofMinSize(min).ofMaxSize(max).map { list -> list.reduce { all, point -> all + point } }
 
     /** Within about two pixels of a point: covers a sample or two, or none. */
-    private fun tiny(): Arbitrary<List<DoubleArray>> = Combinators
+    fun tiny(): Arbitrary<List<DoubleArray>> = Combinators
         .combine(near, contour(points(ints(-300, 300).map(::pixels), ints(-300, 300).map(::pixels), depths), 3, 4))
         .`as` { at, around ->
             listOf(
@@ -79,7 +79,7 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
         }
 
     /** A triangle a few grid steps wide and any length, with any depths: steep. */
-    private fun sliver(): Arbitrary<List<DoubleArray>> = Combinators
+    fun sliver(): Arbitrary<List<DoubleArray>> = Combinators
         .combine(near, mixed(1 to near, 1 to aligned, 1 to far), ints(-3, 3), ints(-3, 3), depths)
         .`as` { a, b, dx, dy, depth ->
             val third = doubleArrayOf((b[0] + pixels(dx)).coerceIn(BAND), (b[1] + pixels(dy)).coerceIn(BAND), depth)
@@ -87,7 +87,7 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
         }
 
     /** Two or three contours: nested, touching or crossing, wound either way. */
-    private fun holed(): Arbitrary<List<DoubleArray>> {
+    fun holed(): Arbitrary<List<DoubleArray>> {
         val box = Combinators.combine(aligned, aligned, oneOf(true, false)).`as` { a, b, isTurned ->
             val other = if (isTurned) doubleArrayOf(a[0], b[1], a[2]) else doubleArrayOf(b[0], a[1], a[2])
             val fourth = if (isTurned) doubleArrayOf(b[0], a[1], b[2]) else doubleArrayOf(a[0], b[1], b[2])
@@ -97,7 +97,7 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
     }
 
     /** What covers nothing: too few vertices, no area, numbers that are none. */
-    private fun degenerate(): Arbitrary<List<DoubleArray>> {
+    fun degenerate(): Arbitrary<List<DoubleArray>> {
         val empty = Arbitraries.just(emptyList<DoubleArray>())
         val few = contour(near, 1, 2).map { listOf(it) }
         val flat = Combinators.combine(aligned, aligned).`as` { a, b -> listOf(a + b + a + b) }
@@ -108,22 +108,22 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
         return mixed(1 to empty, 1 to few, 1 to flat, 1 to unreal)
     }
 
-    private companion object {
+    companion object {
         /** The guard band. */
-        val BAND = -524288.0..524288.0
+        private val BAND = -524288.0..524288.0
 
         /** Depths from near to far, in steps that a double holds exactly. */
         val depths: Arbitrary<Double> = mixed(1 to ints(0, 1024).map { it / 1024.0 }, 1 to oneOf(0.5, 0.0, 1.0))
 
         /** Coordinates up to the end of the guard band, often its very end. */
-        val guard: Arbitrary<Double> = mixed(
+        private val guard: Arbitrary<Double> = mixed(
             3 to ints(-(1 shl 27), 1 shl 27).map(::pixels),
             1 to oneOf(BAND.start, BAND.endInclusive),
         )
 
-        fun pixels(gridSteps: Int): Double = gridSteps / 256.0
+        private fun pixels(gridSteps: Int): Double = gridSteps / 256.0
 
-        fun grid(side: Int): Arbitrary<Double> = ints(-64 * side, 320 * side).map(::pixels)
+        private fun grid(side: Int): Arbitrary<Double> = ints(-64 * side, 320 * side).map(::pixels)
 
         fun halves(side: Int): Arbitrary<Double> = ints(-2, 2 * side + 2).map { it / 2.0 }
 

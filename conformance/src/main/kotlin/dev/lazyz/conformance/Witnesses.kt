@@ -11,6 +11,9 @@ import java.util.concurrent.atomic.AtomicLong
 /** Counts how often the primitives of [frame] are shaded, whoever asks. */
 internal class ShadingWitness(frame: Frame) {
     private val calls = AtomicLong()
+    private val direct = AtomicLong()
+    private val cursors = AtomicLong()
+    private val stepped = AtomicLong()
 
     /** The frame whose primitives are watched. */
     val frame: Frame = Frame(frame.raster, frame.primitives.map { Watched(it) }, frame.region)
@@ -18,17 +21,32 @@ internal class ShadingWitness(frame: Frame) {
     /** Colours computed so far, by [Primitive.shade] or by [ShadingCursor.shade]. */
     val count: Long get() = calls.get()
 
+    /** Colours whose attributes were evaluated at the sample so far: by [Primitive.shade], or first of a cursor. */
+    val starts: Long get() = direct.get() + cursors.get()
+
+    /** Steps of cursors so far. */
+    val steps: Long get() = stepped.get()
+
     private inner class Watched(private val primitive: Primitive) : Primitive by primitive {
         override fun shade(fragment: Fragment) {
             calls.incrementAndGet()
+            direct.incrementAndGet()
             primitive.shade(fragment)
         }
 
         override fun shadingCursor(x: Int, y: Int): ShadingCursor? =
-            primitive.shadingCursor(x, y)?.let { WatchedCursor(it) }
+            primitive.shadingCursor(x, y)?.let {
+                cursors.incrementAndGet()
+                WatchedCursor(it)
+            }
     }
 
-    private inner class WatchedCursor(private val cursor: ShadingCursor) : ShadingCursor by cursor {
+    private inner class WatchedCursor(private val cursor: ShadingCursor) : ShadingCursor {
+        override fun step() {
+            stepped.incrementAndGet()
+            cursor.step()
+        }
+
         override fun shade(fragment: Fragment) {
             calls.incrementAndGet()
             cursor.shade(fragment)

@@ -23,19 +23,22 @@ import org.joml.Vector3d
 /** Generates frames of scenes: shapes within a few units of the origin, a camera among or before them. */
 internal object WorldFrames {
     /** A value and the Kotlin expression for it. */
-    private class Coded<out T>(val value: T, val code: String)
+    class Coded<out T>(val value: T, val code: String)
 
-    fun cases(rasters: Arbitrary<Raster>, maxSurfaces: Int): Arbitrary<FrameCase> {
-        val surfaces = mixed(3 to polygon(), 2 to holed(), 3 to mesh(), 3 to sphere())
-        return Combinators.combine(rasters, listsOf(surfaces, maxSurfaces), camera()).`as` { raster, list, camera ->
+    fun cases(rasters: Arbitrary<Raster>, maxSurfaces: Int): Arbitrary<FrameCase> =
+        cases(rasters, listsOf(mixed(3 to polygon(), 2 to holed(), 3 to mesh(), 3 to sphere()), maxSurfaces))
+
+    /** Frames of these surfaces. */
+    fun cases(rasters: Arbitrary<Raster>, surfaces: Arbitrary<List<Coded<Surface>>>): Arbitrary<FrameCase> =
+        Combinators.combine(rasters, surfaces, camera()).`as` { raster, list, camera ->
             val scene = Scene(list.map { it.value }, viewpoint = camera.value)
             val lines = list.joinToString("") { "\n        ${it.code}," }
             FrameCase(
                 scene.frame(raster),
                 "Scene(\n    listOf($lines\n    ),\n    viewpoint = ${camera.code},\n).frame(${code(raster)})",
+                scene,
             )
         }
-    }
 
     private val coordinates: Arbitrary<Double> = mixed(
         80 to ints(-16, 16).map { it / 8.0 },
@@ -78,12 +81,12 @@ internal object WorldFrames {
             }
     }
 
-    private fun polygon(): Arbitrary<Coded<Surface>> = Combinators
+    fun polygon(): Arbitrary<Coded<Surface>> = Combinators
         .combine(points.list().ofMinSize(3).ofMaxSize(5), material())
         .`as` { contour, material -> polygon(listOf(contour), material) }
 
     /** A flat square with a triangular hole or island, at any height. */
-    private fun holed(): Arbitrary<Coded<Surface>> {
+    fun holed(): Arbitrary<Coded<Surface>> {
         val inner = Combinators.combine(ints(-12, 12), ints(-12, 12)).`as` { x, y -> Pair(x / 8.0, y / 8.0) }
         return Combinators.combine(inner.list().ofSize(3), ints(-16, 16), material()).`as` { hole, height, material ->
             val z = height / 8.0
@@ -106,7 +109,7 @@ internal object WorldFrames {
         )
     }
 
-    private fun mesh(): Arbitrary<Coded<Surface>> = Combinators
+    fun mesh(): Arbitrary<Coded<Surface>> = Combinators
         .combine(points.list().ofMinSize(3).ofMaxSize(6), ints(0, 2).list().ofMinSize(1).ofMaxSize(6), material())
         .`as` { corners, turns, material ->
             // Neighbouring triangles share an edge, or cover each other
@@ -120,7 +123,19 @@ internal object WorldFrames {
             )
         }
 
-    private fun sphere(): Arbitrary<Coded<Surface>> = Combinators
+    /** A triangle with a corner behind every camera there is: most reach across the near plane. */
+    fun nearPlane(): Arbitrary<Coded<Surface>> {
+        val front = Combinators.combine(ints(-8, 8), ints(-8, 8), ints(-8, 4))
+            .`as` { x, y, z -> Vector3d(x / 8.0, y / 8.0, z / 8.0) }
+        val behind = Combinators.combine(ints(-16, 16), ints(-16, 16))
+            .`as` { x, y -> Vector3d(x / 8.0, y / 8.0, 40.0) }
+        return Combinators.combine(front, oneOf(true, false), front, behind, material())
+            .`as` { a, isBoth, b, c, material ->
+                polygon(listOf(listOf(a, if (isBoth) Vector3d(b.x, b.y, 40.0) else b, c)), material)
+            }
+    }
+
+    fun sphere(): Arbitrary<Coded<Surface>> = Combinators
         .combine(points, oneOf(0.5, 1.0, 0.05, 3.0, 0.0, Double.NaN), material())
         .`as` { center, radius, material ->
             Coded(

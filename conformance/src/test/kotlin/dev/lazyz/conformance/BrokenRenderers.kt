@@ -2,35 +2,15 @@ package dev.lazyz.conformance
 
 import dev.lazyz.Capability
 import dev.lazyz.Cell
-import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Image
-import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
-import dev.lazyz.Renderer
 import dev.lazyz.Rgba
-import dev.lazyz.RowSink
 import dev.lazyz.Selector
 import dev.lazyz.lists.Lists
 import dev.lazyz.zbuffer.ZBuffer
-
-/** A renderer with one mistake. */
-class BrokenRenderer(
-    override val id: String,
-    override val capabilities: Set<Capability> = emptySet(),
-    private val other: Renderer? = null,
-    private val how: (Frame, RowSink) -> Counters,
-) : Renderer {
-    override val summary: String get() = "makes one mistake: $id"
-
-    override fun configured(options: RenderOptions): Renderer = other ?: this
-
-    override fun render(frame: Frame, sink: RowSink): Counters = how(frame, sink)
-
-    override fun toString(): String = id
-}
 
 /**
  * Renderers that are right but for one mistake.
@@ -129,7 +109,7 @@ object BrokenRenderers {
     fun ignoresTheRegion() = drawing("ignores-the-region") { Frame(it.raster, it.primitives) }
 
     /** Another picture when it is configured. */
-    fun optionsMatter() = BrokenRenderer("options-matter", other = lastWinsTies()) { frame, sink ->
+    fun optionsMatter() = BrokenRenderer("options-matter", options = { lastWinsTies() }) { frame, sink ->
         ZBuffer().render(frame, sink)
     }
 
@@ -163,6 +143,11 @@ object BrokenRenderers {
         right.color?.let { cell.show(last, it.red, it.green, it.blue, it.alpha) } ?: cell.show(0)
     }
 
+    /** Blends into 8 bits a component, over and over. */
+    fun blendsInEightBits() = blending("blends-in-eight-bits") { cell ->
+        over(cell, cell.upToBackdrop().reversed()) { Rgba.ofArgb(it.toArgb()) }
+    }
+
     /** Fails without primitives. */
     fun needsAPrimitive() = drawing("needs-a-primitive") { frame -> frame.also { it.primitives.first() } }
 
@@ -184,7 +169,7 @@ object BrokenRenderers {
     }
 
     /** Shows the fragments [fromBack], one over the other, over the background. */
-    private fun over(cell: Cell, fromBack: List<Int>) {
+    private fun over(cell: Cell, fromBack: List<Int>, rounded: (Rgba) -> Rgba = { it }) {
         var color = cell.background
         for (i in fromBack) {
             val fragment = cell.shade(i)
@@ -192,9 +177,10 @@ object BrokenRenderers {
             val alpha = a + color.alpha * (1 - a)
             fun mix(front: Float, back: Float) =
                 if (alpha == 0f) 0f else (a * front + (1 - a) * color.alpha * back) / alpha
-            color = Rgba(
-                mix(fragment.red, color.red), mix(fragment.green, color.green), mix(fragment.blue, color.blue), alpha,
+            val (red, green, blue) = listOf(
+                mix(fragment.red, color.red), mix(fragment.green, color.green), mix(fragment.blue, color.blue),
             )
+            color = rounded(Rgba(red, green, blue, alpha))
         }
         cell.show(0, color.red, color.green, color.blue, color.alpha)
     }
@@ -204,39 +190,4 @@ object BrokenRenderers {
             val chosen = if (frame.hasTranslucency) selector else Selector.nearest()
             Lists(RenderOptions(selector = chosen)).render(frame, sink)
         }
-
-    private fun drawing(id: String, change: (Frame) -> Frame) =
-        BrokenRenderer(id) { frame, sink -> ZBuffer().render(change(frame), sink) }
-
-    private fun primitives(id: String, change: (Primitive) -> Primitive) =
-        drawing(id) { Frame(it.raster, it.primitives.map(change), it.region) }
-
-    private fun rows(id: String, order: (Int) -> List<Int>) =
-        BrokenRenderer(id) { frame, sink -> emit(ZBuffer().render(frame), sink, order(frame.height)) }
-
-    private fun counting(id: String, change: Counters.(Image) -> Unit) = BrokenRenderer(id) { frame, sink ->
-        val image = ZBuffer().render(frame)
-        emit(image, sink).apply { change(image) }
-    }
-
-    private fun emit(image: Image, sink: RowSink, rows: List<Int> = (0 until image.height).toList()): Counters {
-        for (row in rows) {
-            val (argb, depth, primitive) = listOf(image.argb, image.depth, image.primitive).map {
-                it.copyOfRange(row * image.width, (row + 1) * image.width)
-            }
-            sink.row(image.region.rowStart + row, argb, depth, primitive)
-        }
-        return image.counters
-    }
-
-    private fun Frame.on(change: Raster.() -> Raster) = Frame(raster.change(), primitives, region)
-
-    private fun Raster.tested(test: DepthTest) = Raster(width, height, background, convention, test, backgroundDepth)
-
-    private fun swappedTies(test: DepthTest) = when (test) {
-        DepthTest.LESS -> DepthTest.LESS_OR_EQUAL
-        DepthTest.LESS_OR_EQUAL -> DepthTest.LESS
-        DepthTest.GREATER -> DepthTest.GREATER_OR_EQUAL
-        DepthTest.GREATER_OR_EQUAL -> DepthTest.GREATER
-    }
 }

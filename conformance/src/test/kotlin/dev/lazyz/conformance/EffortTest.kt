@@ -4,6 +4,7 @@ import dev.lazyz.Frame
 import dev.lazyz.zbuffer.ZBuffer
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
@@ -27,8 +28,14 @@ class EffortTest {
 
     @Test
     fun effortThatIsNoPositiveNumberIsRefused() {
-        val failure = SuiteRun.ofRule(rule, tries = -1.0) { ZBuffer() }.failures.getValue(rule)
-        assertTrue(failure.message.orEmpty().contains("lazyz.conformance.tries must be a positive number: -1.0"))
+        for (factor in listOf(-1.0, 0.0, Double.NaN, Double.POSITIVE_INFINITY)) {
+            assertThrows(IllegalArgumentException::class.java) { SuiteRun.ofRule(rule, factor) { ZBuffer() } }
+        }
+        SuiteRun.withProperty(RendererConformance.TRIES, "-1.0") {
+            val refusal = assertThrows(IllegalArgumentException::class.java) { Conformance { ZBuffer() }.run() }
+            val message = refusal.message.orEmpty()
+            assertTrue("lazyz.conformance.tries must be a positive number: -1.0" in message, message)
+        }
     }
 
     private fun frames(tries: Double): List<String> {

@@ -1,7 +1,5 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.Depth
-import dev.lazyz.DepthConvention
 import dev.lazyz.Fragment
 import dev.lazyz.FrameBuilder
 import dev.lazyz.Primitive
@@ -117,14 +115,7 @@ class SetUpIsExactTest {
             ) {
                 return null
             }
-            val isMirrored = raster.convention == DepthConvention.LARGER_IS_NEARER
-            val snapped = contours.map { contour ->
-                IntArray(contour.size) {
-                    val depth = Depth.ofUnit(contour[it])
-                    if (it % 3 == 2) if (isMirrored) Int.MAX_VALUE - depth else depth else (contour[it] * 256).toInt()
-                }
-            }
-            return ExactPolygon(snapped, piece.fillRule)
+            return piece.exact(raster)
         }
 
         override fun toString(): String = piece.code(0)

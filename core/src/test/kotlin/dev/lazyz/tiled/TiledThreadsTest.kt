@@ -12,6 +12,7 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.CyclicBarrier
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
+import java.util.concurrent.locks.LockSupport
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -175,7 +176,11 @@ class TiledThreadsTest {
                     frame { x, y ->
                         // From whichever thread is at work there
                         if (x == 20 && y == 20) caller.interrupt()
-                        if (caller.isInterrupted) shadedAfter.incrementAndGet()
+                        if (!caller.isInterrupted) return@frame
+                        shadedAfter.incrementAndGet()
+
+                        // The caller may have to wait for a processor before it can notice
+                        if (Thread.currentThread() !== caller) LockSupport.parkNanos(1_000_000)
                     },
                 ) { _, _, _, _ -> rows.incrementAndGet() }
             }

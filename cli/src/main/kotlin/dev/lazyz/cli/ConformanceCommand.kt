@@ -1,0 +1,105 @@
+package dev.lazyz.cli
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.parameters.options.convert
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.multiple
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.options.required
+import dev.lazyz.Renderer
+import dev.lazyz.conformance.Conformance
+import dev.lazyz.conformance.SuiteRule
+import dev.lazyz.conformance.WaiversException
+import java.nio.file.Path
+
+/** `zcli conformance`: runs the conformance suite on a strategy from wherever it is. */
+internal class ConformanceCommand(private val streams: Streams) : Command("conformance") {
+    private val strategy by option("--strategy", metavar = "ID", help = "The strategy to judge").required()
+
+    private val classPath by option(
+        "--classpath",
+        metavar = "JAR",
+        help =
+        "Where to look for it besides zcli's own: a jar with an entry " +
+            "META-INF/services/dev.lazyz.Renderer, or one that it needs; say it again for each further one",
+    ).multiple()
+
+    private val seed by option("--seed", help = "Try other frames than the usual").convert("N") { text ->
+        text.toLongOrNull() ?: fail("'$text' is not a whole number")
+    }
+
+    private val isExploring by option("--explore", help = "Try frames of a random seed, which the summary tells").flag()
+
+    private val tries by option("--tries", help = "Try so many times as many frames as usual; default: 1")
+        .number("F", LEAST_TRIES..MOST_TRIES, "")
+
+    private val rules by option(
+        "--rule",
+        metavar = "NAME",
+        help = "Run this rule only, by its name or number; say it again for each further one; default: all",
+    ).multiple()
+
+    private val waivers by option("--waivers", help = "Rules that the strategy is known to break")
+        .convert("FILE") { Path.of(it) }
+
+    private val report by option("--report", help = "Write the report there too, with pictures of failures")
+        .convert("FOLDER") { Path.of(it) }
+
+    private val isJson by option("--json", help = "Print JSON instead of the summary").flag()
+
+    override fun help(context: Context): String =
+        "Judges a strategy, ours or your own, by the rules of the contract.\n\nExit code 1: it does not conform."
+
+    override fun helpEpilog(context: Context): String = HelpText.examples(
+        "zcli conformance --strategy my-id --classpath my.jar --report report" to "your own, and a page with pictures",
+        "zcli conformance --strategy lazy --rule 5.2 --tries 10" to "what the contract says about ties, thoroughly",
+        "zcli conformance --strategy my-id --classpath my.jar --explore" to "frames that nobody has seen",
+    )
+
+    override fun run() {
+        val isGood = StrategyPath(classPath).use { path ->
+            val renderer = path.find(strategy)
+            val report = conformance(renderer).run()
+            streams.print(if (isJson) report.toJson() else report.toText())
+            report.isConformant
+        }
+        if (!isGood) throw ProgramResult(ExitCode.DIFFERENT)
+    }
+
+    private fun conformance(renderer: Renderer): Conformance {
+        if (seed != null && isExploring) throw Mistake("--seed and --explore exclude each other")
+        val conformance = Conformance { renderer }.command(command())
+        seed?.let { conformance.seed(it) }
+        if (isExploring) conformance.explore()
+        tries?.let { conformance.tries(it) }
+        for (rule in rules) {
+            if (SuiteRule.matching(rule).isEmpty()) throw Mistake(unknown(rule))
+            conformance.rule(rule)
+        }
+        try {
+            waivers?.let { conformance.waivers(it) }
+        } catch (bad: WaiversException) {
+            throw Mistake(bad.message.orEmpty())
+        }
+        report?.let { conformance.output(it) }
+        return conformance
+    }
+
+    /** What to type to see a failure again, up to the seed. */
+    private fun command(): String = buildString {
+        append("zcli conformance --strategy $strategy")
+        for (jar in classPath) append(" --classpath ").append(if (jar.any { it.isWhitespace() }) "'$jar'" else jar)
+    }
+
+    private fun unknown(rule: String): String {
+        val names = SuiteRule.all.flatMap { listOf(it.name, it.number) }.distinct()
+        return "no rule '$rule'${Nearest.hint(rule, names)}\n" +
+            "Rules are called:\n" + SuiteRule.all.joinToString("\n") { "  ${it.name}" }
+    }
+
+    private companion object {
+        const val LEAST_TRIES = 0.001
+        const val MOST_TRIES = 1e6
+    }
+}

@@ -1,0 +1,130 @@
+package dev.lazyz.cli
+
+import java.nio.file.Path
+import java.util.jar.Attributes
+import java.util.jar.JarEntry
+import java.util.jar.JarOutputStream
+import java.util.jar.Manifest
+import kotlin.io.path.exists
+import kotlin.io.path.outputStream
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+/** `zcli conformance` on strategies that come in a stranger's jar. */
+class ConformanceTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val ties = "rule_5_2_tiesGoToTheFirstSubmitted"
+
+    /** A jar that offers these classes. */
+    private fun jar(vararg classes: Class<*>, name: String = "mine.jar"): Path {
+        val manifest = Manifest()
+        manifest.mainAttributes[Attributes.Name.MANIFEST_VERSION] = "1.0"
+        manifest.mainAttributes[Attributes.Name.IMPLEMENTATION_VERSION] = "2.7"
+        val path = folder.resolve(name)
+        JarOutputStream(path.outputStream(), manifest).use { jar ->
+            jar.putNextEntry(JarEntry("META-INF/services/dev.lazyz.Renderer"))
+            jar.write(classes.joinToString("\n") { it.name }.toByteArray())
+            jar.closeEntry()
+        }
+        return path
+    }
+
+    private fun conformance(vararg words: Any) = zcli("conformance", "--tries", "0.05", *words)
+
+    @Test
+    fun strangerWhoConformsIsToldSo() {
+        val jar = jar(CapableRenderer::class.java)
+        val rules = arrayOf("--rule", "4.3", "--rule", "rule_7_3_rowsArriveInOrderEachOnce")
+        val run = conformance("--strategy", "capable", "--classpath", jar, *rules).done()
+        assertTrue("capable conforms: 2 rules, 2 passed" in run.text, run.text)
+        assertTrue("seed          1995, tries x0.05" in run.text, run.text)
+    }
+
+    @Test
+    fun ourOwnAreJudgedByAllRules() {
+        assertTrue(" conforms: " in conformance("--strategy", "zbuffer").done().text)
+    }
+
+    @Test
+    fun wrongOneIsToldWithTheCommandThatShowsItAgain() {
+        val jar = jar(FickleRenderer::class.java, StutteringRenderer::class.java)
+        val report = folder.resolve("a report")
+        val rule = "rule_7_3_rowsArriveInOrderEachOnce"
+        val words = listOf("--strategy", "stuttering", "--classpath", "$jar", "--rule", rule, "--seed", "3")
+        val run = zcli("conformance", *words.toTypedArray(), "--tries", "1", "--report", report)
+        assertEquals(ExitCode.DIFFERENT, run.code, run.errors)
+        assertEquals("", run.errors)
+        assertTrue("\nFAILED: $rule (MUST)\n" in run.text, run.text)
+        assertTrue("rows arrived as [0, 1, 2, 3, 4, 5, 6, 7, 7" in run.text, run.text)
+        val command = "zcli conformance --strategy stuttering --classpath $jar --seed 3 --tries 1 --rule $rule"
+        assertTrue("  reproduce   $command\n" in run.text, run.text)
+        assertTrue(report.resolve("report.html").exists() && report.resolve("failures/$rule.kt").exists())
+        assertEquals(run.text, report.resolve("report.txt").readText())
+
+        // The command shows the same failure
+        val again = zcli(*command.split(" ").drop(1).toTypedArray())
+        fun failure(text: String) = text.substringAfter("FAILED").substringBefore("reproduce")
+        assertEquals(failure(run.text), failure(again.text))
+    }
+
+    @Test
+    fun waiversAreHeeded() {
+        val jar = jar(StutteringRenderer::class.java)
+        val file = folder.resolve("waivers.txt")
+        val rule = "rule_7_3_rowsArriveInOrderEachOnce"
+        val words = arrayOf("--strategy", "stuttering", "--classpath", jar, "--rule", rule, "--tries", "1")
+        val block = "rule: $rule\nreason: stutters\nlink: none\nexpires: 9999-01-01\n"
+        file.writeText(block)
+        val run = zcli("conformance", *words, "--waivers", file).done()
+        assertTrue("conforms: 1 rules, 1 waived" in run.text, run.text)
+        file.writeText(block.replace("link", "lnik"))
+        zcli("conformance", *words, "--waivers", file).mistake("waivers.txt:3: expected 'rule:'")
+    }
+
+    @Test
+    fun jsonIsForScripts() {
+        val run = conformance("--strategy", "zbuffer", "--rule", ties, "--json").done()
+        assertEquals("true", run.stat("conformant"))
+        assertEquals("zbuffer", run.stat("id"))
+    }
+
+    @Test
+    fun exploringTellsItsSeed() {
+        val seeds = List(2) {
+            conformance("--strategy", "zbuffer", "--rule", ties, "--explore", "--json").done().stat("seed")
+        }
+        assertEquals(2, seeds.distinct().size)
+    }
+
+    @Test
+    fun mistakesAreToldInWords() {
+        val jar = jar(CapableRenderer::class.java)
+        conformance("--strategy", "capabel", "--classpath", jar)
+            .mistake("no strategy 'capabel'; did you mean 'capable'?")
+        conformance("--strategy", "other", "--classpath", jar).mistake("no strategy 'other'", "offers capable.")
+        conformance("--strategy", "other", "--classpath", folder)
+            .mistake("Nothing on the class path is named in META-INF")
+        conformance("--strategy", "other").mistake("no strategy 'other'", "--classpath JAR")
+        conformance("--strategy", "zbuffer", "--classpath", "no.jar").mistake("--classpath: no.jar: no such file")
+        val text = folder.resolve("text.jar").apply { writeText("no jar") }
+        conformance("--strategy", "zbuffer", "--classpath", text).mistake("text.jar is no jar")
+        val unborn = jar(UnbornRenderer::class.java, name = "unborn.jar")
+        conformance("--strategy", "unborn", "--classpath", unborn)
+            .mistake("a renderer on the class path cannot be loaded")
+        conformance().mistake("--strategy")
+        conformance("--strategy", "zbuffer", "--rule", "rule_5_2_tiesGoToTheFirst").mistake("no rule", ties)
+        conformance("--strategy", "zbuffer", "--seed", "x").mistake("'x' is not a whole number")
+        conformance("--strategy", "zbuffer", "--seed", "1", "--explore").mistake("exclude each other")
+        zcli("conformance", "--strategy", "zbuffer", "--tries", "0").mistake("--tries: must be in 0.001..1000000")
+        val full = folder.resolve("full").apply { writeText("a file") }
+        conformance("--strategy", "zbuffer", "--rule", ties, "--report", full).mistake("full")
+        assertFalse(folder.resolve("full/report.html").exists())
+    }
+}

@@ -1,0 +1,105 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.LinearForm
+import dev.lazyz.Primitive
+import dev.lazyz.Renderer
+import dev.lazyz.ShadingCursor
+import dev.lazyz.Spans
+import java.util.concurrent.atomic.AtomicInteger
+
+/** What a renderer asks a primitive. */
+internal enum class Question { SPANS, DEPTH, COLOUR }
+
+/** The primitives of [frame], which throw when they have answered a question [patience] times, all together. */
+internal class Trap(frame: Frame, private val question: Question, patience: Int) {
+    private val left = AtomicInteger(patience)
+
+    /** What is thrown: always the same. */
+    val planted: RuntimeException = PlantedException(question)
+
+    /** The frame whose primitives throw. */
+    val frame: Frame = Frame(frame.raster, frame.primitives.map { Trapped(it) }, frame.region)
+
+    /** Whether it has been thrown. */
+    val isSprung: Boolean get() = left.get() < 0
+
+    private fun step(question: Question) {
+        if (question == this.question && left.decrementAndGet() < 0) {
+            left.set(-1)
+            throw planted
+        }
+    }
+
+    private inner class Trapped(whole: Primitive) : Recovered(whole) {
+        /** Depth is asked for, not stepped, if that is what throws. */
+        override val depthForm: LinearForm? get() = if (question == Question.DEPTH) null else whole.depthForm
+
+        override fun spans(y: Int, spans: Spans) {
+            step(Question.SPANS)
+            whole.spans(y, spans)
+        }
+
+        override fun depth(x: Int, y: Int): Int {
+            step(Question.DEPTH)
+            return whole.depth(x, y)
+        }
+
+        override fun shade(fragment: Fragment) {
+            step(Question.COLOUR)
+            whole.shade(fragment)
+        }
+
+        override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
+    }
+
+    private class PlantedException(question: Question) : RuntimeException("planted in $question")
+}
+
+/** Calls [block] and returns what it throws, or null. */
+internal fun answer(block: () -> Unit): Throwable? = try {
+    block()
+    null
+} catch (e: Throwable) {
+    e
+}
+
+/** Fails unless [renderer] passes on what [trap] throws, or never runs into it and renders right. */
+internal fun failsAsPlanned(renderer: Renderer, case: FrameCase, trap: Trap) {
+    var rendering: Rendering? = null
+    val thrown = answer { rendering = Rendering.of(renderer, trap.frame) }
+    val expected = if (trap.isSprung) trap.planted else null
+    if (thrown !== expected) {
+        val what = "${expected ?: "nothing"} was thrown, the caller got ${thrown ?: "nothing"}"
+        Judgement(renderer, case).fail(what, thrown)
+    }
+    val image = rendering?.image ?: return
+    difference(Rendering.of(ReferenceRenderer(), case.frame).image, image)?.let {
+        Judgement(renderer, case).fail("", it)
+    }
+}
+
+/** Fails unless [renderer], called by a thread that is interrupted, ends within [PATIENCE] as it should. */
+internal fun endsInterrupted(renderer: Renderer, case: FrameCase) {
+    var rendering: Rendering? = null
+    var thrown: Throwable? = null
+    val thread = Thread({
+        Thread.currentThread().interrupt()
+        thrown = answer { rendering = Rendering.of(renderer, case.frame) }
+    }, "lazyz-interrupted")
+    thread.isDaemon = true
+    thread.start()
+    thread.join(PATIENCE)
+    val image = rendering?.image
+    val what = when {
+        thread.isAlive -> "hangs"
+        thrown is InterruptedException -> return
+        image == null -> "threw $thrown"
+        else -> difference(Rendering.of(ReferenceRenderer(), case.frame).image, image)?.toString() ?: return
+    }
+    Judgement(renderer, case, "an interrupted thread").fail(what, thrown)
+}
+
+/** Milliseconds after which a small frame counts as hanging. */
+private const val PATIENCE = 20_000L

@@ -1,0 +1,114 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Renderer
+import java.nio.file.Path
+import java.util.concurrent.ThreadLocalRandom
+import java.util.function.Supplier
+
+/**
+ * Runs the conformance suite in this process and returns a report.
+ *
+ * Use it to judge a renderer from a program of one's own; as a test of a build, extend [RendererConformance]. What is
+ * not said is as the suite's system properties have it, or usual. Kotlin:
+ *
+ * ```
+ * val report = Conformance { MyRenderer() }.tries(0.1).output(Path.of("report")).run()
+ * check(report.isConformant) { report.toText() }
+ * ```
+ *
+ * The same options give the same report but for times. There can be one run at a time in a process; nothing is printed.
+ * Not thread safe. Cost: a few seconds a run.
+ *
+ * @param renderer makes the renderer to judge, a new one or always the same; called once for each try of each rule
+ */
+public class Conformance(private val renderer: Supplier<out Renderer>) {
+    private var subject: Class<out RendererConformance> = RunUnderWay.Subject::class.java
+    private var shrinking = Shrinking.ON
+    private var seed: Long? = null
+    private var tries: Double? = null
+    private val rules = LinkedHashSet<SuiteRule>()
+    private var waivers: Waivers? = null
+    private var output: Path? = null
+    private var command: String? = null
+
+    /** Chooses other frames than the usual. */
+    public fun seed(seed: Long): Conformance = apply { this.seed = seed }
+
+    /** Chooses frames that nobody has seen, by a random seed that the report tells. */
+    public fun explore(): Conformance = seed(ThreadLocalRandom.current().nextLong(0, Int.MAX_VALUE.toLong()))
+
+    /**
+     * Tries [factor] times as many frames as usual.
+     *
+     * @throws IllegalArgumentException if it is not positive and finite
+     */
+    public fun tries(factor: Double): Conformance = apply {
+        require(factor > 0.0 && factor.isFinite()) { "tries must be a positive number: $factor" }
+        tries = factor
+    }
+
+    /**
+     * Runs this rule, and no others but those that are named too.
+     *
+     * @param nameOrNumber a [SuiteRule.name], or a [SuiteRule.number] for all rules of that number
+     * @throws IllegalArgumentException if there is no such rule
+     */
+    public fun rule(nameOrNumber: String): Conformance = apply {
+        val found = SuiteRule.matching(nameOrNumber)
+        require(found.isNotEmpty()) { "no rule '$nameOrNumber'" }
+        rules.addAll(found)
+    }
+
+    /**
+     * Waives what the file at [path] says, see [Waivers].
+     *
+     * @throws WaiversException if it cannot be read or is not what it should be
+     */
+    public fun waivers(path: Path): Conformance = waivers(Waivers.read(path))
+
+    /** Waives these rules. */
+    public fun waivers(waivers: Waivers): Conformance = apply { this.waivers = waivers }
+
+    /** Writes the report to [folder] too, as [ConformanceReport.writeTo] does. */
+    public fun output(folder: Path): Conformance = apply { output = folder }
+
+    /**
+     * Says how a reader of the report repeats the run: [words] for a shell, to which seed, tries and rule are added.
+     * By default `zcli conformance` with the renderer's id, and the class path that its class comes from.
+     */
+    public fun command(words: String): Conformance = apply { command = words }
+
+    /** Judges by this class, which says itself which renderer. */
+    internal fun subject(subject: Class<out RendererConformance>): Conformance = apply { this.subject = subject }
+
+    /** Leaves frames that fail as they are. */
+    internal fun withoutShrinking(): Conformance = apply { shrinking = Shrinking.OFF }
+
+    /**
+     * Runs the suite and returns what came of it. A renderer that breaks rules, or throws, is told in the report.
+     *
+     * @throws IllegalStateException if a run is under way in this process, or the suite itself fails
+     * @throws IllegalArgumentException if a system property of the suite is not what it should be
+     * @throws java.io.IOException if there is an output folder, and it cannot be written
+     */
+    public fun run(): ConformanceReport {
+        val settings = Settings(
+            tries ?: Settings.tries(),
+            seed ?: Settings.seed() ?: SuiteRule.fixedSeed,
+            waivers ?: Settings.waivers(),
+            shrinking,
+        )
+        val chosen = SuiteRule.all.filter { rules.isEmpty() || it in rules }
+        val judged = StrategyInfo(renderer.get())
+        val start = System.nanoTime()
+        val results = RunUnderWay(renderer, subject, chosen, settings).execute()
+        val milliseconds = (System.nanoTime() - start) / NANOSECONDS
+        val report = ConformanceReport(judged, settings, command, results, milliseconds)
+        output?.let { report.writeTo(it) }
+        return report
+    }
+
+    private companion object {
+        const val NANOSECONDS = 1_000_000L
+    }
+}

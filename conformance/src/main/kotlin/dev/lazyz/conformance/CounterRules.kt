@@ -1,0 +1,118 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Capability
+import dev.lazyz.Coherence
+import dev.lazyz.RenderOptions
+import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.ForAll
+import net.jqwik.api.Property
+
+/** Rules about counters: they count what happens, and mean the same for all. Part of [RendererConformance]. */
+@Suppress("ktlint:standard:function-naming")
+public sealed class CounterRules : UseRules() {
+    /** Primitives are counted whether they cover anything or not, and shading calls are the calls that happen. */
+    @Rule(
+        intent = "Primitives and shading calls are counted as they are submitted and made.",
+        look = "Count where Primitive.shade is called, nowhere else, and add up the counters of all threads.",
+    )
+    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_8_1_countersCountWhatHappens(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val witness = ShadingWitness(case.frame)
+        val judgement = Judgement(renderer(), FrameCase(witness.frame, case.code))
+        val counters = judgement.rendering.counters
+        val primitives = case.frame.primitives.size.toLong()
+        if (counters.primitives != primitives) {
+            judgement.fail("$primitives primitives are submitted, ${counters.primitives} counted")
+        }
+        if (counters.shadingCalls != witness.count) {
+            judgement.fail("${witness.count} shading calls are made, ${counters.shadingCalls} counted")
+        }
+    }
+
+    /** Fragments are the covered samples, whether a renderer looks at each of them or not. */
+    @Rule(
+        intent = "Fragments are a property of the frame: covered samples, counted for each primitive.",
+        look = "Count where spans are read; what is rejected early, or is not in the region, is easily lost.",
+    )
+    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_8_1_fragmentsAreTheCoveredSamples(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val covered = Rendering.of(ReferenceRenderer(), case.frame).counters.fragments
+        val judgement = Judgement(renderer(), case)
+        val counted = judgement.rendering.counters.fragments
+        if (counted != covered) judgement.fail("$covered samples are covered, $counted fragments counted")
+    }
+
+    /** Of the fragments no more pass than there are, and where there are none nothing is computed. */
+    @Rule(
+        intent = "A fragment passes at most once, and where nothing is covered there is no depth to compute.",
+        look = "Count a pass where a fragment is the visible one when it is compared, not where it is looked up.",
+    )
+    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_8_1_passesAreAmongTheFragments(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val judgement = Judgement(renderer(), case)
+        val counters = judgement.rendering.counters
+        val covered = Rendering.of(ReferenceRenderer(), case.frame).counters.fragments
+        if (counters.depthPasses > covered) {
+            judgement.fail("$covered samples are covered, ${counters.depthPasses} passes counted")
+        }
+        if (counters.depthEvaluations < 0 || (covered == 0L && counters.depthEvaluations != 0L)) {
+            judgement.fail("$covered samples are covered, ${counters.depthEvaluations} depths are computed")
+        }
+    }
+
+    /** Starts and steps are counted as they happen, and direct shading never steps. */
+    @Rule(
+        intent = "Who shades late says how often it starts and how often it steps; DIRECT never steps.",
+        look = "A start is Primitive.shade or a new ShadingCursor; each ShadingCursor.step is a step, over gaps too.",
+    )
+    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_8_1_startsAndStepsAreCounted(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val renderer = renderer()
+        if (Capability.COHERENCE !in renderer.capabilities) notDeclared(Capability.COHERENCE)
+        for (coherence in Coherence.entries) {
+            val witness = ShadingWitness(case.frame)
+            val configured = renderer.configured(RenderOptions(coherence, threads = 1))
+            val judgement = Judgement(configured, FrameCase(witness.frame, case.code), "$coherence")
+            val counters = judgement.rendering.counters
+            if (counters.shadingStarts != witness.starts || counters.shadingSteps != witness.steps) {
+                judgement.fail("${witness.starts} starts, ${witness.steps} steps are made, the counters are $counters")
+            }
+            if (coherence == Coherence.DIRECT && witness.steps + counters.longestChain > 0) {
+                judgement.fail("direct shading steps: $counters")
+            }
+            if (counters.longestChain > counters.shadingSteps) judgement.fail("chains exceed the steps: $counters")
+        }
+    }
+
+    /** Whatever is visible has passed and been shaded at least once, by the counters. */
+    @Rule(
+        intent = "Shading calls and passes are at least the visible samples.",
+        look = "Look for samples that are decided without being counted: whole blocks, runs, the last fragment left.",
+    )
+    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_8_2_visibleSamplesArePassedAndShaded(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val judgement = Judgement(renderer(), case)
+        val visible = judgement.rendering.image.visible
+        val counters = judgement.rendering.counters
+        if (counters.shadingCalls < visible || counters.depthPasses < visible) {
+            judgement.fail("$visible samples are visible, but the counters are $counters")
+        }
+    }
+
+    /** A renderer that promises to shade only what is visible does so. */
+    @Rule(
+        intent = "Who promises SHADES_ONLY_VISIBLE shades each visible sample once, and nothing else.",
+        look = "Shade when all fragments of a sample have been compared; look for samples that are shaded twice.",
+    )
+    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_8_2_promiseToShadeOnlyTheVisibleIsKept(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val renderer = renderer()
+        if (Capability.SHADES_ONLY_VISIBLE !in renderer.capabilities) notDeclared(Capability.SHADES_ONLY_VISIBLE)
+        val witness = ShadingWitness(case.frame)
+        val judgement = Judgement(renderer, FrameCase(witness.frame, case.code))
+        val visible = judgement.rendering.image.visible.toLong()
+        val calls = judgement.rendering.counters.shadingCalls
+        if (calls != visible) judgement.fail("$visible samples are visible, but $calls are shaded")
+        if (witness.count > visible) judgement.fail("$visible samples are visible, but ${witness.count} were shaded")
+    }
+}

@@ -1,0 +1,142 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Capability
+import dev.lazyz.Coherence
+import dev.lazyz.Frame
+import dev.lazyz.RenderOptions
+import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.ForAll
+import net.jqwik.api.Property
+
+/** Rules about [Capability]s: who declares one is held to it, nobody else is. Part of [RendererConformance]. */
+@Suppress("ktlint:standard:function-naming")
+public sealed class PromiseRules : CounterRules() {
+    /** Working memory is the same for few and for many rows, by the counters and by the heap. */
+    @Rule(
+        intent = "Who promises CONSTANT_MEMORY can render pictures larger than memory.",
+        look = "Look for arrays by the height of the region, and for rows that are kept after they are handed out.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_3_promiseOfConstantMemoryIsKept() {
+        val renderer = renderer()
+        if (Capability.CONSTANT_MEMORY !in renderer.capabilities) notDeclared(Capability.CONSTANT_MEMORY)
+        constantMemory(renderer)
+    }
+
+    /** When a row arrives, no primitive has been asked about a row further down. */
+    @Rule(
+        intent = "Who promises STREAMS_ROWS hands out a row before later rows are begun, so the first one comes soon.",
+        look = "Hand a row out at the end of its turn; ask a primitive for spans when its row has come, not before.",
+    )
+    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_3_promiseToStreamRowsIsKept(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val renderer = renderer()
+        if (Capability.STREAMS_ROWS !in renderer.capabilities) notDeclared(Capability.STREAMS_ROWS)
+        val witness = RowWitness(case.frame)
+        var early: String? = null
+        renderer.render(witness.frame) { y, _, _, _ ->
+            if (witness.last > y) early = early ?: "row $y arrives after questions about row ${witness.last}"
+        }
+        early?.let { Judgement(renderer, case).fail(it) }
+    }
+
+    /** Whoever stops after some rows has not paid for those below. */
+    @Rule(
+        intent = "Who promises STREAMS_ROWS does the work of the rows that are taken, and no more.",
+        look = "When the sink throws, let it pass at once: no row is finished, begun or fetched in a finally block.",
+    )
+    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_3_rowsThatAreNotPulledCostNothing(
+        @ForAll(supplier = MixedCases::class) case: FrameCase,
+        @ForAll salt: Int,
+    ) {
+        val renderer = renderer()
+        if (Capability.STREAMS_ROWS !in renderer.capabilities) notDeclared(Capability.STREAMS_ROWS)
+        val witness = RowWitness(case.frame)
+        val last = Math.floorMod(salt, case.frame.height)
+        answer { renderer.render(witness.frame) { y, _, _, _ -> check(y < last) { "enough" } } }
+        if (witness.last <= last) return
+        Judgement(renderer, case).fail("rows are taken up to $last, a primitive is asked about row ${witness.last}")
+    }
+
+    /** A selector chooses among all fragments of a sample that pass against the background, nearest first. */
+    @Rule(
+        intent = "Who promises SELECTION shows what the caller's selector chooses among all fragments of a sample.",
+        look = "A cell has every fragment that passes against the background, in the order of the depth test.",
+    )
+    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_5_selectorsChooseAmongAllFragments(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val renderer = renderer()
+        if (Capability.SELECTION !in renderer.capabilities) notDeclared(Capability.SELECTION)
+        for ((name, selection) in Selection.all) {
+            val options = RenderOptions(threads = 2, tileSize = 8, selector = selection.selector)
+            val configured = renderer.configured(options)
+            val judgement = Judgement(configured, case, "selector $name")
+            difference(selection.of(case.frame), judgement.rendering.image)?.let { judgement.fail("", it) }
+        }
+    }
+
+    /** Several threads are at work on a picture that is large enough. */
+    @Rule(
+        intent = "Who promises PARALLEL uses the threads it is given.",
+        look = "Several threads must ask primitives or shade; a pool of which one thread does all the work is none.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_5_promiseToWorkInParallelIsKept() {
+        val renderer = renderer()
+        if (Capability.PARALLEL !in renderer.capabilities) notDeclared(Capability.PARALLEL)
+        severalThreads(renderer)
+    }
+
+    /** Counters are the same for any number of threads, but for the peak of memory. */
+    @Rule(
+        intent = "Who promises PARALLEL does the same work with any number of threads, so counters compare.",
+        look = "Look for work that depends on which thread was first, and for counters that threads share.",
+    )
+    @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_8_1_countersDoNotDependOnThreads(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val renderer = renderer()
+        if (Capability.PARALLEL !in renderer.capabilities) notDeclared(Capability.PARALLEL)
+        val judgements = listOf(1, 2, 5).map { threads ->
+            val options = RenderOptions(Coherence.INCREMENTAL, threads = threads, tileSize = 8)
+            Judgement(renderer.configured(options), case, "$options").equalsReference()
+        }
+        val counters = judgements.map { it.rendering.counters.withoutMemory() }
+        for (i in 1 until counters.size) {
+            if (counters[i] == counters[0]) continue
+            judgements[i].fail("one thread counts ${counters[0]}, several ${counters[i]}")
+        }
+    }
+
+    /** Suspensions take no more memory than the budget allows, and any budget gives the same picture. */
+    @Rule(
+        intent = "Who promises MEMORY_BUDGET keeps to it: working memory besides the image's is within the budget.",
+        look = "Free before you allocate, count what is about to be held, and do without where nothing fits.",
+    )
+    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_8_1_promiseToKeepToTheBudgetIsKept(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val renderer = renderer()
+        if (Capability.MEMORY_BUDGET !in renderer.capabilities) notDeclared(Capability.MEMORY_BUDGET)
+        for (budget in listOf(0L, 100L, 400L, 1000L, 10_000L)) {
+            val configured = renderer.configured(RenderOptions(memoryBudget = budget, threads = 1))
+            val judgement = Judgement(configured, case, "a budget of $budget").equalsReference()
+
+            // What a frame without primitives takes is the image
+            val empty = Rendering.of(configured, Frame(case.frame.raster, emptyList(), case.frame.region))
+            val held = judgement.rendering.counters.peakBytes - empty.counters.peakBytes
+            if (held > budget) judgement.fail("$held bytes are held besides the image's ${empty.counters.peakBytes}")
+        }
+    }
+
+    /** Hidden primitives, however many, take no memory. */
+    @Rule(
+        intent = "Who promises STREAMS_PRIMITIVES does not keep them: memory does not grow with their number.",
+        look = "Look for lists, bins or arrays of all primitives, and for records of those that are hidden.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_8_1_promiseToStreamPrimitivesIsKept() {
+        val renderer = renderer()
+        if (Capability.STREAMS_PRIMITIVES !in renderer.capabilities) notDeclared(Capability.STREAMS_PRIMITIVES)
+        constantMemoryInPrimitives(renderer)
+    }
+}

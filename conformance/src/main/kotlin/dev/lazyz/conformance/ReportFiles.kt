@@ -1,0 +1,68 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.scenefile.SceneFile
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardCopyOption.REPLACE_EXISTING
+import java.util.UUID
+
+/** A report on disk. */
+internal class ReportFiles(private val report: ConformanceReport, private val folder: Path) {
+    fun write() {
+        val failures = folder.resolve("failures")
+        Files.createDirectories(failures)
+
+        // Take away what an earlier run left, so that nothing is taken for a failure of this one
+        for (rule in SuiteRule.all) {
+            for (ending in ENDINGS) Files.deleteIfExists(failures.resolve(rule.name + ending))
+        }
+        for (result in report.results) result.failure?.let { write(it, failures, result.rule) }
+        if (Files.list(failures).use { it.findAny().isEmpty }) Files.delete(failures)
+
+        // The summaries last: they are the sign that all is there
+        write(folder.resolve("report.txt"), report.toText())
+        write(folder.resolve("report.json"), report.toJson())
+        write(folder.resolve("TEST-lazyz-conformance.xml"), report.toJUnitXml())
+        write(folder.resolve("report.html"), report.toHtml())
+    }
+
+    private fun write(failure: RuleFailure, failures: Path, rule: SuiteRule) {
+        val case = failure.case
+        if (case != null) write(failures.resolve("$rule.kt"), snippet(case, rule, failure))
+        val scene = case?.scene
+        if (scene != null) {
+            val size = ImageSize(case.frame.raster.width, case.frame.raster.height)
+            write(failures.resolve("$rule.json"), SceneFile.format(scene, size))
+        }
+        for ((name, png) in Pictures.of(failure)?.png().orEmpty()) write(failures.resolve("$rule-$name.png"), png)
+    }
+
+    /** A file that compiles, given the library and the suite. */
+    private fun snippet(case: FrameCase, rule: SuiteRule, failure: RuleFailure): String = buildString {
+        appendLine("// ${report.strategy.id} breaks $rule on this frame:")
+        for (line in failure.message.substringBefore("\nin\n").lines()) appendLine("// $line".trimEnd())
+        appendLine("// ${report.commandFor(rule)}")
+        appendLine()
+        for (name in listOf("dev.lazyz.*", "dev.lazyz.conformance.*", "org.joml.Vector3d")) appendLine("import $name")
+        appendLine()
+        appendLine("val frame: Frame =")
+        appendLine(case.code.prependIndent("    "))
+    }
+
+    private fun write(path: Path, text: String) = write(path, text.toByteArray())
+
+    private fun write(path: Path, bytes: ByteArray) {
+        val temporary = path.resolveSibling(".${path.fileName}.${UUID.randomUUID()}.tmp")
+        try {
+            Files.write(temporary, bytes)
+            Files.move(temporary, path, REPLACE_EXISTING)
+        } finally {
+            Files.deleteIfExists(temporary)
+        }
+    }
+
+    private companion object {
+        val ENDINGS = listOf(".kt", ".json", "-expected.png", "-actual.png", "-difference.png")
+    }
+}

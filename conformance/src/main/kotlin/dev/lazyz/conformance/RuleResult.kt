@@ -1,0 +1,114 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Image
+
+/** What came of a rule. */
+public enum class RuleOutcome(internal val words: String) {
+    /** The renderer keeps the rule, as far as it was tried. */
+    PASSED("passed"),
+
+    /** The renderer breaks the rule. */
+    FAILED("failed"),
+
+    /** The renderer breaks the rule, which a waiver allows. */
+    WAIVED("waived"),
+
+    /** A waiver allows the renderer to break the rule, which it does not: a failure, as the waiver must go. */
+    WAIVED_BUT_PASSES("waived but passes"),
+
+    /** A waiver's day has passed: a failure, whether the rule is broken or not. */
+    WAIVER_EXPIRED("waiver expired"),
+
+    /** The rule is for renderers with a capability that this one does not declare. */
+    NOT_APPLICABLE("not applicable"),
+    ;
+
+    /** Whether a renderer with this outcome does not conform. */
+    public val isFailure: Boolean get() = this == FAILED || this == WAIVED_BUT_PASSES || this == WAIVER_EXPIRED
+}
+
+/**
+ * What came of one rule. Immutable and thread safe.
+ *
+ * @property rule the rule
+ * @property outcome what came of it
+ * @property message why it failed, is waived or does not apply; empty if it passed
+ * @property tries how often it was tried, frames that were made smaller after a failure not included
+ * @property milliseconds how long that took
+ * @property distribution what the frames were like
+ * @property failure how the renderer breaks the rule, be it waived or not; null if it does not
+ */
+public class RuleResult internal constructor(
+    public val rule: SuiteRule,
+    public val outcome: RuleOutcome,
+    public val message: String,
+    public val tries: Int,
+    public val milliseconds: Long,
+    public val distribution: Distribution,
+    public val failure: RuleFailure?,
+) {
+    override fun toString(): String = "$rule: ${outcome.words}"
+}
+
+/**
+ * How a renderer breaks a rule, on the smallest frame that was found. Immutable and thread safe, if the pictures are
+ * left alone.
+ *
+ * @property message what is wrong, in words, with the frame
+ * @property code the frame as a Kotlin expression, see [FrameCase.code]; null if the rule is not about a frame
+ * @property expected the right picture; null if there is none to show
+ * @property actual the renderer's picture, of the same region; null if there is none to show
+ * @property cause what was thrown
+ */
+public class RuleFailure private constructor(
+    public val message: String,
+    public val code: String?,
+    public val expected: Image?,
+    public val actual: Image?,
+    public val cause: Throwable,
+    internal val case: FrameCase?,
+) {
+    /** The first sample that differs, in rows from the top; null if none does or there is nothing to compare. */
+    public val sample: DifferingSample? = if (expected == null || actual == null) {
+        null
+    } else {
+        difference(expected, actual)?.let { DifferingSample(it.x, it.y, it.expectedAnswer, it.actualAnswer, it.count) }
+    }
+
+    override fun toString(): String = message
+
+    internal companion object {
+        /** Tells of what was [thrown] when a rule was tried with [parameters]. */
+        fun of(thrown: Throwable, parameters: List<Any?>): RuleFailure {
+            val violation = thrown as? Violation
+            val case = violation?.case ?: parameters.firstNotNullOfOrNull { it as? FrameCase }
+            return RuleFailure(
+                thrown.message ?: thrown.toString(),
+                case?.code,
+                violation?.expected,
+                violation?.actual,
+                thrown,
+                case,
+            )
+        }
+    }
+}
+
+/**
+ * A sample at which a picture is wrong. Immutable and thread safe.
+ *
+ * @property x column of the raster
+ * @property y row of the raster
+ * @property expected what it should show, in words: colour, depth and primitive
+ * @property actual what it shows, in words
+ * @property count how many samples of the picture differ
+ */
+public class DifferingSample internal constructor(
+    public val x: Int,
+    public val y: Int,
+    public val expected: String,
+    public val actual: String,
+    public val count: Int,
+) {
+    override fun toString(): String = "($x, $y): expected $expected, but was $actual"
+}

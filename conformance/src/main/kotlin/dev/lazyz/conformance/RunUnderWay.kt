@@ -1,0 +1,94 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Renderer
+import java.util.concurrent.atomic.AtomicReference
+import java.util.function.Supplier
+import java.util.logging.Level as LogLevel
+import java.util.logging.Logger
+import org.junit.platform.engine.TestExecutionResult
+import org.junit.platform.engine.discovery.DiscoverySelectors.selectMethod
+import org.junit.platform.launcher.EngineFilter.includeEngines
+import org.junit.platform.launcher.TestExecutionListener
+import org.junit.platform.launcher.TestIdentifier
+import org.junit.platform.launcher.core.LauncherConfig
+import org.junit.platform.launcher.core.LauncherDiscoveryRequestBuilder
+import org.junit.platform.launcher.core.LauncherFactory
+
+/** A run of the suite in this process: jqwik makes the class of the tests, which finds its renderer here. */
+internal class RunUnderWay(
+    private val make: Supplier<out Renderer>,
+    private val subject: Class<out RendererConformance>,
+    private val rules: List<SuiteRule>,
+    val settings: Settings,
+) {
+    private val results = LinkedHashMap<String, RuleResult>()
+
+    /** Takes what came of a rule. */
+    fun add(result: RuleResult) {
+        results[result.rule.name] = result
+    }
+
+    /** Runs the rules and returns what came of each, in their order. */
+    fun execute(): List<RuleResult> {
+        check(active.compareAndSet(null, this)) {
+            "a run of the conformance suite is under way in this process, and there can be one at a time"
+        }
+        val level = jqwik.level
+        jqwik.level = LogLevel.WARNING
+        try {
+            val mishaps = Mishaps()
+            launcher().execute(request(), mishaps)
+            val missing = rules.filter { it.name !in results }
+            check(missing.isEmpty()) { "not run: ${missing.joinToString()}; $mishaps" }
+        } finally {
+            jqwik.level = level
+            active.set(null)
+        }
+        return rules.map { results.getValue(it.name) }
+    }
+
+    /** Nothing that happens to be on the class path listens in. */
+    private fun launcher() = LauncherFactory.create(
+        LauncherConfig.builder()
+            .enableLauncherSessionListenerAutoRegistration(false)
+            .enableLauncherDiscoveryListenerAutoRegistration(false)
+            .enablePostDiscoveryFilterAutoRegistration(false)
+            .enableTestExecutionListenerAutoRegistration(false)
+            .build(),
+    )
+
+    private fun request() = LauncherDiscoveryRequestBuilder.request()
+        .selectors(rules.map { selectMethod(subject, it.method) })
+        .filters(includeEngines("jqwik"))
+        .enableImplicitConfigurationParameters(false)
+        .configurationParameter("jqwik.database", "")
+        .configurationParameter("jqwik.failures.after.default", "RANDOM_SEED")
+        .configurationParameter("jqwik.reporting.usejunitplatform", "true")
+        .build()
+
+    /** Remembers why tests or their class could not be run. */
+    private class Mishaps : TestExecutionListener {
+        private val causes = ArrayList<Throwable>()
+
+        override fun executionFinished(test: TestIdentifier, result: TestExecutionResult) {
+            result.throwable.ifPresent { causes.add(it) }
+        }
+
+        override fun toString(): String = causes.firstOrNull()?.stackTraceToString() ?: "no reason is known"
+    }
+
+    /** The suite for the renderer of the run that is under way. */
+    internal class Subject : RendererConformance() {
+        override fun renderer(): Renderer = checkNotNull(current) { "no run is under way" }.make.get()
+    }
+
+    companion object {
+        private val active = AtomicReference<RunUnderWay?>()
+
+        /** It says at every start that it has no database, which we have told it. */
+        private val jqwik = Logger.getLogger("net.jqwik")
+
+        /** The run that is under way, or null where a build tool runs the suite. */
+        val current: RunUnderWay? get() = active.get()
+    }
+}

@@ -1,0 +1,101 @@
+package dev.lazyz.conformance
+
+import java.util.Random
+import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.ForAll
+import net.jqwik.api.Property
+
+/** Rules about use: again, at once, interrupted, by callers that fail. Part of [RendererConformance]. */
+@Suppress("ktlint:standard:function-naming")
+public sealed class UseRules : ChangeRules() {
+    /** A renderer that renders a frame again after others gives the same bits, by rows and into memory. */
+    @Rule(
+        intent = "A renderer has no memory: the same frame gives the same bits, whatever came in between.",
+        look = "Look for buffers that are kept in the renderer, and are not cleared, or not as large as this frame.",
+    )
+    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_1_sameBitsAgain(@ForAll(supplier = SeveralCases::class) cases: List<FrameCase>) {
+        val renderer = renderer()
+        for (case in cases + cases) Judgement(renderer, case).equalsReference().equalsItsImage()
+    }
+
+    /** A renderer that several threads use at once, each for another frame, gives the same bits. */
+    @Rule(
+        intent = "A renderer may be used from several threads at once, each with a frame of its own.",
+        look = "Look for fields of the renderer that a rendering writes: state belongs to the call.",
+    )
+    @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_1_sameBitsFromSeveralThreads(@ForAll(supplier = SeveralCases::class) cases: List<FrameCase>) {
+        val renderer = renderer()
+        atOnce(cases) { case -> repeat(3) { Judgement(renderer, case).equalsReference() } }
+    }
+
+    /** What a primitive throws reaches the caller, as it is, and does no harm to later renderings. */
+    @Rule(
+        intent = "A failure of the caller's code is the caller's to see, as it is, and leaves no trace.",
+        look = "Look for catch blocks, for threads whose failures nobody asks for, and for state after a failure.",
+    )
+    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_1_exceptionsOfPrimitivesReachTheCaller(
+        @ForAll(supplier = MixedCases::class) case: FrameCase,
+        @ForAll salt: Long,
+    ) {
+        val renderer = renderer()
+        val random = Random(salt)
+        for (question in Question.entries) {
+            val trap = Trap(case.frame, question, random.nextInt(MOST_CALLS))
+            failsAsPlanned(renderer, case, trap)
+        }
+        Judgement(renderer, case).equalsReference()
+    }
+
+    /** A thread that is interrupted gets the whole picture or an InterruptedException, soon. */
+    @Rule(
+        intent = "Interrupting the calling thread never hangs and never gives a wrong picture.",
+        look = "Look for waiting that is repeated when it is interrupted, and for rows that are handed out half done.",
+    )
+    @Property(tries = 10, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_1_interruptedThreadsEnd(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val renderer = renderer()
+        endsInterrupted(renderer, case)
+        Judgement(renderer, case).equalsReference()
+    }
+
+    /** What the sink throws reaches the caller, as it is, and the sink gets no further row. */
+    @Rule(
+        intent = "Who takes the rows may stop by throwing: nothing is swallowed, and no row comes after.",
+        look = "Call the sink outside of try blocks, on the calling thread, and end all threads before passing it on.",
+    )
+    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_3_exceptionsOfTheSinkReachTheCaller(
+        @ForAll(supplier = MixedCases::class) case: FrameCase,
+        @ForAll salt: Long,
+    ) {
+        val renderer = renderer()
+        val trap = Trap(case.frame, Question.SPANS, Int.MAX_VALUE)
+        val last = Random(salt).nextInt(case.frame.height)
+        var rows = 0
+        val answer = answer {
+            renderer.render(case.frame) { _, _, _, _ -> if (rows++ >= last) throw trap.planted }
+        }
+        val judgement = Judgement(renderer, case)
+        if (answer !== trap.planted) judgement.fail("the sink threw ${trap.planted}, the caller got $answer", answer)
+        if (rows != last + 1) judgement.fail("the sink threw at row number ${last + 1}, and was called $rows times")
+        judgement.equalsReference()
+    }
+
+    /** Rows arrive from the top to the bottom, each once. */
+    @Rule(
+        intent = "Sinks write files and feed encoders: each row once, from the top.",
+        look = "Look at the order in which blocks, tiles or threads finish, and at the last rows, which fill no block.",
+    )
+    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_3_rowsArriveInOrderEachOnce(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        Judgement(renderer(), case).rowsInOrder()
+    }
+
+    private companion object {
+        /** A primitive throws before it has answered as many questions. */
+        const val MOST_CALLS = 20
+    }
+}

@@ -1,0 +1,24 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Capability
+import dev.lazyz.Image
+
+/**
+ * A renderer breaks a rule on [case], with what a report shows of it.
+ *
+ * @param expected what the oracle makes of the frame, or null if that is not to the point
+ * @param actual what the renderer made of it, or null if it made nothing
+ */
+internal class Violation(
+    message: String,
+    val case: FrameCase,
+    val expected: Image? = null,
+    val actual: Image? = null,
+    cause: Throwable? = null,
+) : AssertionError(message, cause)
+
+/** Ends a rule that holds only for renderers with a [capability] that this one does not declare. */
+internal class NotDeclared(val capability: Capability) : RuntimeException("$capability is not declared")
+
+/** The rule does not apply: the renderer does not declare [capability]. Reports say so; it is no failure. */
+internal fun notDeclared(capability: Capability): Nothing = throw NotDeclared(capability)

@@ -1,0 +1,79 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Renderer
+import java.nio.file.Path
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import org.junit.platform.engine.TestExecutionResult
+import org.junit.platform.engine.TestExecutionResult.Status
+import org.junit.platform.engine.discovery.DiscoverySelectors.selectClass
+import org.junit.platform.engine.support.descriptor.MethodSource
+import org.junit.platform.launcher.EngineFilter.includeEngines
+import org.junit.platform.launcher.TestExecutionListener
+import org.junit.platform.launcher.TestIdentifier
+import org.junit.platform.launcher.core.LauncherDiscoveryRequestBuilder
+import org.junit.platform.launcher.core.LauncherFactory
+
+/** The suite as a build tool runs it: a class that extends [RendererConformance], and system properties. */
+class AsATestTest {
+    /** Not found by build tools, as its name does not end in `Test`. */
+    class Wrong : RendererConformance() {
+        override fun renderer(): Renderer = WrongColors()
+    }
+
+    private val nearest = "rule_5_1_nearestFragmentIsVisible"
+    private val promise = "rule_8_2_promiseToShadeOnlyTheVisibleIsKept"
+    private val counts = "rule_8_1_countersCountWhatHappens"
+
+    private fun run(): Map<String, TestExecutionResult> {
+        val results = LinkedHashMap<String, TestExecutionResult>()
+        val listener = object : TestExecutionListener {
+            override fun executionFinished(test: TestIdentifier, result: TestExecutionResult) {
+                (test.source.orElse(null) as? MethodSource)?.let { results[it.methodName] = result }
+            }
+        }
+        val request = LauncherDiscoveryRequestBuilder.request()
+            .selectors(selectClass(Wrong::class.java))
+            .filters(includeEngines("jqwik"))
+            .configurationParameter("jqwik.database", "")
+            .configurationParameter("jqwik.shrinking.default", "OFF")
+            .configurationParameter("jqwik.reporting.usejunitplatform", "true")
+            .build()
+        SuiteRun.withProperty(RendererConformance.TRIES, "0.05") { LauncherFactory.create().execute(request, listener) }
+        return results
+    }
+
+    @Test
+    fun oneTestARule() {
+        val results = run()
+        assertEquals(SuiteRun.rules, results.keys)
+        assertEquals(Status.FAILED, results.getValue(nearest).status)
+        assertEquals(Status.SUCCESSFUL, results.getValue(counts).status)
+        val skipped = results.getValue(promise)
+        assertEquals(Status.ABORTED, skipped.status)
+        assertEquals("SHADES_ONLY_VISIBLE is not declared", skipped.throwable.get().message)
+    }
+
+    @Test
+    fun waiversAreHeeded(@TempDir folder: Path) {
+        val waivers = listOf(nearest, counts).joinToString("\n") {
+            "rule: $it\nreason: red\nlink: https://example.org/7\nexpires: 9999-01-01\n"
+        }
+        val file = folder.resolve("waivers.txt").apply { writeText(waivers) }
+        SuiteRun.withProperty(Waivers.PROPERTY, "$file") {
+            val results = run()
+            assertEquals(Status.ABORTED, results.getValue(nearest).status)
+            val reason = results.getValue(nearest).throwable.get().message
+            assertEquals("waived until 9999-01-01: red (https://example.org/7)", reason)
+            assertEquals(Status.FAILED, results.getValue(counts).status)
+        }
+        SuiteRun.withProperty(Waivers.PROPERTY, "$folder/none.txt") {
+            val results = run()
+            assertTrue(results.values.all { it.status == Status.FAILED })
+            assertTrue("none.txt" in results.getValue(nearest).throwable.get().message.orEmpty())
+        }
+    }
+}

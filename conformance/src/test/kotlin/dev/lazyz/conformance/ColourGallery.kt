@@ -1,0 +1,34 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.conformance.RuleNames.blend
+import dev.lazyz.conformance.RuleNames.nearest
+import dev.lazyz.conformance.RuleNames.options
+import dev.lazyz.conformance.RuleNames.own
+import dev.lazyz.conformance.RuleNames.refuse
+import dev.lazyz.conformance.RuleNames.scenes
+import dev.lazyz.conformance.RuleNames.tests
+import dev.lazyz.conformance.RuleNames.ties
+
+/** The gallery's part about colour. */
+internal object ColourGallery {
+    val mutants: List<Mutant> = listOf(
+        Mutant(
+            BrokenRenderers::colourOfTheLoser,
+            "right indices and depths, on ties the other one's colour",
+            ties, tests,
+        ),
+        Mutant(BrokenRenderers::shadesTheNeighbour, "shades the sample to the left", nearest, own),
+        Mutant(BrokenColours::constantColour, "shades a column once, in the primitive's first row", nearest, own),
+        Mutant(BrokenColours::premultiplied, "hands out colours multiplied by alpha", nearest),
+        Mutant(BrokenColours::alphaLost, "hands out opaque colours", nearest),
+        Mutant(BrokenDepths::mergesEqualColours, "neighbours of one colour get one depth", scenes),
+        Mutant(BrokenColours::oneStepShort, "a stepped colour is one step short", options),
+        Mutant(BrokenColours::oneStepTooMany, "a stepped colour is one step too far", options),
+        Mutant(BrokenRenderers::blendsAsSubmitted, "blends in the order of submission", blend),
+        Mutant(BrokenRenderers::blendsFromTheBack, "blends from the back, which rounds differently", blend),
+        Mutant(BrokenRenderers::blendsInEightBits, "blends into 8 bits a component, over and over", blend),
+        Mutant(BrokenRenderers::blendsBehindTheBackdrop, "blends what lies behind an opaque fragment, too", blend),
+        Mutant(BrokenRenderers::depthOfTheBackdrop, "blends right, and tells the depth of what is farthest", blend),
+        Mutant(BrokenRenderers::takesGlassForOpaque, "takes what is translucent for opaque, without a word", refuse),
+    )
+}

@@ -1,0 +1,144 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Capability
+import dev.lazyz.zbuffer.ZBuffer
+import java.io.ByteArrayOutputStream
+import java.io.PrintStream
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** The suite as a library: what one asks for, and what the report says. */
+class ConformanceTest {
+    private val nearest = "rule_5_1_nearestFragmentIsVisible"
+    private val promise = "rule_8_2_promiseToShadeOnlyTheVisibleIsKept"
+
+    private fun of(renderer: PlainRenderer, rule: String = nearest) = Conformance { renderer }.rule(rule).tries(0.1)
+
+    private fun withoutTimes(text: String) =
+        text.replace(Regex(""" +\d+ ms|[\d.]+ s$|"milliseconds": \d+""", OPTIONS), "")
+
+    @Test
+    fun oneWhoConformsIsToldSo() {
+        val report = of(PlainRenderer()).run()
+        assertTrue(report.isConformant)
+        assertEquals(listOf(nearest), report.results.map { it.rule.name })
+        val result = report.results.single()
+        assertEquals(RuleOutcome.PASSED, result.outcome)
+        assertEquals(50, result.tries)
+        assertNull(result.failure)
+        assertEquals("plain (${PlainRenderer::class.java.name}, version unknown)", report.strategy.toString())
+        assertEquals(1995, report.seed)
+        assertEquals(0.1, report.tries)
+    }
+
+    @Test
+    fun sameOptionsGiveTheSameReport() {
+        for (renderer in listOf(PlainRenderer(), WrongColors())) {
+            val reports = List(2) { of(renderer).run() }
+            assertEquals(withoutTimes(reports[0].toText()), withoutTimes(reports[1].toText()))
+            assertEquals(withoutTimes(reports[0].toJson()), withoutTimes(reports[1].toJson()))
+        }
+    }
+
+    @Test
+    fun otherSeedsTryOtherFrames() {
+        val usual = of(PlainRenderer()).run()
+        val other = of(PlainRenderer()).seed(7).run()
+        assertEquals(7, other.seed)
+        assertNotEquals(usual.distribution, other.distribution)
+        assertNotEquals(of(PlainRenderer()).explore().run().seed, of(PlainRenderer()).explore().run().seed)
+    }
+
+    @Test
+    fun rulesAreChosenByNameOrNumber() {
+        val report = Conformance { PlainRenderer() }.rule("5.1").rule(promise).tries(0.01).run()
+        val names = report.results.map { it.rule.name }
+        assertEquals(SuiteRule.all.filter { it.number == "5.1" }.map { it.name } + promise, names)
+        assertThrows(IllegalArgumentException::class.java) { Conformance { PlainRenderer() }.rule("rule_0_0_none") }
+    }
+
+    @Test
+    fun failureTellsTheSampleTheFrameAndHowToSeeItAgain() {
+        val report = of(WrongColors()).run()
+        assertFalse(report.isConformant)
+        val failure = checkNotNull(report.results.single().failure)
+        val sample = checkNotNull(failure.sample)
+        assertEquals(0, sample.x)
+        assertTrue("sample (${sample.x}, ${sample.y}) is the first of" in failure.message)
+        assertTrue(sample.expected in failure.message && sample.actual in failure.message)
+        assertTrue(failure.code.orEmpty().startsWith("FrameBuilder(Raster("))
+        assertNotEquals(failure.expected, failure.actual)
+        val command = report.commandFor(report.results.single().rule)
+        assertTrue(command.startsWith("zcli conformance --strategy wrong-colors --classpath /"), command)
+        assertTrue(command.endsWith(" --seed 1995 --tries 0.1 --rule $nearest"), command)
+    }
+
+    @Test
+    fun exceptionOfARendererIsAFailureWithItsFrame() {
+        val failure = checkNotNull(of(Throwing()).run().results.single().failure)
+        assertTrue("threw java.lang.IllegalStateException" in failure.message)
+        assertNotNull(failure.code)
+        assertNull(failure.actual)
+        assertTrue(failure.cause.cause is IllegalStateException)
+    }
+
+    @Test
+    fun ruleForACapabilityThatIsNotDeclaredDoesNotApply() {
+        val result = of(PlainRenderer(), promise).run().results.single()
+        assertEquals(RuleOutcome.NOT_APPLICABLE, result.outcome)
+        assertEquals("SHADES_ONLY_VISIBLE is not declared", result.message)
+        assertEquals(1, result.tries)
+        assertFalse(result.outcome.isFailure)
+    }
+
+    @Test
+    fun distributionCountsTheFramesThatWereTried() {
+        val distribution = Conformance {
+            ZBuffer()
+        }.rule("rule_5_2_tiesGoToTheFirstSubmitted").tries(0.5).run().distribution
+        assertEquals(100, distribution.frames)
+        assertTrue(distribution.count(FrameTrait.TIE) in 20..99, "$distribution")
+        assertTrue(distribution.count(FrameTrait.HIDDEN) >= distribution.count(FrameTrait.TIE), "$distribution")
+        val regions = Conformance { ZBuffer() }.rule("7.4").tries(0.5).run().distribution
+        assertTrue(regions.count(FrameTrait.REGION) > 25, "$regions")
+    }
+
+    @Test
+    fun secondRunAtTheSameTimeIsAnError() {
+        val inner = object : PlainRenderer("nested") {
+            override val capabilities: Set<Capability>
+                get() = if (RunUnderWay.current == null) emptySet() else of(PlainRenderer()).run().let { emptySet() }
+        }
+        val result = of(inner, promise).run().results.single()
+        assertEquals(RuleOutcome.FAILED, result.outcome)
+        assertTrue("one at a time" in result.message, result.message)
+        assertTrue(of(PlainRenderer()).run().isConformant)
+    }
+
+    @Test
+    fun nothingIsPrinted() {
+        val printed = ByteArrayOutputStream()
+        val (out, err) = System.out to System.err
+        PrintStream(printed, true).use {
+            System.setOut(it)
+            System.setErr(it)
+            try {
+                of(WrongColors()).run()
+            } finally {
+                System.setOut(out)
+                System.setErr(err)
+            }
+        }
+        assertEquals("", printed.toString())
+    }
+
+    private companion object {
+        val OPTIONS = setOf(RegexOption.MULTILINE)
+    }
+}
