@@ -129,12 +129,12 @@ internal fun FrameCase.backed(image: Image): FrameCase = FrameCase(
     "$code // and behind the primitives one more, a unit of depth behind the picture",
 )
 
-/** Primitive i becomes 2 i and 2 i + 1: what it covers before [column] and from there on, or so with [row]. */
+/** Primitive i becomes 2 i and 2 i + 1: what it covers before [column] and from there on, or so with `row`. */
 internal fun FrameCase.cutAtColumn(column: Int): FrameCase = cut("column $column") {
     listOf(Cutting(it, 0..<column, 0..<Raster.MAX_SIDE), Cutting(it, column..<Raster.MAX_SIDE, 0..<Raster.MAX_SIDE))
 }
 
-/** Primitive i becomes 2 i and 2 i + 1: what it covers above [row] and from there on. */
+/** Primitive i becomes 2 i and 2 i + 1: what it covers above `row` and from there on. */
 internal fun FrameCase.cutAtRow(row: Int): FrameCase = cut("row $row") {
     listOf(Cutting(it, 0..<Raster.MAX_SIDE, 0..<row), Cutting(it, 0..<Raster.MAX_SIDE, row..<Raster.MAX_SIDE))
 }
