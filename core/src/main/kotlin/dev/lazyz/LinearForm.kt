@@ -4,8 +4,8 @@ package dev.lazyz
  * A quantity that changes evenly over the raster: v(x, y) = c + dx x + dy y, in 64-bit two's complement.
  *
  * x and y are the column and row of a sample. Addition wraps and is associative, so stepping along a row by [dx],
- * stepping down a column by [dy] and evaluating with [at] give the same bits (contract rule 3.1). The upper 32 bits of
- * a value are its integer part, the lower 32 its fraction. Immutable and thread safe.
+ * stepping down a column by [dy] and evaluating with [at] give the same bits (contract rule 3.1). Of a depth the upper
+ * 32 bits are the integer part, the lower 32 the fraction; edge functions are integers. Immutable and thread safe.
  *
  * @property c value at sample (0, 0)
  * @property dx change from a column to the next

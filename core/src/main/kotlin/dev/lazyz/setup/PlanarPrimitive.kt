@@ -17,14 +17,16 @@ internal interface AttributedPrimitive : Primitive {
 /**
  * A flat primitive: a triangle, or a polygon of any contours.
  *
- * Attributes are interpolated by three weights, one for each vertex of the reference triangle: the linear forms of
- * (barycentric coordinate / w). Dividing by their sum makes the weights perspective-correct, and one set-up serves any
- * number of attributes (contract rule 3.6). The weights are made when the primitive is first shaded.
+ * Attributes are interpolated by three weights, one for each vertex of the reference triangle: the edge function opposite
+ * to it, over its w. Dividing by their sum makes the weights perspective-correct, and one set-up serves any number of
+ * attributes (contract rule 3.6). The edge functions are made when the primitive is first shaded.
  *
  * Source: James Blinn, "Hyperbolic Interpolation", IEEE Computer Graphics and Applications 12 (1992).
  *
  * @param reference the reference triangle on the grid
  * @param corners the reference triangle's vertices within [vertices]
+ * @param leastInverseW what the interpolated 1/w is at least: that of the vertex furthest away; 0 for a triangle, within
+ *   which nothing is less
  * @param normalSign -1 to turn the vertices' normals round, to the viewer; otherwise 1
  * @param fields which attributes the vertices have and the shader wants, bits [WORLD] to [COLOR]
  */
@@ -36,6 +38,7 @@ internal class PlanarPrimitive(
     private val reference: ReferenceTriangle,
     val vertices: Vertices,
     private val corners: IntArray,
+    private val leastInverseW: Double,
     private val normalSign: Double,
     private val fields: Int,
     private val shader: Shader,
@@ -50,7 +53,7 @@ internal class PlanarPrimitive(
     override val heldBytes: Long get() = HELD_BYTES + edges.heldBytes
 
     /** Immutable, and the same whoever makes it: a race is harmless. */
-    private var weights: Weights? = null
+    private var edgeFunctions: EdgeFunctions? = null
 
     override fun spans(y: Int, spans: Spans) {
         edges.spans(y, spans)
@@ -67,7 +70,7 @@ internal class PlanarPrimitive(
 
     override fun attributes(fragment: Fragment) {
         if (fields == 0) return
-        val forms = weights()
+        val forms = edgeFunctions()
         mix(
             fragment,
             forms.first.at(fragment.x, fragment.y),
@@ -76,13 +79,8 @@ internal class PlanarPrimitive(
         )
     }
 
-    override fun shadingCursor(x: Int, y: Int): ShadingCursor? = if (fields ==
-        0
-    ) {
-        null
-    } else {
-        WeightCursor(weights(), x, y)
-    }
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor? =
+        if (fields == 0) null else WeightCursor(edgeFunctions(), x, y)
 
     /**
      * Measured: three additions, to fields of a cursor, take no less time than six multiplications and nine additions
@@ -90,10 +88,11 @@ internal class PlanarPrimitive(
      */
     override val shadingStartCost: Int get() = 0
 
-    private fun weights(): Weights = weights ?: Weights.of(reference, vertices, corners).also { weights = it }
+    private fun edgeFunctions(): EdgeFunctions =
+        edgeFunctions ?: EdgeFunctions(reference).also { edgeFunctions = it }
 
-    /** Steps the three weights along a row. */
-    private inner class WeightCursor(private val forms: Weights, x: Int, y: Int) : ShadingCursor {
+    /** Steps the three edge functions along a row. */
+    private inner class WeightCursor(private val forms: EdgeFunctions, x: Int, y: Int) : ShadingCursor {
         private var first = forms.first.at(x, y)
         private var second = forms.second.at(x, y)
         private var third = forms.third.at(x, y)
@@ -110,22 +109,22 @@ internal class PlanarPrimitive(
         }
     }
 
-    /** Fills in the attributes from the values of the three forms. */
+    /** Fills in the attributes from the values of the three edge functions. */
     private fun mix(fragment: Fragment, first: Long, second: Long, third: Long) {
         // Perspective-correct weights: the one division of the fragment
-        val raw0 = first - LinearForm.HALF
-        val raw1 = second - LinearForm.HALF
-        val raw2 = third - LinearForm.HALF
-        val scale = 1.0 / maxOf(raw0 + raw1 + raw2, 1L).toDouble()
-        val w0 = raw0.toDouble() * scale
-        val w1 = raw1.toDouble() * scale
-        val w2 = raw2.toDouble() * scale
-
-        // Mix what the shader wants
         val data = vertices.data
         val a = Vertices.STRIDE * corners[0]
         val b = Vertices.STRIDE * corners[1]
         val c = Vertices.STRIDE * corners[2]
+        val over0 = first.toDouble() * (1.0 / data[a + Vertices.W])
+        val over1 = second.toDouble() * (1.0 / data[b + Vertices.W])
+        val over2 = third.toDouble() * (1.0 / data[c + Vertices.W])
+        val scale = 1.0 / maxOf(over0 + over1 + over2, reference.size.toDouble() * leastInverseW)
+        val w0 = over0 * scale
+        val w1 = over1 * scale
+        val w2 = over2 * scale
+
+        // Mix what the shader wants
         if (fields and WORLD != 0) {
             val i = Vertices.WORLD
             fragment.worldX = (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i]).toFloat()
@@ -159,8 +158,8 @@ internal class PlanarPrimitive(
 
     companion object {
         /**
-         * This object, the reference triangle, the corners, the depth form and, once it has been shaded, the weights:
-         * nine objects of 40 fields, counted as if each field took 8 bytes.
+         * This object, the reference triangle, the corners, the depth form and, once it has been shaded, the edge
+         * functions: nine objects of 40 fields, counted as if each field took 8 bytes.
          */
         private const val HELD_BYTES = 9 * 16L + 40 * 8L
 
@@ -168,32 +167,5 @@ internal class PlanarPrimitive(
         const val NORMAL: Int = 2
         const val UV: Int = 4
         const val COLOR: Int = 8
-    }
-}
-
-/** The forms of (barycentric coordinate / w) for the three vertices of a reference triangle. */
-internal class Weights private constructor(val first: LinearForm, val second: LinearForm, val third: LinearForm) {
-    companion object {
-        /**
-         * Bits of a weight at its own vertex, fewer where its form would be too steep. Three more are left for samples
-         * of a polygon outside its reference triangle, where a weight is at most 4 times as large.
-         */
-        const val BITS: Int = 28
-
-        fun of(reference: ReferenceTriangle, vertices: Vertices, corners: IntArray): Weights {
-            val inverse = DoubleArray(3) { 1.0 / vertices.get(corners[it], Vertices.W) }
-            val greatest = Math.getExponent(maxOf(inverse[0], inverse[1], inverse[2]))
-            for (bits in BITS downTo 1) {
-                // Scale 1/w by a power of two, so that the greatest has so many bits
-                val q = IntArray(3) { StrictMath.rint(Math.scalb(inverse[it], bits - 1 - greatest)).toInt() }
-                val first = reference.formUnlessSteep(q[0], 0, 0) ?: continue
-                val second = reference.formUnlessSteep(0, q[1], 0) ?: continue
-                val third = reference.formUnlessSteep(0, 0, q[2]) ?: continue
-                return Weights(first, second, third)
-            }
-
-            // A sliver that no form can follow has the attributes of its first vertex
-            return Weights(LinearForm.constant(1), LinearForm.constant(0), LinearForm.constant(0))
-        }
     }
 }

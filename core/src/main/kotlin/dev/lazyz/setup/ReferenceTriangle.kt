@@ -23,6 +23,29 @@ internal class ReferenceTriangle(
     /** Twice the signed area, grid units; positive if the vertices run clockwise on the screen. */
     private val area: Long get() = dx1 * dy2 - dx2 * dy1
 
+    /** Twice the area, square grid units. */
+    val size: Long get() = Math.abs(area)
+
+    /**
+     * Returns the edge function opposite to vertex [corner], 0..2: at each sample twice the area, in square grid units, of
+     * the triangle of the sample and the other two vertices; positive on the side of [corner]. Exact, without fraction.
+     * At any sample the three add up to [size].
+     */
+    fun edgeFunction(corner: Int): LinearForm = when (corner) {
+        0 -> edgeFunction(x1, y1, x2, y2)
+        1 -> edgeFunction(x2, y2, x0, y0)
+        else -> edgeFunction(x0, y0, x1, y1)
+    }
+
+    private fun edgeFunction(fromX: Int, fromY: Int, toX: Int, toY: Int): LinearForm {
+        val sign = if (area < 0) -1L else 1L
+        val runX = sign * (toX - fromX)
+        val runY = sign * (toY - fromY)
+        val down = (ScreenGrid.CENTER - fromY).toLong()
+        val right = (ScreenGrid.CENTER - fromX).toLong()
+        return LinearForm(runX * down - runY * right, -ScreenGrid.STEPS * runY, ScreenGrid.STEPS * runX)
+    }
+
     /**
      * Returns the form that takes the values [v0], [v1], [v2] at the three vertices, to within [ERROR_BOUND] units.
      *
@@ -77,4 +100,11 @@ internal class ReferenceTriangle(
          */
         const val ERROR_BOUND: Double = 0.8
     }
+}
+
+/** The edge functions of a reference triangle, see [ReferenceTriangle.edgeFunction]. Immutable. */
+internal class EdgeFunctions(reference: ReferenceTriangle) {
+    val first: LinearForm = reference.edgeFunction(0)
+    val second: LinearForm = reference.edgeFunction(1)
+    val third: LinearForm = reference.edgeFunction(2)
 }

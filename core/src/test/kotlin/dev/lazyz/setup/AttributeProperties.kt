@@ -29,9 +29,8 @@ class AttributeProperties {
             if (random.nextInt(4) == 0) random.nextInt(3).toDouble() else random.nextDouble() * 2 - 1
         }
         val primitive = primitive(Raster(262144, 262144), triangle, ws, values) ?: return
-        val range = (values.max() - values.min()) / ws.min() * maxOf(1.0, 1.0 / leastHeight(triangle))
         val corners = triangle.indices.map { Corner(triangle[it], ws[it], values[it]) }
-        check(primitive, corners, GridPoint(column, row), TRIANGLE * range)
+        check(primitive, corners, GridPoint(column, row)) { TRIANGLE * greatest(values) }
     }
 
     @Property(seed = "1995", tries = 300, edgeCases = EdgeCasesMode.NONE)
@@ -53,9 +52,11 @@ class AttributeProperties {
         for (y in 0 until 16) {
             for (x in 0 until 16) {
                 if (!covered[x, y] || random.nextInt(8) > 0) continue
-                val range = (values.max() - values.min()) / ws.min()
                 val corners = reference.map { Corner(points[it], ws[it], values[it]) }
-                check(primitive, corners, GridPoint(x, y), POLYGON * range)
+                check(primitive, corners, GridPoint(x, y)) { w ->
+                    val ratio = w / ws.min()
+                    POLYGON * greatest(values) * ratio * ratio
+                }
             }
         }
     }
@@ -73,8 +74,15 @@ class AttributeProperties {
 
     private class Corner(val point: GridPoint, val w: Double, val value: Double)
 
-    /** Compares the attribute at [pixel] with the exact one; [bound] is for w = 1 and before the rounding to single. */
-    private fun check(primitive: AttributedPrimitive, corners: List<Corner>, pixel: GridPoint, bound: Double) {
+    private fun greatest(values: List<Double>): Double = values.maxOf { Math.abs(it) }
+
+    /** Compares the attribute at [pixel] with the exact one; [bound] is that of w, before the rounding to single. */
+    private fun check(
+        primitive: AttributedPrimitive,
+        corners: List<Corner>,
+        pixel: GridPoint,
+        bound: (w: Double) -> Double,
+    ) {
         val sample = GridPoint(256 * pixel.x + 128, 256 * pixel.y + 128)
         val (a, b, c) = corners.map { it.point }
         val coordinates = Fraction.barycentric(a, b, c, sample) ?: return
@@ -87,18 +95,8 @@ class AttributeProperties {
         fragment.moveTo(pixel.x, pixel.y)
         primitive.attributes(fragment)
         val error = (Fraction.of(fragment.u.toDouble()) - exact).abs().toDouble()
-        val most = bound * sampleW + Math.ulp(exact.toDouble().toFloat()) / 2 + 1e-15
+        val most = bound(sampleW) + Math.ulp(exact.toDouble().toFloat()) / 2
         assertTrue(error <= most) { "off by $error, more than $most at $pixel: ${corners.map { it.point }}" }
-    }
-
-    /** The triangle's least height, pixels. */
-    private fun leastHeight(t: List<GridPoint>): Double {
-        val longest = (0 until 3).maxOf {
-            val a = t[it]
-            val b = t[(it + 1) % 3]
-            StrictMath.hypot((b.x - a.x).toDouble(), (b.y - a.y).toDouble())
-        }
-        return Math.abs(t[2].side(t[0], t[1])) / longest / 256.0
     }
 
     private fun primitive(
@@ -123,10 +121,10 @@ class AttributeProperties {
     }
 
     private companion object {
-        /** Worst seen in 300,000 slivers and other triangles: 0.15 of this. */
-        const val TRIANGLE = 1.0 / (1 shl 26)
+        /** Of the greatest value: eight roundings of double precision. */
+        const val TRIANGLE = 1.0 / (1L shl 49)
 
-        /** Worst seen in 10,000 polygons: 0.12 of this. */
-        const val POLYGON = 1.0 / (1 shl 25)
+        /** Where weights may be negative, besides times the square of w over the least w. */
+        const val POLYGON = 1.0 / (1L shl 44)
     }
 }
