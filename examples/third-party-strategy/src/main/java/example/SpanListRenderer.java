@@ -68,7 +68,7 @@ public final class SpanListRenderer implements Renderer {
         Spans spans = new Spans(frame.getRegion());
         for (int index = 0; index < frame.getPrimitives().size(); index++) {
             Primitive primitive = frame.getPrimitives().get(index);
-            if (y < primitive.getRowStart() || y >= primitive.getRowEnd()) {
+            if (!reaches(primitive, frame.getRegion(), y)) {
                 continue;
             }
             spans.clear();
@@ -79,6 +79,14 @@ public final class SpanListRenderer implements Renderer {
         }
         all.sort(Comparator.comparingInt(Span::start));
         return all;
+    }
+
+    /** Whether the primitive may cover a sample of row y within the region; if not, it is left alone. */
+    private static boolean reaches(Primitive primitive, Region region, int y) {
+        return y >= primitive.getRowStart()
+                && y < primitive.getRowEnd()
+                && primitive.getColumnStart() < region.getColumnEnd()
+                && primitive.getColumnEnd() > region.getColumnStart();
     }
 
     /** One row of the picture. */

@@ -109,6 +109,7 @@ internal class Backstage(private val raster: Raster, private val image: Image) :
 internal fun FrameCase.doubled(): FrameCase = FrameCase(
     Frame(frame.raster, frame.primitives + frame.primitives),
     "$code\n    .let { Frame(it.raster, it.primitives + it.primitives) }",
+    sceneOf { it + it },
 )
 
 /** Before the last primitives come some ten thousands that cover nothing, and say so. */

@@ -5,6 +5,7 @@ import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.ShadingCursor
 import dev.lazyz.Spans
+import dev.lazyz.scenes.Tint
 
 /**
  * A primitive without any coherence: which samples it covers, how deep it is and what colour it has are hashes of the
@@ -42,12 +43,12 @@ public class Confetti @JvmOverloads constructor(
     }
 
     private fun isCovered(x: Int, y: Int): Boolean =
-        hash(seed, x, y, 0) % 3 != 0 && (depthForm == null || depthForm.at(x, y) >= 0)
+        Tint.hash(seed, x, y, 0) % 3 != 0 && (depthForm == null || depthForm.at(x, y) >= 0)
 
     override fun depth(x: Int, y: Int): Int = when {
         depthForm != null -> (depthForm.at(x, y) shr 32).toInt()
         levels == 1 -> Int.MAX_VALUE / 2
-        else -> (hash(seed, x, y, 1).toLong() % levels * Int.MAX_VALUE / (levels - 1)).toInt()
+        else -> (Tint.hash(seed, x, y, 1).toLong() % levels * Int.MAX_VALUE / (levels - 1)).toInt()
     }
 
     override fun shade(fragment: Fragment): Unit = shader.shade(fragment)
@@ -71,17 +72,7 @@ public class Confetti @JvmOverloads constructor(
         return "Confetti($seed, $columnStart, $columnEnd, $rowStart, $rowEnd, $levels$form)"
     }
 
-    internal companion object {
-        private const val MAX_LEVELS = 1 shl 20
-
-        /** Mixes four numbers into 31 bits (the finaliser of MurmurHash3, by Austin Appleby, after each). */
-        fun hash(a: Int, b: Int, c: Int, d: Int): Int = mix(mix(mix(mix(a) + b) + c) + d) ushr 1
-
-        private fun mix(value: Int): Int {
-            var h = value + 0x7F4A7C15
-            h = (h xor (h ushr 16)) * -0x7A143595
-            h = (h xor (h ushr 13)) * -0x3D4D51CB
-            return h xor (h ushr 16)
-        }
+    private companion object {
+        const val MAX_LEVELS = 1 shl 20
     }
 }

@@ -85,7 +85,9 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     internal fun withoutShrinking(): Conformance = apply { shrinking = Shrinking.OFF }
 
     /**
-     * Runs the suite and returns what came of it. A renderer that breaks rules, or throws, is told in the report.
+     * Runs the suite and returns what came of it. A renderer that breaks rules, or throws when it is made or renders in
+     * a try, is told in the report. What is thrown when the first is made or asked what it is, before any try, reaches
+     * the caller as it is.
      *
      * @throws IllegalStateException if a run is under way in this process, or the suite itself fails
      * @throws IllegalArgumentException if a system property of the suite is not what it should be

@@ -55,7 +55,7 @@ public class ConformanceReport internal constructor(
         return "$words --seed $seed --tries ${plain(tries)} --rule ${rule.name}"
     }
 
-    /** Returns a summary for people: waivers, failures in full, a line a rule, statistics, a verdict. */
+    /** Returns a summary for people: waivers, failures and what is not followed in full, a line a rule, a verdict. */
     public fun toText(): String = ReportText(this).text()
 
     /** Returns all of it but the pictures as JSON; `docs/conformance.md` describes the keys. */
@@ -70,8 +70,9 @@ public class ConformanceReport internal constructor(
     /**
      * Writes `report.txt`, `report.json`, `report.html` and `TEST-lazyz-conformance.xml` to [folder], which is made if
      * it is not there; and to its folder `failures`, for each rule that is broken, the frame as `RULE.kt`, pictures as
-     * `RULE-expected.png`, `-actual.png` and `-difference.png`, and where the frame is that of a scene `RULE.json`, a
-     * scene file. What an earlier run left of these is replaced or removed. Each file is written whole or not at all.
+     * `RULE-expected.png`, `-actual.png` and `-difference.png`, and `RULE.json`, the frame as a scene file, unless a
+     * scene file has no words for it. What an earlier run left of these is replaced or removed. Each file is written
+     * whole or not at all.
      *
      * @throws java.io.IOException if a file cannot be written
      */

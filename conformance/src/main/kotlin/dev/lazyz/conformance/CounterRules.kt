@@ -18,7 +18,7 @@ public sealed class CounterRules : UseRules() {
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_countersCountWhatHappens(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val witness = ShadingWitness(case.frame)
-        val judgement = Judgement(renderer(), FrameCase(witness.frame, case.code))
+        val judgement = Judgement(renderer(), case.watched(witness.frame))
         val counters = judgement.rendering.counters
         val primitives = case.frame.primitives.size.toLong()
         if (counters.primitives != primitives) {
@@ -29,17 +29,35 @@ public sealed class CounterRules : UseRules() {
         }
     }
 
-    /** Fragments are the covered samples, whether a renderer looks at each of them or not. */
+    /** Fragments are the covered samples, but for what is hidden and rejected before its samples are looked for. */
     @Rule(
-        intent = "Fragments are a property of the frame: covered samples, counted for each primitive.",
-        look = "Count where spans are read; what is rejected early, or is not in the region, is easily lost.",
+        intent = "Fragments are covered samples, counted for each primitive; of what is hidden some may be missing.",
+        look = "Count where spans are read. What is not in the region, and whole rows or tiles, are easily lost.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_fragmentsAreTheCoveredSamples(@ForAll(supplier = MixedCases::class) case: FrameCase) {
-        val covered = Rendering.of(ReferenceRenderer(), case.frame).counters.fragments
+        val reference = Rendering.of(ReferenceRenderer(), case.frame)
+        val covered = reference.image.counters.fragments
+        val visible = reference.image.visible
         val judgement = Judgement(renderer(), case)
         val counted = judgement.rendering.counters.fragments
-        if (counted != covered) judgement.fail("$covered samples are covered, $counted fragments counted")
+        if (counted > covered) judgement.fail("$covered samples are covered, $counted fragments counted")
+        if (counted < visible) judgement.fail("$visible samples show something, $counted fragments counted")
+
+        // A primitive by itself, before a background that hides nothing, has nothing to be rejected for
+        val raster = case.frame.raster
+        if (raster.depthTest != raster.convention.nearest ||
+            raster.backgroundDepth != raster.convention.farthest
+        ) {
+            return
+        }
+        for (index in case.frame.primitives.indices.take(MOST_ALONE)) {
+            val alone = case.alone(index)
+            val all = Rendering.of(ReferenceRenderer(), alone.frame).counters.fragments
+            val itself = Judgement(renderer(), alone)
+            val found = itself.rendering.counters.fragments
+            if (found != all) itself.fail("$all samples are covered, $found fragments counted")
+        }
     }
 
     /** Of the fragments no more pass than there are, and where there are none nothing is computed. */
@@ -72,7 +90,7 @@ public sealed class CounterRules : UseRules() {
         for (coherence in Coherence.entries) {
             val witness = ShadingWitness(case.frame)
             val configured = renderer.configured(RenderOptions(coherence, threads = 1))
-            val judgement = Judgement(configured, FrameCase(witness.frame, case.code), "$coherence")
+            val judgement = Judgement(configured, case.watched(witness.frame), "$coherence")
             val counters = judgement.rendering.counters
             if (counters.shadingStarts != witness.starts || counters.shadingSteps != witness.steps) {
                 judgement.fail("${witness.starts} starts, ${witness.steps} steps are made, the counters are $counters")
@@ -99,6 +117,21 @@ public sealed class CounterRules : UseRules() {
         }
     }
 
+    /** Who shows something says how much memory that took. */
+    @Rule(
+        level = Level.SHOULD,
+        intent = "Users choose a renderer by what it costs, so it tells its working memory.",
+        look = "Add up the arrays that are held at the same time, and set Counters.peakBytes to the greatest sum.",
+    )
+    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_8_3_workingMemoryIsReported(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val judgement = Judgement(renderer(), case)
+        val isSeen = judgement.rendering.image.visible > 0
+        if (isSeen && judgement.rendering.counters.peakBytes <= 0) {
+            judgement.fail("something is visible, but peakBytes is ${judgement.rendering.counters.peakBytes}")
+        }
+    }
+
     /** A renderer that promises to shade only what is visible does so. */
     @Rule(
         intent = "Who promises SHADES_ONLY_VISIBLE shades each visible sample once, and nothing else.",
@@ -109,10 +142,15 @@ public sealed class CounterRules : UseRules() {
         val renderer = renderer()
         if (Capability.SHADES_ONLY_VISIBLE !in renderer.capabilities) notDeclared(Capability.SHADES_ONLY_VISIBLE)
         val witness = ShadingWitness(case.frame)
-        val judgement = Judgement(renderer, FrameCase(witness.frame, case.code))
+        val judgement = Judgement(renderer, case.watched(witness.frame))
         val visible = judgement.rendering.image.visible.toLong()
         val calls = judgement.rendering.counters.shadingCalls
         if (calls != visible) judgement.fail("$visible samples are visible, but $calls are shaded")
         if (witness.count > visible) judgement.fail("$visible samples are visible, but ${witness.count} were shaded")
+    }
+
+    private companion object {
+        /** Primitives of a frame that are also rendered by themselves. */
+        const val MOST_ALONE = 4
     }
 }

@@ -75,7 +75,7 @@ internal class Effort :
         when (verdict.outcome) {
             RuleOutcome.PASSED, RuleOutcome.FAILED -> result
 
-            RuleOutcome.WAIVED, RuleOutcome.NOT_APPLICABLE ->
+            RuleOutcome.NOT_FOLLOWED, RuleOutcome.WAIVED, RuleOutcome.NOT_APPLICABLE ->
                 result.mapToAborted(TestAbortedException(verdict.message))
 
             RuleOutcome.WAIVED_BUT_PASSES, RuleOutcome.WAIVER_EXPIRED ->

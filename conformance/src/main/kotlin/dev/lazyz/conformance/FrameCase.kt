@@ -1,7 +1,12 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Frame
+import dev.lazyz.Mesh
 import dev.lazyz.Scene
+import dev.lazyz.Surface
+import dev.lazyz.scenes.DepthRules
+import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.scenefile.SceneFile
 
 /**
  * A frame to try a renderer on, that prints itself as the Kotlin code that makes it.
@@ -13,12 +18,31 @@ import dev.lazyz.Scene
  *   `dev.lazyz.conformance.*` and `org.joml.Vector3d`
  */
 public class FrameCase(public val frame: Frame, public val code: String) {
-    /** The scene of which this is the frame, if it is the whole frame of a scene: then a scene file can say it. */
+    /** The scene that is set up to [frame], or to what [frame] is a region of; null if there is none. */
     internal var scene: Scene? = null
         private set
 
-    internal constructor(frame: Frame, code: String, scene: Scene) : this(frame, code) {
+    internal constructor(frame: Frame, code: String, scene: Scene?) : this(frame, code) {
         this.scene = scene
+    }
+
+    /**
+     * Returns the frame as the text of a scene file ([SceneFile]), which is set up to the same pixels, depths and
+     * primitives; null where a scene file has no words for it, as for primitives of one's own. Of a frame that is a
+     * region it has the whole raster.
+     */
+    public fun sceneFile(): String? {
+        val raster = frame.raster
+        val scene = scene?.withBackground(raster.background) ?: return null
+        return SceneFile.format(scene, ImageSize(raster.width, raster.height), DepthRules.of(raster))
+    }
+
+    /** The scene with other surfaces; null if there is none, or not one surface for each primitive. */
+    internal fun sceneOf(change: (List<Surface>) -> List<Surface>?): Scene? {
+        val scene = scene ?: return null
+        if (scene.surfaces.size != frame.primitives.size || scene.surfaces.any { it is Mesh }) return null
+        val surfaces = change(scene.surfaces) ?: return null
+        return Scene(surfaces, scene.lights, scene.viewpoint, scene.background)
     }
 
     override fun toString(): String = code

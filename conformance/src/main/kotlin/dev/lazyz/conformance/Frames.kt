@@ -6,6 +6,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.Shader
+import dev.lazyz.scenes.Tint
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
@@ -104,15 +105,7 @@ public object Frames {
      * depth: hardly ever the same for two primitives, or at two samples.
      */
     @JvmStatic
-    public fun tint(number: Int): Shader = Shader {
-        val bits = Confetti.hash(number, it.x, it.y, it.worldZ.toRawBits())
-        it.setColor(
-            (bits and 0xFF) / 255f,
-            (bits ushr 8 and 0xFF) / 255f,
-            (bits ushr 16 and 0xFF) / 255f,
-            (bits ushr 24) / 127f,
-        )
-    }
+    public fun tint(number: Int): Shader = Tint(number)
 
     /** The depth that everything passes [test] against: the usual one of a background. */
     internal fun behindAll(test: DepthTest): Int = when (test) {

@@ -1,7 +1,11 @@
 package dev.lazyz.conformance
 
+import dev.lazyz.AlphaMode
 import dev.lazyz.Frame
+import dev.lazyz.Material
+import dev.lazyz.Polygon
 import dev.lazyz.Primitive
+import dev.lazyz.Surface
 
 /**
  * A primitive made translucent: everything is as in [whole], and its colours' alpha counts (contract rule 5.5).
@@ -19,4 +23,17 @@ public fun Frame.glazed(choice: Int): Frame =
     Frame(raster, primitives.mapIndexed { i, it -> if (choice shr i % 16 and 1 == 1) Glass(it) else it }, region)
 
 /** The same frame, with [Glass] as [choice] says. */
-internal fun FrameCase.glazed(choice: Int): FrameCase = FrameCase(frame.glazed(choice), "$code\n    .glazed($choice)")
+internal fun FrameCase.glazed(choice: Int): FrameCase =
+    FrameCase(frame.glazed(choice), "$code\n    .glazed($choice)", sceneOf { glazed(it, choice) })
+
+/** The surfaces, blended as [choice] says; null if one of those has alpha 1 anyway, or covers nothing. */
+private fun FrameCase.glazed(surfaces: List<Surface>, choice: Int): List<Surface>? {
+    val chosen = surfaces.indices.filter { choice shr it % 16 and 1 == 1 }
+    val blended = chosen.associateWith { i ->
+        val polygon = surfaces[i] as? Polygon ?: return null
+        val shader = polygon.material.shader
+        if (shader == null || frame.primitives[i].run { rowStart >= rowEnd }) return null
+        polygon.withMaterials { Material(alphaMode = AlphaMode.BLEND, shader = shader, name = it.name) }
+    }
+    return surfaces.mapIndexed { i, surface -> blended[i] ?: surface }
+}

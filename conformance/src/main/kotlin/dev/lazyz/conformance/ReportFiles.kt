@@ -1,7 +1,6 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.scenes.ImageSize
-import dev.lazyz.scenes.scenefile.SceneFile
+import dev.lazyz.conformance.ReportText.Companion.NO_SCENE_FILE
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption.REPLACE_EXISTING
@@ -30,11 +29,7 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
     private fun write(failure: RuleFailure, failures: Path, rule: SuiteRule) {
         val case = failure.case
         if (case != null) write(failures.resolve("$rule.kt"), snippet(case, rule, failure))
-        val scene = case?.scene
-        if (scene != null) {
-            val size = ImageSize(case.frame.raster.width, case.frame.raster.height)
-            write(failures.resolve("$rule.json"), SceneFile.format(scene, size))
-        }
+        failure.sceneFile?.let { write(failures.resolve("$rule.json"), it) }
         for ((name, png) in Pictures.of(failure)?.png().orEmpty()) write(failures.resolve("$rule-$name.png"), png)
     }
 
@@ -43,11 +38,21 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
         appendLine("// ${report.strategy.id} breaks $rule on this frame:")
         for (line in failure.message.substringBefore("\nin\n").lines()) appendLine("// $line".trimEnd())
         appendLine("// ${report.commandFor(rule)}")
+        appendLine("// ${if (failure.sceneFile == null) "scene file: $NO_SCENE_FILE" else drawing(case, rule)}")
         appendLine()
         for (name in listOf("dev.lazyz.*", "dev.lazyz.conformance.*", "org.joml.Vector3d")) appendLine("import $name")
         appendLine()
         appendLine("val frame: Frame =")
         appendLine(case.code.prependIndent("    "))
+    }
+
+    /** The command that draws the frame. */
+    private fun drawing(case: FrameCase, rule: SuiteRule): String {
+        val part = case.frame.region
+        val isWhole = part == case.frame.raster.region
+        val region =
+            if (isWhole) "" else " --region ${part.columnStart},${part.rowStart},${part.width}x${part.height}"
+        return "zcli render $rule.json$region --strategy ${report.strategy.id} -o $rule.png"
     }
 
     private fun write(path: Path, text: String) = write(path, text.toByteArray())

@@ -49,13 +49,16 @@ internal class ReportJUnit(private val report: ConformanceReport) {
 
             isSkipped(result) -> {
                 appendLine(">")
-                appendLine("""    <skipped message="${escaped(result.message)}"/>""")
+                appendLine("""    <skipped message="${escaped(skipped(result))}"/>""")
                 appendLine("  </testcase>")
             }
 
             else -> appendLine("/>")
         }
     }
+
+    private fun skipped(result: RuleResult): String =
+        if (result.outcome == RuleOutcome.NOT_FOLLOWED) "not followed: ${details(result)}" else result.message
 
     private fun details(result: RuleResult): String = listOfNotNull(
         result.message,
@@ -65,8 +68,9 @@ internal class ReportJUnit(private val report: ConformanceReport) {
         "reproduce: ${report.commandFor(result.rule)}",
     ).joinToString("\n")
 
+    /** Neither passed nor failed. */
     private fun isSkipped(result: RuleResult): Boolean =
-        result.outcome == RuleOutcome.WAIVED || result.outcome == RuleOutcome.NOT_APPLICABLE
+        !result.outcome.isFailure && result.outcome != RuleOutcome.PASSED
 
     private fun seconds(milliseconds: Long): String = "%.3f".format(Locale.ROOT, milliseconds / 1000.0)
 }

@@ -70,6 +70,7 @@ internal class ReportJson(private val report: ConformanceReport) {
             }
         }
         failure.code?.let { put("frame", it) }
+        failure.sceneFile?.let { put("scene", it) }
         put("command", report.commandFor(rule))
     }
 

@@ -7,7 +7,7 @@ internal class ReportText(private val report: ConformanceReport) {
     fun text(): String = buildString {
         heading()
         waivers()
-        for (result in report.results.filter { it.outcome.isFailure }) failure(result)
+        for (result in report.results.filter { it.outcome.isTold }) failure(result)
         appendLine()
         rules()
         appendLine()
@@ -21,7 +21,7 @@ internal class ReportText(private val report: ConformanceReport) {
         val counts = RuleOutcome.entries.associateWith { report.withOutcome(it).size }.filterValues { it > 0 }
         val verdict = if (report.isConformant) "conforms" else "does NOT conform"
         val numbers = counts.entries.joinToString { (outcome, count) -> "$count ${outcome.words}" }
-        return "${report.strategy.id} $verdict: ${report.results.size} rules, $numbers; " +
+        return "${report.strategy.id} $verdict: ${counted(report.results.size.toLong(), "rule")}, $numbers; " +
             "%.1f s".format(Locale.ROOT, report.milliseconds / 1000.0)
     }
 
@@ -55,8 +55,12 @@ internal class ReportText(private val report: ConformanceReport) {
         if (failure != null && failure.message != result.message) appendLine(failure.message.prependIndent("    "))
         if (result.rule.intent.isNotEmpty()) appendLine("  why         ${result.rule.intent}")
         if (result.rule.look.isNotEmpty()) appendLine("  look at     ${result.rule.look}")
+        if (failure?.code != null) appendLine("  scene file  ${sceneFile(failure, result.rule)}")
         appendLine("  reproduce   ${report.commandFor(result.rule)}")
     }
+
+    private fun sceneFile(failure: RuleFailure, rule: SuiteRule): String =
+        if (failure.sceneFile == null) NO_SCENE_FILE else "failures/$rule.json, where the report is on disk"
 
     private fun StringBuilder.rules() {
         val words = report.results.maxOfOrNull { it.outcome.words.length } ?: 0
@@ -72,8 +76,14 @@ internal class ReportText(private val report: ConformanceReport) {
 
     private fun StringBuilder.distribution() {
         val all = report.distribution
-        appendLine("${all.frames} frames, of which")
+        appendLine("${counted(all.frames, "frame")}, of which")
         for (trait in FrameTrait.entries) appendLine("${"${all.count(trait)}".padStart(8)}  ${trait.words}")
         if (all.unexamined > 0) appendLine("${"${all.unexamined}".padStart(8)}  not looked at")
+    }
+    private fun counted(number: Long, thing: String): String = if (number == 1L) "1 $thing" else "$number ${thing}s"
+
+    companion object {
+        /** Why there is none. */
+        const val NO_SCENE_FILE: String = "none: a scene file has no words for all that is in the frame"
     }
 }

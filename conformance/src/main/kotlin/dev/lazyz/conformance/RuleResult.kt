@@ -10,6 +10,9 @@ public enum class RuleOutcome(internal val words: String) {
     /** The renderer breaks the rule. */
     FAILED("failed"),
 
+    /** The renderer does not do what it SHOULD: told, but no failure. */
+    NOT_FOLLOWED("not followed"),
+
     /** The renderer breaks the rule, which a waiver allows. */
     WAIVED("waived"),
 
@@ -25,6 +28,9 @@ public enum class RuleOutcome(internal val words: String) {
 
     /** Whether a renderer with this outcome does not conform. */
     public val isFailure: Boolean get() = this == FAILED || this == WAIVED_BUT_PASSES || this == WAIVER_EXPIRED
+
+    /** Whether reports tell it at length. */
+    internal val isTold: Boolean get() = isFailure || this == NOT_FOLLOWED
 }
 
 /**
@@ -32,7 +38,7 @@ public enum class RuleOutcome(internal val words: String) {
  *
  * @property rule the rule
  * @property outcome what came of it
- * @property message why it failed, is waived or does not apply; empty if it passed
+ * @property message why it failed, is not followed, is waived or does not apply; empty if it passed
  * @property tries how often it was tried, frames that were made smaller after a failure not included
  * @property milliseconds how long that took
  * @property distribution what the frames were like
@@ -68,6 +74,9 @@ public class RuleFailure private constructor(
     public val cause: Throwable,
     internal val case: FrameCase?,
 ) {
+    /** The frame as the text of a scene file, see [FrameCase.sceneFile]; null if there are no words for it. */
+    public val sceneFile: String? get() = case?.sceneFile()
+
     /** The first sample that differs, in rows from the top; null if none does or there is nothing to compare. */
     public val sample: DifferingSample? = if (expected == null || actual == null) {
         null

@@ -34,7 +34,7 @@ internal class RunUnderWay(
             "a run of the conformance suite is under way in this process, and there can be one at a time"
         }
         val level = jqwik.level
-        jqwik.level = LogLevel.WARNING
+        jqwik.level = LogLevel.SEVERE
         try {
             val mishaps = Mishaps()
             launcher().execute(request(), mishaps)
@@ -85,7 +85,7 @@ internal class RunUnderWay(
     companion object {
         private val active = AtomicReference<RunUnderWay?>()
 
-        /** It says at every start that it has no database, which we have told it. */
+        /** It says that it has no database, which we have told it, and when it gives up making a frame smaller. */
         private val jqwik = Logger.getLogger("net.jqwik")
 
         /** The run that is under way, or null where a build tool runs the suite. */

@@ -1,9 +1,15 @@
 package dev.lazyz.conformance
 
+import dev.lazyz.Camera
 import dev.lazyz.FillRule
 import dev.lazyz.FrameBuilder
 import dev.lazyz.LinearForm
+import dev.lazyz.Material
+import dev.lazyz.Polygon
 import dev.lazyz.Raster
+import dev.lazyz.Scene
+import dev.lazyz.Surface
+import dev.lazyz.Vertex
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
@@ -18,6 +24,9 @@ internal sealed interface Piece {
 
     /** The call that does what [addTo] does. */
     fun code(number: Int): String
+
+    /** What becomes the same primitive before [Camera.screen]; null if a scene file has no words for it. */
+    fun surface(number: Int): Surface?
 }
 
 /** A polygon as [FrameBuilder.polygon] takes it: x, y in pixels, depth from 0 to 1. */
@@ -31,6 +40,13 @@ internal class PolygonPiece(val contours: List<DoubleArray>, val fillRule: FillR
         prefix = ".polygon(Frames.tint($number), FillRule.$fillRule",
         postfix = ")",
     ) { contour -> contour.joinToString(prefix = ", doubleArrayOf(", postfix = ")") { code(it) } }
+
+    override fun surface(number: Int): Surface {
+        val vertices = contours.map { contour ->
+            (contour.indices step 3).map { Vertex(contour[it], contour[it + 1], contour[it + 2]) }
+        }
+        return Polygon(vertices, Material(shader = Frames.tint(number), name = "primitive $number"), fillRule)
+    }
 }
 
 /** [Confetti] that is cut to whatever raster it comes to. */
@@ -56,6 +72,8 @@ internal class ConfettiPiece(
     }
 
     override fun code(number: Int): String = ".add(${primitive()})"
+
+    override fun surface(number: Int): Surface? = null
 }
 
 /** Makes a frame of [pieces] in this order. */
@@ -64,7 +82,9 @@ internal fun screenCase(raster: Raster, pieces: List<Piece>): FrameCase {
     val builder = FrameBuilder(raster)
     fitting.forEachIndexed { number, piece -> piece.addTo(builder, number) }
     val calls = fitting.mapIndexed { number, piece -> "\n    ${piece.code(number)}" }
-    return FrameCase(builder.build(), "FrameBuilder(${code(raster)})${calls.joinToString("")}\n    .build()")
+    val surfaces = fitting.mapIndexedNotNull { number, piece -> piece.surface(number) }
+    val scene = if (surfaces.size == fitting.size) Scene(surfaces, viewpoint = Camera.screen()) else null
+    return FrameCase(builder.build(), "FrameBuilder(${code(raster)})${calls.joinToString("")}\n    .build()", scene)
 }
 
 /** Generates frames of [Piece]s around a raster of at most [maxWidth] x [maxHeight] samples. */

@@ -34,12 +34,14 @@ internal class Trial(private val rule: SuiteRule, private val waiver: Waiver?) {
             inapplicable != null -> RuleOutcome.NOT_APPLICABLE
             result.status() == Status.SUCCESSFUL -> RuleOutcome.PASSED
             result.status() == Status.ABORTED -> RuleOutcome.NOT_APPLICABLE
+            rule.level == Level.SHOULD -> RuleOutcome.NOT_FOLLOWED
             else -> RuleOutcome.FAILED
         }
+        val isBroken = plain == RuleOutcome.FAILED || plain == RuleOutcome.NOT_FOLLOWED
         val outcome = when {
             waiver == null -> plain
             waiver.expires < today -> RuleOutcome.WAIVER_EXPIRED
-            plain == RuleOutcome.FAILED -> RuleOutcome.WAIVED
+            isBroken -> RuleOutcome.WAIVED
             else -> RuleOutcome.WAIVED_BUT_PASSES
         }
         val parameters = result.falsifiedParameters().orElse(emptyList())
@@ -50,13 +52,13 @@ internal class Trial(private val rule: SuiteRule, private val waiver: Waiver?) {
             tries = result.countTries(),
             milliseconds = (System.nanoTime() - start) / NANOSECONDS,
             distribution = census.distribution(),
-            failure = if (plain == RuleOutcome.FAILED) RuleFailure.of(failure, parameters) else null,
+            failure = if (isBroken) RuleFailure.of(failure, parameters) else null,
         )
     }
 
     private fun message(plain: RuleOutcome, outcome: RuleOutcome, failure: Throwable): String = when (outcome) {
         RuleOutcome.PASSED -> ""
-        RuleOutcome.FAILED -> failure.message ?: failure.toString()
+        RuleOutcome.FAILED, RuleOutcome.NOT_FOLLOWED -> failure.message ?: failure.toString()
         RuleOutcome.NOT_APPLICABLE -> (notDeclared ?: failure).message.orEmpty()
         RuleOutcome.WAIVED -> "waived until ${waiver?.expires}: ${waiver?.reason} (${waiver?.link})"
         RuleOutcome.WAIVED_BUT_PASSES -> "is waived, but ${word(plain)}: delete its waiver"
@@ -66,6 +68,7 @@ internal class Trial(private val rule: SuiteRule, private val waiver: Waiver?) {
     private fun word(plain: RuleOutcome): String = when (plain) {
         RuleOutcome.PASSED -> "passes"
         RuleOutcome.FAILED -> "fails"
+        RuleOutcome.NOT_FOLLOWED -> "is not followed"
         else -> "does not apply"
     }
 

@@ -94,6 +94,26 @@ public sealed class UseRules : ChangeRules() {
         Judgement(renderer(), case).rowsInOrder()
     }
 
+    /** What lies wholly outside the region is asked for its bounds, and for nothing else. */
+    @Rule(
+        level = Level.SHOULD,
+        intent = "The picture of a region costs what is in the region: what lies outside is left alone.",
+        look = "Compare a primitive's bounds with the region before it is asked for spans, a cursor or a depth.",
+    )
+    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_7_whatIsOutsideTheRegionIsLeftAlone(
+        @ForAll(supplier = MixedCases::class) case: FrameCase,
+        @ForAll salt: Long,
+    ) {
+        val renderer = renderer()
+        val part = case.withinAny(Random(salt))
+        val witness = OutsideWitness(part.frame)
+        renderer.render(witness.frame) { _, _, _, _ -> }
+        val asked = witness.asked ?: return
+        val judgement = Judgement(renderer, part)
+        judgement.fail("primitive $asked lies outside the region, and is asked for more than its bounds")
+    }
+
     private companion object {
         /** A primitive throws before it has answered as many questions. */
         const val MOST_CALLS = 20

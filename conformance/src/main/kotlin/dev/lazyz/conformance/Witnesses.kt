@@ -4,8 +4,11 @@ import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
+import dev.lazyz.Region
 import dev.lazyz.ShadingCursor
+import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
+import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicLong
 
 /** Counts how often the primitives of [frame] are shaded, whoever asks. */
@@ -51,6 +54,56 @@ internal class ShadingWitness(frame: Frame) {
             calls.incrementAndGet()
             cursor.shade(fragment)
         }
+    }
+}
+
+/** Notes which primitives of [frame] that lie wholly outside its region are asked for more than their bounds. */
+internal class OutsideWitness(frame: Frame) {
+    private val found = AtomicInteger(NOBODY)
+
+    /** The frame whose primitives are watched. */
+    val frame: Frame = Frame(
+        frame.raster,
+        frame.primitives.mapIndexed { index, it -> if (isOutside(it, frame.region)) Watched(it, index) else it },
+        frame.region,
+    )
+
+    /** Number of a primitive that was asked, or null. */
+    val asked: Int? get() = found.get().takeIf { it != NOBODY }
+
+    private fun isOutside(primitive: Primitive, region: Region): Boolean =
+        maxOf(primitive.rowStart, region.rowStart) >= minOf(primitive.rowEnd, region.rowEnd) ||
+            maxOf(primitive.columnStart, region.columnStart) >= minOf(primitive.columnEnd, region.columnEnd)
+
+    private inner class Watched(private val primitive: Primitive, private val index: Int) : Primitive by primitive {
+        override fun spans(y: Int, spans: Spans) {
+            found.set(index)
+            primitive.spans(y, spans)
+        }
+
+        override fun cursor(y: Int): SpanCursor {
+            found.set(index)
+            return primitive.cursor(y)
+        }
+
+        override fun depth(x: Int, y: Int): Int {
+            found.set(index)
+            return primitive.depth(x, y)
+        }
+
+        override fun shade(fragment: Fragment) {
+            found.set(index)
+            primitive.shade(fragment)
+        }
+
+        override fun shadingCursor(x: Int, y: Int): ShadingCursor? {
+            found.set(index)
+            return primitive.shadingCursor(x, y)
+        }
+    }
+
+    private companion object {
+        const val NOBODY = -1
     }
 }
 

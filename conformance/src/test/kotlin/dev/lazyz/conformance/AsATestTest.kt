@@ -3,6 +3,7 @@ package dev.lazyz.conformance
 import dev.lazyz.Renderer
 import java.nio.file.Path
 import kotlin.io.path.writeText
+import kotlin.reflect.KClass
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -28,7 +29,15 @@ class AsATestTest {
     private val promise = "rule_8_2_promiseToShadeOnlyTheVisibleIsKept"
     private val counts = "rule_8_1_countersCountWhatHappens"
 
-    private fun run(): Map<String, TestExecutionResult> {
+    /** Not found by build tools either. */
+    class Secretive : RendererConformance() {
+        override fun renderer(): Renderer = BrokenPromises.keepsMemorySecret()
+    }
+
+    private fun run(
+        subject: KClass<out RendererConformance> = Wrong::class,
+        tries: String = "0.05",
+    ): Map<String, TestExecutionResult> {
         val results = LinkedHashMap<String, TestExecutionResult>()
         val listener = object : TestExecutionListener {
             override fun executionFinished(test: TestIdentifier, result: TestExecutionResult) {
@@ -36,13 +45,13 @@ class AsATestTest {
             }
         }
         val request = LauncherDiscoveryRequestBuilder.request()
-            .selectors(selectClass(Wrong::class.java))
+            .selectors(selectClass(subject.java))
             .filters(includeEngines("jqwik"))
             .configurationParameter("jqwik.database", "")
             .configurationParameter("jqwik.shrinking.default", "OFF")
             .configurationParameter("jqwik.reporting.usejunitplatform", "true")
             .build()
-        SuiteRun.withProperty(RendererConformance.TRIES, "0.05") { LauncherFactory.create().execute(request, listener) }
+        SuiteRun.withProperty(RendererConformance.TRIES, tries) { LauncherFactory.create().execute(request, listener) }
         return results
     }
 
@@ -55,6 +64,15 @@ class AsATestTest {
         val skipped = results.getValue(promise)
         assertEquals(Status.ABORTED, skipped.status)
         assertEquals("SHADES_ONLY_VISIBLE is not declared", skipped.throwable.get().message)
+    }
+
+    @Test
+    fun whatIsNotFollowedIsAbortedWithTheReason() {
+        val results = run(Secretive::class, "0.3")
+        val result = results.getValue("rule_8_3_workingMemoryIsReported")
+        assertEquals(Status.ABORTED, result.status)
+        assertTrue("something is visible, but peakBytes is 0" in result.throwable.get().message.orEmpty())
+        assertTrue(results.values.none { it.status == Status.FAILED })
     }
 
     @Test

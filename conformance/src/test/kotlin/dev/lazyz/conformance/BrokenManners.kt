@@ -6,6 +6,7 @@ import dev.lazyz.Image
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.RowSink
+import dev.lazyz.Spans
 import dev.lazyz.zbuffer.ZBuffer
 import java.util.Collections
 import java.util.IdentityHashMap
@@ -16,6 +17,12 @@ object BrokenManners {
         ZBuffer().render(frame) { y, argb, depth, primitive ->
             sink.row(y + frame.region.rowStart, argb, depth, primitive)
         }
+    }
+
+    /** Walks all primitives before it looks at the region. */
+    fun looksOutsideTheRegion() = BrokenRenderer("looks-outside-the-region") { frame, sink ->
+        for (it in frame.primitives) for (y in it.rowStart until it.rowEnd) it.spans(y, Spans())
+        ZBuffer().render(frame, sink)
     }
 
     fun columnsOfTheRaster() = BrokenRenderer("columns-of-the-raster") { frame, sink ->

@@ -120,6 +120,8 @@ object BrokenPromises {
 
     fun testsTheBackground() = counting("tests-the-background") { depthEvaluations += it.region.size }
 
+    fun keepsMemorySecret() = counting("keeps-memory-secret") { peakBytes = 0 }
+
     private fun claiming(id: String, capability: Capability, renderer: Renderer) =
         BrokenRenderer(id, setOf(capability)) { frame: Frame, sink: RowSink -> renderer.render(frame, sink) }
 }

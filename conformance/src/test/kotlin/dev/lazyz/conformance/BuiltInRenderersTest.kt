@@ -3,6 +3,7 @@ package dev.lazyz.conformance
 import dev.lazyz.Renderer
 import dev.lazyz.Renderers
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DynamicTest
 import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.Test
@@ -17,8 +18,12 @@ class BuiltInRenderersTest {
 
     private fun assertPasses(renderer: Renderer) {
         val run = SuiteRun.of(tries = 1.0) { renderer }
-        val failures = run.failures.entries.joinToString("\n\n") { (rule, failure) -> "$rule\n${failure.message}" }
-        assertEquals("", failures)
+
+        // The oracle asks everyone everything, whatever it costs
+        val excused = if (renderer is ReferenceRenderer) setOf(RuleNames.outside) else emptySet()
+        assertTrue(run.failures.keys.containsAll(excused))
+        val failures = run.failures - excused
+        assertEquals("", failures.entries.joinToString("\n\n") { (rule, failure) -> "$rule\n${failure.message}" })
         assertEquals(SuiteRun.rules, run.rules)
     }
 

@@ -15,6 +15,7 @@ import dev.lazyz.conformance.RuleNames.selects
 import dev.lazyz.conformance.RuleNames.steps
 import dev.lazyz.conformance.RuleNames.streams
 import dev.lazyz.conformance.RuleNames.sums
+import dev.lazyz.conformance.RuleNames.told
 import dev.lazyz.conformance.RuleNames.unpulled
 
 /** The gallery's part about counters and promises. */
@@ -23,6 +24,7 @@ internal object PromisesGallery {
         Mutant(BrokenRenderers::countsTheVisible, "counts primitives that are visible", counts),
         Mutant(BrokenRenderers::countsACallTooMany, "counts a shading call that never happens", counts, empty),
         Mutant(BrokenRenderers::countsNoPasses, "does not count what passes", passes),
+        Mutant(BrokenPromises::keepsMemorySecret, "does not tell how much memory it takes", told),
         Mutant(BrokenPromises::countsVisibleFragments, "counts visible samples as fragments", fragments),
         Mutant(BrokenPromises::countsRejectedTwice, "counts rejected fragments twice", fragments),
         Mutant(BrokenPromises::countsEveryTest, "counts every comparison as passed", among),

@@ -1,6 +1,7 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.scenes.scenefile.SceneFile
+import dev.lazyz.Renderer
+import dev.lazyz.scenes.Scenes
 import java.io.ByteArrayInputStream
 import java.nio.file.Path
 import java.util.Base64
@@ -18,6 +19,7 @@ import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
@@ -49,7 +51,7 @@ class ReportTest {
         )
         assertEquals(parts.map { text.indexOf(it) }.sorted(), parts.map { text.indexOf(it) }, text)
         assertTrue(parts.all { it in text }, text)
-        assertTrue("conforms: 1 rules" in report(PlainRenderer(), nearest).toText())
+        assertTrue("conforms: 1 rule, " in report(PlainRenderer(), nearest).toText())
     }
 
     @Test
@@ -62,7 +64,7 @@ class ReportTest {
         val rules = json.getValue("rules").jsonArray.map { it.jsonObject }
         assertEquals(listOf("failed", "waivedButPasses"), rules.map { it.getValue("outcome").jsonPrimitive.content })
         val failure = rules[0].getValue("failure").jsonObject
-        assertEquals(setOf("message", "sample", "frame", "command"), failure.keys)
+        assertEquals(setOf("message", "sample", "frame", "scene", "command"), failure.keys)
         assertTrue("severalVisible" in json.getValue("distribution").jsonObject)
     }
 
@@ -88,7 +90,7 @@ class ReportTest {
         assertEquals(3, pictures.size)
         assertTrue(pictures.all { maxOf(it.width, it.height) >= 40 })
         assertEquals(0xFFD02020.toInt(), pictures[2].getRGB(0, 0))
-        assertFalse("<script" in html || Regex("""(src|href)="(?!data:)""").containsMatchIn(html))
+        assertFalse("<script" in html || Regex("""(src|href)="(?!data:|#)""").containsMatchIn(html))
         val throwing = report(Throwing(), nearest).toHtml()
         assertTrue("no &lt;primitives&gt; &amp; no &quot;wonder&quot;\uFFFD" in throwing)
     }
@@ -107,8 +109,82 @@ class ReportTest {
         for (name in listOf("expected", "actual", "difference")) {
             assertTrue(ImageIO.read(folder.resolve("failures/$nearest-$name.png").toFile()).width >= 40)
         }
-        assertFalse(folder.resolve("failures/$nearest.json").exists())
-        assertTrue(SceneFile.read(folder.resolve("failures/$scenes.json")).scene.lights.isEmpty())
+        for (rule in listOf(nearest, scenes)) assertTrue(folder.resolve("failures/$rule.json").exists())
+        assertTrue("\n// zcli render $nearest.json --strategy wrong-colors -o $nearest.png\n" in snippet, snippet)
+    }
+
+    @Test
+    fun sceneFileOfAFailureReproducesTheDifference() {
+        val ties = BrokenRenderers.lastWinsTies()
+        for ((rule, wrong) in mapOf("5.2" to ties, "7.4" to BrokenManners.regionOffsetTwice())) {
+            val report = Conformance { wrong }.tries(1.0).rule(rule).run()
+            report.writeTo(folder)
+            val result = report.withOutcome(RuleOutcome.FAILED).first()
+            val failure = checkNotNull(result.failure)
+            val case = checkNotNull(failure.case)
+            assertTrue(case.frame.primitives.isNotEmpty() || rule == "7.4", failure.message)
+            val loaded = Scenes.load(folder.resolve("failures/${result.rule}.json"))
+            val size = checkNotNull(loaded.size)
+            val frame = loaded.scene.frame(loaded.raster(size.width, size.height)).within(case.frame.region)
+            assertNull(difference(checkNotNull(failure.expected), ReferenceRenderer().render(frame)))
+            val again = difference(ReferenceRenderer().render(frame), Rendering.of(wrong, frame).image)
+            val sample = checkNotNull(failure.sample)
+            assertEquals(
+                listOf(sample.x, sample.y, sample.count, sample.expected, sample.actual),
+                again?.run { listOf(x, y, count, expectedAnswer, actualAnswer) },
+            )
+        }
+    }
+
+    @Test
+    fun frameWithoutASceneFileSaysSo() {
+        val report = Conformance { BrokenRenderers.gapsFilled() }.tries(0.2).rule("2.8").run()
+        report.writeTo(folder)
+        val rule = report.results.single().rule
+        assertFalse(folder.resolve("failures/$rule.json").exists())
+        val words = "none: a scene file has no words for all that is in the frame"
+        assertTrue("scene file  $words\n" in report.toText(), report.toText())
+        assertTrue("\n// scene file: $words\n" in folder.resolve("failures/$rule.kt").readText())
+    }
+
+    @Test
+    fun whatIsNotFollowedIsToldAndDoesNoHarm() {
+        val rule = "rule_8_3_workingMemoryIsReported"
+        val report = Conformance { BrokenPromises.keepsMemorySecret() }.tries(0.1).rule(rule).run()
+        assertTrue(report.isConformant)
+        val result = report.results.single()
+        assertEquals(RuleOutcome.NOT_FOLLOWED, result.outcome)
+        assertTrue("something is visible, but peakBytes is 0" in result.message, result.message)
+        val text = report.toText()
+        assertTrue("\nNOT FOLLOWED: $rule (SHOULD)\n" in text && " conforms: 1 rule, 1 not followed;" in text, text)
+        val json = Json.parseToJsonElement(report.toJson()).jsonObject
+        assertEquals("true", json.getValue("conformant").jsonPrimitive.content)
+        assertEquals("1", json.getValue("outcomes").jsonObject.getValue("notFollowed").jsonPrimitive.content)
+        val told = json.getValue("rules").jsonArray.single().jsonObject
+        assertEquals("SHOULD", told.getValue("level").jsonPrimitive.content)
+        assertEquals("notFollowed", told.getValue("outcome").jsonPrimitive.content)
+        assertTrue("failure" in told)
+        val xml = report.toJUnitXml()
+        assertTrue("failures=\"0\"" in xml && "skipped=\"1\"" in xml, xml)
+        assertTrue("<skipped message=\"not followed: keeps-memory-secret: something is visible" in xml, xml)
+        val html = report.toHtml()
+        assertTrue("<h2>Not followed</h2>" in html && "<h2>Failures</h2>" !in html, html)
+        report.writeTo(folder)
+        assertTrue(folder.resolve("failures/$rule.kt").exists())
+    }
+
+    @Test
+    fun whatIsNotFollowedMayBeWaived() {
+        val rule = "rule_8_3_workingMemoryIsReported"
+        fun outcome(renderer: Renderer, expires: String): RuleOutcome {
+            val waivers = Waivers.parse("rule: $rule\nreason: none\nlink: none\nexpires: $expires\n")
+            val conformance = Conformance { renderer }.tries(0.1).rule(rule).waivers(waivers)
+            return conformance.run().results.single().outcome
+        }
+        val secretive = BrokenPromises.keepsMemorySecret()
+        assertEquals(RuleOutcome.WAIVED, outcome(secretive, "9999-01-01"))
+        assertEquals(RuleOutcome.WAIVER_EXPIRED, outcome(secretive, "2001-01-01"))
+        assertEquals(RuleOutcome.WAIVED_BUT_PASSES, outcome(PlainRenderer(), "9999-01-01"))
     }
 
     @Test

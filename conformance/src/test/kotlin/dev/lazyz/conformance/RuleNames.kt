@@ -29,6 +29,8 @@ internal object RuleNames {
     val interrupts = RendererConformance::rule_7_1_interruptedThreadsEnd.name
     val sinks = RendererConformance::rule_7_3_exceptionsOfTheSinkReachTheCaller.name
     val rows = RendererConformance::rule_7_3_rowsArriveInOrderEachOnce.name
+    val outside = RendererConformance::rule_7_7_whatIsOutsideTheRegionIsLeftAlone.name
+    val told = RendererConformance::rule_8_3_workingMemoryIsReported.name
     val counts = RendererConformance::rule_8_1_countersCountWhatHappens.name
     val fragments = RendererConformance::rule_8_1_fragmentsAreTheCoveredSamples.name
     val among = RendererConformance::rule_8_1_passesAreAmongTheFragments.name

@@ -8,10 +8,10 @@ class SuiteRun private constructor(val report: ConformanceReport) {
     /** The names of the rules that were run. */
     val rules: Set<String> = report.results.mapTo(LinkedHashSet()) { it.rule.name }
 
-    /** What was thrown, by the names of the rules that failed. */
-    val failures: Map<String, Throwable> = report.withOutcome(RuleOutcome.FAILED).associate {
-        it.rule.name to checkNotNull(it.failure).cause
-    }
+    /** What was thrown, by the names of the rules that failed or are not followed. */
+    val failures: Map<String, Throwable> = report.results
+        .filter { it.outcome == RuleOutcome.FAILED || it.outcome == RuleOutcome.NOT_FOLLOWED }
+        .associate { it.rule.name to checkNotNull(it.failure).cause }
 
     companion object {
         /** The names of all rules. */

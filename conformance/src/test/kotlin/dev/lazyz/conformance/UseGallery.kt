@@ -6,6 +6,7 @@ import dev.lazyz.conformance.RuleNames.empty
 import dev.lazyz.conformance.RuleNames.interrupts
 import dev.lazyz.conformance.RuleNames.nearest
 import dev.lazyz.conformance.RuleNames.options
+import dev.lazyz.conformance.RuleNames.outside
 import dev.lazyz.conformance.RuleNames.region
 import dev.lazyz.conformance.RuleNames.rows
 import dev.lazyz.conformance.RuleNames.sinks
@@ -24,6 +25,7 @@ internal object UseGallery {
             "rows begin with the raster's first column, not the region's",
             region,
         ),
+        Mutant(BrokenManners::looksOutsideTheRegion, "asks for the spans of all, and then for the region's", outside),
         Mutant(BrokenRenderers::remembersTheLastFrame, "the background shows the frame before", again, threads),
         Mutant(BrokenManners::notRestartable, "a frame can be rendered once", again),
         Mutant(BrokenRenderers::oneThreadOnly, "the frame is in a field, so that threads render each other's", threads),

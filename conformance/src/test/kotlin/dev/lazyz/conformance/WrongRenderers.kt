@@ -31,3 +31,8 @@ class Throwing : PlainRenderer("throwing") {
         return super.render(frame, sink)
     }
 }
+
+/** Says that it has all capabilities, the last first. */
+class Promising : PlainRenderer("promising") {
+    override val capabilities: Set<Capability> get() = Capability.entries.reversed().toSet()
+}

@@ -9,12 +9,22 @@ import dev.lazyz.Scene
  * @property scene what the file holds, with its own camera and lights where it has them
  * @property warnings one sentence each, in the order of the file: a texture that is missing, a face that was left out
  * @property size how large the file wants its picture, or null if it does not say; only scene files do
+ * @property depth how depths are to be compared; only scene files say other than usual
  */
 public class LoadedScene @JvmOverloads constructor(
     public val scene: Scene,
     public val warnings: List<String>,
     public val size: ImageSize? = null,
+    public val depth: DepthRules = DepthRules(),
 ) {
+    /**
+     * Returns the raster to set the scene up for, `scene.frame(raster(...))`: its background, and the file's rules of
+     * depth.
+     *
+     * @throws IllegalArgumentException if a side is out of range
+     */
+    public fun raster(width: Int, height: Int): Raster = depth.raster(width, height, scene.background)
+
     override fun toString(): String = "LoadedScene($scene, ${warnings.size} warnings, size $size)"
 }
 

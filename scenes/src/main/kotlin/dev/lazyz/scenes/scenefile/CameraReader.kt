@@ -10,11 +10,12 @@ import org.joml.Vector3d
 /** Reads where a scene is seen from and what lights it. */
 internal class CameraReader(private val up: UpAxis) {
     fun viewpoint(node: JsonNode): Viewpoint {
-        val kinds = arrayOf("perspective", "orthographic", "fit")
+        val kinds = arrayOf("perspective", "orthographic", "screen", "fit")
         val (kind, value) = node.members(*kinds).one(*kinds)
         return when (kind) {
             "perspective" -> perspective(value)
             "orthographic" -> orthographic(value)
+            "screen" -> screen(value)
             else -> fit(value)
         }
     }
@@ -45,6 +46,12 @@ internal class CameraReader(private val up: UpAxis) {
                 members.required("far").double(),
             )
         }
+    }
+
+    private fun screen(node: JsonNode): Camera {
+        if (up != UpAxis.Y) node.fail("is down the picture, whatever the file's \"up\" is", "remove \"up\"")
+        val members = node.members("near", "far")
+        return node.checked { Camera.screen(members["near"]?.double() ?: 0.0, members["far"]?.double() ?: 1.0) }
     }
 
     private fun fit(node: JsonNode): Viewpoint {

@@ -5,6 +5,7 @@ import dev.lazyz.Texture
 import dev.lazyz.TextureFilter
 import dev.lazyz.TextureWrap
 import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.images.TextureFiles
 
 /** Reads materials and the textures they wear; a picture that several wear is read once. */
@@ -30,7 +31,7 @@ internal class MaterialReader(private val source: Source) {
     private fun material(node: JsonNode, name: String): Material {
         val members = node.members(
             "name", "baseColor", "texture", "shading", "specular", "shininess", "emission", "alphaMode", "alphaCutoff",
-            "sides",
+            "sides", "tint",
         )
         val plain = Material()
         return node.checked {
@@ -44,6 +45,7 @@ internal class MaterialReader(private val source: Source) {
                 alphaMode = members["alphaMode"]?.choice(SceneFileNames.alphaModes) ?: plain.alphaMode,
                 alphaCutoff = members["alphaCutoff"]?.float() ?: plain.alphaCutoff,
                 sides = members["sides"]?.choice(SceneFileNames.sides) ?: plain.sides,
+                shader = members["tint"]?.integer()?.let(::Tint),
                 name = members["name"]?.text() ?: name,
             )
         }

@@ -5,6 +5,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.Texture
 import dev.lazyz.TextureFilter
 import dev.lazyz.TextureWrap
+import dev.lazyz.scenes.Tint
 
 /** Gives every material of a scene a name, and writes them. */
 internal class MaterialWriter(materials: Iterable<Material>) {
@@ -41,6 +42,7 @@ internal class MaterialWriter(materials: Iterable<Material>) {
         if (material.baseColor != plain.baseColor) key("baseColor").color(material.baseColor)
         material.texture?.let { write(key("texture"), it) }
         if (material.shading != plain.shading) key("shading").text(SceneFileNames.of(material.shading))
+        material.shader?.let { key("tint").integer((it as Tint).number) }
         if (material.specular != plain.specular) key("specular").color(material.specular)
         if (material.shininess != plain.shininess) key("shininess").integer(material.shininess)
         if (material.emission != plain.emission) key("emission").color(material.emission)

@@ -6,12 +6,14 @@ import dev.lazyz.Mesh
 import dev.lazyz.Polygon
 import dev.lazyz.Scene
 import dev.lazyz.Sphere
+import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.SceneReading
 import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.writers.AtomicFile
 import java.io.IOException
 import java.nio.channels.Channels
@@ -58,16 +60,17 @@ public object SceneFile {
      * `"Infinity"` or `"-Infinity"`.
      *
      * @param size how large the picture is to be, or null to leave it to the reader
+     * @param depth how depths are compared
      * @throws IllegalArgumentException if a surface is no [Mesh], [Polygon] or [Sphere], the viewpoint is no [Camera]
-     * and no [FittedViewpoint], or a material has a shader: there is no way to write those
+     * and no [FittedViewpoint], or a material has a shader other than [Tint]: there is no way to write those
      * @throws IOException if the file cannot be written; the message says which file, why, and what to do
      */
     @JvmStatic
     @JvmOverloads
-    public fun write(scene: Scene, path: Path, size: ImageSize? = null) {
+    public fun write(scene: Scene, path: Path, size: ImageSize? = null, depth: DepthRules = DepthRules()) {
         SceneFileWriter.requireWritable(scene)
         AtomicFile.write(path) { channel ->
-            Channels.newWriter(channel, Charsets.UTF_8).use { SceneFileWriter(it).write(scene, size) }
+            Channels.newWriter(channel, Charsets.UTF_8).use { SceneFileWriter(it).write(scene, size, depth) }
         }
     }
 
@@ -78,8 +81,8 @@ public object SceneFile {
      */
     @JvmStatic
     @JvmOverloads
-    public fun format(scene: Scene, size: ImageSize? = null): String {
+    public fun format(scene: Scene, size: ImageSize? = null, depth: DepthRules = DepthRules()): String {
         SceneFileWriter.requireWritable(scene)
-        return buildString { SceneFileWriter(this).write(scene, size) }
+        return buildString { SceneFileWriter(this).write(scene, size, depth) }
     }
 }

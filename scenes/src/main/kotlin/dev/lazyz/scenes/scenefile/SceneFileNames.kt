@@ -1,6 +1,8 @@
 package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.AlphaMode
+import dev.lazyz.DepthConvention
+import dev.lazyz.DepthTest
 import dev.lazyz.FillRule
 import dev.lazyz.Fit
 import dev.lazyz.Shading
@@ -17,6 +19,9 @@ internal object SceneFileNames {
     val filters: Map<String, TextureFilter> = names(TextureFilter.entries)
     val wraps: Map<String, TextureWrap> = names(TextureWrap.entries)
     val fillRules: Map<String, FillRule> = names(FillRule.entries)
+
+    val conventions: Map<String, DepthConvention> = names(DepthConvention.entries)
+    val depthTests: Map<String, DepthTest> = names(DepthTest.entries)
 
     fun of(constant: Enum<*>): String = constant.name.lowercase().replace('_', '-')
 

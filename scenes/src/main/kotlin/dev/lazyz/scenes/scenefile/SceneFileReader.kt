@@ -1,8 +1,10 @@
 package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.Camera
+import dev.lazyz.DepthConvention
 import dev.lazyz.Rgba
 import dev.lazyz.Scene
+import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.Source
@@ -17,7 +19,8 @@ internal class SceneFileReader(private val source: Source) {
         // The version first: another version may have other keys
         if (element is JsonObject && "lazyz" !in element) missingVersion(root, element)
         if (element is JsonObject) version(root.named().getValue("lazyz"))
-        val members = root.members("lazyz", "size", "up", "background", "camera", "lights", "materials", "surfaces")
+        val members =
+            root.members("lazyz", "size", "up", "background", "depth", "camera", "lights", "materials", "surfaces")
 
         // Then what the rest depends on, then the rest
         val up = members["up"]?.choice(UpAxis.byId) ?: UpAxis.Y
@@ -31,7 +34,8 @@ internal class SceneFileReader(private val source: Source) {
             viewpoint = members["camera"]?.let(cameras::viewpoint) ?: Camera.fit(),
             background = members["background"]?.let(ColorReader::read) ?: Rgba.WHITE,
         )
-        return LoadedScene(scene, source.warnings.toList(), members["size"]?.let(::size))
+        val depth = members["depth"]?.let(::depth) ?: DepthRules()
+        return LoadedScene(scene, source.warnings.toList(), members["size"]?.let(::size), depth)
     }
 
     private fun missingVersion(root: JsonNode, element: JsonObject): Nothing {
@@ -43,6 +47,19 @@ internal class SceneFileReader(private val source: Source) {
         val version = node.integer()
         if (version != SceneFile.VERSION) {
             node.fail("version $version is not supported", "this library reads version ${SceneFile.VERSION}")
+        }
+    }
+
+    private fun depth(node: JsonNode): DepthRules {
+        val members = node.members("convention", "test", "background")
+        val convention =
+            members["convention"]?.choice(SceneFileNames.conventions) ?: DepthConvention.SMALLER_IS_NEARER
+        return node.checked {
+            DepthRules(
+                convention,
+                members["test"]?.choice(SceneFileNames.depthTests) ?: convention.nearest,
+                members["background"]?.integer() ?: convention.farthest,
+            )
         }
     }
 

@@ -13,23 +13,32 @@ import dev.lazyz.Scene
 import dev.lazyz.Sphere
 import dev.lazyz.Surface
 import dev.lazyz.Vertex
+import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.Tint
 import org.joml.Vector3dc
 
 /** Writes a whole scene file. */
 internal class SceneFileWriter(private val out: Appendable) {
-    fun write(scene: Scene, size: ImageSize?) {
+    fun write(scene: Scene, size: ImageSize?, depth: DepthRules) {
         val materials = MaterialWriter(scene.surfaces.map(::materialOf))
         JsonWriter(out).members {
             key("lazyz").integer(SceneFile.VERSION)
             if (size != null) key("size").integers(size.width, size.height)
             key("background").color(scene.background)
+            if (depth != DepthRules()) depth(key("depth"), depth)
             viewpoint(key("camera"), scene)
             if (scene.lights.isNotEmpty()) key("lights").items(scene.lights) { light(this, it) }
             if (!materials.isEmpty) materials.write(key("materials"))
             key("surfaces").items(scene.surfaces) { surface(this, it, materials.name(materialOf(it))) }
         }
         out.append('\n')
+    }
+
+    private fun depth(out: JsonWriter, depth: DepthRules) = out.members {
+        key("convention").text(SceneFileNames.of(depth.convention))
+        key("test").text(SceneFileNames.of(depth.test))
+        key("background").integer(depth.background)
     }
 
     private fun viewpoint(out: JsonWriter, scene: Scene) = out.members {
@@ -45,18 +54,24 @@ internal class SceneFileWriter(private val out: Appendable) {
     }
 
     private fun camera(out: JsonWriter, camera: Camera) {
-        val projection = camera.projection
-        out.key(if (projection is Projection.Perspective) "perspective" else "orthographic").members {
+        val (kind, scale, value) = when (val projection = camera.projection) {
+            is Projection.Perspective -> Triple("perspective", "fieldOfView", projection.verticalFieldOfView)
+            is Projection.Orthographic -> Triple("orthographic", "height", projection.height)
+            Projection.Screen -> return screen(out, camera)
+        }
+        out.key(kind).members {
             key("eye").vector(camera.eye)
             key("target").vector(camera.target)
             key("up").vector(camera.up)
-            when (projection) {
-                is Projection.Perspective -> key("fieldOfView").double(projection.verticalFieldOfView)
-                is Projection.Orthographic -> key("height").double(projection.height)
-            }
+            key(scale).double(value)
             key("near").double(camera.near)
             key("far").double(camera.far)
         }
+    }
+
+    private fun screen(out: JsonWriter, camera: Camera) = out.key("screen").members {
+        key("near").double(camera.near)
+        key("far").double(camera.far)
     }
 
     private fun light(out: JsonWriter, light: Light) = out.members {
@@ -122,8 +137,9 @@ internal class SceneFileWriter(private val out: Appendable) {
                 require(surface is Mesh || surface is Polygon || surface is Sphere) {
                     "a scene file holds meshes, polygons and spheres only: surfaces[$index] is $surface"
                 }
-                require(materialOf(surface).shader == null) {
-                    "a scene file cannot hold a shader: surfaces[$index] has one"
+                val shader = materialOf(surface).shader
+                require(shader == null || shader is Tint) {
+                    "a scene file holds no shader but Tint: surfaces[$index] has one of its own"
                 }
             }
         }

@@ -11,7 +11,7 @@ import java.nio.file.StandardCopyOption.ATOMIC_MOVE
 import java.nio.file.StandardCopyOption.REPLACE_EXISTING
 import java.nio.file.StandardOpenOption.CREATE_NEW
 import java.nio.file.StandardOpenOption.WRITE
-import java.util.UUID
+import java.util.concurrent.ThreadLocalRandom
 
 /**
  * Writes files whole or not at all.
@@ -36,7 +36,9 @@ internal object AtomicFile {
         if (Files.exists(target) && !Files.isRegularFile(target)) {
             return explaining(path) { FileChannel.open(target, WRITE).use(produce) }
         }
-        val temporary = target.resolveSibling(".${target.fileName}.${UUID.randomUUID()}.tmp")
+        // Ask for no secure random number: its providers take as long to load as a small picture to render
+        val word = java.lang.Long.toHexString(ThreadLocalRandom.current().nextLong())
+        val temporary = target.resolveSibling(".${target.fileName}.$word.tmp")
         try {
             return explaining(path) {
                 val result = FileChannel.open(temporary, CREATE_NEW, WRITE).use(produce)

@@ -2,6 +2,8 @@ package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.AlphaMode
 import dev.lazyz.Camera
+import dev.lazyz.DepthConvention
+import dev.lazyz.DepthTest
 import dev.lazyz.FillRule
 import dev.lazyz.Fit
 import dev.lazyz.Light
@@ -19,6 +21,8 @@ import dev.lazyz.TextureFilter
 import dev.lazyz.TextureWrap
 import dev.lazyz.Vertex
 import dev.lazyz.Viewpoint
+import dev.lazyz.scenes.DepthRules
+import dev.lazyz.scenes.Tint
 import java.util.Random
 import org.joml.Vector3d
 
@@ -33,6 +37,12 @@ internal class RandomScenes(seed: Long) {
         viewpoint = viewpoint(),
         background = color(),
     )
+
+    fun depth(): DepthRules {
+        val convention = pick(DepthConvention.entries)
+        val odd = DepthRules(convention, pick(DepthTest.entries), random.nextInt(Int.MAX_VALUE))
+        return pick(listOf(DepthRules(), DepthRules(convention), odd))
+    }
 
     private fun surface(): Surface = when (random.nextInt(3)) {
         0 -> mesh()
@@ -69,7 +79,7 @@ internal class RandomScenes(seed: Long) {
         Material(
             color(), if (random.nextBoolean()) texture() else null, pick(Shading.entries), color(),
             1 + random.nextInt(1024), color(), pick(AlphaMode.entries), random.nextFloat(), pick(Sides.entries),
-            null, name(),
+            if (random.nextInt(4) == 0) Tint(random.nextInt()) else null, name(),
         )
     }
 
@@ -91,9 +101,10 @@ internal class RandomScenes(seed: Long) {
     private fun viewpoint(): Viewpoint {
         val eye = direction().mul(10.0)
         val target = direction()
-        return when (random.nextInt(3)) {
+        return when (random.nextInt(4)) {
             0 -> Camera.perspective(eye, target, direction(), 1.0 + 170 * random.nextDouble(), 0.1, 100.0 / 3.0)
             1 -> Camera.orthographic(eye, target, direction(), random.nextDouble() + 1e-3, -1.0 / 3.0, 10.0)
+            2 -> random.nextGaussian().let { Camera.screen(it, it + 0.1 + random.nextDouble()) }
             else -> Camera.fit(
                 random.nextGaussian() * 100,
                 random.nextDouble() * 180 - 90,

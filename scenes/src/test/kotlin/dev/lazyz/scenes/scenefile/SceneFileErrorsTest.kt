@@ -81,7 +81,11 @@ class SceneFileErrorsTest {
             arguments(file(""""background": [0, 01, 0]"""), "background[1]", "must be a number, not 01"),
             arguments(file(""""background": [0, NaN, 0]"""), "background[1]", "must be a number, not NaN"),
             arguments(file(""""camera": {"fit": {"elevation": 91}}"""), "camera.fit", "-90..90 degrees: 91"),
-            arguments(file(""""camera": {}"""), "camera", "add one of \"perspective\", \"orthographic\", \"fit\""),
+            arguments(file(""""camera": {}"""), "camera", "\"orthographic\", \"screen\", \"fit\""),
+            arguments(file(""""camera": {"screen": {"near": 2}}"""), "camera.screen", "near must be less than far"),
+            arguments(file(""""up": "z", "camera": {"screen": {}}"""), "camera.screen", "remove \"up\""),
+            arguments(file(""""depth": {"test": "lesser"}"""), "depth.test", "\"less\", \"less-or-equal\""),
+            arguments(file(""""depth": {"background": -1}"""), "depth", "must be in 0..2147483647: -1"),
             arguments(file(""""camera": {"perspective": {}}"""), "camera.perspective", "\"eye\" is missing"),
             arguments(
                 file(""""lights": [{"directional": {"direction": [0, 0, 0]}}]"""),

@@ -50,7 +50,9 @@ class SceneFilePageTest {
     @Test
     fun theKeysOfTheReaderAreOnThePage() {
         assertTrue(examples.size >= 4, "${examples.size} examples")
-        val names = SceneFileNames.run { listOf(projections, shadings, alphaModes, sides, filters, wraps, fillRules) }
+        val names = SceneFileNames.run {
+            listOf(projections, shadings, alphaModes, sides, filters, wraps, fillRules, conventions, depthTests)
+        }
         for (word in names.flatMap { it.keys }) assertTrue("`\"$word\"`" in page, "\"$word\" is not on the page")
     }
 }

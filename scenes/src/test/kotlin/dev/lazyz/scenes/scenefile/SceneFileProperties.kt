@@ -5,6 +5,7 @@ import dev.lazyz.Camera
 import dev.lazyz.Light
 import dev.lazyz.Mesh
 import dev.lazyz.Polygon
+import dev.lazyz.Projection
 import dev.lazyz.Scene
 import dev.lazyz.Sphere
 import dev.lazyz.scenes.ImageSize
@@ -17,10 +18,13 @@ import org.junit.jupiter.api.Assertions.assertNull
 class SceneFileProperties {
     @Property(seed = "1995", tries = 300)
     fun everyFieldReadsBack(@ForAll seed: Long) {
-        val scene = RandomScenes(seed).scene()
+        val random = RandomScenes(seed)
+        val scene = random.scene()
+        val depth = random.depth()
         val size = ImageSize(1 + (seed and 1023).toInt(), 480)
-        val loaded = SceneFile.parse(SceneFile.format(scene, size))
+        val loaded = SceneFile.parse(SceneFile.format(scene, size, depth))
         assertEquals(size, loaded.size)
+        assertEquals(depth, loaded.depth)
         assertEquals(emptyList<String>(), loaded.warnings)
         assertEquals(fields(scene), fields(loaded.scene))
     }
@@ -63,7 +67,8 @@ class SceneFileProperties {
     private fun viewpoint(scene: Scene): List<Any?> = listOf(0.7, 1.9).map { aspect ->
         val camera = scene.viewpoint.camera(box, aspect)
         val view = DoubleArray(16).also { camera.viewMatrix().get(it) }
-        val projection = DoubleArray(16).also { camera.projectionMatrix(aspect).get(it) }
+        val projection = DoubleArray(16)
+        if (camera.projection != Projection.Screen) camera.projectionMatrix(aspect).get(projection)
         listOf(scene.viewpoint is Camera, (view + projection).map { it.toRawBits() }, camera.near, camera.far)
     }
 

@@ -106,7 +106,7 @@ class SceneFileTest {
         Files.writeString(path, "old")
         val shader = Material().withShader { }
         val odd = listOf(
-            Scene(listOf(Sphere(Vector3d(), 1.0, shader))) to "surfaces[0] has one",
+            Scene(listOf(Sphere(Vector3d(), 1.0, shader))) to "surfaces[0] has one of its own",
             Scene(emptyList(), viewpoint = Viewpoint { _, _ -> error("") }) to "withViewpoint",
         )
         for ((scene, message) in odd) {

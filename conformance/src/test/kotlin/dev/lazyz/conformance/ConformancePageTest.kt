@@ -1,0 +1,52 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.scenes.Scenes
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.extension
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+/** Each piece of code that docs/conformance.md shows is one of the lines of a test, in this order. */
+class ConformancePageTest {
+    private val root = listOf(".", "..").map { Path.of(it) }.first { Files.isDirectory(it.resolve("docs")) }
+
+    private fun lines(text: String) = text.lines().map { it.trim() }.filter { it.isNotEmpty() }
+
+    @Test
+    fun codeOfThePageIsCompiled() {
+        val page = root.resolve("docs/conformance.md").readText()
+        val blocks = Regex("(?s)```(?:kotlin|java)\n(.*?)\n```").findAll(page).map { lines(it.groupValues[1]) }.toList()
+        val sources = Files.walk(root.resolve("conformance/src/test")).use { paths ->
+            paths.filter { it.extension == "kt" || it.extension == "java" }.toList().map { lines(it.readText()) }
+        }
+        assertEquals(6, blocks.size)
+        for (block in blocks) {
+            assertTrue(sources.any { it.windowed(block.size).contains(block) }) {
+                "no test has these lines of docs/conformance.md:\n${block.joinToString("\n")}"
+            }
+        }
+    }
+
+    @Test
+    fun programDrawsTheSceneOfAFailure(@TempDir folder: Path) {
+        val path = folder.resolve("rule.json")
+        path.writeText("""{"lazyz": 1, "size": [3, 2], "camera": {"screen": {}}, "surfaces": []}""")
+        val loaded = Scenes.load(path)
+        val frame = loaded.scene.frame(loaded.raster(loaded.size!!.width, loaded.size!!.height))
+        assertEquals(6, frame.raster.size)
+    }
+
+    private class MyRenderer : PlainRenderer("mine")
+
+    @Test
+    fun programJudges(@TempDir folder: Path) {
+        val report = Conformance { MyRenderer() }.tries(0.1).output(folder).run()
+        check(report.isConformant) { report.toText() }
+        assertTrue(Files.exists(folder.resolve("report.html")))
+    }
+}
