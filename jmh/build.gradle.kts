@@ -1,8 +1,11 @@
-description = "JMH benchmarks of the strategies. Not published."
+description = "Benchmarks of the strategies, and against peers. Not published."
 
 dependencies {
     implementation(project(":core"))
     implementation(project(":scenes"))
+    implementation(libs.serialization.json)
+    implementation(libs.joml)
+    implementation(libs.xchart)
     implementation(libs.jmh.core)
     annotationProcessor(libs.jmh.generator.annprocess)
 }

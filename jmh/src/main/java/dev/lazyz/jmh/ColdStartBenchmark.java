@@ -1,0 +1,53 @@
+package dev.lazyz.jmh;
+
+import dev.lazyz.Image;
+import dev.lazyz.jmh.workload.Workloads;
+import java.util.concurrent.TimeUnit;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.TearDown;
+import org.openjdk.jmh.annotations.Warmup;
+
+/** What the first picture of a process costs, from a scene's name to an image: classes loaded, code interpreted. */
+@BenchmarkMode(Mode.SingleShotTime)
+@OutputTimeUnit(TimeUnit.MILLISECONDS)
+@Fork(value = 5, jvmArgsAppend = StrategyBenchmark.VECTOR_API)
+@Warmup(iterations = 0)
+@Measurement(iterations = 1)
+@State(Scope.Benchmark)
+public class ColdStartBenchmark {
+    /** A renderer's id. */
+    @Param({"tiled", "scanline", "zbuffer"})
+    public String strategy;
+
+    /** A scene's id, see {@link Workloads}. */
+    @Param({"teapot"})
+    public String scene;
+
+    /** Width and height of the raster, samples. */
+    @Param({"256"})
+    public int side;
+
+    private Image image;
+
+    /** Renders the first picture. */
+    @Benchmark
+    public Image firstPicture() {
+        image = PictureCheck.renderer(strategy).render(Workloads.scene(scene).frame(side, side));
+        return image;
+    }
+
+    /** Fails the benchmark if the picture was not the z-buffer's; afterwards, because before would warm it up. */
+    @TearDown
+    public void tearDown() {
+        String expected = PictureCheck.hash(Workloads.scene(scene).frame(side, side), PictureCheck.renderer("zbuffer"));
+        PictureCheck.verify(image.pixelHash(), expected, strategy);
+    }
+}

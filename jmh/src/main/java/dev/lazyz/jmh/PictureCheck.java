@@ -1,0 +1,58 @@
+package dev.lazyz.jmh;
+
+import dev.lazyz.Counters;
+import dev.lazyz.Frame;
+import dev.lazyz.PixelHash;
+import dev.lazyz.Renderer;
+import dev.lazyz.Renderers;
+import org.openjdk.jmh.infra.Blackhole;
+
+/** What keeps a benchmark from measuring a wrong picture: pixel hashes (contract rule 7.2). */
+final class PictureCheck {
+    private PictureCheck() {}
+
+    /** Returns the renderer called {@code id}. */
+    static Renderer renderer(String id) {
+        Renderer found = Renderers.find(id);
+        if (found == null) {
+            throw new IllegalArgumentException("no such strategy: " + id);
+        }
+        return found;
+    }
+
+    /** Returns the pixel hash of a rendering. */
+    static String hash(Frame frame, Renderer renderer) {
+        PixelHash hash = new PixelHash();
+        renderer.render(frame, (y, argb, depth, primitive) -> hash.add(argb, frame.getWidth()));
+        return hash.digest();
+    }
+
+    /**
+     * Checks a renderer's picture against the plain z-buffer's.
+     *
+     * @throws IllegalStateException if they differ
+     */
+    static void verify(Frame frame, Renderer renderer) {
+        verify(hash(frame, renderer), hash(frame, renderer("zbuffer")), renderer.getId());
+    }
+
+    /**
+     * Checks a hash.
+     *
+     * @throws IllegalStateException if it is not the expected one
+     */
+    static void verify(String actual, String expected, String what) {
+        if (!actual.equals(expected)) {
+            throw new IllegalStateException(what + " gives " + actual + " instead of " + expected);
+        }
+    }
+
+    /** Renders into a sink that throws the rows away, but not before they have been made. */
+    static Counters render(Frame frame, Renderer renderer, Blackhole hole) {
+        return renderer.render(frame, (y, argb, depth, primitive) -> {
+            hole.consume(argb);
+            hole.consume(depth);
+            hole.consume(primitive);
+        });
+    }
+}

@@ -1,0 +1,75 @@
+package dev.lazyz.jmh;
+
+import dev.lazyz.Image;
+import dev.lazyz.PixelHash;
+import dev.lazyz.jmh.workload.Workloads;
+import dev.lazyz.scenes.writers.Images;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import javax.imageio.ImageIO;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.TearDown;
+import org.openjdk.jmh.annotations.Warmup;
+
+/** What it costs to write a finished picture to a PNG file. */
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.MILLISECONDS)
+@Fork(1)
+@Warmup(iterations = 3, time = 2)
+@Measurement(iterations = 5, time = 2)
+@State(Scope.Benchmark)
+public class PngBenchmark {
+    /** A scene's id, see {@link Workloads}. */
+    @Param({"teapot", "city", "S1"})
+    public String scene;
+
+    /** Width and height of the picture, samples. */
+    @Param({"1024"})
+    public int side;
+
+    private Image image;
+    private Path file;
+
+    /** Renders the picture, and refuses to measure a writer whose file holds another one. */
+    @Setup
+    public void setUp() throws IOException {
+        image = PictureCheck.renderer("zbuffer").render(Workloads.scene(scene).frame(side, side));
+        file = Files.createTempFile("lazyz-", ".png");
+        PictureCheck.verify(hash(write()), image.pixelHash(), "the file");
+    }
+
+    /** Removes the file. */
+    @TearDown
+    public void tearDown() throws IOException {
+        Files.delete(file);
+    }
+
+    /** Writes the file. */
+    @Benchmark
+    public Path write() throws IOException {
+        Images.writePng(image, file);
+        return file;
+    }
+
+    private static String hash(Path file) throws IOException {
+        BufferedImage read = ImageIO.read(file.toFile());
+        int width = read.getWidth();
+        PixelHash hash = new PixelHash();
+        for (int y = 0; y < read.getHeight(); y++) {
+            hash.add(read.getRGB(0, y, width, 1, null, 0, width), width);
+        }
+        return hash.digest();
+    }
+}

@@ -1,0 +1,75 @@
+package dev.lazyz.jmh.peers;
+
+import dev.lazyz.jmh.workload.Coloring;
+import dev.lazyz.jmh.workload.Triangles;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * A program that is measured.
+ *
+ * @param name as tables show it
+ * @param kind what it can do
+ * @param command its command line, without options
+ */
+record Contender(String name, Kind kind, List<String> command) {
+    /** Kinds of programs. */
+    enum Kind {
+        /** {@code llvmpipe.c}. */
+        LLVMPIPE,
+
+        /** {@code llvmpipe.c}, shading after visibility is decided. */
+        LLVMPIPE_VISIBILITY,
+
+        /** {@code euc}: one thread; it does not clip. */
+        EUC,
+
+        /** {@code vtk_peer.py}: no shader for the rounds; its picture is not sRGB. */
+        VTK,
+
+        /** {@link PeerRun} on some JVM. */
+        OURS,
+    }
+
+    /** Returns the contender that {@code NAME=COMMAND} describes, the command's words separated by blanks. */
+    static Contender parse(Kind kind, String text) {
+        int at = text.indexOf('=');
+        if (at < 1) {
+            throw new IllegalArgumentException("NAME=COMMAND is expected: " + text);
+        }
+        List<String> command = Arrays.asList(text.substring(at + 1).trim().split(" +"));
+        return new Contender(text.substring(0, at), kind, command);
+    }
+
+    /** Whether this program can draw the triangles with so many threads. */
+    boolean canDraw(Triangles triangles, boolean isPerspective, int threads) {
+        boolean isDear = triangles.coloring() == Coloring.ROUNDS;
+        return switch (kind) {
+            case LLVMPIPE, OURS -> true;
+            case LLVMPIPE_VISIBILITY -> isDear && !isPerspective;
+            case EUC -> threads == 1 && !isPerspective;
+            case VTK -> !isDear;
+        };
+    }
+
+    /** Whether colours of its pictures can be compared with ours. */
+    boolean isSrgb() {
+        return kind != Kind.VTK;
+    }
+
+    /** Returns the command line that draws a scene, given by name for ours and by file for peers. */
+    List<String> drawing(String scene, String file, int side, int threads) {
+        List<String> words = new ArrayList<>(command);
+        if (kind == Kind.OURS) {
+            words.addAll(List.of("--scene", scene, "--threads", Integer.toString(threads)));
+        } else {
+            words.add(file);
+        }
+        words.addAll(List.of("--side", Integer.toString(side)));
+        if (kind == Kind.LLVMPIPE_VISIBILITY) {
+            words.add("--visibility");
+        }
+        return words;
+    }
+}

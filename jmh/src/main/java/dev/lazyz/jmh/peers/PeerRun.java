@@ -1,0 +1,131 @@
+package dev.lazyz.jmh.peers;
+
+import dev.lazyz.Coherence;
+import dev.lazyz.Counters;
+import dev.lazyz.DepthTest;
+import dev.lazyz.PixelHash;
+import dev.lazyz.Raster;
+import dev.lazyz.RenderOptions;
+import dev.lazyz.Renderer;
+import dev.lazyz.Renderers;
+import dev.lazyz.Rgba;
+import dev.lazyz.RowSink;
+import dev.lazyz.Scene;
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Set;
+
+/**
+ * Renders one scene again and again, as a peer's program does, and prints one line of JSON about it.
+ *
+ * <p>A frame is what it takes from a scene in memory to its rows: {@code scene.frame(raster)}, which transforms the
+ * vertices and sets all primitives up, and a rendering into a sink that drops the rows. Nothing is kept from frame to frame
+ * but the renderer. Times are milliseconds of wall clock, in steady state after a warm-up.
+ */
+public final class PeerRun {
+    private static final Set<String> OPTIONS =
+            Set.of("scene", "side", "threads", "strategy", "warm-up", "measure", "picture");
+
+    /** Fewest frames that are measured, however long they take. */
+    private static final int LEAST_FRAMES = 5;
+
+    private final Scene scene;
+    private final Raster raster;
+    private final Renderer renderer;
+    private volatile int seen;
+
+    private PeerRun(Scene scene, int side, Renderer renderer) {
+        this.scene = scene;
+        this.raster = new Raster(side, side, Rgba.TRANSPARENT);
+        this.renderer = renderer;
+    }
+
+    /** Options: see {@code jmh/README.md}. */
+    public static void main(String[] args) throws IOException {
+        Options options = new Options(args, OPTIONS);
+        String strategy = options.get("strategy", "tiled");
+        Renderer found = Renderers.find(strategy);
+        if (found == null) {
+            throw new IllegalArgumentException("no such strategy: " + strategy);
+        }
+        int threads = Integer.parseInt(options.get("threads", "1"));
+        PeerRun run = new PeerRun(
+                TriangleSource.find(options.get("scene", "S1")).scene(),
+                Integer.parseInt(options.get("side", "1024")),
+                found.configured(new RenderOptions(Coherence.DIRECT, null, threads)));
+        String picture = options.get("picture", "");
+        if (picture.isEmpty()) {
+            double warmUp = Double.parseDouble(options.get("warm-up", "3"));
+            System.out.println(run.measure(warmUp, Double.parseDouble(options.get("measure", "4"))));
+        } else {
+            System.out.println(run.write(Path.of(picture)));
+        }
+    }
+
+    private String measure(double warmUp, double measure) {
+        double first = frame();
+        for (long end = System.nanoTime() + (long) (1e9 * warmUp); System.nanoTime() < end; ) {
+            frame();
+        }
+        double[] times = new double[1 << 16];
+        int count = 0;
+        long end = System.nanoTime() + (long) (1e9 * measure);
+        while (count < times.length && (count < LEAST_FRAMES || System.nanoTime() < end)) {
+            times[count++] = frame();
+        }
+        Arrays.sort(times, 0, count);
+        return String.format(
+                Locale.ROOT,
+                "{\"median\":%.4f,\"q1\":%.4f,\"q3\":%.4f,\"min\":%.4f,\"max\":%.4f,\"first\":%.2f,\"frames\":%d,"
+                        + "\"version\":\"%s\"}",
+                times[count / 2],
+                times[count / 4],
+                times[3 * count / 4],
+                times[0],
+                times[count - 1],
+                first,
+                count,
+                Runtime.version());
+    }
+
+    private double frame() {
+        long start = System.nanoTime();
+        Counters counters = renderer.render(scene.frame(raster), (y, argb, depth, primitive) -> seen = argb[0]);
+        if (counters.primitives == 0) {
+            throw new IllegalStateException("nothing was rendered");
+        }
+        return (System.nanoTime() - start) / 1e6;
+    }
+
+    /** Writes the picture as peers do: red, green, blue, alpha, a byte each, sRGB, in rows from the top. */
+    private String write(Path file) throws IOException {
+        PixelHash hash = new PixelHash();
+        long[] covered = new long[1];
+        try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
+            RowSink sink = (y, argb, depth, primitive) -> {
+                byte[] row = new byte[4 * raster.getWidth()];
+                for (int x = 0; x < raster.getWidth(); x++) {
+                    row[4 * x] = (byte) (argb[x] >> 16);
+                    row[4 * x + 1] = (byte) (argb[x] >> 8);
+                    row[4 * x + 2] = (byte) argb[x];
+                    row[4 * x + 3] = (byte) (argb[x] >> 24);
+                    covered[0] += primitive[x] == DepthTest.BACKGROUND ? 0 : 1;
+                }
+                hash.add(argb, raster.getWidth());
+                try {
+                    out.write(row);
+                } catch (IOException e) {
+                    throw new UncheckedIOException(e);
+                }
+            };
+            renderer.render(scene.frame(raster), sink);
+        }
+        return String.format(Locale.ROOT, "{\"covered\":%d,\"hash\":\"%s\"}", covered[0], hash.digest());
+    }
+}

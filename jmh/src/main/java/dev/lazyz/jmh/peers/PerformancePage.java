@@ -1,0 +1,280 @@
+package dev.lazyz.jmh.peers;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Predicate;
+
+/**
+ * Writes the tables of {@code docs/performance.md}, and the charts beside it, from the results of {@link SideBySide}.
+ *
+ * <p>What stands between {@code <!-- generated: NAME -->} and {@code <!-- end -->} is replaced; the rest of the page is left as
+ * it is.
+ */
+public final class PerformancePage {
+    private static final String BEGIN = "<!-- generated: ";
+    private static final String END = "<!-- end -->";
+
+    private final Results results;
+
+    PerformancePage(Results results) {
+        this.results = results;
+    }
+
+    /** Two arguments: the page and the file of results; charts go beside the latter. */
+    public static void main(String[] args) throws IOException {
+        if (args.length != 2) {
+            throw new IllegalArgumentException("give the page and the file of results");
+        }
+        Path page = Path.of(args[0]);
+        Path file = Path.of(args[1]);
+        Results results = Results.read(file);
+        Files.writeString(page, new PerformancePage(results).fill(Files.readString(page)));
+        new Charts(results).write(file.toAbsolutePath().getParent());
+    }
+
+    /**
+     * Returns the page with its tables renewed.
+     *
+     * @throws IllegalArgumentException if a table has no end or an unknown name
+     */
+    String fill(String page) {
+        StringBuilder filled = new StringBuilder();
+        int from = 0;
+        for (int begin = page.indexOf(BEGIN); begin >= 0; begin = page.indexOf(BEGIN, from)) {
+            int nameEnd = page.indexOf(" -->", begin);
+            int end = page.indexOf(END, begin);
+            if (nameEnd < 0 || end < nameEnd) {
+                throw new IllegalArgumentException("no " + END + " after position " + begin);
+            }
+            String name = page.substring(begin + BEGIN.length(), nameEnd);
+            filled.append(page, from, nameEnd)
+                    .append(" -->\n")
+                    .append(section(name))
+                    .append(END);
+            from = end + END.length();
+        }
+        return filled.append(page.substring(from)).toString();
+    }
+
+    private String section(String name) {
+        return switch (name) {
+            case "facts" -> facts();
+            case "pictures" -> pictures();
+            case "compared" -> times(PerformancePage::isCompared);
+            case "others" -> times(time -> !isCompared(time));
+            case "gain" -> gain();
+            case "starts" -> starts();
+            default -> throw new IllegalArgumentException("no table '" + name + "'");
+        };
+    }
+
+    /** Whether a time belongs to S1 to S6. */
+    static boolean isCompared(Results.Time time) {
+        return time.scene().matches("S[1-6]");
+    }
+
+    private String facts() {
+        List<List<String>> rows = new ArrayList<>();
+        results.facts().forEach((name, value) -> rows.add(List.of(name, value)));
+        return table(List.of("fact", "value"), rows);
+    }
+
+    private String pictures() {
+        List<List<String>> rows = new ArrayList<>();
+        for (Results.Picture picture : results.pictures()) {
+            boolean hasColors = picture.unequal() >= 0;
+            rows.add(List.of(
+                    picture.scene(),
+                    Integer.toString(picture.side()),
+                    picture.contender(),
+                    grouped(picture.covered()),
+                    grouped(picture.oursOnly()),
+                    grouped(picture.theirsOnly()),
+                    hasColors ? grouped(picture.unequal()) : "",
+                    hasColors ? number("%.3f", picture.mean()) : ""));
+        }
+        List<String> head = List.of(
+                "scene",
+                "raster",
+                "renderer",
+                "covered",
+                "ours only",
+                "theirs only",
+                "other colour",
+                "mean difference");
+        return table(head, rows);
+    }
+
+    /** A table for each raster and number of threads: medians, and how many times faster than the base. */
+    private String times(Predicate<Results.Time> which) {
+        StringBuilder text = new StringBuilder();
+        for (Map.Entry<String, List<Results.Time>> group : groups(which).entrySet()) {
+            List<Results.Time> times = group.getValue();
+            List<String> scenes =
+                    distinct(times.stream().map(Results.Time::scene).toList());
+            List<String> head = new ArrayList<>(List.of(group.getKey()));
+            head.addAll(scenes);
+            List<List<String>> rows = new ArrayList<>();
+            for (String contender :
+                    distinct(times.stream().map(Results.Time::contender).toList())) {
+                List<String> row = new ArrayList<>(List.of(contender));
+                for (String scene : scenes) {
+                    row.add(cell(times, scene, contender));
+                }
+                rows.add(row);
+            }
+            text.append(table(head, rows)).append('\n');
+            Charts.fileName(times)
+                    .ifPresent(name -> text.append("![Times faster than " + Results.BASE + ": ")
+                            .append(group.getKey())
+                            .append("](performance/")
+                            .append(name)
+                            .append(")\n\n"));
+        }
+        return text.toString();
+    }
+
+    /** Times by raster and threads, in the order in which they were measured. */
+    Map<String, List<Results.Time>> groups(Predicate<Results.Time> which) {
+        Map<String, List<Results.Time>> groups = new LinkedHashMap<>();
+        for (Results.Time time : results.times()) {
+            if (which.test(time)) {
+                String threads = time.threads() == 1 ? "1 thread" : time.threads() + " threads";
+                String key = time.side() + " x " + time.side() + ", " + threads;
+                groups.computeIfAbsent(key, none -> new ArrayList<>()).add(time);
+            }
+        }
+        return groups;
+    }
+
+    private static String cell(List<Results.Time> times, String scene, String contender) {
+        double[] own = sorted(of(times, scene, contender).stream()
+                .mapToDouble(Results.Time::median)
+                .toArray());
+        if (own.length == 0) {
+            return "";
+        }
+        String cell = own.length == 1
+                ? milliseconds(own[0])
+                : milliseconds(median(own)) + " (" + milliseconds(own[0]) + ".." + milliseconds(own[own.length - 1])
+                        + ")";
+        double[] ratios = contender.equals(Results.BASE) ? new double[0] : ratios(times, scene, contender);
+        return ratios.length == 0 ? cell : cell + ", **" + ratio(ratios) + "**";
+    }
+
+    /** How many times faster than the base, round by round, in ascending order; empty if one was not measured. */
+    static double[] ratios(List<Results.Time> times, String scene, String contender) {
+        List<Double> ratios = new ArrayList<>();
+        for (Results.Time own : of(times, scene, contender)) {
+            for (Results.Time base : of(times, scene, Results.BASE)) {
+                if (base.round() == own.round()) {
+                    ratios.add(base.median() / own.median());
+                }
+            }
+        }
+        return sorted(ratios.stream().mapToDouble(Double::doubleValue).toArray());
+    }
+
+    /** What two threads gain over one, for each scene and renderer that has both. */
+    private String gain() {
+        List<List<String>> rows = new ArrayList<>();
+        List<Results.Time> all = results.times();
+        for (int side : all.stream().mapToInt(Results.Time::side).distinct().toArray()) {
+            for (String scene : distinct(all.stream().map(Results.Time::scene).toList())) {
+                for (String contender :
+                        distinct(all.stream().map(Results.Time::contender).toList())) {
+                    double[] gains = all.stream()
+                            .filter(one -> one.threads() == 1 && one.side() == side)
+                            .filter(one ->
+                                    one.scene().equals(scene) && one.contender().equals(contender))
+                            .flatMap(one -> all.stream()
+                                    .filter(two ->
+                                            two.threads() == 2 && two.side() == side && two.round() == one.round())
+                                    .filter(two -> two.scene().equals(scene)
+                                            && two.contender().equals(contender))
+                                    .map(two -> one.median() / two.median()))
+                            .mapToDouble(Double::doubleValue)
+                            .sorted()
+                            .toArray();
+                    if (gains.length > 0) {
+                        rows.add(List.of(scene, Integer.toString(side), contender, ratio(gains)));
+                    }
+                }
+            }
+        }
+        return table(List.of("scene", "raster", "renderer", "gain"), rows);
+    }
+
+    private String starts() {
+        List<List<String>> rows = new ArrayList<>();
+        for (String contender :
+                distinct(results.starts().stream().map(Results.Start::contender).toList())) {
+            double[] times = sorted(results.starts().stream()
+                    .filter(start -> start.contender().equals(contender))
+                    .mapToDouble(Results.Start::time)
+                    .toArray());
+            rows.add(List.of(
+                    contender,
+                    milliseconds(median(times)),
+                    milliseconds(times[0]) + ".." + milliseconds(times[times.length - 1])));
+        }
+        return table(List.of("process", "median, ms", "least to greatest, ms"), rows);
+    }
+
+    static List<Results.Time> of(List<Results.Time> times, String scene, String contender) {
+        return times.stream()
+                .filter(time -> time.scene().equals(scene) && time.contender().equals(contender))
+                .toList();
+    }
+
+    static List<String> distinct(List<String> all) {
+        return all.stream().distinct().toList();
+    }
+
+    static double median(double[] ascending) {
+        int middle = ascending.length / 2;
+        return ascending.length % 2 == 1 ? ascending[middle] : (ascending[middle - 1] + ascending[middle]) / 2;
+    }
+
+    private static double[] sorted(double[] values) {
+        Arrays.sort(values);
+        return values;
+    }
+
+    private static String ratio(double[] ascending) {
+        String middle = number("%.2f", median(ascending)) + " x";
+        return ascending.length == 1
+                ? middle
+                : middle + " (" + number("%.2f", ascending[0]) + ".." + number("%.2f", ascending[ascending.length - 1])
+                        + ")";
+    }
+
+    private static String milliseconds(double time) {
+        return number(time < 10 ? "%.2f" : time < 100 ? "%.1f" : "%.0f", time);
+    }
+
+    private static String grouped(long count) {
+        return number("%,d", count);
+    }
+
+    private static String number(String format, Object value) {
+        return String.format(Locale.ROOT, format, value);
+    }
+
+    private static String table(List<String> head, List<List<String>> rows) {
+        StringBuilder text = new StringBuilder();
+        text.append("| ").append(String.join(" | ", head)).append(" |\n");
+        text.append("|").append("---|".repeat(head.size())).append('\n');
+        for (List<String> row : rows) {
+            text.append("| ").append(String.join(" | ", row)).append(" |\n");
+        }
+        return text.toString();
+    }
+}

@@ -1,0 +1,56 @@
+package dev.lazyz.jmh.peers;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/**
+ * What differs between two pictures of one size, given as files of red, green, blue, alpha, a byte each.
+ *
+ * @param oursOnly samples that only the first covers
+ * @param theirsOnly samples that only the second covers
+ * @param unequal samples covered in both with a component that differs by more than {@value #TOLERANCE} of 255
+ * @param mean difference of components of samples covered in both, of 255
+ */
+record PictureDifference(long oursOnly, long theirsOnly, long unequal, double mean) {
+    /** What rounding may do: colours are encoded with the sRGB curve, by approximations of it in some programs. */
+    static final int TOLERANCE = 2;
+
+    /** Compares two files. */
+    static PictureDifference of(Path ours, Path theirs) throws IOException {
+        return of(Files.readAllBytes(ours), Files.readAllBytes(theirs));
+    }
+
+    /**
+     * Compares two pictures.
+     *
+     * @throws IllegalArgumentException if they are not of one size
+     */
+    static PictureDifference of(byte[] ours, byte[] theirs) {
+        if (ours.length != theirs.length) {
+            throw new IllegalArgumentException("pictures of " + ours.length + " and " + theirs.length + " bytes");
+        }
+        long oursOnly = 0;
+        long theirsOnly = 0;
+        long unequal = 0;
+        long both = 0;
+        long sum = 0;
+        for (int i = 0; i < ours.length; i += 4) {
+            boolean isOurs = ours[i + 3] != 0;
+            boolean isTheirs = theirs[i + 3] != 0;
+            oursOnly += isOurs && !isTheirs ? 1 : 0;
+            theirsOnly += isTheirs && !isOurs ? 1 : 0;
+            if (isOurs && isTheirs) {
+                int greatest = 0;
+                for (int component = i; component < i + 3; component++) {
+                    int difference = Math.abs((ours[component] & 0xFF) - (theirs[component] & 0xFF));
+                    greatest = Math.max(greatest, difference);
+                    sum += difference;
+                }
+                both++;
+                unequal += greatest > TOLERANCE ? 1 : 0;
+            }
+        }
+        return new PictureDifference(oursOnly, theirsOnly, unequal, both == 0 ? 0 : sum / (3.0 * both));
+    }
+}

@@ -1,0 +1,288 @@
+package dev.lazyz.jmh.peers;
+
+import dev.lazyz.Projection;
+import dev.lazyz.jmh.workload.Triangles;
+import dev.lazyz.jmh.workload.Workloads;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import kotlinx.serialization.json.Json;
+import kotlinx.serialization.json.JsonObject;
+
+/**
+ * Measures ours and peers alternately: round by round, scene by scene, one process after the other, each on its own
+ * processors. {@code peers/run} starts it.
+ *
+ * <p>First every peer's picture is compared with ours; a peer that covers other samples than we do has done other work.
+ */
+public final class SideBySide {
+    private static final Set<String> OPTIONS = Set.of(
+            "llvmpipe",
+            "euc",
+            "vtk",
+            "ours",
+            "cold",
+            "scenes",
+            "others",
+            "sides",
+            "other-sides",
+            "threads",
+            "rounds",
+            "warm-up",
+            "measure",
+            "results",
+            "fact");
+    /** What processes render that are timed from start to end. */
+    private static final String COLD_SCENE = "teapot";
+
+    /** Longer than any process may take. */
+    private static final long MINUTES = 10;
+
+    private final Options options;
+    private final Path folder;
+    private final Results results = Results.empty();
+    private final List<Contender> contenders = new ArrayList<>();
+    private final Map<String, Triangles> triangles = new HashMap<>();
+
+    private SideBySide(Options options, Path folder) {
+        this.options = options;
+        this.folder = folder;
+        for (String command : options.all("llvmpipe")) {
+            contenders.add(Contender.parse(Contender.Kind.LLVMPIPE, Results.BASE + "=" + command));
+            contenders.add(
+                    Contender.parse(Contender.Kind.LLVMPIPE_VISIBILITY, Results.BASE + ", visibility=" + command));
+        }
+        options.all("euc").forEach(command -> contenders.add(Contender.parse(Contender.Kind.EUC, "euc=" + command)));
+        options.all("vtk").forEach(command -> contenders.add(Contender.parse(Contender.Kind.VTK, "VTK=" + command)));
+        options.all("ours").forEach(text -> contenders.add(Contender.parse(Contender.Kind.OURS, text)));
+    }
+
+    /** Options: see {@code jmh/README.md}. */
+    public static void main(String[] args) throws IOException, InterruptedException {
+        Options options = new Options(args, OPTIONS);
+        Path folder = Files.createTempDirectory("lazyz-peers-");
+        try {
+            new SideBySide(options, folder).run(Path.of(options.get("results", "results.json")));
+        } finally {
+            for (Path file : Files.list(folder).toList()) {
+                Files.delete(file);
+            }
+            Files.delete(folder);
+        }
+    }
+
+    private void run(Path file) throws IOException, InterruptedException {
+        List<String> compared = options.list("scenes", String.join(",", Workloads.COMPARED));
+        List<String> others = options.list("others", "");
+        List<Integer> sides = integers("sides", "1024");
+        List<Integer> otherSides = integers("other-sides", "1024");
+        state();
+        for (String scene : compared) {
+            export(scene);
+        }
+        for (String scene : others) {
+            export(scene);
+        }
+        comparePictures(compared, sides);
+        comparePictures(others, otherSides);
+        int rounds = Integer.parseInt(options.get("rounds", "3"));
+        for (int round = 1; round <= rounds; round++) {
+            start(round);
+            measure(compared, sides, round, file);
+            measure(others, otherSides, round, file);
+        }
+    }
+
+    private List<Integer> integers(String name, String otherwise) {
+        return options.list(name, otherwise).stream().map(Integer::valueOf).toList();
+    }
+
+    /** Notes what must be known to judge the figures. */
+    private void state() throws IOException {
+        for (String fact : options.all("fact")) {
+            int at = fact.indexOf('=');
+            results.facts().put(fact.substring(0, at), fact.substring(at + 1));
+        }
+        results.facts().put("date", LocalDate.now().toString());
+        results.facts().put("rounds", options.get("rounds", "3"));
+        results.facts().put("warm-up, s", options.get("warm-up", "3"));
+        results.facts().put("measurement, s", options.get("measure", "4"));
+    }
+
+    private void export(String scene) throws IOException {
+        Triangles exported = TriangleSource.find(scene);
+        exported.write(file(scene));
+        triangles.put(scene, exported);
+    }
+
+    private Path file(String scene) {
+        return folder.resolve(TriangleSource.label(scene) + ".triangles");
+    }
+
+    private boolean canDraw(Contender contender, String scene, int threads) {
+        Triangles drawn = triangles.get(scene);
+        boolean isPerspective = drawn.viewpoint().camera(null, 1.0).getProjection() instanceof Projection.Perspective;
+        return contender.canDraw(drawn, isPerspective, threads);
+    }
+
+    /** Draws each scene once by every contender that can; all JVMs give the same bits, so ours by one. */
+    private void comparePictures(List<String> scenes, List<Integer> sides) throws IOException, InterruptedException {
+        Contender ours = contenders.stream()
+                .filter(contender -> contender.kind() == Contender.Kind.OURS)
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("--ours is needed"));
+        Path ourPicture = folder.resolve("ours.picture");
+        Path theirPicture = folder.resolve("theirs.picture");
+        for (String scene : scenes) {
+            for (int side : sides) {
+                addPicture(ours, scene, side, ourPicture, ourPicture);
+                for (Contender contender : contenders) {
+                    if (contender.kind() != Contender.Kind.OURS && canDraw(contender, scene, 1)) {
+                        addPicture(contender, scene, side, ourPicture, theirPicture);
+                    }
+                }
+            }
+        }
+    }
+
+    private void addPicture(Contender contender, String scene, int side, Path ours, Path theirs)
+            throws IOException, InterruptedException {
+        List<String> command = contender.drawing(scene, file(scene).toString(), side, 1);
+        command.addAll(List.of("--picture", theirs.toString()));
+        JsonObject said = process(command, 1);
+        if (said == null) {
+            return;
+        }
+        PictureDifference difference = PictureDifference.of(ours, theirs);
+        results.pictures()
+                .add(new Results.Picture(
+                        TriangleSource.label(scene),
+                        side,
+                        contender.name(),
+                        (long) Results.real(said, "covered"),
+                        difference.oursOnly(),
+                        difference.theirsOnly(),
+                        contender.isSrgb() ? difference.unequal() : -1,
+                        contender.isSrgb() ? difference.mean() : -1));
+    }
+
+    private void measure(List<String> scenes, List<Integer> sides, int round, Path file)
+            throws IOException, InterruptedException {
+        for (int side : sides) {
+            for (String scene : scenes) {
+                for (int threads : integers("threads", "1,2")) {
+                    for (Contender contender : contenders) {
+                        if (canDraw(contender, scene, threads)) {
+                            measure(contender, scene, side, threads, round);
+                        }
+                    }
+                }
+
+                // A long run that is broken off has results, too
+                results.write(file);
+            }
+        }
+    }
+
+    private void measure(Contender contender, String scene, int side, int threads, int round)
+            throws IOException, InterruptedException {
+        List<String> command = contender.drawing(scene, file(scene).toString(), side, threads);
+        command.addAll(List.of("--warm-up", options.get("warm-up", "3"), "--measure", options.get("measure", "4")));
+        JsonObject said = process(command, threads);
+        if (said == null) {
+            return;
+        }
+        Results.Time time = new Results.Time(
+                TriangleSource.label(scene),
+                side,
+                threads,
+                contender.name(),
+                round,
+                Results.real(said, "median"),
+                Results.real(said, "q1"),
+                Results.real(said, "q3"),
+                Results.real(said, "min"),
+                Results.real(said, "max"),
+                Results.real(said, "first"),
+                Results.integer(said, "frames"));
+        results.times().add(time);
+        results.facts().putIfAbsent("version of " + contender.name(), Results.text(said, "version"));
+        System.out.printf(
+                "round %d  %-16s %5d  %d thread%s  %-24s %10.2f ms%n",
+                round, time.scene(), side, threads, threads == 1 ? " " : "s", contender.name(), time.median());
+    }
+
+    /** Times whole processes, from start to end, that render one picture into a file. */
+    private void start(int round) throws IOException, InterruptedException {
+        for (String text : options.all("cold")) {
+            Contender contender = Contender.parse(Contender.Kind.OURS, text);
+            Path picture = folder.resolve("cold.png");
+            List<String> command = contender.command().stream()
+                    .map(word -> word.equals("PICTURE") ? picture.toString() : word)
+                    .map(word -> word.equals("TRIANGLES") ? coldFile() : word)
+                    .toList();
+            long begin = System.nanoTime();
+            Process process = builder(command, Runtime.getRuntime().availableProcessors())
+                    .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                    .start();
+            if (!process.waitFor(MINUTES, TimeUnit.MINUTES) || process.exitValue() != 0 || !Files.exists(picture)) {
+                process.destroyForcibly();
+                System.err.println("failed: " + String.join(" ", command));
+                continue;
+            }
+            double time = (System.nanoTime() - begin) / 1e6;
+            Files.delete(picture);
+            results.starts().add(new Results.Start(contender.name(), round, time));
+        }
+    }
+
+    private String coldFile() {
+        Path file = file(COLD_SCENE);
+        try {
+            if (!Files.exists(file)) {
+                TriangleSource.find(COLD_SCENE).write(file);
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return file.toString();
+    }
+
+    /** Runs a program on as many processors as it has threads; returns what it printed, or null if it failed. */
+    private JsonObject process(List<String> command, int threads) throws IOException, InterruptedException {
+        Path output = folder.resolve("output");
+        Process process =
+                builder(command, threads).redirectOutput(output.toFile()).start();
+        boolean hasEnded = process.waitFor(MINUTES, TimeUnit.MINUTES);
+        String said = Files.readString(output, StandardCharsets.UTF_8).trim();
+        if (!hasEnded || process.exitValue() != 0) {
+            process.destroyForcibly();
+            System.err.println("failed: " + String.join(" ", command));
+            return null;
+        }
+        return Results.object(Json.Default.parseToJsonElement(said.substring(said.lastIndexOf('\n') + 1)));
+    }
+
+    private static ProcessBuilder builder(List<String> command, int threads) {
+        String processors =
+                IntStream.range(0, threads).mapToObj(Integer::toString).collect(Collectors.joining(","));
+        List<String> pinned = new ArrayList<>(List.of("taskset", "-c", processors));
+        pinned.addAll(command);
+        ProcessBuilder builder = new ProcessBuilder(pinned).redirectError(ProcessBuilder.Redirect.DISCARD);
+        builder.environment().put("LP_NUM_THREADS", Integer.toString(threads));
+        builder.environment().put("GALLIUM_DRIVER", "llvmpipe");
+        builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
+        return builder;
+    }
+}

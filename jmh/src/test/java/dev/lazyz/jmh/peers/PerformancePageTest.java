@@ -1,0 +1,113 @@
+package dev.lazyz.jmh.peers;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class PerformancePageTest {
+    private static final Results RESULTS = new Results(
+            Map.of("processor", "a \"fast\" one"),
+            List.of(
+                    time("S1", 1, "llvmpipe", 1, 100),
+                    time("S1", 1, "JDK 25", 1, 20),
+                    time("S1", 2, "JDK 25", 1, 10),
+                    time("S1", 1, "llvmpipe", 2, 90),
+                    time("S1", 1, "JDK 25", 2, 30),
+                    time("S1", 2, "JDK 25", 2, 20),
+                    time("S1", 1, "llvmpipe", 3, 200),
+                    time("S1", 1, "JDK 25", 3, 50),
+                    time("city", 1, "llvmpipe", 1, 3),
+                    time("city", 1, "JDK 25", 1, 2)),
+            List.of(new Results.Picture("S1", 1024, "VTK", 1000, 2, 3, -1, -1)),
+            List.of(
+                    new Results.Start("zcli", 1, 400),
+                    new Results.Start("VTK", 1, 900),
+                    new Results.Start("zcli", 2, 500)));
+
+    @Test
+    void ratiosAreTakenWithinARound() {
+        String page = fill("compared");
+        assertTrue(page.contains("| llvmpipe | 100 (90.0..200) |"), page);
+        assertTrue(page.contains("| JDK 25 | 30.0 (20.0..50.0), **4.00 x (3.00..5.00)** |"), page);
+        assertTrue(page.contains("| 1024 x 1024, 2 threads | S1 |"), page);
+        assertTrue(page.contains("(performance/compared-1024-1.png)"), page);
+        assertFalse(page.contains("(performance/compared-1024-2.png)"), page);
+    }
+
+    @Test
+    void scenesThatWereNotMadeToBeComparedHaveTheirOwnTable() {
+        assertTrue(fill("others").contains("| JDK 25 | 2.00, **1.50 x** |"), fill("others"));
+    }
+
+    @Test
+    void threadsGain() {
+        assertTrue(fill("gain").contains("| S1 | 1024 | JDK 25 | 1.75 x (1.50..2.00) |"), fill("gain"));
+    }
+
+    @Test
+    void coloursThatCannotBeComparedAreNotShown() {
+        assertTrue(fill("pictures").contains("| VTK | 1,000 | 2 | 3 |  |  |"), fill("pictures"));
+    }
+
+    @Test
+    void startsAreSummedUp() {
+        assertTrue(fill("starts").contains("| zcli | 450 | 400..500 |"), fill("starts"));
+    }
+
+    @Test
+    void whatIsNotGeneratedStays() {
+        String page = "before\n<!-- generated: facts -->\nold\n<!-- end -->\nafter\n";
+        String filled = new PerformancePage(RESULTS).fill(page);
+        assertTrue(filled.startsWith("before\n<!-- generated: facts -->\n| fact | value |\n"), filled);
+        assertTrue(filled.endsWith("|\n<!-- end -->\nafter\n"), filled);
+        assertEquals(filled, new PerformancePage(RESULTS).fill(filled));
+    }
+
+    @Test
+    void aTableWithoutEndOrOfUnknownNameIsRefused() {
+        PerformancePage page = new PerformancePage(RESULTS);
+        assertThrows(IllegalArgumentException.class, () -> page.fill("<!-- generated: facts -->\n"));
+        assertThrows(IllegalArgumentException.class, () -> page.fill("<!-- generated: no -->\n<!-- end -->"));
+    }
+
+    @Test
+    void resultsSurviveTheirFile(@TempDir Path folder) throws IOException {
+        Path file = folder.resolve("results.json");
+        RESULTS.write(file);
+        assertEquals(RESULTS, Results.read(file));
+    }
+
+    @Test
+    void aChartIsDrawnForEachTableThatHasTheBase(@TempDir Path folder) throws IOException {
+        new Charts(RESULTS).write(folder);
+        assertTrue(Files.size(folder.resolve("compared-1024-1.png")) > 0);
+        assertTrue(Files.size(folder.resolve("others-1024-1.png")) > 0);
+        assertTrue(Files.notExists(folder.resolve("compared-1024-2.png")));
+    }
+
+    @Test
+    void thePageShowsTheResultsBesideIt() throws IOException {
+        Path docs = Path.of("..", "docs").toAbsolutePath().normalize();
+        Results results = Results.read(docs.resolve("performance/results.json"));
+        String page = Files.readString(docs.resolve("performance.md"));
+        assertEquals(page, new PerformancePage(results).fill(page), "run PerformancePage, see jmh/README.md");
+    }
+
+    private static String fill(String table) {
+        return new PerformancePage(RESULTS).fill("<!-- generated: " + table + " -->\n<!-- end -->");
+    }
+
+    private static Results.Time time(String scene, int threads, String contender, int round, double median) {
+        return new Results.Time(
+                scene, 1024, threads, contender, round, median, median, median, median, median, median, 9);
+    }
+}

@@ -1,0 +1,137 @@
+package dev.lazyz.jmh.workload;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.lazyz.DepthTest;
+import dev.lazyz.Image;
+import dev.lazyz.tiled.Tiled;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class WorkloadsTest {
+    @Test
+    void confettiHasItsNumberAndSize() {
+        assertStatistics("S1", 100_000, 200);
+        assertStatistics("S5", 100_000, 200);
+        assertStatistics("S6", 10_000, 20_000);
+    }
+
+    @Test
+    void meshSharesVerticesOfTrianglesOfAPixelOrTwo() {
+        Triangles mesh = Workloads.triangles("S2");
+        assertEquals(1_002_252, mesh.triangleCount());
+        assertTrue(mesh.isIndexed() && mesh.vertexCount() < mesh.triangleCount(), mesh.toString());
+        assertTrue(meanArea(mesh) > 0.8 && meanArea(mesh) < 2, "mean area " + meanArea(mesh));
+    }
+
+    @Test
+    void everythingLiesWithinTheRaster() {
+        for (String id : Workloads.COMPARED) {
+            for (float coordinate : Workloads.triangles(id).positions()) {
+                assertTrue(Math.abs(coordinate) <= 1.0001f, id + " reaches " + coordinate);
+            }
+        }
+    }
+
+    @Test
+    void dearShaderHasTheTrianglesOfConfetti() {
+        assertArrayEquals(
+                Workloads.triangles("S1").positions(), Workloads.triangles("S5").positions());
+    }
+
+    @Test
+    void layersDifferInOrderOnly() {
+        Image backToFront = new Tiled().render(Workloads.scene("S3").frame(16, 16));
+        Image frontToBack = new Tiled().render(Workloads.scene("S4").frame(16, 16));
+        assertArrayEquals(backToFront.getArgb(), frontToBack.getArgb());
+        assertEquals(16 * 16, frontToBack.getVisible());
+        assertTrue(backToFront.primitive(3, 8) >= 198, "the topmost layer comes last");
+        assertTrue(frontToBack.primitive(3, 8) < 2, "the topmost layer comes first");
+    }
+
+    @Test
+    void largerRasterIsTheSameSceneLarger() {
+        double small =
+                (double) new Tiled().render(Workloads.scene("S2").frame(64, 64)).getVisible() / (64 * 64);
+        double large = (double) new Tiled()
+                        .render(Workloads.scene("S2").frame(256, 256))
+                        .getVisible()
+                / (256 * 256);
+        assertEquals(small, large, 0.02);
+    }
+
+    @Test
+    void builtInScenesAreTrianglesToo() {
+        for (String id : new String[] {"city", "molecule", "cycle", "teapot"}) {
+            Triangles baked = Baked.of(id, Workloads.scene(id));
+            Image ours = new Tiled().render(Workloads.scene(id).frame(128, 128));
+            Image theirs = new Tiled().render(baked.scene().frame(128, 128));
+            int different = 0;
+            for (int i = 0; i < 128 * 128; i++) {
+                boolean isOurs = ours.getPrimitive()[i] != DepthTest.BACKGROUND;
+                different += isOurs == (theirs.getPrimitive()[i] != DepthTest.BACKGROUND) ? 0 : 1;
+            }
+            assertTrue(different < 128 * 128 / 100, id + " covers " + different + " other samples");
+        }
+    }
+
+    @Test
+    void everyIdMakesAScene() {
+        for (String id : Workloads.ids()) {
+            assertNotNull(Workloads.scene(id));
+        }
+    }
+
+    @Test
+    void fileHoldsWhatItSays(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("S3.triangles");
+        Workloads.triangles("S3").write(file);
+        ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file)).order(ByteOrder.LITTLE_ENDIAN);
+        assertEquals(8 + 16 + 64 + 16 * 400 + 4 * 600, bytes.capacity());
+        assertEquals(Coloring.FLAT.ordinal(), bytes.getInt(8));
+        assertEquals(0, bytes.getInt(12), "no perspective");
+        assertEquals(400, bytes.getInt(16));
+        assertEquals(600, bytes.getInt(20));
+        float[] matrix = new float[16];
+        for (int i = 0; i < 16; i++) {
+            matrix[i] = bytes.getFloat(24 + 4 * i);
+        }
+        assertArrayEquals(new float[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1}, matrix);
+    }
+
+    @Test
+    void fileHasNoIndicesWhereNoVertexIsShared(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("S1.triangles");
+        Workloads.triangles("S1").write(file);
+        ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file)).order(ByteOrder.LITTLE_ENDIAN);
+        assertEquals(8 + 16 + 64 + 16 * 300_000, bytes.capacity());
+        assertEquals(0, bytes.getInt(20));
+    }
+
+    private static void assertStatistics(String id, int count, double area) {
+        Triangles triangles = Workloads.triangles(id);
+        assertEquals(count, triangles.triangleCount());
+        assertEquals(area, meanArea(triangles), 0.02 * area, id);
+    }
+
+    /** Mean area of triangles on a raster of 1024 x 1024, pixels. */
+    private static double meanArea(Triangles triangles) {
+        float[] p = triangles.positions();
+        double sum = 0;
+        for (int i = 0; i < triangles.indices().length; i += 3) {
+            int a = 3 * triangles.indices()[i];
+            int b = 3 * triangles.indices()[i + 1];
+            int c = 3 * triangles.indices()[i + 2];
+            double twice = (p[b] - p[a]) * (p[c + 1] - p[a + 1]) - (p[b + 1] - p[a + 1]) * (p[c] - p[a]);
+            sum += Math.abs(twice) / 2 * 512 * 512;
+        }
+        return sum / triangles.triangleCount();
+    }
+}
