@@ -16,7 +16,18 @@ dependencies {
     implementation(libs.mordant)
 }
 
+// The launcher lies beside the jar that it starts
+val launcher = tasks.register<Copy>("launcher") {
+    from("src/main/sh")
+    into(layout.buildDirectory.dir("libs"))
+}
+
+tasks.assemble {
+    dependsOn(launcher)
+}
+
 tasks.test {
+    inputs.dir("src/main/sh")
     // BuildsAgreeTest reads them
     inputs.files(
         rootProject.fileTree(rootDir) {

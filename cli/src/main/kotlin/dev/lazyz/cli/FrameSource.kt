@@ -6,6 +6,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Scene
 import dev.lazyz.Shading
+import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
 
@@ -32,7 +33,7 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         val scene = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
 
         // The camera frames the whole raster, the picture is a part of it
-        val raster = raster(scene, loaded.size)
+        val raster = raster(scene, loaded)
         val region = region(raster)
         streams.progress("setting up ${raster.width}x${raster.height} ...")
         val frame = scene.frame(raster).within(region)
@@ -54,9 +55,10 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         material.name,
     )
 
-    private fun raster(scene: Scene, own: ImageSize?): Raster {
-        val size = subject.size ?: own ?: DEFAULT_SIZE
-        return Raster(size.width, size.height, subject.background ?: scene.background, subject.depthConvention)
+    private fun raster(scene: Scene, loaded: LoadedScene): Raster {
+        val size = subject.size ?: loaded.size ?: DEFAULT_SIZE
+        val depth = subject.depthConvention?.let { DepthRules(it) } ?: loaded.depth
+        return depth.raster(size.width, size.height, subject.background ?: scene.background)
     }
 
     private fun region(raster: Raster): Region {

@@ -10,22 +10,9 @@ import dev.lazyz.Rgba
 import dev.lazyz.Selector
 import dev.lazyz.scenes.ImageSize
 
-private val sizeForm = Regex("""(-?\d+)[xX×](-?\d+)""")
-
-private val regionForm = Regex("""(-?\d+),(-?\d+),(-?\d+)[xX×](-?\d+)""")
-
-private val selectors = mapOf(
-    "nearest" to Selector.nearest(),
-    "farthest" to Selector.farthest(),
-    "count" to Selector.count(),
-    "blend" to Selector.blend(),
-)
-
-private val numberForm = Regex("""[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?""")
-
 /** Takes `640x480`. */
 internal fun RawOption.size(): NullableOption<ImageSize, ImageSize> = convert("WxH") { text ->
-    val (width, height) = sizeForm.matchEntire(text)?.destructured
+    val (width, height) = Regex("""(-?\d+)[xX×](-?\d+)""").matchEntire(text)?.destructured
         ?: fail("'$text' is not WIDTHxHEIGHT, such as 640x480")
     val sides = listOf(width, height).map { side ->
         side.toIntOrNull()?.takeIf { it in 1..Raster.MAX_SIDE }
@@ -36,7 +23,8 @@ internal fun RawOption.size(): NullableOption<ImageSize, ImageSize> = convert("W
 
 /** Takes `100,50,320x240`: column and row of the upper left pixel, width and height. */
 internal fun RawOption.region(): NullableOption<Region, Region> = convert("X,Y,WxH") { text ->
-    val words = regionForm.matchEntire(text)?.groupValues?.drop(1)
+    val form = Regex("""(-?\d+),(-?\d+),(-?\d+)[xX×](-?\d+)""")
+    val words = form.matchEntire(text)?.groupValues?.drop(1)
         ?: fail("'$text' is not X,Y,WIDTHxHEIGHT, such as 100,50,320x240")
     val (x, y, width, height) = words.map { it.toIntOrNull()?.takeIf { side -> side <= Raster.MAX_SIDE } ?: -1 }
     if (x < 0 || y < 0) fail("column and row must be in 0..${Raster.MAX_SIDE - 1}: $text")
@@ -46,6 +34,12 @@ internal fun RawOption.region(): NullableOption<Region, Region> = convert("X,Y,W
 
 /** Takes the name of a selector, or `kth:K`. */
 internal fun RawOption.selector(): NullableOption<Selector, Selector> = convert("SELECTOR") { text ->
+    val selectors = mapOf(
+        "nearest" to Selector.nearest(),
+        "farthest" to Selector.farthest(),
+        "count" to Selector.count(),
+        "blend" to Selector.blend(),
+    )
     val name = text.lowercase()
     val number = name.substringAfter("kth:", "").takeIf { it.isNotEmpty() }
     when {
@@ -90,7 +84,8 @@ internal fun RawOption.number(
     range: ClosedRange<Double>,
     unit: String,
 ): NullableOption<Double, Double> = convert(metavar) { text ->
-    val number = if (numberForm.matches(text)) text.toDouble() else fail("'$text' is not a number")
+    val form = Regex("""[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?""")
+    val number = if (form.matches(text)) text.toDouble() else fail("'$text' is not a number")
     if (number !in range) fail("must be in ${plain(range.start)}..${plain(range.endInclusive)}$unit: $text")
     number
 }

@@ -68,14 +68,15 @@ internal class PictureOptions : OptionGroup("Picture") {
 
     val depthConvention by option(
         "--depth-convention",
-        help = "Which depth is nearer: smaller or larger; the picture is the same; default: smaller",
+        help = "Which depth is nearer: smaller or larger; the picture is the same; default: the scene file's, " +
+            "or smaller",
     ).oneOf(
         "ORDER",
         mapOf(
             "smaller" to DepthConvention.SMALLER_IS_NEARER,
             "larger" to DepthConvention.LARGER_IS_NEARER,
         ),
-    ).default(DepthConvention.SMALLER_IS_NEARER)
+    )
 }
 
 /** Where to look from. */

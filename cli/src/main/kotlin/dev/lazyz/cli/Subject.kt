@@ -23,6 +23,6 @@ internal class Subject(
     val background: Rgba?,
     val shading: Shading?,
     val translucency: Translucency,
-    val depthConvention: DepthConvention,
+    val depthConvention: DepthConvention?,
     val pointOfView: PointOfView,
 )

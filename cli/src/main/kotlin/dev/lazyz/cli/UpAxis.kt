@@ -89,6 +89,8 @@ internal object UpAxis {
                 camera.near,
                 camera.far,
             )
+
+            Projection.Screen -> throw Mistake("--up z cannot turn a scene that is given on the screen")
         }
     }
 }

@@ -46,7 +46,8 @@ class CompareTest {
         assertEquals(builtIn, run.stats("strategy"))
         assertEquals(listOf("reference") + List(builtIn.size - 1) { "identical" }, run.stats("outcome"))
         assertEquals("true", run.stat("identical"))
-        assertEquals(1, run.stats("fragments").toSet().size, "each covers the same")
+        val fragments = run.stats("strategy").zip(run.stats("fragments").map { it.toLong() }).toMap()
+        assertTrue(fragments.values.all { it <= fragments.getValue("zbuffer") }, "$fragments")
     }
 
     @Test
@@ -78,9 +79,9 @@ class CompareTest {
         val run = compare("teapot")
         assertEquals(ExitCode.DIFFERENT to "", run.code to run.errors)
         assertEquals("no", run.rows().getValue("wrong-$what")[0])
-        assertTrue("wrong-$what differs from zbuffer at 1 of 1,200 pixels, first at column 20, row 15:" in run.text)
+        assertTrue("wrong-$what differs from tiled at 1 of 1,200 pixels, first at column 20, row 15:" in run.text)
         val told = run.text.lines().filter { "  colour #" in it }
-        assertEquals(listOf("  zbuffer", "  wrong-$what"), told.map { it.substringBefore("  colour").trimEnd() })
+        assertEquals(listOf("  tiled", "  wrong-$what"), told.map { it.substringBefore("  colour").trimEnd() })
 
         val json = compare("teapot", "--json")
         assertEquals(ExitCode.DIFFERENT, json.code)
@@ -206,7 +207,7 @@ class CompareTest {
         compare(wedge, "-o", "x.png").mistake("no such option -o")
         compare(wedge, "--region", "0,0,41x1").mistake("reaches beyond the whole picture, which is 40x30")
         compare(wedge, "--size", "262144x262144").mistake("68719476736 pixels", "choose a smaller --size or a --region")
-        compare(folder.glass(), "--strategy", "zbuffer").mistake("no compared strategy blends (lists", "--opaque")
+        compare(folder.glass(), "--strategy", "zbuffer").mistake("no compared strategy blends (tiled", "--opaque")
         compare(folder.resolve("none.obj")).mistake("none.obj: no such file")
         zcli("compare", "teapto").mistake("did you mean 'teapot'?")
         assertEquals(listOf("glass.json", "wedge.obj"), folder.listDirectoryEntries().map { it.name }.sorted())

@@ -83,7 +83,7 @@ class ConformanceTest {
         val block = "rule: $rule\nreason: stutters\nlink: none\nexpires: 9999-01-01\n"
         file.writeText(block)
         val run = zcli("conformance", *words, "--waivers", file).done()
-        assertTrue("conforms: 1 rules, 1 waived" in run.text, run.text)
+        assertTrue("conforms: 1 rule, 1 waived" in run.text, run.text)
         file.writeText(block.replace("link", "lnik"))
         zcli("conformance", *words, "--waivers", file).mistake("waivers.txt:3: expected 'rule:'")
     }
@@ -104,6 +104,57 @@ class ConformanceTest {
     }
 
     @Test
+    fun exploringAgainWithTheSeedOfASummaryIsTheSame() {
+        fun frames(text: String) = text.lines().dropWhile { " frames, of which" !in it }.dropLast(2)
+        val rule = arrayOf("--strategy", "zbuffer", "--rule", ties)
+        val explored = conformance(*rule, "--explore").done().text
+        val seed = checkNotNull(Regex("""(?m)^seed +(\d+), tries x0.05$""").find(explored)) { explored }.groupValues[1]
+        assertTrue(frames(explored).size > 5, explored)
+        assertEquals(frames(explored), frames(conformance(*rule, "--seed", seed).done().text))
+    }
+
+    @Test
+    fun numberOfTriesHasBounds() {
+        val narrow = "rule_9_6_narrowRastersAreOrdinary"
+        fun tries(factor: String) = zcli("conformance", "--strategy", "zbuffer", "--rule", narrow, "--tries", factor)
+        val least = tries("0.001").done()
+        assertTrue(", tries x0.001\n" in least.text && "     1 tries" in least.text, least.text)
+        for (factor in listOf("0", "0.00099", "1000001")) {
+            tries(factor).mistake("--tries: must be in 0.001..1000000")
+        }
+    }
+
+    @Test
+    fun ourBugIsReportedWithAllThatAReportNeeds() {
+        val jar = jar(SpeechlessRenderer::class.java)
+        val report = folder.resolve("report")
+        val run = conformance("--strategy", "speechless", "--classpath", jar, "--report", report)
+        assertEquals(ExitCode.BUG, run.code)
+        val command = "zcli conformance --tries 0.05 --strategy speechless --classpath $jar --report $report\n"
+        for (
+        part in listOf(
+            "zcli: this is a bug in zcli",
+            "https://github.com/lazyz/lazyz/issues",
+            command,
+            "IllegalStateException: what can I do?",
+            "\tat dev.lazyz.cli.",
+        )
+        ) {
+            assertTrue(part in run.errors, "'$part' is missing in: ${run.errors}")
+        }
+        assertEquals("", run.text)
+        assertFalse(report.exists())
+    }
+
+    @Test
+    fun jarWithABlankInItsNameIsQuotedInTheCommand() {
+        val jar = jar(StutteringRenderer::class.java, name = "my jar.jar")
+        val rule = "rule_7_3_rowsArriveInOrderEachOnce"
+        val run = zcli("conformance", "--strategy", "stuttering", "--classpath", jar, "--rule", rule, "--seed", "3")
+        assertTrue("zcli conformance --strategy stuttering --classpath '$jar' --seed 3" in run.text, run.text)
+    }
+
+    @Test
     fun mistakesAreToldInWords() {
         val jar = jar(CapableRenderer::class.java)
         conformance("--strategy", "capabel", "--classpath", jar)
@@ -119,7 +170,8 @@ class ConformanceTest {
         conformance("--strategy", "unborn", "--classpath", unborn)
             .mistake("a renderer on the class path cannot be loaded")
         conformance().mistake("--strategy")
-        conformance("--strategy", "zbuffer", "--rule", "rule_5_2_tiesGoToTheFirst").mistake("no rule", ties)
+        conformance("--strategy", "zbuffer", "--rule", "rule_5_2_tiesGoToTheFirst")
+            .mistake("no rule", "; did you mean '$ties'?")
         conformance("--strategy", "zbuffer", "--seed", "x").mistake("'x' is not a whole number")
         conformance("--strategy", "zbuffer", "--seed", "1", "--explore").mistake("exclude each other")
         zcli("conformance", "--strategy", "zbuffer", "--tries", "0").mistake("--tries: must be in 0.001..1000000")

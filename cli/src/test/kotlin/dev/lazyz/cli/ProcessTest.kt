@@ -89,7 +89,8 @@ class ProcessTest {
 
     @Test
     fun tooLittleMemory() {
-        val process = start(listOf("render", "teapot", "-o", "x.png", "--size", "3000x3000"), listOf("-Xmx64m")) {}
+        val job = listOf("render", "teapot", "-o", "x.png", "--size", "3000x3000", "--strategy", "zbuffer")
+        val process = start(job, listOf("-Xmx64m")) {}
         assertEquals(2, process.code())
         assertTrue("needs 102.9 MiB" in errors && "-Xmx" in errors, errors)
         assertTrue(!folder.resolve("x.png").exists())

@@ -157,7 +157,8 @@ class RenderMistakesTest {
     @Test
     fun picturesLargerThanMemory() {
         val out = arrayOf("-o", folder.resolve("x.png"))
-        render(*out, "--size", "262144x262144").mistake("68719476736 pixels", "choose a smaller --size")
+        render(*out, "--size", "262144x262144", "--strategy", "zbuffer")
+            .mistake("68719476736 pixels", "choose a smaller --size")
         assertOnlyInput()
     }
 
@@ -166,7 +167,7 @@ class RenderMistakesTest {
         val old = folder.resolve("old.png").apply { writeText("old") }
         val bad = folder.resolve("bad.obj").apply { writeText("f 1 2 3\n") }
         zcli("render", bad, "-o", old).mistake("bad.obj")
-        render("-o", old, "--size", "262144x262144").mistake("pixels")
+        render("-o", old, "--size", "262144x262144", "--strategy", "zbuffer").mistake("pixels")
         assertEquals("old", old.readText())
         check(!folder.resolve("x.png").exists())
     }

@@ -30,7 +30,8 @@ class StatisticsTest {
 
     @Test
     fun numbersDescribeThePicture() {
-        val run = zcli("render", folder.wedge(), "-o", out, "--size", "40x30", "--stats=json", "--view", "front").done()
+        val flags = arrayOf("--size", "40x30", "--stats=json", "--view", "front", "--strategy", "zbuffer")
+        val run = zcli("render", folder.wedge(), "-o", out, *flags).done()
         val covered = out.image.argb().count { it != -1 }
         assertEquals("zbuffer", run.stat("strategy"))
         assertEquals("40" to "30", run.stat("width") to run.stat("height"))

@@ -105,7 +105,7 @@ class StrategyChoiceTest {
     fun aStrategyThatDoesNotBlendIsAMistakeForATranslucentScene() {
         for (id in Renderers.builtIn.filter { Capability.TRANSPARENCY !in it.capabilities }.map { it.id }) {
             render(folder.glass(), "--strategy", id)
-                .mistake("the scene is translucent, and strategy '$id' does not blend (lists", "--opaque")
+                .mistake("the scene is translucent, and strategy '$id' does not blend (tiled, lists", "--opaque")
             assertNoPicture()
         }
         render(folder.glass(), "--memory-budget", "1k")

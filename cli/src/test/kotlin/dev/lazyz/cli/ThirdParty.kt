@@ -35,6 +35,11 @@ class UnbornRenderer : FailingRenderer("unborn", { IllegalStateException() }) {
     }
 }
 
+/** Does not get as far as being judged. */
+class SpeechlessRenderer : FailingRenderer("speechless", { IllegalStateException() }) {
+    override val capabilities: Set<Capability> get() = error("what can I do?")
+}
+
 /** Capable of all that flags ask for, by way of `lists`, and remembers what it was asked. */
 class CapableRenderer(private val options: RenderOptions = RenderOptions()) : Renderer {
     override val id: String get() = "capable"

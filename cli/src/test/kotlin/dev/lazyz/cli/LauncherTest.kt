@@ -1,0 +1,153 @@
+package dev.lazyz.cli
+
+import java.io.File
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+import java.util.jar.Attributes
+import java.util.jar.JarOutputStream
+import java.util.jar.Manifest
+import java.util.zip.ZipEntry
+import javax.imageio.ImageIO
+import kotlin.io.path.exists
+import kotlin.io.path.fileSize
+import kotlin.io.path.inputStream
+import kotlin.io.path.invariantSeparatorsPathString
+import kotlin.io.path.isDirectory
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.outputStream
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Assumptions.assumeTrue
+import org.junit.jupiter.api.BeforeAll
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+/** The script `zcli`, beside a jar like the one of the build. */
+class LauncherTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val cache get() = folder.resolve("cache")
+    private val errors get() = folder.resolve("errors.txt").readText()
+    private val archives get() = cache.listDirectoryEntries()
+
+    private fun zcli(
+        vararg args: String,
+        environment: Map<String, String> = mapOf(),
+        script: Path = home.resolve("zcli"),
+    ): Process {
+        val process = ProcessBuilder(listOf("/bin/sh", "$script") + args).directory(folder.toFile())
+            .redirectError(folder.resolve("errors.txt").toFile())
+            .redirectOutput(folder.resolve("output").toFile())
+            .apply {
+                environment()["JAVA_HOME"] = System.getProperty("java.home")
+                environment()["ZCLI_CACHE"] = "$cache"
+                environment() += environment
+            }
+            .start()
+        assertTrue(process.waitFor(120, TimeUnit.SECONDS), "the process hangs")
+        return process
+    }
+
+    private fun render(environment: Map<String, String> = mapOf(), script: Path = home.resolve("zcli")) {
+        val process = zcli("render", "cycle", "--size", "40x30", "-o", "-", environment = environment, script = script)
+        assertEquals(0, process.exitValue(), errors)
+        assertEquals("", errors)
+        assertEquals(40, ImageIO.read(folder.resolve("output").toFile()).width)
+    }
+
+    @Test
+    fun firstStartMakesTheArchiveAndTheSecondUsesIt() {
+        render()
+        val archive = archives.single()
+        assertTrue(archive.fileSize() > 1 shl 20, "size of the archive")
+
+        val log = folder.resolve("classes.txt")
+        val before = Files.getLastModifiedTime(archive)
+        render(mapOf("ZCLI_JAVA_OPTIONS" to "-Xlog:class+load:file=$log"))
+        assertTrue("dev.lazyz.cli.RenderJob source: shared objects file" in log.readText(), "loaded from the archive")
+        assertEquals(before, Files.getLastModifiedTime(archives.single()))
+
+        // A broken one does no harm
+        Files.delete(archive)
+        archive.writeText("broken")
+        render()
+    }
+
+    @Test
+    fun everyCommandOfTheTrainingRunSucceeds() {
+        val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+        val process = ProcessBuilder(java, "-cp", "${home.resolve("zcli.jar")}", "dev.lazyz.cli.TrainingRunKt")
+            .redirectErrorStream(true).start()
+        assertEquals("", process.inputStream.readAllBytes().decodeToString())
+        assertEquals(0, process.waitFor())
+    }
+
+    @Test
+    fun exitCodeAndWordsPassThrough() {
+        assertEquals(2, zcli("render", "no such  model", environment = OFF).exitValue())
+        assertTrue("'no such  model'" in errors, errors)
+        assertTrue(!cache.exists(), "no cache was wanted")
+    }
+
+    @Test
+    fun cacheThatCannotBe() {
+        folder.resolve("file").writeText("")
+        render(mapOf("ZCLI_CACHE" to "${folder.resolve("file/cache")}"))
+        render(mapOf("ZCLI_CACHE" to "$cache:elsewhere"))
+        assertTrue(!folder.resolve("cache:elsewhere").exists(), "no archive where Java would not find it")
+    }
+
+    @Test
+    fun throughALink() {
+        val link = Files.createSymbolicLink(folder.resolve("link"), home.resolve("zcli"))
+        render(OFF, link)
+        render(OFF, Files.createSymbolicLink(folder.resolve("second"), Path.of("link")))
+    }
+
+    @Test
+    fun collectorOfOnesOwn() = render(OFF + ("ZCLI_JAVA_OPTIONS" to "-XX:+UseParallelGC -Xmx64m"))
+
+    @Test
+    fun noJava() {
+        assertEquals(2, zcli("scenes", environment = mapOf("JAVA_HOME" to "/nowhere")).exitValue())
+        assertTrue(errors.startsWith("zcli: error: no Java at '/nowhere/bin/java'"), errors)
+    }
+
+    companion object {
+        private val OFF = mapOf("ZCLI_CACHE" to "")
+
+        @TempDir
+        lateinit var home: Path
+
+        /** The script and a jar of our classes, for Java archives no classes of folders. */
+        @BeforeAll
+        @JvmStatic
+        fun install() {
+            assumeTrue(Path.of("/bin/sh").exists())
+            Files.copy(Path.of("src/main/sh/zcli"), home.resolve("zcli"))
+            val (folders, jars) = System.getProperty("java.class.path").split(File.pathSeparator)
+                .map { Path.of(it).toAbsolutePath() }.filter { it.exists() }.partition { it.isDirectory() }
+            val manifest = Manifest()
+            manifest.mainAttributes[Attributes.Name.MANIFEST_VERSION] = "1.0"
+            manifest.mainAttributes[Attributes.Name.MAIN_CLASS] = "dev.lazyz.cli.MainKt"
+            manifest.mainAttributes[Attributes.Name.CLASS_PATH] = jars.joinToString(" ") { it.toUri().toString() }
+            JarOutputStream(home.resolve("zcli.jar").outputStream(), manifest).use { jar ->
+                for (folder in folders) pack(folder, jar)
+            }
+        }
+
+        private fun pack(folder: Path, jar: JarOutputStream) {
+            val files = Files.walk(folder).use { all -> all.filter { it.isRegularFile() }.toList() }
+            val names = files.associateBy { folder.relativize(it).invariantSeparatorsPathString }
+            for ((name, file) in names.filterKeys { it.startsWith("dev/") }) {
+                jar.putNextEntry(ZipEntry(name))
+                file.inputStream().use { it.copyTo(jar) }
+            }
+        }
+    }
+}
