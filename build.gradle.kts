@@ -45,7 +45,10 @@ subprojects {
             jvmDefault = JvmDefaultMode.NO_COMPATIBILITY
             moduleName = "lazyz-${project.name}"
             jvmTarget = JvmTarget.fromTarget(javaRelease.toString())
-            freeCompilerArgs.add("-Xjdk-release=$javaRelease")
+            // The module is for one class of core, which is loaded only where the JVM has it
+            freeCompilerArgs.addAll("-Xjdk-release=$javaRelease", "-Xadd-modules=jdk.incubator.vector")
+            // Classes of the jar start sooner than ones that Java spins at run time
+            freeCompilerArgs.addAll("-Xlambdas=class", "-Xsam-conversions=class", "-Xstring-concat=inline")
         }
     }
 
@@ -62,6 +65,7 @@ subprojects {
 
     tasks.withType<Test>().configureEach {
         useJUnitPlatform()
+        jvmArgs("--add-modules", "jdk.incubator.vector")
         include("**/*Test.class", "**/*Properties.class", "**/*Example.class")
         systemProperty("jqwik.database", layout.buildDirectory.file("jqwik.db").get().asFile.path)
         systemProperty("jqwik.reporting.onlyfailures", "true")

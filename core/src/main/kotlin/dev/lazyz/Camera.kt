@@ -33,6 +33,11 @@ public sealed class Projection {
 
         override fun toString(): String = "Orthographic($height)"
     }
+
+    /** None: world space is the raster already, see [Camera.screen]. */
+    public object Screen : Projection() {
+        override fun toString(): String = "Screen"
+    }
 }
 
 /**
@@ -113,6 +118,8 @@ public class Camera private constructor(
     /**
      * Returns the matrix from camera space to clip space, -w..w on each axis, near at -w, for a raster [aspect] times as
      * wide as it is high; a new matrix at each call.
+     *
+     * @throws IllegalStateException for [Projection.Screen], whose scale is the raster's size and not its shape
      */
     public fun projectionMatrix(aspect: Double): Matrix4d {
         require(aspect > 0.0 && aspect.isFinite()) { "aspect must be positive: $aspect" }
@@ -136,7 +143,23 @@ public class Camera private constructor(
                     0.0, 0.0, -(far + near) / depth, 1.0,
                 )
             }
+            Projection.Screen -> error("a screen camera has no projection matrix")
         }
+    }
+
+    /**
+     * Returns the matrix from world space to what set-up clips and snaps: clip space, or, for [Projection.Screen],
+     * pixels and the fraction of the way from near to far. There it multiplies by 1 and adds 0: nothing is rounded.
+     */
+    internal fun setUpMatrix(aspect: Double): Matrix4d {
+        if (projection != Projection.Screen) return Transforms.product(projectionMatrix(aspect), viewMatrix())
+        val depth = far - near
+        return Matrix4d(
+            1.0, 0.0, 0.0, 0.0,
+            0.0, 1.0, 0.0, 0.0,
+            0.0, 0.0, 1.0 / depth, 0.0,
+            0.0, 0.0, -near / depth, 1.0,
+        )
     }
 
     /** Returns the world-space direction of a camera-space direction; not normalised. */
@@ -146,10 +169,11 @@ public class Camera private constructor(
         right.z * x + upward.z * y + backward.z * z,
     )
 
-    /** Half the visible height: at distance 1 under perspective, anywhere under orthographic projection. */
+    /** Half the visible height: at distance 1 under perspective, anywhere without. Of no meaning on the screen. */
     internal fun halfHeight(): Double = when (projection) {
         is Projection.Perspective -> StrictMath.tan(projection.verticalFieldOfView * (StrictMath.PI / 360.0))
         is Projection.Orthographic -> projection.height / 2
+        Projection.Screen -> 1.0
     }
 
     override fun toString(): String = "Camera(eye=$eye, backward=$backward, $projection, $near..$far)"
@@ -189,6 +213,22 @@ public class Camera private constructor(
             near: Double,
             far: Double,
         ): Camera = Camera(eye, target, up, Projection.Orthographic(height), near, far)
+
+        /**
+         * Returns a camera for scenes that are given on the screen: x and y of the world are pixels, x to the right and
+         * y downward from the raster's upper left corner (the sample of pixel (0, 0) is at (0.5, 0.5)), and z is depth,
+         * which grows away from the viewer. Positions are snapped as they are, without a product or a sum before.
+         *
+         * With the usual planes z is the fraction of the range of depths, as [FrameBuilder] takes it, and polygons have
+         * the same bits; but what lies before the near plane, behind the far one or outside the guard band is clipped.
+         * Planes in pixels, say -100 and 100, make room for spheres.
+         *
+         * @throws IllegalArgumentException unless [near] < [far]
+         */
+        @JvmStatic
+        @JvmOverloads
+        public fun screen(near: Double = 0.0, far: Double = 1.0): Camera =
+            Camera(Vector3d(), Vector3d(0.0, 0.0, 1.0), Vector3d(0.0, -1.0, 0.0), Projection.Screen, near, far)
 
         /**
          * Returns a rule that frames the whole scene, whatever its size and the raster's shape.

@@ -19,7 +19,7 @@ public object Depth {
     /** Returns the depth at [unit] of the way from the near plane (0) to the far plane (1), rounded; clamped to both. */
     @JvmStatic
     public fun ofUnit(unit: Double): Int =
-        StrictMath.rint(NEAR + unit.coerceIn(0.0, 1.0) * (FAR.toDouble() - NEAR)).toInt()
+        Math.rint(NEAR + unit.coerceIn(0.0, 1.0) * (FAR.toDouble() - NEAR)).toInt()
 
     /** Returns where [depth] lies between the near plane (0) and the far plane (1); outside 0..1 within the margins. */
     @JvmStatic

@@ -86,6 +86,9 @@ public class Fragment {
     /** Room for the lights' answer. */
     internal val light: FloatArray = FloatArray(6)
 
+    /** This fragment as a batch, for shaders that want one. */
+    internal val alone: FragmentBatch by lazy(LazyThreadSafetyMode.NONE) { FragmentBatch(1) }
+
     /** Goes to a sample and forgets all attributes, so that nothing of another primitive can show through. */
     public fun moveTo(x: Int, y: Int) {
         this.x = x

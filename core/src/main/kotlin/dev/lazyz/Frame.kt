@@ -1,6 +1,7 @@
 package dev.lazyz
 
 import dev.lazyz.setup.EmptyPrimitive
+import dev.lazyz.setup.FrameContent
 
 /**
  * Everything a renderer needs: a raster, primitives in submission order, set up once, and the part of the raster to render.
@@ -9,18 +10,27 @@ import dev.lazyz.setup.EmptyPrimitive
  * Immutable and thread safe if its primitives are.
  *
  * @property raster the grid of samples
- * @property primitives what to render; the position in the list is the submission index, which decides ties
  * @property region the samples to render; the whole raster unless it is given
  * @throws IllegalArgumentException if [region] is not within the raster
  */
-public class Frame @JvmOverloads constructor(
+public class Frame internal constructor(
     public val raster: Raster,
-    public val primitives: List<Primitive>,
-    public val region: Region = raster.region,
+    internal val content: FrameContent,
+    public val region: Region,
 ) {
+    @JvmOverloads
+    public constructor(raster: Raster, primitives: List<Primitive>, region: Region = raster.region) :
+        this(raster, FrameContent.of(primitives), region)
+
     init {
         require(raster.region.contains(region)) { "$region must be within $raster" }
     }
+
+    /**
+     * What to render; the position in the list is the submission index, which decides ties. Its size costs nothing; the
+     * triangles of a [Scene]'s meshes are made when the first element is asked for.
+     */
+    public val primitives: List<Primitive> get() = content.primitives
 
     /** Number of columns to render. */
     public val width: Int get() = region.width
@@ -33,10 +43,10 @@ public class Frame @JvmOverloads constructor(
      * [Capability.TRANSPARENCY]. Others refuse the frame before they start (contract rule 5.6). Cost: one pass over the
      * primitives, once.
      */
-    public val hasTranslucency: Boolean by lazy { primitives.any { it.isTranslucent } }
+    public val hasTranslucency: Boolean get() = content.hasTranslucency
 
     /** Returns the part of this frame within [region]: the picture is that rectangle of the whole picture. */
-    public fun within(region: Region): Frame = Frame(raster, primitives, region)
+    public fun within(region: Region): Frame = Frame(raster, content, region)
 
     /**
      * Returns the part of this frame with those primitives whose index passes [test]. The others cover nothing but keep
@@ -56,7 +66,7 @@ public class Frame @JvmOverloads constructor(
      * them. The frame itself if nothing is translucent; otherwise cost: one small object a translucent primitive.
      */
     public fun asOpaque(): Frame =
-        if (hasTranslucency) Frame(raster, primitives.map { it.asOpaque() }, region) else this
+        if (hasTranslucency) Frame(raster, content.withSingles { it.asOpaque() }, region) else this
 
-    override fun toString(): String = "Frame($raster, $region, ${primitives.size} primitives)"
+    override fun toString(): String = "Frame($raster, $region, ${content.size} primitives)"
 }

@@ -44,8 +44,12 @@ public class Raster @JvmOverloads constructor(
     }
 }
 
-/** Which way depth grows (contract rule 4.1). Both give the same picture; the stored depths are mirrored. */
-public enum class DepthConvention(internal val farthest: Int) {
+/**
+ * Which way depth grows (contract rule 4.1). Both give the same picture; the stored depths are mirrored.
+ *
+ * @property farthest the depth that lies behind everything, the usual one of a background
+ */
+public enum class DepthConvention(public val farthest: Int) {
     /** Depth grows away from the viewer; the background is at maximum depth. */
     SMALLER_IS_NEARER(Int.MAX_VALUE) {
         override val nearest: DepthTest get() = DepthTest.LESS

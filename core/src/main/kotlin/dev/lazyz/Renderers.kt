@@ -19,9 +19,13 @@ import java.util.ServiceLoader
  * own, put its class name into `META-INF/services/dev.lazyz.Renderer` and the jar on the class path. Thread safe.
  */
 public object Renderers {
-    /** The renderers of this library, in the order in which they are listed; one line each. */
+    /**
+     * The renderers of this library, in the order in which they are listed; one line each. Where nobody chooses, the first
+     * that can do what is asked for is taken.
+     */
     @JvmStatic
     public val builtIn: List<Renderer> = listOf(
+        Tiled(),
         ZBuffer(),
         LazyZBuffer(),
         FlowPipeline(),
@@ -31,7 +35,6 @@ public object Renderers {
         Painter(),
         Warnock(),
         HierarchicalZBuffer(),
-        Tiled(),
     )
 
     /**

@@ -1,5 +1,7 @@
 package dev.lazyz
 
+import dev.lazyz.setup.FrameContent
+
 /**
  * Surfaces, lights and a point of view, in world space: right-handed, y up, any unit of length.
  *
@@ -30,16 +32,32 @@ public class Scene @JvmOverloads constructor(
      * vertices at a time.
      */
     public fun primitives(raster: Raster): Sequence<Primitive> {
-        val camera = camera(raster.width, raster.height)
-        val setUp = SetUp(raster, camera, lights.ifEmpty { Light.studio(camera) })
+        val setUp = setUp(raster)
         return surfaces.asSequence().flatMap { it.primitives(setUp) }
+    }
+
+    private fun setUp(raster: Raster): SetUp {
+        val camera = camera(raster.width, raster.height)
+        return SetUp(raster, camera, lights.ifEmpty { Light.studio(camera) })
     }
 
     /** Sets the scene up for a raster of [width] x [height] samples, the usual way to a picture. */
     public fun frame(width: Int, height: Int): Frame = frame(Raster(width, height, background))
 
-    /** Sets the scene up for [raster], whose background replaces the scene's own. */
-    public fun frame(raster: Raster): Frame = Frame(raster, primitives(raster).toList())
+    /**
+     * Sets the scene up for [raster], whose background replaces the scene's own. Cost: linear in the size of the scene.
+     * Opaque meshes are kept as arrays, with 20 bytes a vertex and nothing for each triangle, and large ones are set up by
+     * several threads.
+     */
+    public fun frame(raster: Raster): Frame {
+        val setUp = setUp(raster)
+        val content = FrameContent.Builder()
+        for (surface in surfaces) {
+            val batch = if (surface is Mesh) setUp.batch(surface, content.next) else null
+            if (batch != null) content.add(batch) else surface.primitives(setUp).forEach(content::add)
+        }
+        return Frame(raster, content.build(), raster.region)
+    }
 
     /** Returns this scene with each material replaced by what [change] makes of it. */
     public fun withMaterials(change: (Material) -> Material): Scene =

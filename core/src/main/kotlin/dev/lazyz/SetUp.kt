@@ -3,6 +3,7 @@ package dev.lazyz
 import dev.lazyz.setup.Lighting
 import dev.lazyz.setup.PlanarSetUp
 import dev.lazyz.setup.SphereSetUp
+import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.setup.Viewport
 
 /**
@@ -16,7 +17,7 @@ import dev.lazyz.setup.Viewport
  * @property lights sources of light, in the order in which they are summed
  */
 public class SetUp(public val raster: Raster, public val camera: Camera, public val lights: List<Light>) {
-    private val viewport = Viewport(raster)
+    private val viewport = Viewport.of(raster, camera)
     private val lighting = Lighting(lights, camera)
     private val planar = PlanarSetUp(camera, viewport, lighting)
 
@@ -25,6 +26,12 @@ public class SetUp(public val raster: Raster, public val camera: Camera, public 
      * transformed once, when the walk begins: 128 bytes a vertex.
      */
     public fun mesh(mesh: Mesh): Sequence<Primitive> = planar.mesh(mesh)
+
+    /**
+     * Returns the triangles of [mesh], of which the first has the submission index [first], as a batch; or null if they
+     * have to be set up one by one.
+     */
+    internal fun batch(mesh: Mesh, first: Int): TriangleBatch? = planar.batch(mesh, first)
 
     /** Returns [polygon] as one primitive. */
     public fun polygon(polygon: Polygon): Primitive = planar.polygon(polygon)

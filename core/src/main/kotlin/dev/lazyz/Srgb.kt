@@ -18,18 +18,33 @@ internal object Srgb {
         }
     }
 
-    /** The code of the least value of each of [BUCKETS] equal parts of 0..1: a first guess at most a few codes low. */
-    private val codeOfBucket = ByteArray(BUCKETS + 1) { searchCode(it / BUCKETS.toFloat()).toByte() }
+    /**
+     * Values from [LEAST] to 1 by the upper bits of their floats, 256 buckets an octave: the code at a bucket's least
+     * value, and, in the lower bits, where in the bucket the next code begins. No bucket has two such values.
+     */
+    private val buckets = IntArray(BUCKETS)
+
+    init {
+        var code = 0
+        for (bucket in 0 until BUCKETS) {
+            while (leastOfBucket(bucket) >= threshold[code + 1]) code++
+            val next = threshold[code + 1].toRawBits() - leastOfBucket(bucket).toRawBits()
+            buckets[bucket] = code shl CODE_SHIFT or minOf(next, 1 shl BUCKET_SHIFT)
+        }
+    }
 
     fun decode(code: Int): Float = linearOfCode[code]
 
     /** Returns the 8-bit code of [linear]; values outside 0..1 are clamped and NaN gives 0. */
     fun encode(linear: Float): Int {
-        if (!(linear > 0f)) return 0
+        if (!(linear >= LEAST)) return 0
         if (linear >= 1f) return 255
-        var code = codeOfBucket[(linear * BUCKETS).toInt()].toInt() and 0xFF
-        while (linear >= threshold[code + 1]) code++
-        return code
+        val bits = linear.toRawBits() - LEAST_BITS
+        val bucket = buckets[bits ushr BUCKET_SHIFT]
+
+        // Positive floats are ordered as their bits are; a branch would be taken or not at random
+        val place = bits and (1 shl BUCKET_SHIFT) - 1
+        return (bucket ushr CODE_SHIFT) + ((bucket and (1 shl CODE_SHIFT) - 1) - 1 - place ushr Int.SIZE_BITS - 1)
     }
 
     /** Packs a linear colour with straight alpha to `0xAARRGGBB`. */
@@ -42,12 +57,6 @@ internal object Srgb {
         else -> (alpha.toDouble() * 255.0 + 0.5).toInt()
     }
 
-    private fun searchCode(linear: Float): Int {
-        var code = 0
-        while (code < 255 && linear >= threshold[code + 1]) code++
-        return code
-    }
-
     private fun leastFloatFrom(value: Double): Float {
         val nearest = value.toFloat()
         return if (nearest < value) Math.nextUp(nearest) else nearest
@@ -56,5 +65,14 @@ internal object Srgb {
     private fun toLinear(encoded: Double): Double =
         if (encoded <= 0.04045) encoded / 12.92 else StrictMath.pow((encoded + 0.055) / 1.055, 2.4)
 
-    private const val BUCKETS = 4096
+    private fun leastOfBucket(bucket: Int): Float = Float.fromBits(LEAST_BITS + (bucket shl BUCKET_SHIFT))
+
+    /** 2^-13, below which the code is 0. */
+    private const val LEAST = 1f / 8192f
+
+    /** [LEAST] as bits: an exponent of 127 - 13. */
+    private const val LEAST_BITS = (127 - 13) shl 23
+    private const val BUCKET_SHIFT = 23 - 8
+    private const val CODE_SHIFT = BUCKET_SHIFT + 1
+    private const val BUCKETS = 13 shl 8
 }

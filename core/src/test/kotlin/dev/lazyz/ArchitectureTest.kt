@@ -76,9 +76,16 @@ class ArchitectureTest {
         val offences = sources.flatMap { source ->
             imports(source)
                 .filterNot { import -> ALLOWED.any { import.startsWith(it) } }
+                .filterNot { source.name == VECTORS && it.startsWith("jdk.incubator.vector.") }
                 .map { "${source.name} imports $it" }
         }
         assertEquals(emptyList<String>(), offences)
+    }
+
+    @Test
+    fun theVectorApiIsNamedInOneClassThatIsLoadedOnlyWhereItIs() {
+        val users = sources.filter { source -> source.readLines().any { "VectorBlockKernel" in it } }.map { it.name }
+        assertEquals(listOf("BlockKernel.kt", VECTORS), users)
     }
 
     @Test
@@ -107,6 +114,8 @@ class ArchitectureTest {
 
     private companion object {
         /** `java.` but for desktop and what has no place in a renderer. */
+        const val VECTORS = "VectorBlockKernel.kt"
+
         val ALLOWED = listOf(
             "dev.lazyz.", "kotlin.", "kotlinx.coroutines.", "org.joml.", "java.util.", "java.security.", "java.lang.",
             "java.nio.", "java.io.",

@@ -31,6 +31,7 @@ class SphereProperties {
         private val halfHeight = when (val projection = camera.projection) {
             is Projection.Perspective -> StrictMath.tan(projection.verticalFieldOfView * (StrictMath.PI / 360.0))
             is Projection.Orthographic -> projection.height / 2
+            Projection.Screen -> error("no camera of this test is a screen's")
         }
         private val perPixelX =
             big(halfHeight * (raster.width.toDouble() / raster.height)) / big(raster.width.toDouble())

@@ -9,6 +9,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
 import dev.lazyz.setup.LateShading
+import dev.lazyz.setup.reaches
 
 /**
  * The image: for each sample a visibility key and a colour, which may be suspended.
@@ -60,7 +61,7 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
         val index = counters.primitives++.toInt()
         val rowStart = maxOf(primitive.rowStart, region.rowStart)
         val rowEnd = minOf(primitive.rowEnd, region.rowEnd)
-        if (rowStart >= rowEnd) return
+        if (!primitive.reaches(region)) return
         record = null
         isEager = false
         val cursor = primitive.cursor(rowStart)

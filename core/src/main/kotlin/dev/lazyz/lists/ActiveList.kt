@@ -4,6 +4,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
+import dev.lazyz.setup.reaches
 
 /**
  * The primitives that may cover the current row, each with a cursor; a primitive joins at its first row and leaves after
@@ -23,9 +24,9 @@ internal class ActiveList(private val frame: Frame) {
 
     init {
         var used = 0
-        val keys = LongArray(frame.primitives.count(::reaches))
+        val keys = LongArray(frame.primitives.count { it.reaches(region) })
         for ((index, primitive) in frame.primitives.withIndex()) {
-            if (reaches(primitive)) keys[used++] = firstRow(primitive).toLong() shl 32 or index.toLong()
+            if (primitive.reaches(region)) keys[used++] = firstRow(primitive).toLong() shl 32 or index.toLong()
         }
         keys.sort()
         arrivals = keys
@@ -35,9 +36,6 @@ internal class ActiveList(private val frame: Frame) {
     val peakBytes: Long get() = 8L * arrivals.size + (Int.SIZE_BYTES + REFERENCE_BYTES) * indices.size
 
     private fun firstRow(primitive: Primitive): Int = maxOf(primitive.rowStart, region.rowStart)
-
-    private fun reaches(primitive: Primitive): Boolean = firstRow(primitive) < minOf(primitive.rowEnd, region.rowEnd) &&
-        maxOf(primitive.columnStart, region.columnStart) < minOf(primitive.columnEnd, region.columnEnd)
 
     /** Adds the spans of row [y], the row after that of the last call, to [fragments]. */
     fun moveTo(y: Int, fragments: RowFragments) {

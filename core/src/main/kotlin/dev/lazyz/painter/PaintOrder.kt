@@ -1,6 +1,7 @@
 package dev.lazyz.painter
 
 import dev.lazyz.Frame
+import dev.lazyz.setup.reaches
 import java.util.function.IntConsumer
 
 /**
@@ -72,10 +73,7 @@ internal class PaintOrder(private val frame: Frame, private val pairs: PairOrder
         val keys = LongArray(frame.primitives.size)
         var used = 0
         for ((index, primitive) in frame.primitives.withIndex()) {
-            val isInRows = maxOf(primitive.rowStart, region.rowStart) < minOf(primitive.rowEnd, region.rowEnd)
-            val isInColumns =
-                maxOf(primitive.columnStart, region.columnStart) < minOf(primitive.columnEnd, region.columnEnd)
-            if (isInRows && isInColumns) keys[used++] = pairs.farthestKey(index)
+            if (primitive.reaches(region)) keys[used++] = pairs.farthestKey(index)
         }
         return keys.copyOf(used).apply {
             sort()

@@ -4,6 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
+import dev.lazyz.setup.reaches
 
 /**
  * The active edge list: the ends of all spans of the current row, in order of columns.
@@ -106,11 +107,7 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
         var used = 0
         for ((index, primitive) in frame.primitives.withIndex()) {
             val rowStart = maxOf(primitive.rowStart, region.rowStart)
-            if (rowStart <
-                minOf(primitive.rowEnd, region.rowEnd)
-            ) {
-                all[used++] = rowStart.toLong() shl 32 or index.toLong()
-            }
+            if (primitive.reaches(region)) all[used++] = rowStart.toLong() shl 32 or index.toLong()
         }
         return all.copyOf(used).apply { sort() }
     }

@@ -99,10 +99,8 @@ internal class Chain(
             val all = LongArray(frame.primitives.size)
             var count = 0
             for ((index, primitive) in frame.primitives.withIndex()) {
-                val start = maxOf(primitive.rowStart, region.rowStart)
-                if (start >= minOf(primitive.rowEnd, region.rowEnd)) continue
-                if (primitive.columnStart >= region.columnEnd || primitive.columnEnd <= region.columnStart) continue
-                all[count++] = start.toLong() shl 32 or index.toLong()
+                if (!primitive.reaches(region)) continue
+                all[count++] = maxOf(primitive.rowStart, region.rowStart).toLong() shl 32 or index.toLong()
             }
             all.sort(0, count)
             return if (count == all.size) all else all.copyOf(count)

@@ -11,14 +11,20 @@ package dev.lazyz.setup
  *
  * @param guardX the guard band: what is inside has -guardX w <= x <= guardX w
  * @param guardY see [guardX]
+ * @param near the near plane: what is inside has near w <= z <= w
  */
-internal class Clipper(private val guardX: Double, private val guardY: Double) {
+internal class Clipper(private val guardX: Double, private val guardY: Double, private val near: Double) {
     /** Returns a bit for each plane that [vertex] is outside of. */
     fun outcode(vertices: Vertices, vertex: Int): Int {
         var code = 0
         for (plane in 0 until PLANES) if (distance(vertices, vertex, plane) < 0.0) code = code or (1 shl plane)
         return code
     }
+
+    /** Whether a position in clip space is inside all planes, and somewhere: finite, and before the eye. */
+    fun isInside(x: Double, y: Double, z: Double, w: Double): Boolean =
+        w > 0.0 && w < Double.POSITIVE_INFINITY && z - near * w >= 0.0 && w - z >= 0.0 &&
+            guardX * w + x >= 0.0 && guardX * w - x >= 0.0 && guardY * w + y >= 0.0 && guardY * w - y >= 0.0
 
     /**
      * Cuts the contours at the planes in [planes] (bits as in [outcode]); new vertices are appended to [vertices].
@@ -94,7 +100,7 @@ internal class Clipper(private val guardX: Double, private val guardY: Double) {
     private fun distance(vertices: Vertices, vertex: Int, plane: Int): Double {
         val w = vertices.get(vertex, Vertices.W)
         return when (plane) {
-            NEAR -> w + vertices.get(vertex, Vertices.Z)
+            NEAR -> vertices.get(vertex, Vertices.Z) - near * w
             FAR -> w - vertices.get(vertex, Vertices.Z)
             LEFT -> guardX * w + vertices.get(vertex, Vertices.X)
             RIGHT -> guardX * w - vertices.get(vertex, Vertices.X)

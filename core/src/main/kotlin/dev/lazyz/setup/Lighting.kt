@@ -20,7 +20,7 @@ internal class Lighting(lights: List<Light>, camera: Camera) {
     /** Position or direction of each other light, [STRIDE] numbers: x, y, z, red, green, blue, 1 for a point. */
     private val sources: FloatArray
 
-    private val isOrthographic = camera.projection is Projection.Orthographic
+    private val isPerspective = camera.projection is Projection.Perspective
     private val eyeX = camera.eye.x().toFloat()
     private val eyeY = camera.eye.y().toFloat()
     private val eyeZ = camera.eye.z().toFloat()
@@ -75,7 +75,7 @@ internal class Lighting(lights: List<Light>, camera: Camera) {
         var vx = backX
         var vy = backY
         var vz = backZ
-        if (!isOrthographic) {
+        if (isPerspective) {
             vx = eyeX - px
             vy = eyeY - py
             vz = eyeZ - pz

@@ -1,9 +1,10 @@
 package dev.lazyz.setup
 
 import dev.lazyz.AlphaMode
+import dev.lazyz.BatchShader
 import dev.lazyz.Fragment
+import dev.lazyz.FragmentBatch
 import dev.lazyz.Material
-import dev.lazyz.Shader
 import dev.lazyz.Shading
 
 /**
@@ -18,7 +19,7 @@ internal class MaterialShader(
     private val material: Material,
     private val lighting: Lighting,
     private val isPrelit: Boolean,
-) : Shader {
+) : BatchShader {
     private val base = material.baseColor
     private val texture = material.texture
 
@@ -61,6 +62,35 @@ internal class MaterialShader(
         fragment.setColor(red, green, blue, if (material.alphaMode == AlphaMode.BLEND) alpha else 1f)
     }
 
+    override fun shade(batch: FragmentBatch) {
+        val count = batch.size
+        if (texture == null && (isPrelit || material.shading == Shading.CONSTANT)) {
+            // No more than a product and a sum: what the loops of the JVM are good at
+            scale(batch.vertexRed, base.red, material.emission.red, batch.red, count)
+            scale(batch.vertexGreen, base.green, material.emission.green, batch.green, count)
+            scale(batch.vertexBlue, base.blue, material.emission.blue, batch.blue, count)
+            if (material.alphaMode == AlphaMode.BLEND) scale(batch.vertexAlpha, base.alpha, 0f, batch.alpha, count)
+            return
+        }
+        val fragment = Fragment()
+        for (i in 0 until count) {
+            batch.moveTo(fragment, i, batch.x[i], batch.y[i])
+            shade(fragment)
+            batch.red[i] = fragment.red
+            batch.green[i] = fragment.green
+            batch.blue[i] = fragment.blue
+            batch.alpha[i] = fragment.alpha
+        }
+    }
+
+    private fun scale(from: FloatArray, factor: Float, emission: Float, to: FloatArray, count: Int) {
+        if (isPrelit) {
+            from.copyInto(to, 0, 0, count)
+        } else {
+            for (i in 0 until count) to[i] = from[i] * factor + emission
+        }
+    }
+
     /** Returns the opacity at the fragment, before the alpha mode is applied. */
     fun alphaAt(fragment: Fragment): Float {
         var alpha = fragment.vertexAlpha
@@ -86,9 +116,16 @@ internal class MaterialShader(
             data[at + Vertices.NORMAL + 2].toFloat(),
             light,
         )
-        data[at + Vertices.COLOR] = data[at + Vertices.COLOR] * base.red * light[0] + light[3]
-        data[at + Vertices.COLOR + 1] = data[at + Vertices.COLOR + 1] * base.green * light[1] + light[4]
-        data[at + Vertices.COLOR + 2] = data[at + Vertices.COLOR + 2] * base.blue * light[2] + light[5]
-        data[at + Vertices.COLOR + 3] = data[at + Vertices.COLOR + 3] * base.alpha
+        for (k in 0 until 3) {
+            val color = data[at + Vertices.COLOR + k].toFloat() * component(k)
+            data[at + Vertices.COLOR + k] = (color * light[k] + light[3 + k]).toDouble()
+        }
+        data[at + Vertices.COLOR + 3] = (data[at + Vertices.COLOR + 3].toFloat() * base.alpha).toDouble()
+    }
+
+    private fun component(k: Int): Float = when (k) {
+        0 -> base.red
+        1 -> base.green
+        else -> base.blue
     }
 }

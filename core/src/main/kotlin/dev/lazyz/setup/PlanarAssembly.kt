@@ -52,7 +52,8 @@ internal class PlanarAssembly(
             cornerDepths(reference, a, b, c)
         }
         return PlanarPrimitive(
-            edges, columnStart, columnEnd, depthForm, reference, vertices, corners, leastInverseW(), normalSign, fields, shader,
+            edges, columnStart, columnEnd, depthForm, reference, vertices, corners, leastInverseW(), normalSign, fields,
+            shader,
             maxOf(depthsOfForm.min() - 1, 0), minOf(depthsOfForm.max(), Int.MAX_VALUE - 1) + 1, isTranslucent,
         )
     }
@@ -75,9 +76,11 @@ internal class PlanarAssembly(
         return intArrayOf(0, second, third)
     }
 
+    private val isTriangle: Boolean get() = xs.size == 3 && contourEnds.size == 1
+
     /** 1/w of the vertex furthest away, or 0 if there are but three. */
     private fun leastInverseW(): Double =
-        if (xs.size == 3) 0.0 else selection.minOf { 1.0 / vertices.get(it, Vertices.W) }
+        if (isTriangle) 0.0 else selection.minOf { 1.0 / vertices.get(it, Vertices.W) }
 
     /** The plane's depth at every vertex, rounded; within the range of depths by [depthForm]. */
     private fun cornerDepths(reference: ReferenceTriangle, a: Int, b: Int, c: Int): IntArray =

@@ -35,7 +35,7 @@ internal class PlanarPrimitive(
     override val columnStart: Int,
     override val columnEnd: Int,
     override val depthForm: LinearForm,
-    private val reference: ReferenceTriangle,
+    val reference: ReferenceTriangle,
     val vertices: Vertices,
     private val corners: IntArray,
     private val leastInverseW: Double,
@@ -48,6 +48,9 @@ internal class PlanarPrimitive(
 ) : AttributedPrimitive {
     override val rowStart: Int get() = edges.rowStart
     override val rowEnd: Int get() = edges.rowEnd
+
+    /** Whether this is a triangle, and no other polygon: the [reference] triangle. */
+    val isTriangle: Boolean get() = leastInverseW == 0.0
 
     /** Without [vertices], which the triangles of a mesh share. */
     override val heldBytes: Long get() = HELD_BYTES + edges.heldBytes

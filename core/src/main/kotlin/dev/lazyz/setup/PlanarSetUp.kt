@@ -8,31 +8,108 @@ import dev.lazyz.Mesh
 import dev.lazyz.Polygon
 import dev.lazyz.Primitive
 import dev.lazyz.Projection
+import dev.lazyz.Shader
 import dev.lazyz.Shading
 import dev.lazyz.Sides
-import dev.lazyz.Transforms
+import java.util.stream.IntStream
 import kotlin.math.sqrt
 
 /** Makes primitives of triangles and polygons. */
 internal class PlanarSetUp(private val camera: Camera, private val viewport: Viewport, private val lighting: Lighting) {
     private val raster = viewport.raster
-    private val clipper = Clipper(viewport.guardX, viewport.guardY)
-
-    private val worldToClip =
-        Transforms.product(camera.projectionMatrix(raster.width.toDouble() / raster.height), camera.viewMatrix())
+    private val back = camera.toWorldDirection(0.0, 0.0, 1.0)
+    private val clipper = Clipper(viewport.guardX, viewport.guardY, viewport.near)
+    private val worldToClip = camera.setUpMatrix(raster.width.toDouble() / raster.height)
 
     fun mesh(mesh: Mesh): Sequence<Primitive> = sequence {
         val vertices = meshVertices(mesh)
-        val face = face(
-            mesh.material, hasNormals = mesh.normals != null, hasUvs = mesh.uvs != null,
-            hasColors =
-            mesh.colors != null
-        )
+        val face = face(mesh)
         val ends = intArrayOf(3)
         for (i in mesh.triangles.indices step 3) {
             val corners = intArrayOf(mesh.triangles[i], mesh.triangles[i + 1], mesh.triangles[i + 2])
             yield(face.primitive(vertices, corners, ends, FillRule.NON_ZERO))
         }
+    }
+
+    /** Returns [mesh] as a batch whose first triangle has the submission index [first], if it is opaque; or null. */
+    fun batch(mesh: Mesh, first: Int): TriangleBatch? {
+        if (mesh.material.alphaMode != AlphaMode.OPAQUE) return null
+        val snapped = SnappedVertices(mesh)
+        val chunks = (mesh.vertexCount - 1) / CHUNK + 1
+        IntStream.range(0, chunks).parallel().forEach {
+            snapped.snap(it * CHUNK, minOf((it + 1) * CHUNK, mesh.vertexCount))
+        }
+
+        // Triangles that have to be cut are set up one by one; those that show the wrong side are left out
+        var hidden: LongArray? = null
+        val exceptions = ArrayList<IndexedValue<Primitive>>()
+        val isOneSided = mesh.material.sides == Sides.FRONT
+        if (snapped.isOutside != null || isOneSided) {
+            val bits = LongArray((mesh.triangleCount - 1 ushr TriangleBatch.WORD_SHIFT) + 1)
+            val face = face(mesh)
+            val vertices = Vertices(3)
+            for (triangle in 0 until mesh.triangleCount) {
+                val isOutside = snapped.isOutside(triangle)
+                if (!isOutside && !(isOneSided && face.isBack(triangle, vertices))) continue
+                bits[triangle ushr TriangleBatch.WORD_SHIFT] =
+                    bits[triangle ushr TriangleBatch.WORD_SHIFT] or (1L shl triangle)
+                if (!isOutside) continue
+                val primitive = face.primitive(triangle)
+                if (primitive !== EmptyPrimitive) exceptions.add(IndexedValue(triangle, primitive))
+            }
+            hidden = bits
+        }
+        return TriangleBatch(
+            mesh, first, this, snapped.grid, snapped.inverseW, hidden, exceptions,
+        )
+    }
+
+    /** The vertices of [mesh] on the grid. */
+    private inner class SnappedVertices(private val mesh: Mesh) {
+        val grid = IntArray(TriangleBatch.STRIDE * mesh.vertexCount)
+        val inverseW = if (camera.projection is Projection.Perspective) DoubleArray(mesh.vertexCount) else null
+
+        /** Which vertices are outside some plane, or nowhere; null if none is. */
+        @Volatile
+        var isOutside: BooleanArray? = null
+            private set
+
+        fun isOutside(triangle: Int): Boolean {
+            val outside = isOutside ?: return false
+            return outside[mesh.triangles[3 * triangle]] || outside[mesh.triangles[3 * triangle + 1]] ||
+                outside[mesh.triangles[3 * triangle + 2]]
+        }
+
+        /** Transforms, projects and snaps the vertices [from] until [until], as [place] and [Viewport] do. */
+        fun snap(from: Int, until: Int) {
+            val m = worldToClip
+            val (m00, m10, m20, m30) = doubleArrayOf(m.m00(), m.m10(), m.m20(), m.m30())
+            val (m01, m11, m21, m31) = doubleArrayOf(m.m01(), m.m11(), m.m21(), m.m31())
+            val (m02, m12, m22, m32) = doubleArrayOf(m.m02(), m.m12(), m.m22(), m.m32())
+            val (m03, m13, m23, m33) = doubleArrayOf(m.m03(), m.m13(), m.m23(), m.m33())
+            val p = mesh.positions
+            for (i in from until until) {
+                val px = p[3 * i].toDouble()
+                val py = p[3 * i + 1].toDouble()
+                val pz = p[3 * i + 2].toDouble()
+                val x = m00 * px + m10 * py + m20 * pz + m30
+                val y = m01 * px + m11 * py + m21 * pz + m31
+                val z = m02 * px + m12 * py + m22 * pz + m32
+                val w = m03 * px + m13 * py + m23 * pz + m33
+                if (!clipper.isInside(x, y, z, w)) {
+                    outside()[i] = true
+                    continue
+                }
+                grid[TriangleBatch.STRIDE * i] = viewport.gridX(x, w)
+                grid[TriangleBatch.STRIDE * i + 1] = viewport.gridY(y, w)
+                grid[TriangleBatch.STRIDE * i + 2] = viewport.depth(z, w)
+                if (inverseW != null) inverseW[i] = 1.0 / w
+            }
+        }
+
+        @Synchronized
+        private fun outside(): BooleanArray =
+            isOutside ?: BooleanArray(mesh.vertexCount).also { isOutside = it }
     }
 
     fun polygon(polygon: Polygon): Primitive {
@@ -63,13 +140,16 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
     private fun meshVertices(mesh: Mesh): Vertices {
         val vertices = Vertices(mesh.vertexCount)
         for (i in 0 until mesh.vertexCount) {
-            val p = mesh.positions
-            place(vertices, i, p[3 * i].toDouble(), p[3 * i + 1].toDouble(), p[3 * i + 2].toDouble())
-            mesh.normals?.let { for (k in 0 until 3) vertices.set(i, Vertices.NORMAL + k, it[3 * i + k].toDouble()) }
-            mesh.uvs?.let { for (k in 0 until 2) vertices.set(i, Vertices.UV + k, it[2 * i + k].toDouble()) }
-            for (k in 0 until 4) vertices.set(i, Vertices.COLOR + k, mesh.colors?.get(4 * i + k)?.toDouble() ?: 1.0)
+            place(mesh, i, vertices, i)
+            vertices.setAttributes(i, mesh, i)
         }
         return vertices
+    }
+
+    /** Sets the position of vertex [to] to that of the mesh's vertex [from]. */
+    private fun place(mesh: Mesh, from: Int, vertices: Vertices, to: Int) {
+        val p = mesh.positions
+        place(vertices, to, p[3 * from].toDouble(), p[3 * from + 1].toDouble(), p[3 * from + 2].toDouble())
     }
 
     /** Sets the clip-space and the world position of a vertex. */
@@ -84,7 +164,17 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
         vertices.set(vertex, Vertices.WORLD + 2, z)
     }
 
-    private fun face(material: Material, hasNormals: Boolean, hasUvs: Boolean, hasColors: Boolean): FaceSetUp {
+    /** Returns what sets up and shades the triangles of [mesh]; for one thread. */
+    fun face(mesh: Mesh): FaceSetUp =
+        face(mesh.material, mesh.normals != null, mesh.uvs != null, mesh.colors != null, mesh)
+
+    private fun face(
+        material: Material,
+        hasNormals: Boolean,
+        hasUvs: Boolean,
+        hasColors: Boolean,
+        mesh: Mesh? = null,
+    ): FaceSetUp {
         val isPrelit = material.shader == null &&
             (material.shading == Shading.FLAT || material.shading == Shading.GOURAUD)
         val isLit =
@@ -94,18 +184,63 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
         if (hasUvs && (material.texture != null || material.shader != null)) fields = fields or PlanarPrimitive.UV
         if (hasColors || isPrelit) fields = fields or PlanarPrimitive.COLOR
         val usesFaceNormal = !hasNormals || (material.shader == null && material.shading == Shading.FLAT)
-        return FaceSetUp(material, MaterialShader(material, lighting, isPrelit), fields, isPrelit, usesFaceNormal)
+        return FaceSetUp(material, MaterialShader(material, lighting, isPrelit), fields, isPrelit, usesFaceNormal, mesh)
     }
 
-    /** Sets up the faces of one surface. */
-    private inner class FaceSetUp(
+    /** Sets up the faces of one surface. Belongs to one thread. */
+    inner class FaceSetUp(
         private val material: Material,
         private val materialShader: MaterialShader,
-        private val fields: Int,
+        val fields: Int,
         private val isPrelit: Boolean,
         private val usesFaceNormal: Boolean,
+        private val mesh: Mesh?,
     ) {
         private val normal = DoubleArray(3)
+
+        /** What colours the faces. */
+        val shader: Shader get() = material.shader ?: materialShader
+
+        /** Whether attributes depend on which side of a face is seen, or on where it is. */
+        private val isPlaced = isPrelit || fields and (PlanarPrimitive.WORLD or PlanarPrimitive.NORMAL) != 0
+
+        /** Sets vertex [to] to the attributes of the mesh's vertex [from], as far as they matter. */
+        fun load(vertices: Vertices, to: Int, from: Int) {
+            val mesh = mesh!!
+            if (isPlaced) {
+                for (k in 0 until 3) vertices.set(to, Vertices.WORLD + k, mesh.positions[3 * from + k].toDouble())
+            }
+            vertices.setAttributes(to, mesh, from)
+        }
+
+        /** Gives a triangle of its own vertices normals and light; returns the sign that turns normals to the viewer. */
+        fun turn(vertices: Vertices): Double {
+            if (!isPlaced) return 1.0
+            newellNormal(vertices, TRIANGLE, TRIANGLE_END)
+            return turn(vertices, TRIANGLE, towardEye(vertices, 0) >= 0.0)
+        }
+
+        /** Whether triangle [triangle] of the mesh shows its back; [vertices] is scratch. */
+        fun isBack(triangle: Int, vertices: Vertices): Boolean {
+            val mesh = mesh!!
+            for (i in 0 until 3) {
+                val from = 3 * mesh.triangles[3 * triangle + i]
+                for (k in 0 until 3) vertices.set(i, Vertices.WORLD + k, mesh.positions[from + k].toDouble())
+            }
+            newellNormal(vertices, TRIANGLE, TRIANGLE_END)
+            return !(towardEye(vertices, 0) >= 0.0)
+        }
+
+        /** Returns triangle [triangle] of the mesh with vertices of its own. */
+        fun primitive(triangle: Int): Primitive {
+            val mesh = mesh!!
+            val vertices = Vertices(3)
+            for (i in 0 until 3) {
+                place(mesh, mesh.triangles[3 * triangle + i], vertices, i)
+                vertices.setAttributes(i, mesh, mesh.triangles[3 * triangle + i])
+            }
+            return primitive(vertices, intArrayOf(0, 1, 2), intArrayOf(3), FillRule.NON_ZERO)
+        }
 
         /** Returns the face with the given contours, ready for a renderer. */
         fun primitive(shared: Vertices, corners: IntArray, contourEnds: IntArray, fillRule: FillRule): Primitive {
@@ -127,15 +262,11 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
             // Give the face vertices of its own where they differ from its neighbours'
             var vertices = shared
             var selection = corners
-            var normalSign = 1.0
             if (usesFaceNormal || isPrelit) {
                 vertices = shared.copyOf(corners)
                 selection = IntArray(corners.size) { it }
-                ownNormals(vertices, isFront)
-                if (isPrelit) light(vertices)
-            } else {
-                normalSign = if (pointsToEye(shared, corners, isFront)) 1.0 else -1.0
             }
+            val normalSign = turn(vertices, selection, isFront)
 
             // Cut, project and snap
             var ends = contourEnds
@@ -157,6 +288,14 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
             return assemble(vertices, selection, ends, fillRule, normalSign).orEmpty()
         }
 
+        /** Gives vertices of a face's own normals and light, where it needs them; returns the sign for shared ones. */
+        private fun turn(vertices: Vertices, corners: IntArray, isFront: Boolean): Double {
+            if (!usesFaceNormal && !isPrelit) return if (pointsToEye(vertices, corners, isFront)) 1.0 else -1.0
+            ownNormals(vertices, isFront)
+            if (isPrelit) light(vertices)
+            return 1.0
+        }
+
         private fun assemble(
             vertices: Vertices,
             selection: IntArray,
@@ -170,7 +309,6 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
             val assembly = PlanarAssembly(vertices, selection, ends, xs, ys, depths)
             val isMasked = material.alphaMode == AlphaMode.MASK
             val all = if (isMasked) fields or PlanarPrimitive.UV or PlanarPrimitive.COLOR else fields
-            val shader = material.shader ?: materialShader
             val isTranslucent = isTranslucent(vertices, selection)
             val whole = assembly.primitive(raster, fillRule, shader, all, normalSign, isTranslucent)
             if (!isMasked) return whole
@@ -208,13 +346,15 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
 
         /** Positive if the viewer is on the side of [normal] of a face with this vertex. */
         private fun towardEye(vertices: Vertices, vertex: Int): Double {
-            val back = camera.toWorldDirection(0.0, 0.0, 1.0)
+            var x = back.x
+            var y = back.y
+            var z = back.z
             if (camera.projection is Projection.Perspective) {
-                back.x = camera.eye.x() - vertices.get(vertex, Vertices.WORLD)
-                back.y = camera.eye.y() - vertices.get(vertex, Vertices.WORLD + 1)
-                back.z = camera.eye.z() - vertices.get(vertex, Vertices.WORLD + 2)
+                x = camera.eye.x() - vertices.get(vertex, Vertices.WORLD)
+                y = camera.eye.y() - vertices.get(vertex, Vertices.WORLD + 1)
+                z = camera.eye.z() - vertices.get(vertex, Vertices.WORLD + 2)
             }
-            return normal[0] * back.x + normal[1] * back.y + normal[2] * back.z
+            return normal[0] * x + normal[1] * y + normal[2] * z
         }
 
         /** Whether the vertices' own normals, on the whole, point to the side that the viewer sees. */
@@ -262,5 +402,13 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
 
         private fun split(selection: IntArray, ends: IntArray): List<IntArray> =
             ends.indices.map { selection.copyOfRange(if (it == 0) 0 else ends[it - 1], ends[it]) }
+    }
+
+    private companion object {
+        /** Vertices that a thread snaps at a time. */
+        const val CHUNK = 16_384
+
+        val TRIANGLE = intArrayOf(0, 1, 2)
+        val TRIANGLE_END = intArrayOf(3)
     }
 }

@@ -7,14 +7,7 @@ import dev.lazyz.LinearForm
  *
  * Coordinates are on the 1/256 pixel grid, within the guard band, so every product below is exact in 64 bits.
  */
-internal class ReferenceTriangle(
-    private val x0: Int,
-    private val y0: Int,
-    private val x1: Int,
-    private val y1: Int,
-    private val x2: Int,
-    private val y2: Int,
-) {
+internal class ReferenceTriangle(val x0: Int, val y0: Int, val x1: Int, val y1: Int, val x2: Int, val y2: Int) {
     private val dx1: Long get() = (x1 - x0).toLong()
     private val dy1: Long get() = (y1 - y0).toLong()
     private val dx2: Long get() = (x2 - x0).toLong()
@@ -60,20 +53,10 @@ internal class ReferenceTriangle(
         val dv2 = v2.toLong() - v0
 
         // Solve the plane exactly, round each slope once
-        val slopeX = (dv1 * dy2 - dv2 * dy1).toDouble() / area.toDouble() * PER_PIXEL
-        val slopeY = (dv2 * dx1 - dv1 * dx2).toDouble() / area.toDouble() * PER_PIXEL
-        if (!(StrictMath.abs(slopeX) < STEEP && StrictMath.abs(slopeY) < STEEP)) return null
-        val dx = StrictMath.rint(slopeX).toLong()
-        val dy = StrictMath.rint(slopeY).toLong()
-
-        // Anchor at the pixel of the first vertex, then move the origin to sample (0, 0)
-        val column = Math.floorDiv(x0, ScreenGrid.STEPS)
-        val row = Math.floorDiv(y0, ScreenGrid.STEPS)
-        val offsetX = (column * ScreenGrid.STEPS + ScreenGrid.CENTER - x0) / ScreenGrid.STEPS.toDouble()
-        val offsetY = (row * ScreenGrid.STEPS + ScreenGrid.CENTER - y0) / ScreenGrid.STEPS.toDouble()
-        val anchor =
-            (v0.toLong() shl 32) + LinearForm.HALF + StrictMath.rint(slopeX * offsetX + slopeY * offsetY).toLong()
-        return LinearForm(anchor - dx * column - dy * row, dx, dy)
+        val slopeX = slope(dv1 * dy2 - dv2 * dy1, area)
+        val slopeY = slope(dv2 * dx1 - dv1 * dx2, area)
+        if (isSteep(slopeX, slopeY)) return null
+        return LinearForm(origin(v0, x0, y0, slopeX, slopeY), rounded(slopeX), rounded(slopeY))
     }
 
     /** Returns the plane's value at the grid point ([x], [y]), as a double; NaN or infinite if there is no plane. */
@@ -86,6 +69,26 @@ internal class ReferenceTriangle(
     }
 
     companion object {
+        /** Returns a slope of a form, fraction units a pixel: [numerator] over [area], both exact. */
+        fun slope(numerator: Long, area: Long): Double = numerator.toDouble() / area.toDouble() * PER_PIXEL
+
+        /** Whether slopes are too steep for a form, or not numbers. */
+        fun isSteep(slopeX: Double, slopeY: Double): Boolean = !(Math.abs(slopeX) < STEEP && Math.abs(slopeY) < STEEP)
+
+        /** Returns the step of a form from its slope. */
+        fun rounded(slope: Double): Long = Math.rint(slope).toLong()
+
+        /** Returns the value at sample (0, 0) of the form with these slopes whose integer part is [v0] at ([x0], [y0]). */
+        fun origin(v0: Int, x0: Int, y0: Int, slopeX: Double, slopeY: Double): Long {
+            // Anchor at the pixel of the vertex, then move the origin to sample (0, 0)
+            val column = x0 shr ScreenGrid.SHIFT
+            val row = y0 shr ScreenGrid.SHIFT
+            val offsetX = (column * ScreenGrid.STEPS + ScreenGrid.CENTER - x0) / ScreenGrid.STEPS.toDouble()
+            val offsetY = (row * ScreenGrid.STEPS + ScreenGrid.CENTER - y0) / ScreenGrid.STEPS.toDouble()
+            val anchor = (v0.toLong() shl 32) + LinearForm.HALF + rounded(slopeX * offsetX + slopeY * offsetY)
+            return anchor - rounded(slopeX) * column - rounded(slopeY) * row
+        }
+
         /** Fraction units of a form a grid unit of slope: 256 steps a pixel times 2^32. */
         private const val PER_PIXEL = 256.0 * 4294967296.0
 

@@ -9,6 +9,9 @@ internal object ScreenGrid {
     /** Grid steps a pixel. */
     const val STEPS: Int = 256
 
+    /** Binary logarithm of [STEPS]. */
+    const val SHIFT: Int = 8
+
     /** From a pixel's corner to its sample. */
     const val CENTER: Int = STEPS / 2
 
@@ -18,9 +21,9 @@ internal object ScreenGrid {
     /** Returns the grid line nearest to [pixels]; halfway, the greater one, so that whole-pixel moves change nothing. */
     fun snap(pixels: Double): Int {
         val limit = GUARD.toDouble() * STEPS
-        return StrictMath.floor(pixels * STEPS + 0.5).coerceIn(-limit, limit).toInt()
+        return Math.floor(pixels * STEPS + 0.5).coerceIn(-limit, limit).toInt()
     }
 
     /** Returns the first column (or row) whose sample is at [grid] or after it. */
-    fun firstSample(grid: Int): Int = Math.floorDiv(grid - CENTER + STEPS - 1, STEPS)
+    fun firstSample(grid: Int): Int = (grid - CENTER + STEPS - 1) shr SHIFT
 }

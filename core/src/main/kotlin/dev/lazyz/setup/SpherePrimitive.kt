@@ -31,6 +31,7 @@ internal class SpherePrimitive private constructor(
     private val height = viewport.raster.height
     private val radius = sphere.radius
     private val isPerspective = camera.projection is Projection.Perspective
+    private val isScreen = camera.projection == Projection.Screen
     private val halfHeight = camera.halfHeight()
     private val halfWidth = halfHeight * (width.toDouble() / height)
 
@@ -55,10 +56,10 @@ internal class SpherePrimitive private constructor(
         if (isWhole) {
             val rows = extent(cy)
             val columns = extent(cx)
-            rowStart = clamp((1.0 - rows[1] / halfHeight) * 0.5 * height - 1.5, height)
-            rowEnd = clamp((1.0 - rows[0] / halfHeight) * 0.5 * height + 1.5, height)
-            columnStart = clamp((1.0 + columns[0] / halfWidth) * 0.5 * width - 1.5, width)
-            columnEnd = clamp((1.0 + columns[1] / halfWidth) * 0.5 * width + 1.5, width)
+            rowStart = clamp(rowAt(rows[1]) - 1.5, height)
+            rowEnd = clamp(rowAt(rows[0]) + 1.5, height)
+            columnStart = clamp(columnAt(columns[0]) - 1.5, width)
+            columnEnd = clamp(columnAt(columns[1]) + 1.5, width)
         } else {
             rowStart = 0
             rowEnd = height
@@ -123,9 +124,15 @@ internal class SpherePrimitive private constructor(
         fragment.v = (StrictMath.acos(normal.y.coerceIn(-1.0, 1.0)) / StrictMath.PI).toFloat()
     }
 
-    private fun px(x: Int): Double = ((2 * x + 1).toDouble() / width - 1.0) * halfWidth
+    private fun px(x: Int): Double = if (isScreen) x + 0.5 else ((2 * x + 1).toDouble() / width - 1.0) * halfWidth
 
-    private fun py(y: Int): Double = (1.0 - (2 * y + 1).toDouble() / height) * halfHeight
+    private fun py(y: Int): Double = if (isScreen) -(y + 0.5) else (1.0 - (2 * y + 1).toDouble() / height) * halfHeight
+
+    /** Where [px] would be some value, in pixels. */
+    private fun columnAt(px: Double): Double = if (isScreen) px else (1.0 + px / halfWidth) * 0.5 * width
+
+    /** Where [py] would be some value, in pixels. */
+    private fun rowAt(py: Double): Double = if (isScreen) -py else (1.0 - py / halfHeight) * 0.5 * height
 
     /** A quarter of the discriminant of the cut; negative if the ray misses the sphere. */
     private fun discriminant(px: Double, py: Double): Double {
@@ -187,10 +194,7 @@ internal class SpherePrimitive private constructor(
             half = StrictMath.sqrt(radius * radius - (py - cy) * (py - cy))
         }
         if (!half.isFinite()) return null
-        return doubleArrayOf(
-            ((middle - half) / halfWidth + 1.0) * 0.5 * width,
-            ((middle + half) / halfWidth + 1.0) * 0.5 * width,
-        )
+        return doubleArrayOf(columnAt(middle - half), columnAt(middle + half))
     }
 
     /** Rounds a position down to a column or row of the raster; NaN gives 0. */

@@ -1,5 +1,7 @@
 package dev.lazyz.setup
 
+import dev.lazyz.Mesh
+
 /**
  * Vertices in clip space with their attributes, [STRIDE] numbers a vertex.
  *
@@ -19,6 +21,27 @@ internal class Vertices(count: Int) {
 
     fun set(vertex: Int, field: Int, value: Double) {
         data[STRIDE * vertex + field] = value
+    }
+
+    /** Sets the attributes of [vertex] but for its position to those of the [mesh]'s vertex [from]. */
+    fun setAttributes(vertex: Int, mesh: Mesh, from: Int) {
+        val at = STRIDE * vertex
+        val normals = mesh.normals
+        if (normals != null) {
+            data[at + NORMAL] = normals[3 * from].toDouble()
+            data[at + NORMAL + 1] = normals[3 * from + 1].toDouble()
+            data[at + NORMAL + 2] = normals[3 * from + 2].toDouble()
+        }
+        val uvs = mesh.uvs
+        if (uvs != null) {
+            data[at + UV] = uvs[2 * from].toDouble()
+            data[at + UV + 1] = uvs[2 * from + 1].toDouble()
+        }
+        val colors = mesh.colors
+        data[at + COLOR] = if (colors == null) 1.0 else colors[4 * from].toDouble()
+        data[at + COLOR + 1] = if (colors == null) 1.0 else colors[4 * from + 1].toDouble()
+        data[at + COLOR + 2] = if (colors == null) 1.0 else colors[4 * from + 2].toDouble()
+        data[at + COLOR + 3] = if (colors == null) 1.0 else colors[4 * from + 3].toDouble()
     }
 
     /** Returns a new object with copies of the given vertices, in their order. */

@@ -3,19 +3,20 @@ package dev.lazyz.tiled
 import dev.lazyz.Frame
 
 /**
- * Brings the primitives to the bands, from the top: which of them may cover samples of the current band.
+ * Brings the primitives that are in no batch to the bands, from the top: which of them may cover samples of the current band.
  *
  * They wait in the order of their first bands, and those that have begun and not yet ended are carried from band to
  * band; so what is held does not grow with the number of bands that a primitive covers. Belongs to one thread.
  */
-internal class Arrivals(private val frame: Frame, private val grid: TileGrid) {
+internal class Arrivals(frame: Frame, private val grid: TileGrid) {
     private val region = frame.region
+    private val singles = frame.content.singles
 
     /** The primitives of the region, sorted by first band, then by index. */
     private val waiting: IntArray
     private var entered = 0
 
-    /** Indices of the primitives of the current band, ascending; the first [count] are valid. */
+    /** Numbers of the primitives of the current band, ascending; the first [count] are valid. */
     var present: IntArray = IntArray(CAPACITY)
         private set
 
@@ -27,10 +28,10 @@ internal class Arrivals(private val frame: Frame, private val grid: TileGrid) {
 
     init {
         // Find the primitives that may cover samples of the region
-        val all = IntArray(frame.primitives.size)
-        val firstBand = IntArray(frame.primitives.size)
+        val all = IntArray(singles.size)
+        val firstBand = IntArray(singles.size)
         var found = 0
-        for ((index, primitive) in frame.primitives.withIndex()) {
+        for ((index, primitive) in singles.withIndex()) {
             val rowStart = maxOf(primitive.rowStart, region.rowStart)
             if (rowStart >= minOf(primitive.rowEnd, region.rowEnd)) continue
             val columnStart = maxOf(primitive.columnStart, region.columnStart)
@@ -45,7 +46,7 @@ internal class Arrivals(private val frame: Frame, private val grid: TileGrid) {
     val bytes: Long
         get() = Int.SIZE_BYTES * (
             waiting.size.toLong() +
-                maxOf(2L * frame.primitives.size + waiting.size, present.size.toLong() + spare.size)
+                maxOf(2L * singles.size + waiting.size, present.size.toLong() + spare.size)
             )
 
     /** Goes to [band]; called for each, in order. */
@@ -56,7 +57,7 @@ internal class Arrivals(private val frame: Frame, private val grid: TileGrid) {
         var merged = 0
         var next = 0
         while (true) {
-            while (next < count && frame.primitives[present[next]].rowEnd <= rowStart) next++
+            while (next < count && singles[present[next]].rowEnd <= rowStart) next++
             val old = if (next < count) present[next] else NOBODY
             val new = if (entered < waiting.size && begins(waiting[entered], rowEnd)) waiting[entered] else NOBODY
             if (old == NOBODY && new == NOBODY) break
@@ -70,7 +71,7 @@ internal class Arrivals(private val frame: Frame, private val grid: TileGrid) {
         count = merged
     }
 
-    private fun begins(index: Int, rowEnd: Int): Boolean = frame.primitives[index].rowStart < rowEnd
+    private fun begins(index: Int, rowEnd: Int): Boolean = singles[index].rowStart < rowEnd
 
     /**
      * Sorts [indices] by their [keys] and keeps the order among equals: two counting sorts, by the lower bits and by

@@ -2,6 +2,7 @@ package dev.lazyz.tiled
 
 import dev.lazyz.Frame
 import dev.lazyz.RowSink
+import dev.lazyz.setup.PlanarPrimitive
 import dev.lazyz.setup.VisibilityOrder
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicLong
@@ -12,9 +13,10 @@ import java.util.concurrent.atomic.AtomicLong
  * Filled by the calling thread, read by all, each of which writes the samples of its own tile; then used again for a
  * later band. A *member* is a primitive of the band, by its place in submission order within it.
  */
-internal class Band(private val frame: Frame, private val grid: TileGrid) {
+internal class Band(frame: Frame, private val grid: TileGrid) {
     private val order = VisibilityOrder(frame.raster.depthTest)
     private val region = frame.region
+    private val content = frame.content
 
     /** First row of samples. */
     var rowStart: Int = 0
@@ -24,8 +26,16 @@ internal class Band(private val frame: Frame, private val grid: TileGrid) {
     var rowEnd: Int = 0
         private set
 
+    /** Number of the band. */
+    var number: Int = 0
+        private set
+
+    /** The triangles of batches that reach its tiles, or null if there are no batches. */
+    var bins: TriangleBins? = null
+        private set
+
     private var count = 0
-    private var indices = IntArray(0)
+    private var singles = IntArray(0)
     private var nearest = LongArray(0)
     private var spans = arrayOfNulls<BandSpans>(0)
 
@@ -56,21 +66,23 @@ internal class Band(private val frame: Frame, private val grid: TileGrid) {
     /** Bytes held at most. */
     val bytes: Long
         get() = 3L * Int.SIZE_BYTES * grid.tileHeight * region.width +
-            Int.SIZE_BYTES * (indices.size + firstColumns.size + lastColumns.size + ends.size).toLong() +
+            Int.SIZE_BYTES * (singles.size + firstColumns.size + lastColumns.size + ends.size).toLong() +
             Int.SIZE_BYTES * (entries.size + wide.size).toLong() + Long.SIZE_BYTES * nearest.size +
             REFERENCE_BYTES * spans.size + maxOf(peakSpanBytes, spanBytes.get())
 
-    /** The submission index of a member. */
-    fun index(member: Int): Int = indices[member]
+    /** The number of a member among the frame's single primitives. */
+    fun single(member: Int): Int = singles[member]
 
     /** A key that no fragment of a member is before. */
     fun nearest(member: Int): Long = nearest[member]
 
-    /** The rows of a member that covers more than one tile; null for others. */
+    /** The rows of a member that covers more than one tile and is no triangle; null for others. */
     fun spans(member: Int): BandSpans? = spans[member]
 
-    /** Fills the bins of band number [band] with what has [arrivals]. */
-    fun fill(band: Int, arrivals: Arrivals) {
+    /** Fills the bins of band number [band] with what has [arrivals]; those of batches are [bins]. */
+    fun fill(band: Int, arrivals: Arrivals, bins: TriangleBins?) {
+        number = band
+        this.bins = bins
         rowStart = grid.rowStart(band)
         rowEnd = grid.rowEnd(band)
         remaining.set(grid.columns)
@@ -99,17 +111,18 @@ internal class Band(private val frame: Frame, private val grid: TileGrid) {
 
     private fun enter(arrivals: Arrivals) {
         count = arrivals.count
-        if (indices.size < count) reserve(count + count / 4)
+        if (singles.size < count) reserve(count + count / 4)
         for (member in 0 until count) {
-            val index = arrivals.present[member]
-            val primitive = frame.primitives[index]
+            val single = arrivals.present[member]
+            val primitive = content.singles[single]
             val first = grid.columnOf(maxOf(primitive.columnStart, region.columnStart))
             val last = grid.columnOf(minOf(primitive.columnEnd, region.columnEnd) - 1)
-            indices[member] = index
-            nearest[member] = order.nearestKey(primitive, index)
+            singles[member] = single
+            nearest[member] = order.nearestKey(primitive, content.index(single))
             firstColumns[member] = first
             lastColumns[member] = last
-            spans[member] = if (first == last) {
+            val isTriangle = primitive is PlanarPrimitive && primitive.isTriangle && !primitive.isTranslucent
+            spans[member] = if (first == last || isTriangle) {
                 null
             } else {
                 BandSpans(primitive, maxOf(primitive.rowStart, rowStart), minOf(primitive.rowEnd, rowEnd), spanBytes)
@@ -119,7 +132,7 @@ internal class Band(private val frame: Frame, private val grid: TileGrid) {
     }
 
     private fun reserve(size: Int) {
-        indices = IntArray(size)
+        singles = IntArray(size)
         nearest = LongArray(size)
         firstColumns = IntArray(size)
         lastColumns = IntArray(size)

@@ -15,7 +15,8 @@ internal class Rendering(
     private val frame: Frame,
     private val grid: TileGrid,
     private val coherence: Coherence,
-    threads: Int,
+    private val threads: Int,
+    kernels: () -> BlockKernel,
 ) {
     private val columns = grid.columns.toLong()
 
@@ -28,9 +29,16 @@ internal class Rendering(
     private val bands = Array(bandsAtWork()) { Band(frame, grid) }
     private var filled = 0
 
+    private val test = frame.raster.depthTest
+    private val stride = TileKeys.stride(grid)
+    private val hasBatches = frame.content.batches.isNotEmpty()
+    private val bandsAtOnce = TriangleBins.bandsAtOnce(grid)
+    private var bins: TriangleBins? = null
+    private var binBytes = 0L
+
     /** One for each thread, the caller's first. */
     private val renderers = List(crew) { number ->
-        TileRenderer(frame, grid, coherence, if (number == 0) Checkpoint(::passCaller) else schedule)
+        TileRenderer(frame, grid, coherence, kernels(), if (number == 0) Checkpoint(::passCaller) else schedule)
     }
 
     /** Renders all, and hands every row to [sink]. */
@@ -97,7 +105,16 @@ internal class Rendering(
     private fun fillNext() {
         if (filled == grid.bands) return
         arrivals.moveTo(filled)
-        bandAt(filled).fill(filled, arrivals)
+        if (hasBatches && filled % bandsAtOnce == 0) {
+            val until = minOf(filled + bandsAtOnce, grid.bands)
+            bins = null
+            bins =
+                TriangleBins(frame.content, grid, test, stride, filled, until, threads).also {
+                    binBytes =
+                        maxOf(binBytes, it.bytes)
+                }
+        }
+        bandAt(filled).fill(filled, arrivals, bins)
         filled++
         schedule.release(filled * columns)
     }
@@ -129,10 +146,10 @@ internal class Rendering(
     private fun counters(): Counters {
         var sum = Counters()
         for (renderer in renderers) sum = sum.plus(renderer.counters)
-        sum.primitives = frame.primitives.size.toLong()
+        sum.primitives = frame.content.size.toLong()
 
         // As if all parts were at their largest at the same time
-        sum.peakBytes = arrivals.bytes + bands.sumOf { it.bytes } + renderers.sumOf { it.bytes }
+        sum.peakBytes = arrivals.bytes + 2 * binBytes + bands.sumOf { it.bytes } + renderers.sumOf { it.bytes }
         return sum
     }
 

@@ -2,39 +2,44 @@ package dev.lazyz.tiled
 
 import dev.lazyz.Coherence
 import dev.lazyz.Counters
-import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Spans
-import dev.lazyz.setup.LateShading
+import dev.lazyz.setup.PlanarPrimitive
 import dev.lazyz.setup.TrapezoidCursor
+import dev.lazyz.setup.TriangleForms
 
 /** Renders tiles, one after the other: what a thread holds for itself. */
 internal class TileRenderer(
     private val frame: Frame,
     private val grid: TileGrid,
     coherence: Coherence,
+    kernel: BlockKernel,
     private val checkpoint: Checkpoint,
 ) {
     /** What has been done here. */
     val counters: Counters = Counters()
 
     private val test = frame.raster.depthTest
-    private val background = frame.raster.background.toArgb()
-    private val hasTranslucency = frame.hasTranslucency
+    private val content = frame.content
+    private val hasTranslucency = content.hasTranslucency
     private val keys = TileKeys(grid, frame.raster, counters)
     private val layers = TileLayers(keys, test, counters)
     private val spans = Spans(frame.region)
-    private val shading = LateShading(frame, coherence, counters)
+    private val drawing = TileTriangles(keys, kernel, counters)
+    private val batches = BatchTriangles(content, test, keys, drawing, checkpoint)
+    private val forms = TriangleForms(test)
+    private val shading = TileShading(frame, keys, layers, coherence, counters, checkpoint)
     private var cursorBytes = 0L
 
     /** Bytes held at most. */
-    val bytes: Long get() = keys.bytes + layers.bytes + spans.bytes + cursorBytes + shading.peakBytes
+    val bytes: Long get() = keys.bytes + layers.bytes + spans.bytes + batches.bytes + cursorBytes + shading.bytes
 
     /** Renders the tile [column] of [band]. */
     fun render(band: Band, column: Int) {
         keys.begin(grid.columnStart(column), grid.columnEnd(column), band.rowStart, band.rowEnd)
         layers.begin()
+        band.bins?.let { batches.draw(it, band.number, column) }
         if (hasTranslucency) {
             // What is opaque hides some of what is not, whatever the order of submission
             drawAll(band, column) { !it.isTranslucent }
@@ -43,32 +48,40 @@ internal class TileRenderer(
         } else {
             drawAll(band, column) { true }
         }
-        shade(band)
+        shading.shade(band)
     }
 
     private inline fun drawAll(band: Band, column: Int, isWanted: (Primitive) -> Boolean) {
         band.forEachMember(column) { member ->
             checkpoint.pass()
-            val index = band.index(member)
-            val primitive = frame.primitives[index]
-            if (isWanted(primitive)) draw(band, member, primitive, index)
+            val primitive = content.singles[band.single(member)]
+            if (isWanted(primitive)) draw(band, member, primitive, content.index(band.single(member)))
         }
     }
 
     private fun draw(band: Band, member: Int, primitive: Primitive, index: Int) {
-        val rows = band.spans(member)?.rows(spans, counters, checkpoint)
-
-        // What is behind all that the tile shows is hidden: there is nothing to do but to count its fragments
-        val isHidden = band.nearest(member) >= keys.farthest()
-        if (rows == null) {
-            drawAlone(primitive, index, isHidden)
-        } else if (!isHidden) {
-            drawShared(rows, primitive, index)
+        // What is behind all that the tile shows is hidden
+        if (band.nearest(member) >= keys.farthest()) return
+        val shared = band.spans(member)
+        when {
+            shared != null -> drawShared(shared.rows(spans, counters, checkpoint), primitive, index)
+            primitive is PlanarPrimitive && primitive.isTriangle && !isTranslucent(primitive) ->
+                drawTriangle(primitive, index)
+            else -> drawAlone(primitive, index)
         }
     }
 
+    /** Draws what this tile sees of a triangle. */
+    private fun drawTriangle(primitive: PlanarPrimitive, index: Int) {
+        val t = primitive.reference
+        if (!drawing.begin(t.x0, t.y0, t.x1, t.y1, t.x2, t.y2)) return
+        forms.depth(index, primitive.depthForm, primitive.leastDepth, primitive.greatestDepth)
+        forms.moveTo(keys.columnStart, keys.rowStart)
+        if (t.size > 0) drawing.draw(forms, t.x0, t.y0, t.x1, t.y1, t.x2, t.y2)
+    }
+
     /** Draws a primitive that this tile is the only one of its band to see. */
-    private fun drawAlone(primitive: Primitive, index: Int, isHidden: Boolean) {
+    private fun drawAlone(primitive: Primitive, index: Int) {
         val rowStart = maxOf(primitive.rowStart, keys.rowStart)
         val rowEnd = minOf(primitive.rowEnd, keys.rowEnd)
         val cursor = primitive.cursor(rowStart)
@@ -78,7 +91,7 @@ internal class TileRenderer(
             cursor.next(spans)
             for (i in 0 until spans.count) {
                 counters.fragments += spans.end(i) - spans.start(i)
-                if (!isHidden) drawSpan(primitive, index, y, spans.start(i), spans.end(i))
+                drawSpan(primitive, index, y, spans.start(i), spans.end(i))
             }
         }
     }
@@ -97,49 +110,14 @@ internal class TileRenderer(
     }
 
     private fun drawSpan(primitive: Primitive, index: Int, y: Int, start: Int, end: Int) {
-        if (hasTranslucency && primitive.isTranslucent) {
+        if (isTranslucent(primitive)) {
             layers.add(primitive, index, y, start, end)
         } else {
             keys.draw(y, start, end)
         }
     }
 
-    /** Computes the colours of the tile, now that it is known what is visible. */
-    private fun shade(band: Band) {
-        val shadedBefore = counters.shadingCalls
-        val first = frame.region.columnStart
-        for (y in keys.rowStart until keys.rowEnd) {
-            checkpoint.pass()
-            shading.beginRow()
-
-            // Take the keys apart, and make a colour of each, into the band's rows
-            val row = y - keys.rowStart
-            val colors = band.argb[row]
-            val depths = band.depth[row]
-            val indices = band.primitive[row]
-            for (x in keys.columnStart until keys.columnEnd) {
-                val opaque = keys.at(x, y)
-                val key = if (layers.isEmpty) opaque else layers.nearest(keys.place(x, y), opaque)
-                val index = test.indexOf(key)
-                depths[x - first] = test.depthOf(key)
-                indices[x - first] = index
-                colors[x - first] = when {
-                    index == DepthTest.BACKGROUND -> background
-                    key == opaque -> shading.shade(x, y, index)
-                    else -> blend(x, y, opaque)
-                }
-            }
-        }
-        counters.peakSuspensions = maxOf(counters.peakSuspensions, counters.shadingCalls - shadedBefore)
-    }
-
-    /** Returns the colour of a sample at which a translucent primitive is in front of what is [opaque]. */
-    private fun blend(x: Int, y: Int, opaque: Long): Int {
-        val backdrop = if (test.indexOf(opaque) == DepthTest.BACKGROUND) null else opaque
-        return layers.blend(keys.place(x, y), backdrop, frame.raster.background) { key ->
-            shading.shaded(x, y, test.indexOf(key), frame.primitives[test.indexOf(key)])
-        }
-    }
+    private fun isTranslucent(primitive: Primitive): Boolean = hasTranslucency && primitive.isTranslucent
 
     private companion object {
         /** A cursor that evaluates each row on its own; what a user's own holds is not known. */

@@ -12,23 +12,27 @@ import dev.lazyz.RowSink
  * The production default: the picture in tiles, each decided by one thread in its cache, on all cores.
  *
  * Primitives are put into bins, one a tile. A tile runs a small depth buffer of 64-bit visibility keys: the nearest
- * fragment is a minimum, and a primitive that is behind all that the tile shows is thrown away as a whole. When all of
- * its primitives have been drawn, each visible sample is shaded once. Threads take tiles from a counter; what they
- * decide is a minimum of a total order, so nothing depends on who was first: the same bits, and the same counters, for
- * any number of threads (but [Counters.peakBytes], which grows with it). Translucent fragments that lie before what is
- * opaque are noted, sorted by sample and blended in exact order of depth.
+ * fragment is a minimum. Triangles of meshes are drawn from near to far, in blocks of samples, and a triangle is thrown away
+ * where it is behind all that a tile or a block shows. When all has been drawn, each visible sample is shaded once, in
+ * batches. Threads take tiles from a counter; what they decide is a minimum of a total order, so nothing depends on who
+ * was first: the same bits, and the same counters, for any number of threads (but [Counters.peakBytes], which grows with it).
+ * Translucent fragments that lie before what is opaque are noted, sorted by sample and blended in exact order of depth.
  *
  * Use it wherever nothing speaks against it. Use `ZBuffer` where primitives arrive one by one and are too many to
  * keep, `LazyZBuffer` or `FlowPipeline` to stop after some rows or to look at few samples, and `ScanLine` where depth
  * is dear.
  *
- * Memory: one row of tiles (with several threads two or more), at 12 bytes a sample and some 30 bytes for each
- * primitive in it, and the spans of those that several tiles share; for each thread a tile's keys, 8 bytes a sample, and
- * 20 bytes for each translucent fragment of a tile;
- * and 16 bytes for each primitive of the frame. It does not grow with the number of rows. Make tiles smaller for
- * pictures that are very wide. Time: proportional to the spans, to the fragments that are not rejected and to the
- * visible samples, divided by the threads; besides, on the calling thread, some nanoseconds for each primitive and row
- * of tiles.
+ * Fastest by far where the JVM was started with `--add-modules jdk.incubator.vector` and where opaque surfaces are
+ * [dev.lazyz.Mesh]es in a [dev.lazyz.Scene]: their triangles are never objects. Shaders of one's own are faster as
+ * [dev.lazyz.BatchShader]s.
+ *
+ * Memory: one row of tiles (with several threads two or more), at 12 bytes a sample; for at most 4096 tiles at a time, 8 bytes
+ * for each pair of a mesh's triangle and a tile, and 24 for each fragment of one of less than ten samples; some 30 bytes
+ * for each other primitive in a row of tiles, and the spans of those that several tiles share; for each thread a tile's
+ * keys, 8 bytes a sample, and 20 bytes for each translucent fragment of a tile; and 16 bytes for each primitive of the
+ * frame that is not a mesh's. It does not grow with the number of rows. Make tiles smaller for pictures that are very wide.
+ * Time: proportional to the triangles, to the samples that are not rejected and to the visible samples, divided by the
+ * threads.
  *
  * Rows reach the sink on the calling thread, which also renders tiles. [RenderOptions.threads] - 1 threads are started
  * for a rendering and have ended when it ends, however it ends: what a primitive, a shader or the sink throws on any
@@ -39,13 +43,15 @@ import dev.lazyz.RowSink
  * Memories", SIGGRAPH 1989, for bins of regions that processors take one after the other; Steven Molnar, Michael Cox,
  * David Ellsworth, Henry Fuchs, "A Sorting Classification of Parallel Rendering", IEEE Computer Graphics and
  * Applications 14 (1994), whose "sort-middle" this is; Larry Seiler et al., "Larrabee: A Many-Core x86 Architecture
- * for Visual Computing", SIGGRAPH 2008, for doing it in software. There a bin keeps the order of submission
+ * for Visual Computing", SIGGRAPH 2008, for doing it in software; Juan Pineda, "A Parallel Algorithm for Polygon
+ * Rasterization", SIGGRAPH 1988, for edge functions and blocks. There a bin keeps the order of submission
  * because later results depend on it; here order is part of the key.
  */
 public class Tiled internal constructor(
     private val coherence: Coherence,
     private val threads: Int,
     private val tileSize: Int,
+    private val kernels: () -> BlockKernel = BlockKernel::best,
 ) : Renderer {
     /** A renderer that heeds [RenderOptions.coherence], [RenderOptions.threads] and [RenderOptions.tileSize]. */
     @JvmOverloads
@@ -75,7 +81,7 @@ public class Tiled internal constructor(
      */
     @Throws(InterruptedException::class)
     override fun render(frame: Frame, sink: RowSink): Counters =
-        Rendering(frame, TileGrid(frame.region, tileSize), coherence, threads).run(sink)
+        Rendering(frame, TileGrid(frame.region, tileSize), coherence, threads, kernels).run(sink)
 
     override fun toString(): String = "Tiled($coherence, threads=$threads, tileSize=$tileSize)"
 }

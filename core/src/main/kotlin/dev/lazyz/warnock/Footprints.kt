@@ -5,6 +5,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.Spans
 import dev.lazyz.setup.VisibilityOrder
+import dev.lazyz.setup.reaches
 import java.util.Arrays
 
 /**
@@ -65,8 +66,7 @@ internal class Footprints(private val frame: Frame, private val counters: Counte
         var used = 0
         for ((index, primitive) in frame.primitives.withIndex()) {
             val rowStart = maxOf(primitive.rowStart, region.rowStart)
-            val rowEnd = minOf(primitive.rowEnd, region.rowEnd)
-            if (rowStart < rowEnd) all[used++] = rowStart.toLong() shl 32 or index.toLong()
+            if (primitive.reaches(region)) all[used++] = rowStart.toLong() shl 32 or index.toLong()
         }
         return all.copyOf(used).apply { sort() }
     }

@@ -11,6 +11,7 @@ import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
+import dev.lazyz.setup.reaches
 import dev.lazyz.setup.requireOpaque
 import kotlinx.coroutines.flow.Flow
 
@@ -83,7 +84,7 @@ public class ZBuffer : Renderer {
             val index = counters.primitives++.toInt()
             val rowStart = maxOf(primitive.rowStart, region.rowStart)
             val rowEnd = minOf(primitive.rowEnd, region.rowEnd)
-            if (rowStart >= rowEnd) return
+            if (!primitive.reaches(region)) return
             val cursor = primitive.cursor(rowStart)
             for (y in rowStart until rowEnd) {
                 cursor.next(spans)

@@ -18,10 +18,10 @@ class TiledProperties {
         for (tileSize in SIZES) {
             val alone = Tiled(Coherence.DIRECT, 1, tileSize).render(frame)
             assertEquals(expected, alone) { "TileFrames($seed).next(), tileSize $tileSize" }
-            assertTrue(alone.counters.depthEvaluations <= expected.counters.depthEvaluations)
+            assertTrue(alone.counters.depthEvaluations <= alone.counters.fragments)
             assertEquals(expected.counters.primitives, alone.counters.primitives)
-            assertEquals(expected.counters.fragments, alone.counters.fragments)
-            assertEquals(expected.counters.depthPasses, alone.counters.depthPasses)
+            assertTrue(alone.counters.fragments <= expected.counters.fragments)
+            assertTrue(alone.counters.depthPasses in alone.visible..alone.counters.fragments)
             assertEquals(alone.visible.toLong(), alone.counters.shadingCalls)
             for (threads in THREADS) {
                 val image = Tiled(Coherence.DIRECT, threads, tileSize).render(frame)
@@ -35,7 +35,7 @@ class TiledProperties {
     fun rule_7_5_coherenceChangesNothing(@ForAll seed: Long, @ForAll coherence: Coherence) {
         val frame = TileFrames(seed).next()
         val expected = ZBuffer().render(frame)
-        for (tileSize in listOf(7, 64)) {
+        for (tileSize in listOf(8, 64)) {
             val alone = Tiled(coherence, 1, tileSize).render(frame)
             val together = Tiled(coherence, 3, tileSize).render(frame)
             assertEquals(expected, alone) { "TileFrames($seed).next(), tileSize $tileSize, $coherence" }
@@ -54,7 +54,7 @@ class TiledProperties {
             val band = Band(frame, grid)
             for (number in 0 until grid.bands) {
                 arrivals.moveTo(number)
-                band.fill(number, arrivals)
+                band.fill(number, arrivals, null)
                 for (column in 0 until grid.columns) {
                     val expected = frame.primitives.indices.filter {
                         val primitive = frame.primitives[it]
@@ -64,7 +64,7 @@ class TiledProperties {
                             primitive.columnEnd > grid.columnStart(column)
                     }
                     val bin = ArrayList<Int>()
-                    band.forEachMember(column) { bin += band.index(it) }
+                    band.forEachMember(column) { bin += band.single(it) }
                     assertEquals(expected, bin) { "TileFrames($seed).next(), tile $column of band $number" }
                 }
             }
@@ -75,7 +75,7 @@ class TiledProperties {
     private fun work(counters: Counters): String = Counters().plus(counters).apply { peakBytes = 0 }.toString()
 
     private companion object {
-        val SIZES = listOf(1, 2, 7, 16, 64, 1000)
+        val SIZES = listOf(1, 2, 8, 16, 64, 1024)
         val THREADS = listOf(2, 3, 8)
     }
 }

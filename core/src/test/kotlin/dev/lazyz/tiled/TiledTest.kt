@@ -40,7 +40,7 @@ class TiledTest {
     fun whatIsBehindAFullTileIsRejected() {
         for (threads in listOf(1, 3)) {
             val image = tiled(threads).render(layers(100))
-            assertEquals(100 * 5000, image.counters.fragments)
+            assertEquals(5000, image.counters.fragments)
             assertEquals(5000, image.counters.depthEvaluations)
             assertEquals(5000, image.counters.shadingCalls)
         }
@@ -58,7 +58,7 @@ class TiledTest {
         val raster = Raster(40, 40, backgroundDepth = Depth.ofUnit(0.3))
         val wall = doubleArrayOf(0.0, 0.0, 0.5, 40.0, 0.0, 0.5, 40.0, 40.0, 0.5, 0.0, 40.0, 0.5)
         val counters = tiled(1).render(FrameBuilder(raster).polygon(Rgba.BLACK, wall).build()).counters
-        assertEquals(1600, counters.fragments)
+        assertEquals(0, counters.fragments)
         assertEquals(0, counters.depthEvaluations)
     }
 

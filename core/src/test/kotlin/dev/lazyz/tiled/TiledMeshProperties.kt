@@ -1,0 +1,173 @@
+package dev.lazyz.tiled
+
+import dev.lazyz.BatchShader
+import dev.lazyz.Camera
+import dev.lazyz.Coherence
+import dev.lazyz.Counters
+import dev.lazyz.DepthConvention
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Material
+import dev.lazyz.Mesh
+import dev.lazyz.Polygon
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.Rgba
+import dev.lazyz.SampleScenes
+import dev.lazyz.Scene
+import dev.lazyz.Shader
+import dev.lazyz.Shading
+import dev.lazyz.Sides
+import dev.lazyz.Sphere
+import dev.lazyz.Surface
+import dev.lazyz.Vertex
+import dev.lazyz.zbuffer.ZBuffer
+import java.util.Random
+import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.ForAll
+import net.jqwik.api.Property
+import net.jqwik.api.statistics.Statistics
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Assumptions.assumeTrue
+
+/** Contract rules 5, 7 and 8 for meshes, which are drawn and shaded from arrays: by any kernel, threads and tiles. */
+class TiledMeshProperties {
+    @Property(tries = 150, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    fun rule_7_1_meshesComeOutAsTheirTrianglesOneByOne(@ForAll seed: Long) {
+        val frame = frame(Random(seed))
+        assertFalse(frame.content.batches.isEmpty())
+        val expected = ZBuffer().render(frame)
+        val oneByOne = Frame(frame.raster, frame.primitives.toList(), frame.region)
+        Statistics.label("something hidden").collect(expected.counters.fragments > expected.visible)
+        Statistics.label("has exceptions").collect(frame.content.batches.any { it.exceptions.isNotEmpty() })
+        for (tileSize in SIZES) {
+            val counters = HashSet<String>()
+            for ((name, kernel) in kernels()) {
+                for (threads in THREADS) {
+                    val tiled = Tiled(Coherence.DIRECT, threads, tileSize, kernel)
+                    val image = tiled.render(frame)
+                    assertEquals(expected, image) { "seed $seed, $name, $threads threads, tileSize $tileSize" }
+                    assertEquals(expected, tiled.render(oneByOne)) { "$seed one by one, $name, $threads, $tileSize" }
+                    assertTrue(image.counters.fragments <= expected.counters.fragments)
+                    assertEquals(image.visible.toLong(), image.counters.shadingCalls)
+                    counters += work(image.counters)
+                }
+            }
+            assertEquals(1, counters.size) { "seed $seed, tileSize $tileSize: $counters" }
+        }
+    }
+
+    @Property(tries = 60, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    fun rule_7_5_coherenceChangesNothing(@ForAll seed: Long, @ForAll coherence: Coherence) {
+        val frame = frame(Random(seed))
+        val expected = ZBuffer().render(frame)
+        assertEquals(expected, Tiled(coherence, 2, 16).render(frame)) { "seed $seed, $coherence" }
+    }
+
+    @Property(tries = 100, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    fun aBlockIsTheSameForAllKernels(@ForAll seed: Long) {
+        assumeTrue(kernels().size > 1, "needs the module jdk.incubator.vector")
+        val frame = frame(Random(seed))
+        val (scalar, vector) = kernels().values.map { Tiled(Coherence.DIRECT, 1, 64, it).render(frame) }
+        assertEquals(scalar, vector)
+        assertEquals(work(scalar.counters), work(vector.counters))
+    }
+
+    /** Meshes of triangles from less than a sample to more than the picture, and other surfaces in between. */
+    private fun frame(random: Random): Frame {
+        val surfaces = ArrayList<Surface>()
+        repeat(1 + random.nextInt(3)) {
+            surfaces += mesh(random)
+            if (random.nextInt(3) == 0) surfaces += Sphere(Vector3d(0.2, 0.1, 0.0), 0.6, Material(Rgba(1f, 0.5f, 0f)))
+            if (random.nextInt(3) == 0) surfaces += pane(random)
+        }
+        val camera = if (random.nextBoolean()) {
+            SampleScenes.camera
+        } else {
+            Camera.orthographic(Vector3d(0.3, 0.4, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 4.0, 1.0, 20.0)
+        }
+        val convention = DepthConvention.entries[random.nextInt(2)]
+        val raster = Raster(
+            1 + random.nextInt(150), 1 + random.nextInt(100), Rgba(0.2f, 0.3f, 0.4f), convention,
+            DepthTest.entries[random.nextInt(4)],
+            if (random.nextInt(4) == 0) 1 shl 30 else convention.farthest,
+        )
+        val frame = Scene(surfaces, emptyList(), camera).frame(raster)
+        if (random.nextBoolean()) return frame
+        val x = random.nextInt(raster.width)
+        val y = random.nextInt(raster.height)
+        return frame.within(
+            Region(x, y, x + 1 + random.nextInt(raster.width - x), y + 1 + random.nextInt(raster.height - y)),
+        )
+    }
+
+    private fun pane(random: Random): Surface {
+        val z = random.nextDouble() * 4 - 2
+        val corners = listOf(Vertex(-1.0, -1.0, z), Vertex(1.0, -1.0, z), Vertex(1.0, 1.0, z), Vertex(-1.0, 1.0, z))
+        return Polygon(listOf(corners), Material(Rgba(0f, 0.4f, 0f)))
+    }
+
+    /** Triangles around random places, as large as a random power of two; a few with a vertex that is nowhere. */
+    private fun mesh(random: Random): Mesh {
+        val triangles = 1 + random.nextInt(if (random.nextInt(4) == 0) 400 else 40)
+        val soup = SampleScenes.soup(random, triangles, material(random))
+        val positions = soup.positions
+        for (triangle in 0 until triangles) {
+            val size = StrictMath.pow(2.0, -random.nextInt(9).toDouble()).toFloat()
+            for (axis in 0 until 3) {
+                val center = positions[9 * triangle + axis]
+                for (corner in 0 until 3) {
+                    val at = 9 * triangle + 3 * corner + axis
+                    positions[at] = center + size * (positions[at] - center)
+                }
+            }
+        }
+        if (random.nextInt(8) == 0) positions[random.nextInt(positions.size)] = Float.NaN
+        return if (random.nextBoolean()) soup else Mesh(positions, soup.triangles, soup.material, colors = same(soup))
+    }
+
+    /** The first vertex's colour for all of each triangle. */
+    private fun same(soup: Mesh): FloatArray =
+        FloatArray(4 * soup.vertexCount) { soup.colors!![it / 12 * 12 + it % 4] }
+
+    private fun material(random: Random): Material {
+        val sides = Sides.entries[random.nextInt(2)]
+        val base = Rgba(random.nextFloat(), random.nextFloat(), random.nextFloat())
+        return when (random.nextInt(8)) {
+            0 -> Material(
+                base, sides = sides,
+                shader = Shader {
+                    it.setColor(it.u, it.worldX, it.normalY + it.x * 0.01f)
+                }
+            )
+            1 -> Material(base, sides = sides, shader = ROUNDS)
+            2 -> Material(base, SampleScenes.checks, Shading.GOURAUD, sides = sides)
+            else -> Material(base, shading = Shading.entries[random.nextInt(Shading.entries.size)], sides = sides)
+        }
+    }
+
+    private fun kernels(): Map<String, () -> BlockKernel> {
+        val kernels = linkedMapOf<String, () -> BlockKernel>("scalar" to ::ScalarBlockKernel)
+        if (BlockKernel.best().isVector) kernels["vector"] = ::VectorBlockKernel
+        return kernels
+    }
+
+    /** All counters but the one that depends on the number of threads. */
+    private fun work(counters: Counters): String = Counters().plus(counters).apply { peakBytes = 0 }.toString()
+
+    private companion object {
+        val SIZES = listOf(1, 8, 16, 64, 512)
+        val THREADS = listOf(1, 2, 3, 8)
+
+        val ROUNDS = BatchShader { batch ->
+            for (i in 0 until batch.size) {
+                batch.red[i] = batch.vertexRed[i] * batch.u[i] + batch.y[i] * 0.001f
+                batch.green[i] = batch.normalZ[i] * batch.worldY[i]
+                batch.blue[i] = batch.x[i] * 0.01f
+            }
+        }
+    }
+}
