@@ -26,7 +26,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         outputs.describe(frame.region)
         val form = request.stats ?: return
         val name = source.input.name
-        tell(form, Statistics(name, strategy.id, frame.region, counters, tally, loaded.warnings.size, nanoseconds))
+        tell(form, Statistics(name, strategy, frame.region, counters, tally, loaded.warnings.size, nanoseconds))
     }
 
     /** Statistics go where a script can read them, and never into the picture. */

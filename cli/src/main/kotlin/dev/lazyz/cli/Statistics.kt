@@ -4,7 +4,9 @@ import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.PixelHash
 import dev.lazyz.Region
+import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.tiled.Tiled
 
 /**
  * What a rendering took, by name, in the order in which it is told. The names are an interface to scripts.
@@ -13,7 +15,7 @@ import dev.lazyz.RowSink
  */
 internal class Statistics(
     input: String,
-    strategy: String,
+    strategy: Renderer,
     picture: Region,
     counters: Counters,
     tally: Tally,
@@ -22,7 +24,8 @@ internal class Statistics(
 ) {
     val entries: Map<String, Any> = mapOf(
         "input" to input,
-        "strategy" to strategy,
+        "strategy" to strategy.id,
+    ) + (if (strategy is Tiled) mapOf("kernel" to strategy.kernel) else emptyMap()) + mapOf(
         "width" to picture.width,
         "height" to picture.height,
     ) + counted(counters, picture) + mapOf(

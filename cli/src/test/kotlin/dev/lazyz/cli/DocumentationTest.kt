@@ -38,7 +38,7 @@ class DocumentationTest {
         val helps = help() + commands.joinToString("") { help(it) }
         val known = Regex("""--?[a-z][a-z-]*""").findAll(helps).map { it.value }.toSet()
         val told = Regex("""(?<![\w-])--?[a-z][a-z-]*""").findAll(page).map { it.value }
-        val others = setOf("-jar", "-cp", "-y")
+        val others = setOf("-jar", "-cp", "-y", "--add-modules")
         assertEquals(listOf<String>(), told.filter { it !in known && it !in others }.toSet().toList())
     }
 

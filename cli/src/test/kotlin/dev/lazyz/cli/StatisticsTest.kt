@@ -15,7 +15,7 @@ class StatisticsTest {
     private val out get() = folder.resolve("out.png")
 
     private val keys = listOf(
-        "input", "strategy", "width", "height", "primitives", "fragments", "overdraw", "depthEvaluations",
+        "input", "strategy", "kernel", "width", "height", "primitives", "fragments", "overdraw", "depthEvaluations",
         "depthPasses", "shadingCalls", "shadingStarts", "shadingSteps", "longestChain", "peakSuspensions", "peakBytes",
         "visible", "coverage", "blank", "warnings", "millis", "pixelHash",
     )
@@ -26,6 +26,14 @@ class StatisticsTest {
         assertEquals(keys, Regex("\"(\\w+)\": ").findAll(json).map { it.groupValues[1] }.toList())
         assertEquals(1, json.count { it == '\n' })
         assertTrue(json.startsWith("{") && json.endsWith("}\n"))
+    }
+
+    @Test
+    fun kernelIsToldWhereThereIsAChoice() {
+        val size = arrayOf("--size", "40x30", "--stats=json")
+        assertTrue(zcli("render", folder.wedge(), "-o", out, *size).done().stat("kernel") in setOf("vector", "scalar"))
+        val other = zcli("render", folder.wedge(), "-o", out, *size, "--strategy", "zbuffer").done().text
+        assertTrue("kernel" !in other, other)
     }
 
     @Test

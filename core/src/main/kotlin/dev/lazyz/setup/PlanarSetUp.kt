@@ -11,7 +11,6 @@ import dev.lazyz.Projection
 import dev.lazyz.Shader
 import dev.lazyz.Shading
 import dev.lazyz.Sides
-import java.util.stream.IntStream
 import kotlin.math.sqrt
 
 /** Makes primitives of triangles and polygons. */
@@ -36,7 +35,7 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
         if (mesh.material.alphaMode != AlphaMode.OPAQUE) return null
         val snapped = SnappedVertices(mesh)
         val chunks = (mesh.vertexCount - 1) / CHUNK + 1
-        IntStream.range(0, chunks).parallel().forEach {
+        inParallel(chunks) {
             snapped.snap(it * CHUNK, minOf((it + 1) * CHUNK, mesh.vertexCount))
         }
 
@@ -83,19 +82,15 @@ internal class PlanarSetUp(private val camera: Camera, private val viewport: Vie
         /** Transforms, projects and snaps the vertices [from] until [until], as [place] and [Viewport] do. */
         fun snap(from: Int, until: Int) {
             val m = worldToClip
-            val (m00, m10, m20, m30) = doubleArrayOf(m.m00(), m.m10(), m.m20(), m.m30())
-            val (m01, m11, m21, m31) = doubleArrayOf(m.m01(), m.m11(), m.m21(), m.m31())
-            val (m02, m12, m22, m32) = doubleArrayOf(m.m02(), m.m12(), m.m22(), m.m32())
-            val (m03, m13, m23, m33) = doubleArrayOf(m.m03(), m.m13(), m.m23(), m.m33())
             val p = mesh.positions
             for (i in from until until) {
                 val px = p[3 * i].toDouble()
                 val py = p[3 * i + 1].toDouble()
                 val pz = p[3 * i + 2].toDouble()
-                val x = m00 * px + m10 * py + m20 * pz + m30
-                val y = m01 * px + m11 * py + m21 * pz + m31
-                val z = m02 * px + m12 * py + m22 * pz + m32
-                val w = m03 * px + m13 * py + m23 * pz + m33
+                val x = m.m00() * px + m.m10() * py + m.m20() * pz + m.m30()
+                val y = m.m01() * px + m.m11() * py + m.m21() * pz + m.m31()
+                val z = m.m02() * px + m.m12() * py + m.m22() * pz + m.m32()
+                val w = m.m03() * px + m.m13() * py + m.m23() * pz + m.m33()
                 if (!clipper.isInside(x, y, z, w)) {
                     outside()[i] = true
                     continue

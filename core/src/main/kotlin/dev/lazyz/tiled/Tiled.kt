@@ -62,6 +62,9 @@ public class Tiled internal constructor(
 
     override val summary: String get() = "tiles on all cores, visibility keys merged by minimum, colours at the end"
 
+    /** What the innermost loops are: `vector` where the JVM has the module `jdk.incubator.vector`, otherwise `scalar`. */
+    public val kernel: String get() = if (kernels().isVector) "vector" else "scalar"
+
     override val capabilities: Set<Capability>
         get() = setOf(
             Capability.SHADES_ONLY_VISIBLE,

@@ -5,7 +5,7 @@ import dev.lazyz.setup.FrameContent
 import dev.lazyz.setup.ScreenGrid
 import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.setup.TriangleForms
-import java.util.stream.IntStream
+import dev.lazyz.setup.inParallel
 
 /**
  * What the triangles of a frame's batches bring to the tiles of some bands: two counting sorts, in parallel.
@@ -53,13 +53,13 @@ internal class TriangleBins(
 
     init {
         val found = arrayOfNulls<Chunk>(chunks)
-        IntStream.range(0, chunks).parallel().forEach { number ->
+        inParallel(chunks) { number ->
             found[number] = Chunk(number).also { chunk -> forEach(number, chunk::enter) }
         }
         triangles = LongArray(triangleEnds.sumUp())
         keys = LongArray(fragmentEnds.sumUp())
         places = IntArray(keys.size)
-        IntStream.range(0, chunks).parallel().forEach { found[it]!!.distribute() }
+        inParallel(chunks) { found[it]!!.distribute() }
         bytes = Int.SIZE_BYTES * (2L * chunks * tiles + places.size) +
             Long.SIZE_BYTES * (triangles.size + keys.size.toLong()) + found.sumOf { it!!.bytes }
     }
