@@ -49,8 +49,13 @@ internal class Effort :
             Trial.current = null
         }
         val verdict = trial.verdict(result, LocalDate.now())
-        run?.add(verdict)
-        return translated(result, verdict)
+        if (run != null) {
+            run.add(verdict)
+            return translated(result, verdict)
+        }
+        if (verdict.outcome != RuleOutcome.FAILED) return translated(result, verdict)
+        val kept = KeptFailure.of(context.testInstance() as RendererConformance, settings, verdict)
+        return result.mapToFailed(AssertionError("${verdict.message}\n$kept", verdict.failure?.cause))
     }
 
     override fun aroundTry(
@@ -70,7 +75,7 @@ internal class Effort :
         return result
     }
 
-    /** What jqwik tells the build tool. */
+    /** What jqwik tells whoever runs it. */
     private fun translated(result: PropertyExecutionResult, verdict: RuleResult): PropertyExecutionResult =
         when (verdict.outcome) {
             RuleOutcome.PASSED, RuleOutcome.FAILED -> result

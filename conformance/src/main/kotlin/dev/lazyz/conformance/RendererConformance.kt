@@ -9,7 +9,9 @@ import net.jqwik.api.lifecycle.PropagationMode
  *
  * Every test is a rule of `docs/contract.md` and carries its number; [Rule] says how binding it is, why there is such a
  * rule, and what to look at when it fails. Frames are random but the same at every run; one that fails is shrunk, and
- * printed as the code that makes it, with the first sample that differs and both answers.
+ * printed as the code that makes it, with the first sample that differs and both answers. It is kept besides, as code, as
+ * a scene file where there are words for it, and as pictures: in the folder that the system property [OUTPUT] names, by
+ * default `lazyz-conformance` in `target`, `build`, or the folder for temporary files.
  *
  * The system property [TRIES] multiplies the number of frames (`-Dlazyz.conformance.tries=100` for a night, `0.1` while
  * debugging), and [SEED] chooses others. Cost: a few seconds for a renderer, in one thread but for few rules.
@@ -28,5 +30,8 @@ public abstract class RendererConformance : PromiseRules() {
 
         /** System property: a whole number that replaces the fixed seed of all rules. */
         public const val SEED: String = "lazyz.conformance.seed"
+
+        /** System property: the folder in which frames that fail are kept, in a folder of the test class's name. */
+        public const val OUTPUT: String = "lazyz.conformance.output"
     }
 }

@@ -26,11 +26,14 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
         write(folder.resolve("report.html"), report.toHtml())
     }
 
-    private fun write(failure: RuleFailure, failures: Path, rule: SuiteRule) {
-        val case = failure.case
-        if (case != null) write(failures.resolve("$rule.kt"), snippet(case, rule, failure))
-        failure.sceneFile?.let { write(failures.resolve("$rule.json"), it) }
-        for ((name, png) in Pictures.of(failure)?.png().orEmpty()) write(failures.resolve("$rule-$name.png"), png)
+    /** Writes the files of one [failure] of [rule] into [failures], and returns their names. */
+    fun write(failure: RuleFailure, failures: Path, rule: SuiteRule): List<String> {
+        val files = LinkedHashMap<String, ByteArray>()
+        failure.case?.let { files["$rule.kt"] = snippet(it, rule, failure).toByteArray() }
+        failure.sceneFile?.let { files["$rule.json"] = it.toByteArray() }
+        for ((name, png) in Pictures.of(failure)?.png().orEmpty()) files["$rule-$name.png"] = png
+        for ((name, bytes) in files) write(failures.resolve(name), bytes)
+        return files.keys.toList()
     }
 
     /** A file that compiles, given the library and the suite. */

@@ -1,10 +1,13 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
+import dev.lazyz.scenes.Scenes
 import java.nio.file.Path
+import kotlin.io.path.exists
 import kotlin.io.path.writeText
 import kotlin.reflect.KClass
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
@@ -64,6 +67,25 @@ class AsATestTest {
         val skipped = results.getValue(promise)
         assertEquals(Status.ABORTED, skipped.status)
         assertEquals("SHADES_ONLY_VISIBLE is not declared", skipped.throwable.get().message)
+    }
+
+    @Test
+    fun whatFailsIsKept(@TempDir folder: Path) {
+        val scenes = "rule_5_1_nearestFragmentIsVisibleInScenes"
+        SuiteRun.withProperty(RendererConformance.OUTPUT, "$folder") {
+            val message = run().getValue(scenes).throwable.get().message.orEmpty()
+            val kept = folder.resolve("Wrong")
+            val files = listOf(".kt", ".json", "-expected.png", "-actual.png", "-difference.png").map { scenes + it }
+            val words = "\nkept in $kept: ${files.joinToString()}\nseed 1995; again: zcli conformance "
+            assertTrue(words in message, message)
+            for (file in files) assertTrue(kept.resolve(file).exists(), file)
+            assertTrue(kept.resolve("$nearest.kt").exists())
+
+            // The scene file shows what the message tells
+            val loaded = Scenes.load(kept.resolve("$scenes.json"))
+            val frame = loaded.scene.frame(loaded.raster(loaded.size!!.width, loaded.size!!.height))
+            assertNotNull(difference(ReferenceRenderer().render(frame), WrongColors().render(frame)))
+        }
     }
 
     @Test
