@@ -25,6 +25,8 @@ fun run(args: Array<String>, stdin: InputStream, stdout: OutputStream, stderr: P
 
 /** The one place where whatever happened becomes a message and an exit code. */
 internal fun run(args: Array<String>, streams: Streams): Int = try {
+    // JOML's faster ways to buffers, which zcli has no use for, make newer Javas print warnings
+    System.setProperty("joml.nounsafe", "true")
     attempt(args, streams)
 } catch (closed: OutputClosed) {
     // Whoever read our output has seen enough
