@@ -95,8 +95,9 @@ public class FragmentBatch internal constructor(capacity: Int) {
     /** See [weight0]. */
     internal val weight2: DoubleArray = DoubleArray(capacity)
 
-    /** Attributes that may hold something other than what stands for none: at first the colours, which are 0. */
-    private var used = PlanarPrimitive.COLOR
+    /** The attributes that the fragments have, see [begin]; the others hold what stands for none. At first colours are 0. */
+    internal var fields: Int = PlanarPrimitive.COLOR
+        private set
 
     /** Bytes held. */
     internal val bytes: Long get() = x.size * (18L * Int.SIZE_BYTES + 3 * Long.SIZE_BYTES)
@@ -104,8 +105,8 @@ public class FragmentBatch internal constructor(capacity: Int) {
     /** Begins a batch whose fragments have the attributes [fields], bits [PlanarPrimitive.WORLD] and so on. */
     internal fun begin(fields: Int) {
         size = 0
-        val stale = used and fields.inv()
-        used = fields
+        val stale = this.fields and fields.inv()
+        this.fields = fields
         if (stale and PlanarPrimitive.WORLD != 0) for (array in listOf(worldX, worldY, worldZ)) array.fill(0f)
         if (stale and PlanarPrimitive.NORMAL != 0) for (array in listOf(normalX, normalY, normalZ)) array.fill(0f)
         if (stale and PlanarPrimitive.UV != 0) for (array in listOf(u, v)) array.fill(0f)

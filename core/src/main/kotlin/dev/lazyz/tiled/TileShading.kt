@@ -19,7 +19,7 @@ import dev.lazyz.setup.TriangleBatch
  * others one by one. Belongs to one thread; used for tile after tile.
  *
  * Neighbours on a row that show the same triangle are a run: what is known of the triangle is fetched once. Runs are
- * gathered, over rows, until the shader changes or the batch is full.
+ * gathered, over rows, until the shader or the attributes change or the batch is full.
  */
 internal class TileShading(
     private val frame: Frame,
@@ -117,7 +117,7 @@ internal class TileShading(
 
     /** Adds a run to the batch. */
     private fun gather(face: BatchFace, shader: BatchShader, from: Int, until: Int, y: Int) {
-        if (shader !== this.shader) {
+        if (shader !== this.shader || face.fields != fragments.fields) {
             flush()
             this.shader = shader
             fragments.begin(face.fields)

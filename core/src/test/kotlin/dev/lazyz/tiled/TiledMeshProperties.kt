@@ -32,6 +32,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
+import org.junit.jupiter.api.Test
 
 /** Contract rules 5, 7 and 8 for meshes, which are drawn and shaded from arrays: by any kernel, threads and tiles. */
 class TiledMeshProperties {
@@ -74,6 +75,29 @@ class TiledMeshProperties {
         val (scalar, vector) = kernels().values.map { Tiled(Coherence.DIRECT, 1, 64, it).render(frame) }
         assertEquals(scalar, vector)
         assertEquals(work(scalar.counters), work(vector.counters))
+    }
+
+    @Test
+    fun aShaderOfMeshesWithAndWithoutAnAttributeSeesNoneWhereThereIsNone() {
+        // Shared by both, so that one batch could hold samples of both
+        val shader = BatchShader { batch ->
+            for (i in 0 until batch.size) {
+                batch.red[i] = batch.u[i]
+                batch.green[i] = batch.vertexGreen[i]
+                batch.blue[i] = 1f
+            }
+        }
+        val material = Material(shader = shader)
+        val left = floatArrayOf(-1f, -1f, 0f, 0f, -1f, 0f, -1f, 1f, 0f)
+        val right = FloatArray(9) { if (it % 3 == 0) left[it] + 1f else left[it] }
+        val corners = intArrayOf(0, 1, 2)
+        val with = Mesh(left, corners, material, uvs = FloatArray(6) { 0.7f }, colors = FloatArray(12) { 0.4f })
+        val without = Mesh(right, corners, material)
+        val camera = Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 2.0, 1.0, 9.0)
+        for (surfaces in listOf(listOf(with, without), listOf(without, with))) {
+            val frame = Scene(surfaces, emptyList(), camera).frame(16, 16)
+            assertEquals(ZBuffer().render(frame), Tiled(Coherence.DIRECT, 1, 64).render(frame))
+        }
     }
 
     /** Meshes of triangles from less than a sample to more than the picture, and other surfaces in between. */
