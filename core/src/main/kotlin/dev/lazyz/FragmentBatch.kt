@@ -86,21 +86,14 @@ public class FragmentBatch internal constructor(capacity: Int) {
     @JvmField
     public val alpha: FloatArray = FloatArray(capacity)
 
-    /** Room for weights of interpolation. */
-    internal val weight0: DoubleArray = DoubleArray(capacity)
-
-    /** See [weight0]. */
-    internal val weight1: DoubleArray = DoubleArray(capacity)
-
-    /** See [weight0]. */
-    internal val weight2: DoubleArray = DoubleArray(capacity)
+    private val each = Fragment()
 
     /** The attributes that the fragments have, see [begin]; the others hold what stands for none. At first colours are 0. */
     internal var fields: Int = PlanarPrimitive.COLOR
         private set
 
     /** Bytes held. */
-    internal val bytes: Long get() = x.size * (18L * Int.SIZE_BYTES + 3 * Long.SIZE_BYTES)
+    internal val bytes: Long get() = 18L * Int.SIZE_BYTES * x.size
 
     /** Begins a batch whose fragments have the attributes [fields], bits [PlanarPrimitive.WORLD] and so on. */
     internal fun begin(fields: Int) {
@@ -115,9 +108,30 @@ public class FragmentBatch internal constructor(capacity: Int) {
         }
     }
 
-    /** Moves [fragment] to sample ([x], [y]), and gives it the attributes of number [i]. */
-    internal fun moveTo(fragment: Fragment, i: Int, x: Int, y: Int) {
-        fragment.moveTo(x, y)
+    /** Notes that the samples from column [x] on of row [y] are those from place [at] on. */
+    internal fun place(at: Int, x: Int, y: Int, count: Int) {
+        for (i in 0 until count) {
+            this.x[at + i] = x + i
+            this.y[at + i] = y
+        }
+    }
+
+    /** Shades all fragments one after the other. */
+    internal fun shadeEach(shader: Shader) {
+        val fragment = each
+        for (i in 0 until size) {
+            moveTo(fragment, i)
+            shader.shade(fragment)
+            red[i] = fragment.red
+            green[i] = fragment.green
+            blue[i] = fragment.blue
+            alpha[i] = fragment.alpha
+        }
+    }
+
+    /** Makes [fragment] number [i]. */
+    internal fun moveTo(fragment: Fragment, i: Int) {
+        fragment.moveTo(x[i], y[i])
         fragment.worldX = worldX[i]
         fragment.worldY = worldY[i]
         fragment.worldZ = worldZ[i]
@@ -159,6 +173,9 @@ public class FragmentBatch internal constructor(capacity: Int) {
     public companion object {
         /** Most fragments in a batch. */
         public const val CAPACITY: Int = 256
+
+        /** Places behind the last fragment of a full batch: the most lanes that a vector has, less one. */
+        internal const val SPARE: Int = 64 - 1
     }
 }
 

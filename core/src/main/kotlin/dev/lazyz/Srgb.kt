@@ -20,13 +20,13 @@ internal object Srgb {
 
     /**
      * Values from [LEAST] to 1 by the upper bits of their floats, 256 buckets an octave: the code at a bucket's least
-     * value, and, in the lower bits, where in the bucket the next code begins. No bucket has two such values.
+     * value, and, in the lower [CODE_SHIFT] bits, where in the bucket the next code begins. No bucket has two such values.
      */
-    private val buckets = IntArray(BUCKETS)
+    val buckets: IntArray = IntArray(BUCKETS + 1)
 
     init {
         var code = 0
-        for (bucket in 0 until BUCKETS) {
+        for (bucket in 0..BUCKETS) {
             while (leastOfBucket(bucket) >= threshold[code + 1]) code++
             val next = threshold[code + 1].toRawBits() - leastOfBucket(bucket).toRawBits()
             buckets[bucket] = code shl CODE_SHIFT or minOf(next, 1 shl BUCKET_SHIFT)
@@ -68,11 +68,13 @@ internal object Srgb {
     private fun leastOfBucket(bucket: Int): Float = Float.fromBits(LEAST_BITS + (bucket shl BUCKET_SHIFT))
 
     /** 2^-13, below which the code is 0. */
-    private const val LEAST = 1f / 8192f
+    const val LEAST: Float = 1f / 8192f
 
     /** [LEAST] as bits: an exponent of 127 - 13. */
-    private const val LEAST_BITS = (127 - 13) shl 23
-    private const val BUCKET_SHIFT = 23 - 8
-    private const val CODE_SHIFT = BUCKET_SHIFT + 1
+    const val LEAST_BITS: Int = (127 - 13) shl 23
+    const val BUCKET_SHIFT: Int = 23 - 8
+    const val CODE_SHIFT: Int = BUCKET_SHIFT + 1
+
+    /** Number of buckets below 1, which has one of its own. */
     private const val BUCKETS = 13 shl 8
 }

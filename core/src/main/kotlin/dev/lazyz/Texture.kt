@@ -96,8 +96,12 @@ public class Texture @JvmOverloads constructor(
 
     private fun index(x: Int, y: Int): Int = wrapIndex(y, height, wrapV) * width + wrapIndex(x, width, wrapU)
 
-    private fun wrapIndex(index: Int, size: Int, wrap: TextureWrap): Int =
-        if (wrap == TextureWrap.REPEAT) Math.floorMod(index, size) else index.coerceIn(0, size - 1)
+    /** Brings an index that is at most one too small or too great into the texture. */
+    private fun wrapIndex(index: Int, size: Int, wrap: TextureWrap): Int = when {
+        index < 0 -> if (wrap == TextureWrap.REPEAT) size - 1 else 0
+        index >= size -> if (wrap == TextureWrap.REPEAT) 0 else size - 1
+        else -> index
+    }
 
     private fun channelOf(texel: Int, channel: Int): Float = when (channel) {
         0 -> Srgb.decode(texel ushr 16 and 0xFF)

@@ -28,18 +28,22 @@ internal class FrameContent private constructor(
     fun single(index: Int): Primitive =
         singles[if (indices == null) index else java.util.Arrays.binarySearch(indices, index)]
 
-    /** Returns the batch that the primitive with this submission index is drawn from, or null if it is single. */
-    fun batch(index: Int): TriangleBatch? {
+    /** Returns the number in [batches] of the one that the primitive with this submission index is drawn from, or -1. */
+    fun batchNumber(index: Int): Int {
         var low = 0
         var high = batches.size
         while (low < high) {
             val middle = (low + high) ushr 1
             if (batches[middle].first <= index) low = middle + 1 else high = middle
         }
-        val batch = if (low == 0) return null else batches[low - 1]
+        if (low == 0) return -1
+        val batch = batches[low - 1]
         val triangle = index - batch.first
-        return if (triangle < batch.count && batch.isDrawn(triangle)) batch else null
+        return if (triangle < batch.count && batch.isDrawn(triangle)) low - 1 else -1
     }
+
+    /** Returns the batch that the primitive with this submission index is drawn from; there must be one. */
+    fun batch(index: Int): TriangleBatch = batches[batchNumber(index)]
 
     /** Returns this content with each single primitive replaced by what [change] makes of it. */
     fun withSingles(change: (Primitive) -> Primitive): FrameContent =

@@ -72,15 +72,7 @@ internal class MaterialShader(
             if (material.alphaMode == AlphaMode.BLEND) scale(batch.vertexAlpha, base.alpha, 0f, batch.alpha, count)
             return
         }
-        val fragment = Fragment()
-        for (i in 0 until count) {
-            batch.moveTo(fragment, i, batch.x[i], batch.y[i])
-            shade(fragment)
-            batch.red[i] = fragment.red
-            batch.green[i] = fragment.green
-            batch.blue[i] = fragment.blue
-            batch.alpha[i] = fragment.alpha
-        }
+        batch.shadeEach(this)
     }
 
     private fun scale(from: FloatArray, factor: Float, emission: Float, to: FloatArray, count: Int) {

@@ -44,16 +44,11 @@ internal class PlanarAssembly(
         val reference = ReferenceTriangle(xs[a], ys[a], xs[b], ys[b], xs[c], ys[c])
         val depthForm = depthForm(reference, a, b, c)
         val corners = intArrayOf(selection[a], selection[b], selection[c])
-        val depthsOfForm = if (depthForm.dx == 0L &&
-            depthForm.dy == 0L
-        ) {
-            intArrayOf(depths[a])
-        } else {
-            cornerDepths(reference, a, b, c)
-        }
+        val isLevel = depthForm.dx == 0L && depthForm.dy == 0L
+        val depthsOfForm = if (isLevel) intArrayOf(depths[a]) else cornerDepths(reference, a, b, c)
         return PlanarPrimitive(
-            edges, columnStart, columnEnd, depthForm, reference, vertices, corners, leastInverseW(), normalSign, fields,
-            shader,
+            edges, columnStart, columnEnd, depthForm, isTriangle, reference, vertices, corners, leastInverseW(),
+            normalSign, fields, shader,
             maxOf(depthsOfForm.min() - 1, 0), minOf(depthsOfForm.max(), Int.MAX_VALUE - 1) + 1, isTranslucent,
         )
     }

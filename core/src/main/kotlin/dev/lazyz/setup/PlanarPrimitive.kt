@@ -23,6 +23,7 @@ internal interface AttributedPrimitive : Primitive {
  *
  * Source: James Blinn, "Hyperbolic Interpolation", IEEE Computer Graphics and Applications 12 (1992).
  *
+ * @param isTriangle whether this is a triangle, and no other polygon: the [reference] triangle
  * @param reference the reference triangle on the grid
  * @param corners the reference triangle's vertices within [vertices]
  * @param leastInverseW what the interpolated 1/w is at least: that of the vertex furthest away; 0 for a triangle, within
@@ -35,22 +36,20 @@ internal class PlanarPrimitive(
     override val columnStart: Int,
     override val columnEnd: Int,
     override val depthForm: LinearForm,
+    val isTriangle: Boolean,
     val reference: ReferenceTriangle,
     val vertices: Vertices,
-    private val corners: IntArray,
-    private val leastInverseW: Double,
-    private val normalSign: Double,
-    private val fields: Int,
-    private val shader: Shader,
+    val corners: IntArray,
+    val leastInverseW: Double,
+    val normalSign: Double,
+    val fields: Int,
+    val shader: Shader,
     override val leastDepth: Int,
     override val greatestDepth: Int,
     override val isTranslucent: Boolean,
 ) : AttributedPrimitive {
     override val rowStart: Int get() = edges.rowStart
     override val rowEnd: Int get() = edges.rowEnd
-
-    /** Whether this is a triangle, and no other polygon: the [reference] triangle. */
-    val isTriangle: Boolean get() = leastInverseW == 0.0
 
     /** Without [vertices], which the triangles of a mesh share. */
     override val heldBytes: Long get() = HELD_BYTES + edges.heldBytes

@@ -23,6 +23,14 @@ internal class Vertices(count: Int) {
         data[STRIDE * vertex + field] = value
     }
 
+    /** Sets the world position of [vertex] to that of the [mesh]'s vertex [from]. */
+    fun setWorld(vertex: Int, mesh: Mesh, from: Int) {
+        val at = STRIDE * vertex + WORLD
+        data[at] = mesh.positions[3 * from].toDouble()
+        data[at + 1] = mesh.positions[3 * from + 1].toDouble()
+        data[at + 2] = mesh.positions[3 * from + 2].toDouble()
+    }
+
     /** Sets the attributes of [vertex] but for its position to those of the [mesh]'s vertex [from]. */
     fun setAttributes(vertex: Int, mesh: Mesh, from: Int) {
         val at = STRIDE * vertex
@@ -47,10 +55,13 @@ internal class Vertices(count: Int) {
     /** Returns a new object with copies of the given vertices, in their order. */
     fun copyOf(selection: IntArray): Vertices {
         val copy = Vertices(selection.size)
-        for (i in selection.indices) {
-            data.copyInto(copy.data, STRIDE * i, STRIDE * selection[i], STRIDE * (selection[i] + 1))
-        }
+        for (i in selection.indices) copy.copy(this, selection[i], i)
         return copy
+    }
+
+    /** Makes vertex [to] a copy of vertex [vertex] of [from]. */
+    fun copy(from: Vertices, vertex: Int, to: Int) {
+        from.data.copyInto(data, STRIDE * to, STRIDE * vertex, STRIDE * (vertex + 1))
     }
 
     /**

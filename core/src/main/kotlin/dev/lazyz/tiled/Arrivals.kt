@@ -1,6 +1,7 @@
 package dev.lazyz.tiled
 
 import dev.lazyz.Frame
+import dev.lazyz.setup.reaches
 
 /**
  * Brings the primitives that are in no batch to the bands, from the top: which of them may cover samples of the current band.
@@ -32,11 +33,8 @@ internal class Arrivals(frame: Frame, private val grid: TileGrid) {
         val firstBand = IntArray(singles.size)
         var found = 0
         for ((index, primitive) in singles.withIndex()) {
-            val rowStart = maxOf(primitive.rowStart, region.rowStart)
-            if (rowStart >= minOf(primitive.rowEnd, region.rowEnd)) continue
-            val columnStart = maxOf(primitive.columnStart, region.columnStart)
-            if (columnStart >= minOf(primitive.columnEnd, region.columnEnd)) continue
-            firstBand[index] = grid.bandOf(rowStart)
+            if (!primitive.reaches(region)) continue
+            firstBand[index] = grid.bandOf(maxOf(primitive.rowStart, region.rowStart))
             all[found++] = index
         }
         waiting = sorted(all.copyOf(found), firstBand)

@@ -1,11 +1,14 @@
 package dev.lazyz.tiled
 
 import dev.lazyz.Frame
+import dev.lazyz.Primitive
 import dev.lazyz.RowSink
 import dev.lazyz.setup.PlanarPrimitive
 import dev.lazyz.setup.VisibilityOrder
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicLong
+import kotlin.contracts.ExperimentalContracts
+import kotlin.contracts.contract
 
 /**
  * A row of tiles: the bins with what each has to draw, and room for what comes out.
@@ -121,8 +124,7 @@ internal class Band(frame: Frame, private val grid: TileGrid) {
             nearest[member] = order.nearestKey(primitive, content.index(single))
             firstColumns[member] = first
             lastColumns[member] = last
-            val isTriangle = primitive is PlanarPrimitive && primitive.isTriangle && !primitive.isTranslucent
-            spans[member] = if (first == last || isTriangle) {
+            spans[member] = if (first == last || primitive.isOpaqueTriangle()) {
                 null
             } else {
                 BandSpans(primitive, maxOf(primitive.rowStart, rowStart), minOf(primitive.rowEnd, rowEnd), spanBytes)
@@ -189,4 +191,11 @@ internal class Band(frame: Frame, private val grid: TileGrid) {
         /** Of a Java heap beyond 32 gigabytes; half as much below. */
         private const val REFERENCE_BYTES = 8L
     }
+}
+
+/** Whether this is a triangle that is drawn in blocks, like those of batches. */
+@OptIn(ExperimentalContracts::class)
+internal fun Primitive.isOpaqueTriangle(): Boolean {
+    contract { returns(true) implies (this@isOpaqueTriangle is PlanarPrimitive) }
+    return this is PlanarPrimitive && isTriangle && !isTranslucent
 }

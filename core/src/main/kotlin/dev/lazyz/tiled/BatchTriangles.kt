@@ -51,7 +51,7 @@ internal class BatchTriangles(
     private fun batch(index: Int): TriangleBatch {
         val last = lastBatch
         if (last != null && index >= last.first && index < last.first + last.count) return last
-        return checkNotNull(content.batch(index)).also { lastBatch = it }
+        return content.batch(index).also { lastBatch = it }
     }
 
     private var lastBatch: TriangleBatch? = null

@@ -8,9 +8,6 @@ import dev.lazyz.setup.TriangleForms
  * All kernels give the same bits. Stateless but for scratch: belongs to one thread.
  */
 internal interface BlockKernel {
-    /** Whether the loops are written with the Vector API. */
-    val isVector: Boolean
-
     /** Prepares for the triangle in [forms]; to be called when its steps have changed. */
     fun begin(forms: TriangleForms)
 
@@ -49,11 +46,5 @@ internal interface BlockKernel {
 
         /** The upper half of a key, and of a form of depth. */
         const val DEPTH_BITS: Long = -1L shl Int.SIZE_BITS
-
-        private val hasVectors: Boolean =
-            ModuleLayer.boot().findModule("jdk.incubator.vector").isPresent && VectorBlockKernel.isUseful
-
-        /** Returns the fastest kernel that this JVM offers. */
-        fun best(): BlockKernel = if (hasVectors) VectorBlockKernel() else ScalarBlockKernel()
     }
 }

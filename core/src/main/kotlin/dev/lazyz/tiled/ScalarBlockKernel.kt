@@ -4,8 +4,6 @@ import dev.lazyz.setup.TriangleForms
 
 /** The loops as any JVM runs them. */
 internal class ScalarBlockKernel : BlockKernel {
-    override val isVector: Boolean get() = false
-
     private lateinit var forms: TriangleForms
 
     override fun begin(forms: TriangleForms) {

@@ -4,14 +4,24 @@ import dev.lazyz.setup.ScreenGrid
 
 /**
  * Which samples a small triangle covers, by its edge functions (contract rule 2.2; see
- * [dev.lazyz.setup.TriangleForms]). Holds the answer until the next question; belongs to one thread.
+ * [dev.lazyz.setup.TriangleForms]).
  *
  * Half of the triangles of a fine mesh cover nothing, the others this or that: nothing that a processor could predict. So
  * there are no branches, and a whole square is looked at whatever the size of the triangle. Vertices and samples are
  * less than 2^13 grid steps apart, so 32 bits are enough.
  */
-internal class SmallCoverage {
-    private var bits = 0
+internal object SmallCoverage {
+    /** Samples at a side of the square. */
+    const val SIDE: Int = 3
+
+    /** Most samples at a side of a triangle's bounds. */
+    const val MOST: Int = 16
+
+    private const val ALL = (1 shl SIDE * SIDE) - 1
+
+    /** Column within the square of each of its samples, two bits each, and row, likewise. */
+    private const val COLUMNS = 0b10_01_00_10_01_00_10_01_00
+    private const val ROWS = 0b10_10_10_01_01_01_00_00_00
 
     /**
      * Returns a bit for each sample of the square of [SIDE] x [SIDE] samples from ([column], [row]) on, row by row from the
@@ -24,15 +34,14 @@ internal class SmallCoverage {
         val isCounterclockwise = area shr Int.SIZE_BITS - 1
         val turnX = (bx xor cx) and isCounterclockwise
         val turnY = (by xor cy) and isCounterclockwise
-        clockwise(ax, ay, bx xor turnX, by xor turnY, cx xor turnX, cy xor turnY, column, row)
-        return bits and ((-area or area) shr Int.SIZE_BITS - 1)
+        return clockwise(ax, ay, bx xor turnX, by xor turnY, cx xor turnX, cy xor turnY, column, row) and
+            ((-area or area) shr Int.SIZE_BITS - 1)
     }
 
-    private fun clockwise(ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int, column: Int, row: Int) {
+    private fun clockwise(ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int, column: Int, row: Int): Int {
         val sampleX = column * ScreenGrid.STEPS + ScreenGrid.CENTER
         val sampleY = row * ScreenGrid.STEPS + ScreenGrid.CENTER
-        bits = 0
-        row(
+        return square(
             edge(ax, ay, bx, by, sampleX, sampleY), edge(bx, by, cx, cy, sampleX, sampleY),
             edge(cx, cy, ax, ay, sampleX, sampleY), ScreenGrid.STEPS * (ay - by), ScreenGrid.STEPS * (by - cy),
             ScreenGrid.STEPS * (cy - ay), ScreenGrid.STEPS * (bx - ax), ScreenGrid.STEPS * (cx - bx),
@@ -40,7 +49,7 @@ internal class SmallCoverage {
         )
     }
 
-    private fun row(
+    private fun square(
         first0: Int,
         first1: Int,
         first2: Int,
@@ -50,11 +59,11 @@ internal class SmallCoverage {
         dy0: Int,
         dy1: Int,
         dy2: Int,
-    ) {
+    ): Int {
         val outside0 = three(first0, first1, first2, dx0, dx1, dx2)
         val outside1 = three(first0 + dy0, first1 + dy1, first2 + dy2, dx0, dx1, dx2)
         val outside2 = three(first0 + 2 * dy0, first1 + 2 * dy1, first2 + 2 * dy2, dx0, dx1, dx2)
-        bits = (outside0 or (outside1 shl SIDE) or (outside2 shl 2 * SIDE)) xor ALL
+        return (outside0 or (outside1 shl SIDE) or (outside2 shl 2 * SIDE)) xor ALL
     }
 
     /** Which of three samples in a row are outside: where the sign of an edge function says so. */
@@ -74,32 +83,18 @@ internal class SmallCoverage {
         return runX * (sampleY - fromY) - runY * (sampleX - fromX) - 1 + isOwner
     }
 
-    companion object {
-        /** Samples at a side of the square. */
-        const val SIDE: Int = 3
+    /** Column of sample number [place] in the square. */
+    fun column(place: Int): Int = COLUMNS ushr 2 * place and 3
 
-        /** Most samples at a side of a triangle's bounds. */
-        const val MOST: Int = 16
+    /** Row of sample number [place] in the square. */
+    fun row(place: Int): Int = ROWS ushr 2 * place and 3
 
-        private const val ALL = (1 shl SIDE * SIDE) - 1
-
-        /** Column within the square of each of its samples, two bits each, and row, likewise. */
-        private const val COLUMNS = 0b10_01_00_10_01_00_10_01_00
-        private const val ROWS = 0b10_10_10_01_01_01_00_00_00
-
-        /** Column of sample number [place] in the square. */
-        fun column(place: Int): Int = COLUMNS ushr 2 * place and 3
-
-        /** Row of sample number [place] in the square. */
-        fun row(place: Int): Int = ROWS ushr 2 * place and 3
-
-        /** Returns the bits of the samples in the columns [left] until [right] and the rows [top] until [bottom]. */
-        fun within(left: Int, right: Int, top: Int, bottom: Int): Int {
-            val columns = below(right) and below(left).inv()
-            val rows = below(SIDE * bottom) and below(SIDE * top).inv()
-            return columns * 0b1_001_001 and rows
-        }
-
-        private fun below(bit: Int): Int = (1 shl bit) - 1
+    /** Returns the bits of the samples in the columns [left] until [right] and the rows [top] until [bottom]. */
+    fun within(left: Int, right: Int, top: Int, bottom: Int): Int {
+        val columns = below(right) and below(left).inv()
+        val rows = below(SIDE * bottom) and below(SIDE * top).inv()
+        return columns * 0b1_001_001 and rows
     }
+
+    private fun below(bit: Int): Int = (1 shl bit) - 1
 }

@@ -14,7 +14,7 @@ internal class TileRenderer(
     private val frame: Frame,
     private val grid: TileGrid,
     coherence: Coherence,
-    kernel: BlockKernel,
+    kernels: Kernels,
     private val checkpoint: Checkpoint,
 ) {
     /** What has been done here. */
@@ -26,10 +26,10 @@ internal class TileRenderer(
     private val keys = TileKeys(grid, frame.raster, counters)
     private val layers = TileLayers(keys, test, counters)
     private val spans = Spans(frame.region)
-    private val drawing = TileTriangles(keys, kernel, counters)
+    private val drawing = TileTriangles(keys, kernels.blocks, counters)
     private val batches = BatchTriangles(content, test, keys, drawing, checkpoint)
     private val forms = TriangleForms(test)
-    private val shading = TileShading(frame, keys, layers, coherence, counters, checkpoint)
+    private val shading = TileShading(frame, keys, layers, coherence, kernels.fragments, counters, checkpoint)
     private var cursorBytes = 0L
 
     /** Bytes held at most. */
@@ -65,8 +65,7 @@ internal class TileRenderer(
         val shared = band.spans(member)
         when {
             shared != null -> drawShared(shared.rows(spans, counters, checkpoint), primitive, index)
-            primitive is PlanarPrimitive && primitive.isTriangle && !isTranslucent(primitive) ->
-                drawTriangle(primitive, index)
+            primitive.isOpaqueTriangle() -> drawTriangle(primitive, index)
             else -> drawAlone(primitive, index)
         }
     }

@@ -7,18 +7,18 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Fragment
 import dev.lazyz.FragmentBatch
 import dev.lazyz.Frame
+import dev.lazyz.Primitive
 import dev.lazyz.Shader
-import dev.lazyz.Srgb
-import dev.lazyz.setup.BatchFace
+import dev.lazyz.setup.Face
+import dev.lazyz.setup.FaceSetUp
 import dev.lazyz.setup.LateShading
-import dev.lazyz.setup.PlanarSetUp
-import dev.lazyz.setup.TriangleBatch
+import dev.lazyz.setup.PlanarPrimitive
 
 /**
- * Computes the colours of one tile, now that it is known what is visible: those of batches' triangles many at a time,
+ * Computes the colours of one tile, now that it is known what is visible: those of flat primitives many at a time,
  * others one by one. Belongs to one thread; used for tile after tile.
  *
- * Neighbours on a row that show the same triangle are a run: what is known of the triangle is fetched once. Runs are
+ * Neighbours on a row that show the same primitive are a run: what is known of the primitive is fetched once. Runs are
  * gathered, over rows, until the shader or the attributes change or the batch is full.
  */
 internal class TileShading(
@@ -26,6 +26,7 @@ internal class TileShading(
     private val keys: TileKeys,
     private val layers: TileLayers,
     private val coherence: Coherence,
+    private val kernel: FragmentKernel,
     private val counters: Counters,
     private val checkpoint: Checkpoint,
 ) {
@@ -38,21 +39,33 @@ internal class TileShading(
     private val single = LateShading(frame, coherence, counters)
     private val firstColumn = frame.region.columnStart
 
-    /** Triangles lately seen, by the lower bits of their indices: a triangle is met again on the next row. */
-    private val faces = arrayOfNulls<BatchFace>(if (content.batches.isEmpty()) 0 else FACES)
+    /**
+     * Flat primitives lately seen, by the lower bits of their indices: one is met again on the next row. None where
+     * attributes are stepped along rows.
+     */
+    private val faces = arrayOfNulls<Face>(if (coherence == Coherence.INCREMENTAL) 0 else FACES)
 
     /** What shades the triangles of each batch, made when it is first met. */
-    private val faceSetUps = arrayOfNulls<PlanarSetUp.FaceSetUp>(content.batches.size)
-    private var lastBatch: TriangleBatch? = null
-    private var lastSetUp: PlanarSetUp.FaceSetUp? = null
+    private val faceSetUps = arrayOfNulls<FaceSetUp>(content.batches.size)
+    private var lastBatch = -1
 
-    private val fragments = FragmentBatch(if (content.batches.isEmpty()) 1 else FragmentBatch.CAPACITY)
-    private val fragment = Fragment()
+    /** Fragments that wait for their colour, and the runs that they are: row of the tile, column of the band, length. */
+    private val fragments = FragmentBatch(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
+    private val runRows = IntArray(FragmentBatch.CAPACITY)
+    private val runColumns = IntArray(FragmentBatch.CAPACITY)
+    private val runLengths = IntArray(FragmentBatch.CAPACITY)
+    private var runs = 0
+    private val packed = IntArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
     private var shader: Shader? = null
+
+    private val alone = FragmentBatch(1)
+    private val fragment = Fragment()
     private lateinit var band: Band
 
     /** Bytes held at most. */
-    val bytes: Long get() = fragments.bytes + faces.size * FACE_BYTES + single.peakBytes
+    val bytes: Long
+        get() = fragments.bytes + Int.SIZE_BYTES * (3L * runRows.size + packed.size) + faces.size * Face.BYTES +
+            single.peakBytes
 
     /** Fills in colour, depth and primitive of the tile in [band]. */
     fun shade(band: Band) {
@@ -69,22 +82,23 @@ internal class TileShading(
 
     private fun shadeRow(y: Int) {
         val row = y - keys.rowStart
-        val depths = band.depth[row]
-        val indices = band.primitive[row]
         val all = keys.keys
-        val last = keys.place(keys.columnEnd - 1, y)
-        val toColumn = keys.columnStart - keys.place(keys.columnStart, y)
-        var at = keys.place(keys.columnStart, y)
-        while (at <= last) {
-            val rank = all[at].toInt()
-            val index = test.indexOf(all[at])
+        val first = keys.place(keys.columnStart, y)
+        val width = keys.columnEnd - keys.columnStart
+        val toColumn = keys.columnStart - firstColumn
+        val depths = band.depth[row]
+        for (i in 0 until width) depths[toColumn + i] = (all[first + i] ushr Int.SIZE_BITS).toInt() xor depthTurn
+        val indices = band.primitive[row]
+        var at = 0
+        while (at < width) {
+            val rank = all[first + at].toInt()
+            val index = test.indexOf(all[first + at])
             val start = at
             do {
-                depths[toColumn + at - firstColumn] = (all[at] ushr Int.SIZE_BITS).toInt() xor depthTurn
+                indices[toColumn + at] = index
                 at++
-            } while (at <= last && all[at].toInt() == rank)
-            indices.fill(index, toColumn + start - firstColumn, toColumn + at - firstColumn)
-            shadeRun(toColumn + start, toColumn + at, y, row, index)
+            } while (at < width && all[first + at].toInt() == rank)
+            shadeRun(keys.columnStart + start, keys.columnStart + at, y, row, index)
         }
     }
 
@@ -95,9 +109,9 @@ internal class TileShading(
             colors.fill(background, from - firstColumn, until - firstColumn)
             return
         }
-        val face = if (coherence == Coherence.INCREMENTAL) null else face(index)
+        val face = face(index)
         if (face == null) {
-            val primitive = if (coherence == Coherence.INCREMENTAL) frame.primitives[index] else content.single(index)
+            val primitive = primitive(index)
             for (x in from until until) {
                 colors[x - firstColumn] = single.shaded(x, y, index, primitive).toArgb()
             }
@@ -105,21 +119,18 @@ internal class TileShading(
         }
         counters.shadingCalls += until - from
         counters.shadingStarts += until - from
-        val shader = face.shader
         if (face.isConstant) {
             colors.fill(face.argb, from - firstColumn, until - firstColumn)
-        } else if (shader is BatchShader) {
-            gather(face, shader, from, until, y)
         } else {
-            shadeOneByOne(face, shader, from, until, y, colors)
+            gather(face, from, until, y, row)
         }
     }
 
     /** Adds a run to the batch. */
-    private fun gather(face: BatchFace, shader: BatchShader, from: Int, until: Int, y: Int) {
-        if (shader !== this.shader || face.fields != fragments.fields) {
+    private fun gather(face: Face, from: Int, until: Int, y: Int, row: Int) {
+        if (face.shader !== shader || face.fields != fragments.fields) {
             flush()
-            this.shader = shader
+            shader = face.shader
             fragments.begin(face.fields)
         }
         var x = from
@@ -127,12 +138,12 @@ internal class TileShading(
             if (fragments.size == FragmentBatch.CAPACITY) flush()
             val at = fragments.size
             val count = minOf(until - x, FragmentBatch.CAPACITY - at)
-            for (i in 0 until count) {
-                fragments.x[at + i] = x + i
-                fragments.y[at + i] = y
-            }
-            face.attributes(fragments, at, x, y, count)
+            fragments.place(at, x, y, count)
+            kernel.attributes(face, fragments, at, x, y, count)
             fragments.size = at + count
+            runRows[runs] = row
+            runColumns[runs] = x - firstColumn
+            runLengths[runs++] = count
             x += count
         }
     }
@@ -141,58 +152,63 @@ internal class TileShading(
     private fun flush() {
         val count = fragments.size
         if (count == 0) return
-        fragments.alpha.fill(1f, 0, count)
-        (shader as BatchShader).shade(fragments)
-        for (i in 0 until count) {
-            band.argb[fragments.y[i] - keys.rowStart][fragments.x[i] - firstColumn] =
-                Srgb.pack(fragments.red[i], fragments.green[i], fragments.blue[i], fragments.alpha[i])
+        val shader = shader!!
+        if (shader is BatchShader) {
+            fragments.alpha.fill(1f, 0, count)
+            shader.shade(fragments)
+        } else {
+            fragments.shadeEach(shader)
+        }
+        kernel.pack(fragments, packed)
+        var at = 0
+        for (run in 0 until runs) {
+            val colors = band.argb[runRows[run]]
+            val column = runColumns[run]
+            val length = runLengths[run]
+            for (i in 0 until length) colors[column + i] = packed[at + i]
+            at += length
         }
         fragments.size = 0
+        runs = 0
     }
 
-    /** For shaders that know no batches. */
-    private fun shadeOneByOne(face: BatchFace, shader: Shader, from: Int, until: Int, y: Int, colors: IntArray) {
-        flush()
-        this.shader = null
-        fragments.begin(face.fields)
-        var x = from
-        while (x < until) {
-            val count = minOf(until - x, FragmentBatch.CAPACITY)
-            face.attributes(fragments, 0, x, y, count)
-            for (i in 0 until count) {
-                fragments.moveTo(fragment, i, x + i, y)
-                shader.shade(fragment)
-                colors[x + i - firstColumn] = fragment.toArgb()
-            }
-            x += count
-        }
-    }
-
-    /** Returns what is known of the triangle [index], or null if it is in no batch. */
-    private fun face(index: Int): BatchFace? {
+    /** Returns what is known of the primitive [index], or null if it is shaded sample by sample. */
+    private fun face(index: Int): Face? {
         if (faces.isEmpty()) return null
         val slot = index and FACES - 1
         val known = faces[slot]
         if (known != null && known.index == index) return known
-        val batch = batch(index) ?: return null
-        val face = known ?: BatchFace().also { faces[slot] = it }
-        face.fill(batch, index - batch.first, lastSetUp!!, fragment)
+        val number = batch(index)
+        val flat = if (number < 0) content.single(index) as? PlanarPrimitive ?: return null else null
+        val face = known ?: Face().also { faces[slot] = it }
+        if (flat != null) {
+            face.fill(index, flat, fragment)
+        } else {
+            val batch = content.batches[number]
+            val setUp = faceSetUps[number] ?: batch.faces().also { faceSetUps[number] = it }
+            face.fill(batch, index - batch.first, setUp, fragment)
+        }
         return face
     }
 
-    private fun batch(index: Int): TriangleBatch? {
-        val last = lastBatch
-        if (last != null && index >= last.first && index < last.first + last.count &&
-            last.isDrawn(index - last.first)
-        ) {
-            return last
+    /** Returns the number of the batch that a primitive is drawn from, or -1; mostly it is that of the one before. */
+    private fun batch(index: Int): Int {
+        if (lastBatch >= 0) {
+            val triangle = index - content.batches[lastBatch].first
+            if (triangle >= 0 && triangle < content.batches[lastBatch].count &&
+                content.batches[lastBatch].isDrawn(triangle)
+            ) {
+                return lastBatch
+            }
         }
-        val batch = content.batch(index) ?: return null
-        val number = content.batches.indexOf(batch)
-        lastBatch = batch
-        lastSetUp = faceSetUps[number] ?: batch.faces().also { faceSetUps[number] = it }
-        return batch
+        val number = content.batchNumber(index)
+        if (number >= 0) lastBatch = number
+        return number
     }
+
+    /** Returns the primitive [index], which has no face. */
+    private fun primitive(index: Int): Primitive =
+        if (faces.isEmpty()) frame.primitives[index] else content.single(index)
 
     private fun blendRow(y: Int) {
         val row = y - keys.rowStart
@@ -219,27 +235,23 @@ internal class TileShading(
 
     /** Returns a fragment with the colour of the primitive [index], not packed. */
     private fun shaded(x: Int, y: Int, index: Int): Fragment {
-        val face = if (coherence == Coherence.INCREMENTAL) null else face(index)
-        if (face == null) {
-            val primitive = if (coherence == Coherence.INCREMENTAL) frame.primitives[index] else content.single(index)
-            return single.shaded(x, y, index, primitive)
-        }
+        val face = face(index) ?: return single.shaded(x, y, index, primitive(index))
         counters.shadingCalls++
         counters.shadingStarts++
-        flush()
-        shader = null
-        fragments.begin(face.fields)
-        face.attributes(fragments, 0, x, y, 1)
-        fragments.moveTo(fragment, 0, x, y)
-        face.shader.shade(fragment)
+        if (face.isConstant) {
+            face.shadeConstant(fragment)
+        } else {
+            alone.begin(face.fields)
+            alone.place(0, x, y, 1)
+            face.attributes(alone, 0, x, y)
+            alone.moveTo(fragment, 0)
+            face.shader.shade(fragment)
+        }
         return fragment
     }
 
     private companion object {
-        /** Triangles that are remembered, a power of two. */
+        /** Primitives that are remembered, a power of two. */
         const val FACES = 64
-
-        /** Two objects, one of 22 fields, and 48 numbers. */
-        const val FACE_BYTES = 2 * 16L + 22 * 8L + 16L + 48 * 8L
     }
 }

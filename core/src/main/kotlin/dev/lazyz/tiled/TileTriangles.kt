@@ -19,8 +19,6 @@ internal class TileTriangles(
     private val kernel: BlockKernel,
     private val counters: Counters,
 ) {
-    private val small = SmallCoverage()
-
     // The part of the triangle's bounds that is in the tile, in samples from the tile's first
     private var left = 0
     private var right = 0
@@ -59,7 +57,10 @@ internal class TileTriangles(
         if (isSmall) {
             for (row in top until bottom step SmallCoverage.SIDE) {
                 for (column in left until right step SmallCoverage.SIDE) {
-                    val covered = small.of(ax, ay, bx, by, cx, cy, tile.columnStart + column, tile.rowStart + row)
+                    val covered = SmallCoverage.of(
+                        ax, ay, bx, by, cx, cy, tile.columnStart + column,
+                        tile.rowStart + row
+                    )
                     drawSquare(
                         forms, column, row,
                         covered and SmallCoverage.within(

@@ -51,7 +51,7 @@ public class Tiled internal constructor(
     private val coherence: Coherence,
     private val threads: Int,
     private val tileSize: Int,
-    private val kernels: () -> BlockKernel = BlockKernel::best,
+    private val kernels: () -> Kernels = Kernels::best,
 ) : Renderer {
     /** A renderer that heeds [RenderOptions.coherence], [RenderOptions.threads] and [RenderOptions.tileSize]. */
     @JvmOverloads

@@ -196,7 +196,6 @@ internal class TriangleBins(
 
     /** What one chunk of the triangles brings, in the order in which it was found. Belongs to one thread. */
     private inner class Chunk(private val number: Int) {
-        private val coverage = SmallCoverage()
         private val forms = TriangleForms(test)
 
         /** Nearest key of each triangle that is not small, and its tile or [SEVERAL]. */
@@ -269,7 +268,7 @@ internal class TriangleBins(
             val by = snapped[b + 1]
             val cx = snapped[c]
             val cy = snapped[c + 1]
-            var rest = coverage.of(ax, ay, bx, by, cx, cy, left, top)
+            var rest = SmallCoverage.of(ax, ay, bx, by, cx, cy, left, top)
             if (left < leftmost || right > rightmost || top < rowStart || bottom > rowEnd) {
                 rest = rest and here(left, top)
             }
@@ -312,7 +311,7 @@ internal class TriangleBins(
                 val key = nearestFound[i]
                 if (tilesFound[i] == SEVERAL) {
                     val index = test.indexOf(key)
-                    val batch = checkNotNull(content.batch(index))
+                    val batch = content.batch(index)
                     forEachTile(batch, index - batch.first) { triangles[triangleEnds.next(number, it)] = key }
                 } else {
                     triangles[triangleEnds.next(number, tilesFound[i])] = key

@@ -23,8 +23,6 @@ private val LANES: Int = SPECIES.length()
  * needed for C2 to keep vectors in registers.
  */
 internal class VectorBlockKernel : BlockKernel {
-    override val isVector: Boolean get() = true
-
     private lateinit var forms: TriangleForms
 
     // Steps from a block's first column to each
@@ -48,10 +46,12 @@ internal class VectorBlockKernel : BlockKernel {
         val before = farthest[block]
         var passes = 0
         var most = Long.MIN_VALUE
-        for (column in 0 until BlockKernel.BLOCK step LANES) {
+        var column = 0
+        while (column < BlockKernel.BLOCK) {
             farthest[block] = before
             passes += wholeColumn(keys, at + column, stride, this.z, column, z, forms.zdy, forms.rank, farthest, block)
             most = maxOf(most, farthest[block])
+            column += LANES
         }
         farthest[block] = most
         return passes
@@ -73,10 +73,12 @@ internal class VectorBlockKernel : BlockKernel {
         val before = farthest[block]
         var result = 0L
         var most = Long.MIN_VALUE
-        for (column in 0 until BlockKernel.BLOCK step LANES) {
+        var column = 0
+        while (column < BlockKernel.BLOCK) {
             farthest[block] = before
             result += partColumn(keys, at + column, stride, column, e0, e1, e2, z, columns, rows, farthest, block)
             most = maxOf(most, farthest[block])
+            column += LANES
         }
         farthest[block] = most
         return result

@@ -1,12 +1,15 @@
 package dev.lazyz.tiled
 
+import dev.lazyz.AlphaMode
 import dev.lazyz.BatchShader
 import dev.lazyz.Camera
 import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
+import dev.lazyz.FragmentBatch
 import dev.lazyz.Frame
+import dev.lazyz.Light
 import dev.lazyz.Material
 import dev.lazyz.Mesh
 import dev.lazyz.Polygon
@@ -19,8 +22,10 @@ import dev.lazyz.Shader
 import dev.lazyz.Shading
 import dev.lazyz.Sides
 import dev.lazyz.Sphere
+import dev.lazyz.Srgb
 import dev.lazyz.Surface
 import dev.lazyz.Vertex
+import dev.lazyz.lists.Lists
 import dev.lazyz.zbuffer.ZBuffer
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
@@ -58,6 +63,18 @@ class TiledMeshProperties {
                 }
             }
             assertEquals(1, counters.size) { "seed $seed, tileSize $tileSize: $counters" }
+        }
+    }
+
+    @Property(tries = 60, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    fun rule_7_1_meshesBehindGlassComeOutAsTheirTrianglesOneByOne(@ForAll seed: Long) {
+        val frame = frame(Random(seed), alpha = 0.4f)
+        val expected = Lists().render(frame)
+        for (kernel in kernels().values) {
+            for (tileSize in listOf(8, 64)) {
+                val image = Tiled(Coherence.DIRECT, 2, tileSize, kernel).render(frame)
+                assertEquals(expected, image) { "seed $seed, tileSize $tileSize" }
+            }
         }
     }
 
@@ -100,13 +117,61 @@ class TiledMeshProperties {
         }
     }
 
-    /** Meshes of triangles from less than a sample to more than the picture, and other surfaces in between. */
-    private fun frame(random: Random): Frame {
+    @Test
+    fun aConstantTriangleBehindGlassHasItsColor() {
+        val corners = listOf(Vertex(-1.0, -1.0, 1.0), Vertex(1.0, -1.0, 1.0), Vertex(1.0, 1.0, 1.0))
+        val glass = Polygon(listOf(corners), Material(Rgba(0f, 0.4f, 0f, 0.5f), alphaMode = AlphaMode.BLEND))
+        val positions = floatArrayOf(-1f, -1f, 0f, 1f, -1f, 0f, 1f, 1f, 0f)
+        val material = Material(Rgba(1f, 0.5f, 0f), shading = Shading.FLAT)
+        val mesh = Mesh(positions, intArrayOf(0, 1, 2), material)
+        val camera = Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 2.0, 1.0, 9.0)
+        val frame = Scene(listOf(glass, mesh), listOf(Light.Ambient(Rgba.WHITE)), camera).frame(16, 16)
+        assertEquals(Lists().render(frame), Tiled(Coherence.DIRECT, 1, 64).render(frame))
+    }
+
+    @Test
+    fun colorsArePackedTheSameByAllKernels() {
+        assumeTrue(kernels().size > 1, "needs the module jdk.incubator.vector")
+        val special = floatArrayOf(
+            Float.NaN, Float.NEGATIVE_INFINITY, -1f, -0f, 0f, Float.MIN_VALUE, Math.nextDown(Srgb.LEAST), Srgb.LEAST,
+            Math.nextDown(1f), 1f, Math.nextUp(1f), 2f, Float.POSITIVE_INFINITY,
+        )
+        val random = Random(1)
+        val batch = FragmentBatch(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
+        repeat(1000) { round ->
+            batch.size = 1 + random.nextInt(FragmentBatch.CAPACITY)
+            for (channel in listOf(batch.red, batch.green, batch.blue)) {
+                for (i in 0 until batch.size) {
+                    channel[i] = if (random.nextInt(8) == 0) {
+                        special[random.nextInt(special.size)]
+                    } else {
+                        // On both sides of where one code ends and the next begins
+                        val code = Srgb.decode(random.nextInt(256))
+                        code + (random.nextFloat() - 0.5f) * 0.01f * code
+                    }
+                }
+            }
+            batch.alpha.fill(1f)
+            if (round % 4 == 0) batch.alpha[random.nextInt(batch.size)] = random.nextFloat()
+            val (scalar, vector) = kernels().values.map { kernels ->
+                val argb = IntArray(batch.red.size)
+                kernels().fragments.pack(batch, argb)
+                argb.take(batch.size)
+            }
+            assertEquals(scalar, vector)
+        }
+    }
+
+    /**
+     * Meshes of triangles from less than a sample to more than the picture, and other surfaces in between, among them
+     * panes of the opacity [alpha].
+     */
+    private fun frame(random: Random, alpha: Float = 1f): Frame {
         val surfaces = ArrayList<Surface>()
         repeat(1 + random.nextInt(3)) {
             surfaces += mesh(random)
             if (random.nextInt(3) == 0) surfaces += Sphere(Vector3d(0.2, 0.1, 0.0), 0.6, Material(Rgba(1f, 0.5f, 0f)))
-            if (random.nextInt(3) == 0) surfaces += pane(random)
+            if (random.nextInt(3) == 0) surfaces += pane(random, alpha)
         }
         val camera = if (random.nextBoolean()) {
             SampleScenes.camera
@@ -128,10 +193,10 @@ class TiledMeshProperties {
         )
     }
 
-    private fun pane(random: Random): Surface {
+    private fun pane(random: Random, alpha: Float): Surface {
         val z = random.nextDouble() * 4 - 2
         val corners = listOf(Vertex(-1.0, -1.0, z), Vertex(1.0, -1.0, z), Vertex(1.0, 1.0, z), Vertex(-1.0, 1.0, z))
-        return Polygon(listOf(corners), Material(Rgba(0f, 0.4f, 0f)))
+        return Polygon(listOf(corners), Material(Rgba(0f, 0.4f, 0f, alpha), alphaMode = AlphaMode.BLEND))
     }
 
     /** Triangles around random places, as large as a random power of two; a few with a vertex that is nowhere. */
@@ -150,6 +215,13 @@ class TiledMeshProperties {
             }
         }
         if (random.nextInt(8) == 0) positions[random.nextInt(positions.size)] = Float.NaN
+
+        // Behind the eye, or behind the far plane
+        if (random.nextInt(4) ==
+            0
+        ) {
+            positions[3 * random.nextInt(3 * triangles) + 2] = if (random.nextBoolean()) 30f else -30f
+        }
         return if (random.nextBoolean()) soup else Mesh(positions, soup.triangles, soup.material, colors = same(soup))
     }
 
@@ -173,9 +245,9 @@ class TiledMeshProperties {
         }
     }
 
-    private fun kernels(): Map<String, () -> BlockKernel> {
-        val kernels = linkedMapOf<String, () -> BlockKernel>("scalar" to ::ScalarBlockKernel)
-        if (BlockKernel.best().isVector) kernels["vector"] = ::VectorBlockKernel
+    private fun kernels(): Map<String, () -> Kernels> {
+        val kernels = linkedMapOf<String, () -> Kernels>("scalar" to Kernels::scalar)
+        if (Kernels.best().isVector) kernels["vector"] = Kernels::vector
         return kernels
     }
 

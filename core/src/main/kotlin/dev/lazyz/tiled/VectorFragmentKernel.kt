@@ -1,0 +1,164 @@
+package dev.lazyz.tiled
+
+import dev.lazyz.FragmentBatch
+import dev.lazyz.Srgb
+import dev.lazyz.setup.Face
+import dev.lazyz.setup.PlanarPrimitive
+import dev.lazyz.setup.Vertices
+import jdk.incubator.vector.DoubleVector
+import jdk.incubator.vector.FloatVector
+import jdk.incubator.vector.IntVector
+import jdk.incubator.vector.VectorOperators
+import jdk.incubator.vector.VectorShape
+import jdk.incubator.vector.VectorSpecies
+
+private val DOUBLES: VectorSpecies<Double> = DoubleVector.SPECIES_PREFERRED
+private val LANES: Int = DOUBLES.length()
+
+/** As many floats as [DOUBLES] has lanes. */
+private val NARROW: VectorSpecies<Float> =
+    VectorSpecies.of(Float::class.javaPrimitiveType, VectorShape.forBitSize(LANES * Float.SIZE_BITS))
+private val FLOATS: VectorSpecies<Float> = FloatVector.SPECIES_PREFERRED
+private val INTS: VectorSpecies<Int> = IntVector.SPECIES_PREFERRED
+
+/**
+ * The loops by the JVM's Vector API. To be loaded only where the JVM has the module `jdk.incubator.vector`.
+ *
+ * Edge functions are taken as doubles, which have them exactly: so the order in which steps are added up does not matter.
+ * Methods are small, and hand arrays to each other: so C2 keeps vectors in registers.
+ */
+internal class VectorFragmentKernel : FragmentKernel {
+    /** Steps from a run's first sample to each. */
+    private val columns = DoubleArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE) { it.toDouble() }
+
+    private val weight0 = DoubleArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
+    private val weight1 = DoubleArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
+    private val weight2 = DoubleArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
+    private val buckets = IntArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
+    private val places = IntArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
+
+    override fun attributes(face: Face, batch: FragmentBatch, at: Int, x: Int, y: Int, count: Int) {
+        if (face.fields == 0) return
+        if (count < LONG || !face.isExact) {
+            for (i in 0 until count) face.attributes(batch, at + i, x + i, y)
+            return
+        }
+        weigh(face, x, y, count)
+        val fields = face.fields
+        if (fields and PlanarPrimitive.WORLD != 0) {
+            mix(face, Vertices.WORLD, 1.0, batch.worldX, at, count)
+            mix(face, Vertices.WORLD + 1, 1.0, batch.worldY, at, count)
+            mix(face, Vertices.WORLD + 2, 1.0, batch.worldZ, at, count)
+        }
+        if (fields and PlanarPrimitive.NORMAL != 0) {
+            mix(face, Vertices.NORMAL, face.normalSign, batch.normalX, at, count)
+            mix(face, Vertices.NORMAL + 1, face.normalSign, batch.normalY, at, count)
+            mix(face, Vertices.NORMAL + 2, face.normalSign, batch.normalZ, at, count)
+        }
+        if (fields and PlanarPrimitive.UV != 0) {
+            mix(face, Vertices.UV, 1.0, batch.u, at, count)
+            mix(face, Vertices.UV + 1, 1.0, batch.v, at, count)
+        }
+        if (fields and PlanarPrimitive.COLOR != 0) {
+            mix(face, Vertices.COLOR, 1.0, batch.vertexRed, at, count)
+            mix(face, Vertices.COLOR + 1, 1.0, batch.vertexGreen, at, count)
+            mix(face, Vertices.COLOR + 2, 1.0, batch.vertexBlue, at, count)
+            mix(face, Vertices.COLOR + 3, 1.0, batch.vertexAlpha, at, count)
+        }
+    }
+
+    /** Perspective-correct weights, as [Face] has them for one sample; edge functions are exact as doubles. */
+    private fun weigh(face: Face, x: Int, y: Int, count: Int) {
+        val first0 = (face.e0 + face.e0dx * x + face.e0dy * y).toDouble()
+        val first1 = (face.e1 + face.e1dx * x + face.e1dy * y).toDouble()
+        val first2 = (face.e2 + face.e2dx * x + face.e2dy * y).toDouble()
+        val step0 = face.e0dx.toDouble()
+        val step1 = face.e1dx.toDouble()
+        val step2 = face.e2dx.toDouble()
+        var i = 0
+        while (i < count) {
+            val column = DoubleVector.fromArray(DOUBLES, columns, i)
+            val part0 = column.mul(step0).add(first0).mul(face.over0)
+            val part1 = column.mul(step1).add(first1).mul(face.over1)
+            val part2 = column.mul(step2).add(first2).mul(face.over2)
+            val sum = part0.add(part1).add(part2).max(face.least)
+            val scale = DoubleVector.broadcast(DOUBLES, 1.0).div(sum)
+            part0.mul(scale).intoArray(weight0, i)
+            part1.mul(scale).intoArray(weight1, i)
+            part2.mul(scale).intoArray(weight2, i)
+            i += LANES
+        }
+    }
+
+    private fun mix(face: Face, field: Int, sign: Double, out: FloatArray, at: Int, count: Int) {
+        val data = face.vertices.data
+        val a = data[field]
+        val b = data[Vertices.STRIDE + field]
+        val c = data[2 * Vertices.STRIDE + field]
+        var i = 0
+        while (i < count) {
+            val sum = DoubleVector.fromArray(DOUBLES, weight0, i).mul(a)
+                .add(DoubleVector.fromArray(DOUBLES, weight1, i).mul(b))
+                .add(DoubleVector.fromArray(DOUBLES, weight2, i).mul(c))
+            sum.mul(sign).convertShape(VectorOperators.D2F, NARROW, 0).reinterpretAsFloats().intoArray(out, at + i)
+            i += LANES
+        }
+    }
+
+    override fun pack(batch: FragmentBatch, argb: IntArray) {
+        val count = batch.size
+        if (!isOpaque(batch.alpha, count)) {
+            for (i in 0 until count) {
+                argb[i] = Srgb.pack(batch.red[i], batch.green[i], batch.blue[i], batch.alpha[i])
+            }
+            return
+        }
+        argb.fill(OPAQUE, 0, count)
+        encode(batch.red, argb, 16, count)
+        encode(batch.green, argb, 8, count)
+        encode(batch.blue, argb, 0, count)
+    }
+
+    private fun isOpaque(alpha: FloatArray, count: Int): Boolean {
+        for (i in 0 until count) if (alpha[i] != 1f) return false
+        return true
+    }
+
+    /** Puts the codes of colours, see [Srgb.encode], into [argb], [shift] bits from the right. */
+    private fun encode(linear: FloatArray, argb: IntArray, shift: Int, count: Int) {
+        number(linear, count)
+        var i = 0
+        while (i < count) {
+            val bucket = IntVector.fromArray(INTS, Srgb.buckets, 0, buckets, i)
+            val before = bucket.and((1 shl Srgb.CODE_SHIFT) - 1).sub(1)
+            val isBehind = before.sub(IntVector.fromArray(INTS, places, i)).lanewise(
+                VectorOperators.LSHR,
+                Int.SIZE_BITS - 1
+            )
+            val code = bucket.lanewise(VectorOperators.LSHR, Srgb.CODE_SHIFT).add(isBehind)
+            code.lanewise(VectorOperators.LSHL, shift).or(IntVector.fromArray(INTS, argb, i)).intoArray(argb, i)
+            i += INTS.length()
+        }
+    }
+
+    /** Finds the bucket of each value, and its place there. */
+    private fun number(linear: FloatArray, count: Int) {
+        var i = 0
+        while (i < count) {
+            val value = FloatVector.fromArray(FLOATS, linear, i)
+            val isSomething = value.compare(VectorOperators.GE, Srgb.LEAST)
+            val clamped = FloatVector.broadcast(FLOATS, Srgb.LEAST).blend(value.min(1f), isSomething)
+            val bits = clamped.reinterpretAsInts().sub(Srgb.LEAST_BITS)
+            bits.lanewise(VectorOperators.LSHR, Srgb.BUCKET_SHIFT).intoArray(buckets, i)
+            bits.and((1 shl Srgb.BUCKET_SHIFT) - 1).intoArray(places, i)
+            i += INTS.length()
+        }
+    }
+
+    private companion object {
+        /** Samples from which on a run is worth vectors. */
+        const val LONG = 4
+
+        const val OPAQUE = 0xFF shl 24
+    }
+}
