@@ -118,7 +118,7 @@ class ArchitectureTest {
 
     private companion object {
         /** `java.` but for desktop and what has no place in a renderer. */
-        val VECTORS = listOf("VectorBlockKernel", "VectorFragmentKernel")
+        val VECTORS = listOf("VectorBlockKernel", "VectorCoverageKernel", "VectorFragmentKernel")
 
         val ALLOWED = listOf(
             "dev.lazyz.", "kotlin.", "kotlinx.coroutines.", "org.joml.", "java.util.", "java.security.", "java.lang.",

@@ -31,8 +31,12 @@ internal class FaceSetUp(
     /** Sets vertex [to] to the attributes of the mesh's vertex [from], as far as they matter. */
     fun load(vertices: Vertices, to: Int, from: Int) {
         val mesh = mesh!!
-        if (isPlaced) vertices.setWorld(to, mesh, from)
-        vertices.setAttributes(to, mesh, from)
+        if (isPlaced) {
+            vertices.setWorld(to, mesh, from)
+            vertices.setNormal(to, mesh, from)
+        }
+        if (fields and PlanarPrimitive.UV != 0) vertices.setUv(to, mesh, from)
+        if (fields and PlanarPrimitive.COLOR != 0) vertices.setColor(to, mesh, from)
     }
 
     /** Gives a triangle of its own vertices normals and light; returns the sign that turns normals to the viewer. */

@@ -77,7 +77,7 @@ internal class TriangleForms(private val test: DepthTest) {
     }
 
     /** Sets depth from the vertices' own, in the order in which they were submitted; see [ReferenceTriangle.form]. */
-    fun depth(index: Int, ax: Int, ay: Int, az: Int, bx: Int, by: Int, bz: Int, cx: Int, cy: Int, cz: Int) {
+    private fun depth(index: Int, ax: Int, ay: Int, az: Int, bx: Int, by: Int, bz: Int, cx: Int, cy: Int, cz: Int) {
         rank(index, minOf(az, minOf(bz, cz)) - 1, maxOf(az, maxOf(bz, cz)) + 1)
         val dx1 = (bx - ax).toLong()
         val dy1 = (by - ay).toLong()
@@ -97,6 +97,18 @@ internal class TriangleForms(private val test: DepthTest) {
                 ReferenceTriangle.rounded(slopeY),
             )
         }
+    }
+
+    /** Sets the depth of triangle number [triangle] of [batch]. */
+    fun depth(batch: TriangleBatch, triangle: Int) {
+        val grid = batch.grid
+        val a = TriangleBatch.STRIDE * batch.corners[3 * triangle]
+        val b = TriangleBatch.STRIDE * batch.corners[3 * triangle + 1]
+        val c = TriangleBatch.STRIDE * batch.corners[3 * triangle + 2]
+        depth(
+            batch.first + triangle, grid[a], grid[a + 1], grid[a + 2], grid[b], grid[b + 1], grid[b + 2], grid[c],
+            grid[c + 1], grid[c + 2],
+        )
     }
 
     /** Sets depth from a form and its bounds. */

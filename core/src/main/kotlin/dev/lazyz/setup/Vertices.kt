@@ -33,23 +33,37 @@ internal class Vertices(count: Int) {
 
     /** Sets the attributes of [vertex] but for its position to those of the [mesh]'s vertex [from]. */
     fun setAttributes(vertex: Int, mesh: Mesh, from: Int) {
-        val at = STRIDE * vertex
-        val normals = mesh.normals
-        if (normals != null) {
-            data[at + NORMAL] = normals[3 * from].toDouble()
-            data[at + NORMAL + 1] = normals[3 * from + 1].toDouble()
-            data[at + NORMAL + 2] = normals[3 * from + 2].toDouble()
-        }
-        val uvs = mesh.uvs
-        if (uvs != null) {
-            data[at + UV] = uvs[2 * from].toDouble()
-            data[at + UV + 1] = uvs[2 * from + 1].toDouble()
-        }
+        setNormal(vertex, mesh, from)
+        setUv(vertex, mesh, from)
+        setColor(vertex, mesh, from)
+    }
+
+    /** Sets the normal of [vertex], if the mesh has normals. */
+    fun setNormal(vertex: Int, mesh: Mesh, from: Int) {
+        val normals = mesh.normals ?: return
+        val at = STRIDE * vertex + NORMAL
+        data[at] = normals[3 * from].toDouble()
+        data[at + 1] = normals[3 * from + 1].toDouble()
+        data[at + 2] = normals[3 * from + 2].toDouble()
+    }
+
+    /** Sets the texture coordinates of [vertex], if the mesh has some. */
+    fun setUv(vertex: Int, mesh: Mesh, from: Int) {
+        val uvs = mesh.uvs ?: return
+        val at = STRIDE * vertex + UV
+        data[at] = uvs[2 * from].toDouble()
+        data[at + 1] = uvs[2 * from + 1].toDouble()
+    }
+
+    /** Sets the colour of [vertex], white if the mesh has none. */
+    fun setColor(vertex: Int, mesh: Mesh, from: Int) {
         val colors = mesh.colors
-        data[at + COLOR] = if (colors == null) 1.0 else colors[4 * from].toDouble()
-        data[at + COLOR + 1] = if (colors == null) 1.0 else colors[4 * from + 1].toDouble()
-        data[at + COLOR + 2] = if (colors == null) 1.0 else colors[4 * from + 2].toDouble()
-        data[at + COLOR + 3] = if (colors == null) 1.0 else colors[4 * from + 3].toDouble()
+        val at = STRIDE * vertex + COLOR
+        if (colors == null) return data.fill(1.0, at, at + 4)
+        data[at] = colors[4 * from].toDouble()
+        data[at + 1] = colors[4 * from + 1].toDouble()
+        data[at + 2] = colors[4 * from + 2].toDouble()
+        data[at + 3] = colors[4 * from + 3].toDouble()
     }
 
     /** Returns a new object with copies of the given vertices, in their order. */

@@ -43,7 +43,7 @@ internal class BatchTriangles(
             if (sorted[i] >= keys.farthest()) continue
             val index = test.indexOf(sorted[i])
             val batch = batch(index)
-            draw(batch, index - batch.first, index)
+            draw(batch, index - batch.first)
         }
     }
 
@@ -56,7 +56,7 @@ internal class BatchTriangles(
 
     private var lastBatch: TriangleBatch? = null
 
-    private fun draw(batch: TriangleBatch, triangle: Int, index: Int) {
+    private fun draw(batch: TriangleBatch, triangle: Int) {
         val grid = batch.grid
         val a = TriangleBatch.STRIDE * batch.corners[3 * triangle]
         val b = TriangleBatch.STRIDE * batch.corners[3 * triangle + 1]
@@ -68,7 +68,7 @@ internal class BatchTriangles(
         val cx = grid[c]
         val cy = grid[c + 1]
         if (!drawing.begin(ax, ay, bx, by, cx, cy)) return
-        forms.depth(index, ax, ay, grid[a + 2], bx, by, grid[b + 2], cx, cy, grid[c + 2])
+        forms.depth(batch, triangle)
         forms.moveTo(keys.columnStart, keys.rowStart)
         drawing.draw(forms, ax, ay, bx, by, cx, cy)
     }

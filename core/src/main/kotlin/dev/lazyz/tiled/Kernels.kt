@@ -5,7 +5,12 @@ package dev.lazyz.tiled
  *
  * @property isVector whether the loops are written with the Vector API
  */
-internal class Kernels(val isVector: Boolean, val blocks: BlockKernel, val fragments: FragmentKernel) {
+internal class Kernels(
+    val isVector: Boolean,
+    val coverage: CoverageKernel,
+    val blocks: BlockKernel,
+    val fragments: FragmentKernel,
+) {
     companion object {
         private val hasVectors: Boolean =
             ModuleLayer.boot().findModule("jdk.incubator.vector").isPresent && VectorBlockKernel.isUseful
@@ -14,9 +19,9 @@ internal class Kernels(val isVector: Boolean, val blocks: BlockKernel, val fragm
         fun best(): Kernels = if (hasVectors) vector() else scalar()
 
         /** Returns those that any JVM runs. */
-        fun scalar(): Kernels = Kernels(false, ScalarBlockKernel(), ScalarFragmentKernel())
+        fun scalar(): Kernels = Kernels(false, ScalarCoverageKernel(), ScalarBlockKernel(), ScalarFragmentKernel())
 
         /** Returns those for JVMs with the module `jdk.incubator.vector`. */
-        fun vector(): Kernels = Kernels(true, VectorBlockKernel(), VectorFragmentKernel())
+        fun vector(): Kernels = Kernels(true, VectorCoverageKernel(), VectorBlockKernel(), VectorFragmentKernel())
     }
 }

@@ -16,7 +16,7 @@ internal class Rendering(
     private val grid: TileGrid,
     private val coherence: Coherence,
     private val threads: Int,
-    kernels: () -> Kernels,
+    private val kernels: () -> Kernels,
 ) {
     private val columns = grid.columns.toLong()
 
@@ -108,7 +108,7 @@ internal class Rendering(
         if (hasBatches && filled % bandsAtOnce == 0) {
             val until = minOf(filled + bandsAtOnce, grid.bands)
             bins = null
-            bins = TriangleBins(frame.content, grid, test, stride, filled, until, threads)
+            bins = TriangleBins(frame.content, grid, test, stride, filled, until, threads, kernels)
                 .also { binBytes = maxOf(binBytes, it.bytes) }
         }
         bandAt(filled).fill(filled, arrivals, bins)

@@ -17,7 +17,8 @@ internal object SmallCoverage {
     /** Most samples at a side of a triangle's bounds. */
     const val MOST: Int = 16
 
-    private const val ALL = (1 shl SIDE * SIDE) - 1
+    /** The bits of all samples of the square. */
+    const val ALL: Int = (1 shl SIDE * SIDE) - 1
 
     /** Column within the square of each of its samples, two bits each, and row, likewise. */
     private const val COLUMNS = 0b10_01_00_10_01_00_10_01_00

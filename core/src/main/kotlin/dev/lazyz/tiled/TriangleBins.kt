@@ -31,6 +31,7 @@ internal class TriangleBins(
     private val bandStart: Int,
     private val bandEnd: Int,
     threads: Int,
+    kernels: () -> Kernels,
 ) {
     private val leftmost = grid.region.columnStart
     private val rightmost = grid.region.columnEnd
@@ -54,7 +55,7 @@ internal class TriangleBins(
     init {
         val found = arrayOfNulls<Chunk>(chunks)
         inParallel(chunks) { number ->
-            found[number] = Chunk(number).also { chunk -> forEach(number, chunk::enter) }
+            found[number] = Chunk(number, kernels().coverage).also { chunk -> forEach(number, chunk::enter) }
         }
         triangles = LongArray(triangleEnds.sumUp())
         keys = LongArray(fragmentEnds.sumUp())
@@ -97,13 +98,16 @@ internal class TriangleBins(
         return fragmentEnds.end(tile) - fragmentEnds.start(tile)
     }
 
-    private inline fun forEach(chunk: Int, action: (batch: TriangleBatch, triangle: Int) -> Unit) {
+    /** Calls [action] for all triangles of a chunk, some of one batch at a time. */
+    private inline fun forEach(chunk: Int, action: (batch: TriangleBatch, first: Int, count: Int) -> Unit) {
         val from = (total.toLong() * chunk / chunks).toInt()
         val until = (total.toLong() * (chunk + 1) / chunks).toInt()
         var offset = 0
         for (batch in content.batches) {
             val last = minOf(until - offset, batch.count)
-            for (triangle in maxOf(from - offset, 0) until last) action(batch, triangle)
+            for (first in maxOf(from - offset, 0) until last step CoverageKernel.COUNT) {
+                action(batch, first, minOf(last - first, CoverageKernel.COUNT))
+            }
             offset += batch.count
         }
     }
@@ -195,25 +199,37 @@ internal class TriangleBins(
     }
 
     /** What one chunk of the triangles brings, in the order in which it was found. Belongs to one thread. */
-    private inner class Chunk(private val number: Int) {
+    private inner class Chunk(private val number: Int, private val coverage: CoverageKernel) {
         private val forms = TriangleForms(test)
 
         /** Nearest key of each triangle that is not small, and its tile or [SEVERAL]. */
-        private var nearestFound = LongArray(CAPACITY)
-        private var tilesFound = IntArray(CAPACITY)
+        private var nearestFound = LongArray(LEAST_CHUNK)
+        private var tilesFound = IntArray(LEAST_CHUNK)
         private var triangleCount = 0
 
         /** Key of each fragment; its tile and its place there, [TILE_SHIFT] bits apart. */
-        private var keysFound = LongArray(CAPACITY)
-        private var placesFound = IntArray(CAPACITY)
+        private var keysFound = LongArray(maxOf(LEAST_CHUNK, total / chunks / 2))
+        private var placesFound = IntArray(keysFound.size)
         private var fragmentCount = 0
 
         val bytes: Long
             get() = (Long.SIZE_BYTES + Int.SIZE_BYTES) * (nearestFound.size + keysFound.size.toLong())
 
-        /** Draws a triangle if it is small, or counts it for its tiles. */
-        fun enter(batch: TriangleBatch, triangle: Int) {
-            if (!batch.isDrawn(triangle)) return
+        /** Draws triangles that are small, and counts the others for their tiles. */
+        fun enter(batch: TriangleBatch, first: Int, count: Int) {
+            coverage.cover(batch, first, count)
+            for (i in 0 until count) {
+                val covered = coverage.covered[i]
+                if (covered == 0 || !batch.isDrawn(first + i)) continue
+                if (covered == CoverageKernel.LARGE) {
+                    enterLarge(batch, first + i)
+                } else {
+                    draw(batch, first + i, coverage.left[i], coverage.top[i], covered)
+                }
+            }
+        }
+
+        private fun enterLarge(batch: TriangleBatch, triangle: Int) {
             val snapped = batch.grid
             val a = TriangleBatch.STRIDE * batch.corners[3 * triangle]
             val b = TriangleBatch.STRIDE * batch.corners[3 * triangle + 1]
@@ -222,9 +238,6 @@ internal class TriangleBins(
             val right = ScreenGrid.firstSample(maxOf(snapped[a], maxOf(snapped[b], snapped[c])))
             val top = ScreenGrid.firstSample(minOf(snapped[a + 1], minOf(snapped[b + 1], snapped[c + 1])))
             val bottom = ScreenGrid.firstSample(maxOf(snapped[a + 1], maxOf(snapped[b + 1], snapped[c + 1])))
-            if (right - left <= SmallCoverage.SIDE && bottom - top <= SmallCoverage.SIDE) {
-                return draw(batch, triangle, a, b, c, left, right, top, bottom)
-            }
             val columnStart = maxOf(left, leftmost)
             val columnEnd = minOf(right, rightmost)
             val first = maxOf(top, rowStart)
@@ -249,31 +262,16 @@ internal class TriangleBins(
             tilesFound[triangleCount++] = tile
         }
 
-        /** Draws a triangle whose bounds have at most [SmallCoverage.SIDE] samples at a side, or none. */
-        private fun draw(
-            batch: TriangleBatch,
-            triangle: Int,
-            a: Int,
-            b: Int,
-            c: Int,
-            left: Int,
-            right: Int,
-            top: Int,
-            bottom: Int,
-        ) {
-            val snapped = batch.grid
-            val ax = snapped[a]
-            val ay = snapped[a + 1]
-            val bx = snapped[b]
-            val by = snapped[b + 1]
-            val cx = snapped[c]
-            val cy = snapped[c + 1]
-            var rest = SmallCoverage.of(ax, ay, bx, by, cx, cy, left, top)
-            if (left < leftmost || right > rightmost || top < rowStart || bottom > rowEnd) {
+        /** Draws the samples [covered] of the square from ([left], [top]) on. */
+        private fun draw(batch: TriangleBatch, triangle: Int, left: Int, top: Int, covered: Int) {
+            var rest = covered
+            if (left < leftmost || left + SmallCoverage.SIDE > rightmost || top < rowStart ||
+                top + SmallCoverage.SIDE > rowEnd
+            ) {
                 rest = rest and here(left, top)
             }
             if (rest == 0) return
-            forms.depth(batch.first + triangle, ax, ay, snapped[a + 2], bx, by, snapped[b + 2], cx, cy, snapped[c + 2])
+            forms.depth(batch, triangle)
             if (fragmentCount + MOST_FRAGMENTS > keysFound.size) {
                 keysFound = keysFound.copyOf(2 * keysFound.size)
                 placesFound = placesFound.copyOf(keysFound.size)
@@ -325,8 +323,6 @@ internal class TriangleBins(
     companion object {
         /** Instead of a tile: there are more than one. */
         private const val SEVERAL = -1
-
-        private const val CAPACITY = 1024
 
         private const val MOST_FRAGMENTS = SmallCoverage.SIDE * SmallCoverage.SIDE
 

@@ -216,16 +216,19 @@ class TiledThreadsTest {
     @Test
     fun anInterruptionIsNotLostOnAnotherFailure() {
         val caller = Thread.currentThread()
+        val begun = CountDownLatch(1)
         val failed = CountDownLatch(1)
         assertThrows(IllegalStateException::class.java) {
             tiled(2).render(
                 frame { _, _ ->
                     if (Thread.currentThread() === caller) {
+                        begun.countDown()
                         failed.await()
                         Thread.sleep(50)
                         caller.interrupt()
                         Thread.sleep(1)
                     } else {
+                        begun.await()
                         failed.countDown()
                         error("worker")
                     }
