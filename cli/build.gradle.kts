@@ -16,6 +16,11 @@ dependencies {
     implementation(libs.mordant)
 }
 
+tasks.named<Jar>("fatJar") {
+    // For VectorModule
+    manifest.attributes("Add-Exports" to "java.base/jdk.internal.module")
+}
+
 // The launcher lies beside the jar that it starts
 val launcher = tasks.register<Copy>("launcher") {
     from("src/main/sh")

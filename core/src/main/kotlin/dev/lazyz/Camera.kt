@@ -90,7 +90,7 @@ public class Camera private constructor(
     internal val upward: Vector3d
 
     init {
-        require(eye.isFinite && target.isFinite) { "eye and target must be finite: $eye, $target" }
+        require(Vectors.isFinite(eye) && Vectors.isFinite(target)) { "eye and target must be finite: $eye, $target" }
         require(far > near && far.isFinite() && near.isFinite()) { "near must be less than far: $near, $far" }
         require(projection !is Projection.Perspective || near > 0.0) {
             "near must be positive under perspective: $near"
@@ -108,7 +108,9 @@ public class Camera private constructor(
     override fun camera(bounds: Box?, aspect: Double): Camera = this
 
     /** Returns the matrix from world space to camera space; a new matrix at each call. */
-    public fun viewMatrix(): Matrix4d = Matrix4d(
+    public fun viewMatrix(): Matrix4d = Matrix4d().set(viewElements())
+
+    private fun viewElements(): DoubleArray = doubleArrayOf(
         right.x, upward.x, backward.x, 0.0,
         right.y, upward.y, backward.y, 0.0,
         right.z, upward.z, backward.z, 0.0,
@@ -121,13 +123,15 @@ public class Camera private constructor(
      *
      * @throws IllegalStateException for [Projection.Screen], whose scale is the raster's size and not its shape
      */
-    public fun projectionMatrix(aspect: Double): Matrix4d {
+    public fun projectionMatrix(aspect: Double): Matrix4d = Matrix4d().set(projectionElements(aspect))
+
+    private fun projectionElements(aspect: Double): DoubleArray {
         require(aspect > 0.0 && aspect.isFinite()) { "aspect must be positive: $aspect" }
         val depth = far - near
         return when (projection) {
             is Projection.Perspective -> {
                 val scale = 1.0 / halfHeight()
-                Matrix4d(
+                doubleArrayOf(
                     scale / aspect, 0.0, 0.0, 0.0,
                     0.0, scale, 0.0, 0.0,
                     0.0, 0.0, -(far + near) / depth, -1.0,
@@ -136,7 +140,7 @@ public class Camera private constructor(
             }
             is Projection.Orthographic -> {
                 val scale = 1.0 / halfHeight()
-                Matrix4d(
+                doubleArrayOf(
                     scale / aspect, 0.0, 0.0, 0.0,
                     0.0, scale, 0.0, 0.0,
                     0.0, 0.0, -2.0 / depth, 0.0,
@@ -151,14 +155,18 @@ public class Camera private constructor(
      * Returns the matrix from world space to what set-up clips and snaps: clip space, or, for [Projection.Screen],
      * pixels and the fraction of the way from near to far. There it multiplies by 1 and adds 0: nothing is rounded.
      */
-    internal fun setUpMatrix(aspect: Double): Matrix4d {
-        if (projection != Projection.Screen) return Transforms.product(projectionMatrix(aspect), viewMatrix())
+    internal fun setUpMatrix(aspect: Double): SetUpMatrix {
+        if (projection != Projection.Screen) {
+            return SetUpMatrix(Transforms.product(projectionElements(aspect), viewElements()))
+        }
         val depth = far - near
-        return Matrix4d(
-            1.0, 0.0, 0.0, 0.0,
-            0.0, 1.0, 0.0, 0.0,
-            0.0, 0.0, 1.0 / depth, 0.0,
-            0.0, 0.0, -near / depth, 1.0,
+        return SetUpMatrix(
+            doubleArrayOf(
+                1.0, 0.0, 0.0, 0.0,
+                0.0, 1.0, 0.0, 0.0,
+                0.0, 0.0, 1.0 / depth, 0.0,
+                0.0, 0.0, -near / depth, 1.0,
+            ),
         )
     }
 

@@ -36,7 +36,7 @@ public sealed class Light {
         public val position: Vector3dc = Vector3d(position)
 
         init {
-            require(position.isFinite) { "position of a light must be finite: $position" }
+            require(Vectors.isFinite(position)) { "position of a light must be finite: $position" }
         }
 
         override fun toString(): String = "Light.Point($position, $color)"

@@ -13,10 +13,12 @@ import org.joml.Matrix4dc
 public object Transforms {
     /** Returns the product of [left] and [right]: the transform that applies [right], then [left]. */
     @JvmStatic
-    public fun product(left: Matrix4dc, right: Matrix4dc): Matrix4d {
+    public fun product(left: Matrix4dc, right: Matrix4dc): Matrix4d =
         // Through arrays: JOML's access to single elements by number goes through sun.misc.Unsafe
-        val a = left.get(DoubleArray(16))
-        val b = right.get(DoubleArray(16))
+        Matrix4d().set(product(left.get(DoubleArray(16)), right.get(DoubleArray(16))))
+
+    /** The same of the elements of matrices, column by column. */
+    internal fun product(a: DoubleArray, b: DoubleArray): DoubleArray {
         val product = DoubleArray(16)
         for (column in 0 until 4) {
             for (row in 0 until 4) {
@@ -25,6 +27,6 @@ public object Transforms {
                 product[4 * column + row] = sum
             }
         }
-        return Matrix4d().set(product)
+        return product
     }
 }

@@ -20,6 +20,9 @@ internal object Vectors {
         return Vector3d(v.x() / length, v.y() / length, v.z() / length)
     }
 
+    /** Whether all components are finite. JOML's own test loads the formats of its texts, and with them Java's locales. */
+    fun isFinite(v: Vector3dc): Boolean = v.x().isFinite() && v.y().isFinite() && v.z().isFinite()
+
     fun cross(a: Vector3dc, b: Vector3dc): Vector3d = Vector3d(
         a.y() * b.z() - a.z() * b.y(),
         a.z() * b.x() - a.x() * b.z(),

@@ -12,6 +12,7 @@ import kotlin.system.exitProcess
 
 /** Runs zcli as a program: see [run]. */
 fun main(args: Array<String>) {
+    VectorModule.loadIfWanted()
     val streams = Streams.ofProcess()
     exitProcess(run(args, streams))
 }

@@ -129,6 +129,9 @@ class BuildsAgreeTest {
             val jar = Regex(""""$module" to \("(.*)" to "(.*)"\)""").find(gradleRoot)
             assertEquals(name, jar?.groupValues?.get(1), "fat jar of $module")
             assertEquals(properties?.valueOrNull("fat.jar.main"), jar?.groupValues?.get(2), "main class of $module")
+            val exports = Regex(""""Add-Exports" to "(.*)"""").find(gradleFile(module))?.groupValues?.get(1)
+            assertEquals(properties?.valueOrNull("fat.jar.exports"), exports, "exports to $module")
+            assertEquals(VectorModule.EXPORT.takeIf { module == "cli" }, exports, "exports to $module")
         }
     }
 

@@ -60,6 +60,8 @@ class ColdStartTest {
             "com.github.ajalt.mordant.",
             "io.github.earcut4j.",
             "net.jqwik.",
+            "org.joml.Matrix",
+            "org.joml.Options",
             "org.junit.",
             "dev.lazyz.conformance.",
             "dev.lazyz.scenes.gltf.",

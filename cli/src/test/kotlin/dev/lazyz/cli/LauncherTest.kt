@@ -1,5 +1,6 @@
 package dev.lazyz.cli
 
+import dev.lazyz.tiled.Tiled
 import java.io.File
 import java.nio.file.Files
 import java.nio.file.Path
@@ -113,6 +114,32 @@ class LauncherTest {
     fun collectorOfOnesOwn() = render(OFF + ("ZCLI_JAVA_OPTIONS" to "-XX:+UseParallelGC -Xmx64m"))
 
     @Test
+    fun vectorApiOnRequest() {
+        assumeTrue(Tiled().kernel == "vector", "this machine has no vectors that are wide enough")
+        val jar = "${home.resolve("zcli.jar")}"
+        assertEquals("scalar", kernel("-jar", jar))
+        assertEquals("vector", kernel("-Dzcli.kernel=vector", "-jar", jar))
+        // Where nothing lets us, silently without
+        assertEquals("scalar", kernel("-Dzcli.kernel=vector", "-cp", jar, "dev.lazyz.cli.MainKt"))
+
+        val script = zcli(*KERNEL_JOB, environment = OFF + ("ZCLI_JAVA_OPTIONS" to "-Dzcli.kernel=vector"))
+        assertEquals(0, script.exitValue(), errors)
+        assertEquals("vector", statIn(folder.resolve("output").readText(), "kernel"))
+        assertEquals("", errors)
+    }
+
+    /** Returns what `--stats` says of the kernel in a process of plain Java, which must not print a warning. */
+    private fun kernel(vararg start: String): String {
+        val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+        val process = ProcessBuilder(listOf(java) + start + KERNEL_JOB).directory(folder.toFile())
+            .redirectErrorStream(true).start()
+        val text = process.inputStream.readAllBytes().decodeToString()
+        assertEquals(0, process.waitFor(), text)
+        assertTrue(text.startsWith("{"), text)
+        return statIn(text, "kernel")
+    }
+
+    @Test
     fun noJava() {
         assertEquals(2, zcli("scenes", environment = mapOf("JAVA_HOME" to "/nowhere")).exitValue())
         assertTrue(errors.startsWith("zcli: error: no Java at '/nowhere/bin/java'"), errors)
@@ -120,6 +147,7 @@ class LauncherTest {
 
     companion object {
         private val OFF = mapOf("ZCLI_CACHE" to "")
+        private val KERNEL_JOB = arrayOf("render", "cycle", "--size", "40x30", "--stats=json", "-o", "kernel.png")
 
         @TempDir
         lateinit var home: Path
@@ -135,6 +163,7 @@ class LauncherTest {
             val manifest = Manifest()
             manifest.mainAttributes[Attributes.Name.MANIFEST_VERSION] = "1.0"
             manifest.mainAttributes[Attributes.Name.MAIN_CLASS] = "dev.lazyz.cli.MainKt"
+            manifest.mainAttributes[Attributes.Name("Add-Exports")] = VectorModule.EXPORT
             manifest.mainAttributes[Attributes.Name.CLASS_PATH] = jars.joinToString(" ") { it.toUri().toString() }
             JarOutputStream(home.resolve("zcli.jar").outputStream(), manifest).use { jar ->
                 for (folder in folders) pack(folder, jar)

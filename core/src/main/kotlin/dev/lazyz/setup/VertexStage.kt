@@ -19,10 +19,10 @@ internal class VertexStage(camera: Camera, val viewport: Viewport) {
     inline fun toClip(x: Double, y: Double, z: Double, action: (x: Double, y: Double, z: Double, w: Double) -> Unit) {
         val m = worldToClip
         action(
-            m.m00() * x + m.m10() * y + m.m20() * z + m.m30(),
-            m.m01() * x + m.m11() * y + m.m21() * z + m.m31(),
-            m.m02() * x + m.m12() * y + m.m22() * z + m.m32(),
-            m.m03() * x + m.m13() * y + m.m23() * z + m.m33(),
+            m.m00 * x + m.m10 * y + m.m20 * z + m.m30,
+            m.m01 * x + m.m11 * y + m.m21 * z + m.m31,
+            m.m02 * x + m.m12 * y + m.m22 * z + m.m32,
+            m.m03 * x + m.m13 * y + m.m23 * z + m.m33,
         )
     }
 

@@ -12,11 +12,16 @@ internal class Kernels(
     val fragments: FragmentKernel,
 ) {
     companion object {
-        private val hasVectors: Boolean =
-            ModuleLayer.boot().findModule("jdk.incubator.vector").isPresent && VectorBlockKernel.isUseful
+        /** Returns the fastest that this JVM offers now: a module may come to one that runs. */
+        fun best(): Kernels = if (hasVectors()) vector() else scalar()
 
-        /** Returns the fastest that this JVM offers. */
-        fun best(): Kernels = if (hasVectors) vector() else scalar()
+        /** Whether the JVM's own class loaders find the Vector API, and its vectors are wide enough. */
+        private fun hasVectors(): Boolean = try {
+            Class.forName("jdk.incubator.vector.LongVector", false, ClassLoader.getPlatformClassLoader())
+            VectorBlockKernel.isUseful
+        } catch (_: ClassNotFoundException) {
+            false
+        }
 
         /** Returns those that any JVM runs. */
         fun scalar(): Kernels = Kernels(false, ScalarCoverageKernel(), ScalarBlockKernel(), ScalarFragmentKernel())

@@ -28,6 +28,9 @@ record Contender(String name, Kind kind, List<String> command) {
         /** {@code vtk_peer.py}: no shader for the rounds; its picture is not sRGB. */
         VTK,
 
+        /** {@code JmolPeer.java}: one thread, no perspective, no shader, a colour a triangle that is not sRGB. */
+        JMOL,
+
         /** {@link PeerRun} on some JVM. */
         OURS,
     }
@@ -50,12 +53,13 @@ record Contender(String name, Kind kind, List<String> command) {
             case LLVMPIPE_VISIBILITY -> isDear && !isPerspective;
             case EUC -> threads == 1 && !isPerspective;
             case VTK -> !isDear;
+            case JMOL -> threads == 1 && !isDear && !isPerspective;
         };
     }
 
     /** Whether colours of its pictures can be compared with ours. */
     boolean isSrgb() {
-        return kind != Kind.VTK;
+        return kind != Kind.VTK && kind != Kind.JMOL;
     }
 
     /** Returns the command line that draws a scene, given by name for ours and by file for peers. */

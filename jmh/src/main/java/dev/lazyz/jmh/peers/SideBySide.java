@@ -31,6 +31,7 @@ public final class SideBySide {
             "llvmpipe",
             "euc",
             "vtk",
+            "jmol",
             "ours",
             "cold",
             "scenes",
@@ -65,6 +66,7 @@ public final class SideBySide {
         }
         options.all("euc").forEach(command -> contenders.add(Contender.parse(Contender.Kind.EUC, "euc=" + command)));
         options.all("vtk").forEach(command -> contenders.add(Contender.parse(Contender.Kind.VTK, "VTK=" + command)));
+        options.all("jmol").forEach(command -> contenders.add(Contender.parse(Contender.Kind.JMOL, "Jmol=" + command)));
         options.all("ours").forEach(text -> contenders.add(Contender.parse(Contender.Kind.OURS, text)));
     }
 

@@ -14,13 +14,21 @@ internal object Builtins {
         Builtin("teapot", "the Utah teapot: smooth shading, highlights, a body that hides its inside", size) {
             teapot(TEAPOT_SEGMENTS)
         },
-        Builtin("cycle", "three bars that overlap in a cycle: no order of painting is right", size, CycleScene::scene),
-        Builtin("crossing", "three triangles that go through each other", size, CrossingScene::scene),
-        Builtin("molecule", "a molecule of caffeine: intersecting spheres, no triangle", size, MoleculeScene::scene),
+        Builtin("cycle", "three bars that overlap in a cycle: no order of painting is right", size) {
+            CycleScene.scene()
+        },
+        Builtin("crossing", "three triangles that go through each other", size) { CrossingScene.scene() },
+        Builtin("molecule", "a molecule of caffeine: intersecting spheres, no triangle", size) {
+            MoleculeScene.scene()
+        },
         Builtin("city", "a city seen from its main street: most of it is hidden", size) { city(CITY_BLOCKS, 1) },
         Builtin("layers", "a hundred squares on top of each other, the hidden ones first", size) { layers(LAYERS) },
-        Builtin("plane", "a chequered plane to the horizon: texture in correct perspective", size, PlaneScene::scene),
-        Builtin("star", "a concave polygon with a hole, and behind it one that crosses itself", size, StarScene::scene),
+        Builtin("plane", "a chequered plane to the horizon: texture in correct perspective", size) {
+            PlaneScene.scene()
+        },
+        Builtin("star", "a concave polygon with a hole, and behind it one that crosses itself", size) {
+            StarScene.scene()
+        },
     )
 
     fun teapot(segments: Int): Scene = TeapotScene.scene(segments)

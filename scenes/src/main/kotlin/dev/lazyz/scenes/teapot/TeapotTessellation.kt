@@ -108,6 +108,6 @@ internal class TeapotTessellation(private val segments: Int, patches: List<Bezie
         triangles[indexCount++] = c
     }
 
-    private fun coincide(a: Int, b: Int): Boolean =
-        (0 until 3).all { axis -> positions[3 * a + axis] == positions[3 * b + axis] }
+    private fun coincide(a: Int, b: Int): Boolean = positions[3 * a] == positions[3 * b] &&
+        positions[3 * a + 1] == positions[3 * b + 1] && positions[3 * a + 2] == positions[3 * b + 2]
 }

@@ -31,7 +31,7 @@ internal class PngFilter(private val width: Int, private val channels: Int) {
     fun best(): ByteArray {
         var leastSum = Long.MAX_VALUE
         for (type in NONE..PAETH) {
-            val sum = apply(type)
+            val sum = apply(type, leastSum)
             if (sum < leastSum) {
                 leastSum = sum
                 val spare = least
@@ -42,8 +42,8 @@ internal class PngFilter(private val width: Int, private val channels: Int) {
         return least
     }
 
-    /** Fills the candidate and returns the sum of its bytes' absolute values, taken as signed. */
-    private fun apply(type: Int): Long {
+    /** Fills the candidate and returns the sum of its bytes' absolute values, taken as signed; gives up at [limit]. */
+    private fun apply(type: Int, limit: Long): Long {
         candidate[0] = type.toByte()
         var sum = 0L
         for (i in 0 until size) {
@@ -59,6 +59,7 @@ internal class PngFilter(private val width: Int, private val channels: Int) {
             val difference = (current[i] - predicted).toByte()
             candidate[i + 1] = difference
             sum += if (difference < 0) -difference else difference.toInt()
+            if (sum >= limit) break
         }
         return sum
     }

@@ -1,0 +1,139 @@
+package dev.lazyz.jmh.kernel;
+
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+
+/** How a linear component becomes an 8-bit sRGB code, exactly: 4096 of them. */
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.MICROSECONDS)
+@Fork(1)
+@Warmup(iterations = 3, time = 1)
+@Measurement(iterations = 5, time = 1)
+@State(Scope.Benchmark)
+public class SrgbBenchmark {
+    private static final int COUNT = 4096;
+
+    /** Below which the code is 0. */
+    private static final float LEAST = 1f / 8192f;
+
+    private static final int LEAST_BITS = Float.floatToRawIntBits(LEAST);
+    private static final int BUCKET_SHIFT = 23 - 8;
+    private static final int CODE_SHIFT = BUCKET_SHIFT + 1;
+
+    /** What comes: anything, or values of which each is near the one before. */
+    @Param({"random", "smooth"})
+    public String values;
+
+    private final float[] linear = new float[COUNT];
+    private final float[] thresholds = new float[257];
+    private final int[] buckets = new int[13 << 8];
+
+    /** Makes values and tables, and refuses to measure variants that differ. */
+    @Setup
+    public void setUp() {
+        for (int code = 1; code < 256; code++) {
+            thresholds[code] = threshold(code);
+        }
+        thresholds[0] = Float.NEGATIVE_INFINITY;
+        thresholds[256] = Float.POSITIVE_INFINITY;
+        for (int bucket = 0, code = 0; bucket < buckets.length; bucket++) {
+            int least = LEAST_BITS + (bucket << BUCKET_SHIFT);
+            while (Float.intBitsToFloat(least) >= thresholds[code + 1]) {
+                code++;
+            }
+            int next = Float.floatToRawIntBits(thresholds[code + 1]) - least;
+            buckets[bucket] = code << CODE_SHIFT | Math.min(next, 1 << BUCKET_SHIFT);
+        }
+        Random random = new Random(4);
+        for (int i = 0; i < COUNT; i++) {
+            float smooth = (float) i / COUNT + 0.001f * random.nextFloat();
+            linear[i] = values.equals("random") ? random.nextFloat() : smooth;
+        }
+        Agreement.of(formula(), search(), searchFromTheLast(), buckets());
+    }
+
+    /** The standard's formula, rounded. */
+    @Benchmark
+    public long formula() {
+        long hash = 0;
+        for (float value : linear) {
+            double encoded = value <= 0.0031308 ? 12.92 * value : 1.055 * StrictMath.pow(value, 1 / 2.4) - 0.055;
+            hash = 31 * hash + (int) (255 * Math.min(encoded, 1) + 0.5);
+        }
+        return hash;
+    }
+
+    /** Halves the table of the values at which the code changes, eight times. */
+    @Benchmark
+    public long search() {
+        long hash = 0;
+        for (float value : linear) {
+            int code = 0;
+            for (int step = 128; step > 0; step >>= 1) {
+                if (value >= thresholds[code + step]) {
+                    code += step;
+                }
+            }
+            hash = 31 * hash + code;
+        }
+        return hash;
+    }
+
+    /** Goes through that table from the code before. */
+    @Benchmark
+    public long searchFromTheLast() {
+        long hash = 0;
+        int code = 0;
+        for (float value : linear) {
+            while (value >= thresholds[code + 1]) {
+                code++;
+            }
+            while (value < thresholds[code]) {
+                code--;
+            }
+            hash = 31 * hash + code;
+        }
+        return hash;
+    }
+
+    /** Looks the upper bits of the float up, and compares the lower ones once: what the library does. */
+    @Benchmark
+    public long buckets() {
+        long hash = 0;
+        for (float value : linear) {
+            hash = 31 * hash + code(value);
+        }
+        return hash;
+    }
+
+    private int code(float value) {
+        if (!(value >= LEAST)) {
+            return 0;
+        }
+        if (value >= 1f) {
+            return 255;
+        }
+        int bits = Float.floatToRawIntBits(value) - LEAST_BITS;
+        int bucket = buckets[bits >>> BUCKET_SHIFT];
+        int place = bits & (1 << BUCKET_SHIFT) - 1;
+        return (bucket >>> CODE_SHIFT) + ((bucket & (1 << CODE_SHIFT) - 1) - 1 - place >>> Integer.SIZE - 1);
+    }
+
+    private static float threshold(int code) {
+        double encoded = (code - 0.5) / 255;
+        double exact = encoded <= 0.04045 ? encoded / 12.92 : StrictMath.pow((encoded + 0.055) / 1.055, 2.4);
+        float nearest = (float) exact;
+        return nearest < exact ? Math.nextUp(nearest) : nearest;
+    }
+}
