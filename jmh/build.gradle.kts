@@ -17,3 +17,14 @@ tasks.register<JavaExec>("jmh") {
     classpath = sourceSets["main"].runtimeClasspath
     mainClass = "org.openjdk.jmh.Main"
 }
+
+// For example: gradle growth --args="--limit 8"
+tasks.register<JavaExec>("growth") {
+    group = "verification"
+    description = "Measures how cost grows, and writes docs/growth.md and the model's coefficients."
+    classpath = sourceSets["main"].runtimeClasspath
+    mainClass = "dev.lazyz.jmh.growth.Growth"
+    workingDir = rootDir
+    maxHeapSize = "6g"
+    jvmArgs("--add-modules=jdk.incubator.vector", "-Djava.awt.headless=true")
+}

@@ -64,4 +64,41 @@ public object Renderers {
      */
     @JvmStatic
     public fun find(id: String): Renderer? = all().firstOrNull { it.id == id }
+
+    /**
+     * Estimates what each renderer of [all] takes for [frame], and which of them can render it as asked.
+     *
+     * A renderer is ruled out if it lacks one of [needs], or what the frame or [options] need: transparency, a memory budget, a
+     * selector; or if the model expects it to hold more than [memory] bytes. Cost: see [FrameNumbers.of].
+     *
+     * @throws IllegalStateException as [all]
+     */
+    @JvmStatic
+    @JvmOverloads
+    public fun estimates(
+        frame: Frame,
+        options: RenderOptions = RenderOptions(),
+        needs: Set<Capability> = emptySet(),
+        memory: Long = Runtime.getRuntime().maxMemory(),
+    ): StrategyEstimates = StrategyEstimates.of(all(), frame, options, needs, memory)
+
+    /**
+     * Returns a renderer that can render [frame] as asked, configured with [options]: the first of [all] that can, unless
+     * [StrategyModel] expects another to be much faster, see [StrategyEstimates.best]. Renderers that were never measured are
+     * taken only where no other can.
+     *
+     * @throws IllegalArgumentException if every renderer is ruled out; the message says why
+     * @throws IllegalStateException as [all]
+     */
+    @JvmStatic
+    @JvmOverloads
+    public fun auto(
+        frame: Frame,
+        options: RenderOptions = RenderOptions(),
+        needs: Set<Capability> = emptySet(),
+        memory: Long = Runtime.getRuntime().maxMemory(),
+    ): Renderer {
+        val estimates = estimates(frame, options, needs, memory)
+        return requireNotNull(estimates.best) { "no renderer can do this:\n${estimates.explain()}" }.renderer
+    }
 }

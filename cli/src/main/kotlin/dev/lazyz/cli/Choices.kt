@@ -26,7 +26,8 @@ internal class Choices(
     /** Returns [renderer] with these choices, or as it is if there are none. */
     fun applyTo(renderer: Renderer): Renderer = if (needs.isEmpty()) renderer else renderer.configured(options())
 
-    private fun options(): RenderOptions {
+    /** Returns the options that these choices are, the usual where nothing was said. */
+    fun options(): RenderOptions {
         val usual = RenderOptions()
         return RenderOptions(
             coherence ?: usual.coherence,

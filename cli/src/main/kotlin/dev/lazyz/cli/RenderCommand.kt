@@ -5,6 +5,7 @@ import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.convert
+import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.optionalValue
 import java.nio.file.Path
@@ -29,6 +30,7 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
         "zcli render model.glb --size 512x512 --background transparent -o model.png" to "a thumbnail to put on a page",
         "zcli render city -o city.png --depth-out city.pfm --stats=json" to "picture, depth, and numbers for a script",
         "zcli render city --size 8000x6000 --region 4000,2000,640x480 -o detail.png" to "a part of a large picture",
+        "zcli render city --strategy auto --explain -o city.png" to "the fastest strategy for it, and why",
         "zcli render city --select count -o overdraw.png" to "how many surfaces lie behind each pixel",
         "cat model.obj | zcli render - --format obj -o - > model.png" to "in a pipe",
     )
@@ -40,6 +42,7 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
             depthOutput = output.depth,
             strategy = rendering.strategy,
             choices = cost.choices(rendering.selector),
+            isExplained = rendering.isExplained,
             stats = output.stats,
         )
         RenderJob(request, streams).run()
@@ -75,9 +78,15 @@ private class RenderingOptions : OptionGroup("Rendering") {
     val strategy by option(
         "--strategy",
         metavar = "ID",
-        help = "How hidden surfaces are removed; the picture is the same; default: the first of 'zcli strategies' " +
-            "that is capable of what the scene and the other options need",
+        help = "How hidden surfaces are removed; the picture is the same; auto: by what each is expected to " +
+            "take; default: the first of 'zcli strategies' that is capable of what the scene and the other " +
+            "options need",
     )
+
+    val isExplained by option(
+        "--explain",
+        help = "Tell on standard error why this strategy, and what the others are expected to take",
+    ).flag()
 
     val selector by option(
         "--select",

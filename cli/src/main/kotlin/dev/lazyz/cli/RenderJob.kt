@@ -13,6 +13,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         val start = System.nanoTime()
         val frame = source.frame(loaded)
         val strategy = choice.strategyFor(frame)
+        if (request.isExplained) streams.note(choice.explain(strategy, frame))
         MemoryNeed.check(strategy, frame.region)
 
         // Render to all outputs at once

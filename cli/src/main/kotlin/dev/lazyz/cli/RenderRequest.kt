@@ -12,5 +12,6 @@ internal class RenderRequest(
     val depthOutput: Path?,
     val strategy: String?,
     val choices: Choices,
+    val isExplained: Boolean,
     val stats: StatsForm?,
 )

@@ -48,6 +48,12 @@ internal class Streams(
         messages.println("zcli: warning: $message")
     }
 
+    /** Prints text that was asked for to standard error. */
+    fun note(text: String) {
+        clearProgress()
+        messages.print(text)
+    }
+
     /** Prints a line to standard error if somebody sees it. */
     fun remark(message: String) {
         if (!isProgressWelcome) return

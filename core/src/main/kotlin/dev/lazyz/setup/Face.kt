@@ -85,11 +85,11 @@ internal class Face {
         faces.load(vertices, 1, b)
         faces.load(vertices, 2, c)
         normalSign = faces.turn(vertices)
+        least = 0.0
         if (findConstant(scratch)) return
         over0 = batch.inverseW(a)
         over1 = batch.inverseW(b)
         over2 = batch.inverseW(c)
-        least = 0.0
         val grid = batch.grid
         val ga = TriangleBatch.STRIDE * a
         val gb = TriangleBatch.STRIDE * b
@@ -104,12 +104,12 @@ internal class Face {
         fields = primitive.fields
         for (i in 0 until 3) vertices.copy(primitive.vertices, primitive.corners[i], i)
         normalSign = primitive.normalSign
+        val t = primitive.reference
+        least = t.size.toDouble() * primitive.leastInverseW
         if (findConstant(scratch)) return
         over0 = 1.0 / vertices.get(0, Vertices.W)
         over1 = 1.0 / vertices.get(1, Vertices.W)
         over2 = 1.0 / vertices.get(2, Vertices.W)
-        val t = primitive.reference
-        least = t.size.toDouble() * primitive.leastInverseW
         edges(t.x0, t.y0, t.x1, t.y1, t.x2, t.y2)
     }
 
@@ -134,9 +134,10 @@ internal class Face {
         shader.shade(fragment)
     }
 
+    /** Beyond the three vertices, where a polygon may reach, equal colours need not give the same one to the bit. */
     private fun isUniform(): Boolean {
         if (fields == 0) return true
-        if (fields != PlanarPrimitive.COLOR) return false
+        if (fields != PlanarPrimitive.COLOR || least > 0.0) return false
         for (k in Vertices.COLOR until Vertices.COLOR + 4) {
             if (!isSame(vertices.get(0, k), vertices.get(1, k), vertices.get(2, k))) return false
         }

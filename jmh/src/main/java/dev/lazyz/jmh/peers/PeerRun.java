@@ -11,6 +11,7 @@ import dev.lazyz.Renderers;
 import dev.lazyz.Rgba;
 import dev.lazyz.RowSink;
 import dev.lazyz.Scene;
+import dev.lazyz.jmh.report.Options;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;

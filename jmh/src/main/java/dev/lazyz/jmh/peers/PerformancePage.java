@@ -1,5 +1,6 @@
 package dev.lazyz.jmh.peers;
 
+import dev.lazyz.jmh.report.GeneratedPage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,14 +14,8 @@ import java.util.function.Predicate;
 
 /**
  * Writes the tables of {@code docs/performance.md}, and the charts beside it, from the results of {@link SideBySide}.
- *
- * <p>What stands between {@code <!-- generated: NAME -->} and {@code <!-- end -->} is replaced; the rest of the page is left as
- * it is.
  */
 public final class PerformancePage {
-    private static final String BEGIN = "<!-- generated: ";
-    private static final String END = "<!-- end -->";
-
     private final Results results;
 
     PerformancePage(Results results) {
@@ -45,22 +40,7 @@ public final class PerformancePage {
      * @throws IllegalArgumentException if a table has no end or an unknown name
      */
     String fill(String page) {
-        StringBuilder filled = new StringBuilder();
-        int from = 0;
-        for (int begin = page.indexOf(BEGIN); begin >= 0; begin = page.indexOf(BEGIN, from)) {
-            int nameEnd = page.indexOf(" -->", begin);
-            int end = page.indexOf(END, begin);
-            if (nameEnd < 0 || end < nameEnd) {
-                throw new IllegalArgumentException("no " + END + " after position " + begin);
-            }
-            String name = page.substring(begin + BEGIN.length(), nameEnd);
-            filled.append(page, from, nameEnd)
-                    .append(" -->\n")
-                    .append(section(name))
-                    .append(END);
-            from = end + END.length();
-        }
-        return filled.append(page.substring(from)).toString();
+        return GeneratedPage.fill(page, this::section);
     }
 
     private String section(String name) {
@@ -83,7 +63,7 @@ public final class PerformancePage {
     private String facts() {
         List<List<String>> rows = new ArrayList<>();
         results.facts().forEach((name, value) -> rows.add(List.of(name, value)));
-        return table(List.of("fact", "value"), rows);
+        return GeneratedPage.table(List.of("fact", "value"), rows);
     }
 
     private String pictures() {
@@ -109,7 +89,7 @@ public final class PerformancePage {
                 "theirs only",
                 "other colour",
                 "mean difference");
-        return table(head, rows);
+        return GeneratedPage.table(head, rows);
     }
 
     /** A table for each raster and number of threads: medians, and how many times faster than the base. */
@@ -130,7 +110,7 @@ public final class PerformancePage {
                 }
                 rows.add(row);
             }
-            text.append(table(head, rows)).append('\n');
+            text.append(GeneratedPage.table(head, rows)).append('\n');
             Charts.fileName(times)
                     .ifPresent(name -> text.append("![Times faster than " + Results.BASE + ": ")
                             .append(group.getKey())
@@ -209,7 +189,7 @@ public final class PerformancePage {
                 }
             }
         }
-        return table(List.of("scene", "raster", "renderer", "gain"), rows);
+        return GeneratedPage.table(List.of("scene", "raster", "renderer", "gain"), rows);
     }
 
     private String starts() {
@@ -225,7 +205,7 @@ public final class PerformancePage {
                     milliseconds(median(times)),
                     milliseconds(times[0]) + ".." + milliseconds(times[times.length - 1])));
         }
-        return table(List.of("process", "median, ms", "least to greatest, ms"), rows);
+        return GeneratedPage.table(List.of("process", "median, ms", "least to greatest, ms"), rows);
     }
 
     static List<Results.Time> of(List<Results.Time> times, String scene, String contender) {
@@ -266,15 +246,5 @@ public final class PerformancePage {
 
     private static String number(String format, Object value) {
         return String.format(Locale.ROOT, format, value);
-    }
-
-    private static String table(List<String> head, List<List<String>> rows) {
-        StringBuilder text = new StringBuilder();
-        text.append("| ").append(String.join(" | ", head)).append(" |\n");
-        text.append("|").append("---|".repeat(head.size())).append('\n');
-        for (List<String> row : rows) {
-            text.append("| ").append(String.join(" | ", row)).append(" |\n");
-        }
-        return text.toString();
     }
 }

@@ -1,6 +1,8 @@
 package dev.lazyz.jmh.peers;
 
 import dev.lazyz.Projection;
+import dev.lazyz.jmh.report.JsonRecords;
+import dev.lazyz.jmh.report.Options;
 import dev.lazyz.jmh.workload.Triangles;
 import dev.lazyz.jmh.workload.Workloads;
 import java.io.IOException;
@@ -17,7 +19,6 @@ import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import kotlinx.serialization.json.Json;
 import kotlinx.serialization.json.JsonObject;
 
 /**
@@ -172,7 +173,7 @@ public final class SideBySide {
                         TriangleSource.label(scene),
                         side,
                         contender.name(),
-                        (long) Results.real(said, "covered"),
+                        (long) JsonRecords.real(said, "covered"),
                         difference.oursOnly(),
                         difference.theirsOnly(),
                         contender.isSrgb() ? difference.unequal() : -1,
@@ -211,15 +212,15 @@ public final class SideBySide {
                 threads,
                 contender.name(),
                 round,
-                Results.real(said, "median"),
-                Results.real(said, "q1"),
-                Results.real(said, "q3"),
-                Results.real(said, "min"),
-                Results.real(said, "max"),
-                Results.real(said, "first"),
-                Results.integer(said, "frames"));
+                JsonRecords.real(said, "median"),
+                JsonRecords.real(said, "q1"),
+                JsonRecords.real(said, "q3"),
+                JsonRecords.real(said, "min"),
+                JsonRecords.real(said, "max"),
+                JsonRecords.real(said, "first"),
+                JsonRecords.integer(said, "frames"));
         results.times().add(time);
-        results.facts().putIfAbsent("version of " + contender.name(), Results.text(said, "version"));
+        results.facts().putIfAbsent("version of " + contender.name(), JsonRecords.text(said, "version"));
         System.out.printf(
                 "round %d  %-16s %5d  %d thread%s  %-24s %10.2f ms%n",
                 round, time.scene(), side, threads, threads == 1 ? " " : "s", contender.name(), time.median());
@@ -273,7 +274,7 @@ public final class SideBySide {
             System.err.println("failed: " + String.join(" ", command));
             return null;
         }
-        return Results.object(Json.Default.parseToJsonElement(said.substring(said.lastIndexOf('\n') + 1)));
+        return JsonRecords.parse(said.substring(said.lastIndexOf('\n') + 1));
     }
 
     private static ProcessBuilder builder(List<String> command, int threads) {

@@ -4,7 +4,7 @@ import dev.lazyz.BatchShader;
 import dev.lazyz.FragmentBatch;
 
 /**
- * A dear shader: {@value #ROUNDS} rounds of a polynomial in a sample's interpolated colour.
+ * A dear shader: rounds of a polynomial in a sample's interpolated colour.
  *
  * <p>A round maps (x, y), which begins as (red, green), to
  *
@@ -18,8 +18,20 @@ import dev.lazyz.FragmentBatch;
  * the same formula.
  */
 public final class RoundsShader implements BatchShader {
-    /** Rounds a sample. */
+    /** Rounds a sample where nothing else is said. */
     public static final int ROUNDS = 64;
+
+    private final int rounds;
+
+    /** A shader of {@value #ROUNDS} rounds. */
+    public RoundsShader() {
+        this(ROUNDS);
+    }
+
+    /** A shader of the given number of rounds. */
+    public RoundsShader(int rounds) {
+        this.rounds = rounds;
+    }
 
     /** Colours of samples with the given interpolated colours; blue stays as it is. Rounds outside, samples inside. */
     @Override
@@ -29,7 +41,7 @@ public final class RoundsShader implements BatchShader {
         float[] y = batch.green;
         System.arraycopy(batch.vertexRed, 0, x, 0, size);
         System.arraycopy(batch.vertexGreen, 0, y, 0, size);
-        for (int round = 0; round < ROUNDS; round++) {
+        for (int round = 0; round < rounds; round++) {
             round(size, x, y, batch.vertexRed, batch.vertexGreen, batch.vertexBlue);
         }
         for (int i = 0; i < size; i++) {

@@ -48,6 +48,11 @@ public record Triangles(
 
     /** Returns the scene of these triangles: opaque, unlit, before a transparent background. */
     public Scene scene() {
+        return scene(material());
+    }
+
+    /** Returns the scene of these triangles in a material of the caller's. */
+    public Scene scene(Material material) {
         float[] colors = new float[4 * vertexCount()];
         for (int vertex = 0; vertex < vertexCount(); vertex++) {
             for (int i = 0; i < 3; i++) {
@@ -56,7 +61,7 @@ public record Triangles(
             colors[4 * vertex + 3] = 1f;
         }
         return Scene.builder()
-                .add(new Mesh(positions, indices, material(), null, null, colors))
+                .add(new Mesh(positions, indices, material, null, null, colors))
                 .viewpoint(viewpoint)
                 .background(Rgba.TRANSPARENT)
                 .build();

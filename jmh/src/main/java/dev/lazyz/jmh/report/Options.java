@@ -1,4 +1,4 @@
-package dev.lazyz.jmh.peers;
+package dev.lazyz.jmh.report;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Set;
 
 /** A command line of {@code --name value} pairs; a name may come more than once. */
-final class Options {
+public final class Options {
     private final Map<String, List<String>> values = new HashMap<>();
 
     /**
@@ -15,7 +15,7 @@ final class Options {
      *
      * @throws IllegalArgumentException if a name is not among {@code known}, or has no value
      */
-    Options(String[] args, Set<String> known) {
+    public Options(String[] args, Set<String> known) {
         for (int i = 0; i < args.length; i += 2) {
             String name = args[i].startsWith("--") ? args[i].substring(2) : "";
             if (!known.contains(name)) {
@@ -29,18 +29,18 @@ final class Options {
     }
 
     /** Returns the last value of an option, or a default. */
-    String get(String name, String otherwise) {
+    public String get(String name, String otherwise) {
         List<String> all = all(name);
         return all.isEmpty() ? otherwise : all.get(all.size() - 1);
     }
 
     /** Returns all values of an option. */
-    List<String> all(String name) {
+    public List<String> all(String name) {
         return values.getOrDefault(name, List.of());
     }
 
     /** Returns the comma-separated parts of an option, none if it is empty. */
-    List<String> list(String name, String otherwise) {
+    public List<String> list(String name, String otherwise) {
         String value = get(name, otherwise);
         return value.isEmpty() ? List.of() : List.of(value.split(","));
     }

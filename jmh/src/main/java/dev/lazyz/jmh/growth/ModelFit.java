@@ -1,0 +1,173 @@
+package dev.lazyz.jmh.growth;
+
+import dev.lazyz.Capability;
+import dev.lazyz.FrameNumbers;
+import dev.lazyz.Renderers;
+import dev.lazyz.StrategyModel;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.Function;
+
+/**
+ * Fits {@link StrategyModel} to what was measured: for each strategy the coefficients, none negative, that make the sum of
+ * squared relative errors least.
+ */
+final class ModelFit {
+    private static final int SWEEPS = 50_000;
+    private static final double NANOS = 1e6;
+
+    /** A term that is nowhere more than this part of the whole is left out. */
+    private static final double NEGLIGIBLE = 1e-3;
+
+    private final GrowthResults results;
+    private final Map<String, double[]> nanoseconds = new HashMap<>();
+
+    ModelFit(GrowthResults results) {
+        this.results = results;
+    }
+
+    /** Whether the model is fitted to a point: one thread, and a scene of which one number varies. */
+    static boolean isFitted(GrowthResults.Point point) {
+        return point.threads() == 1 && !point.axis().equals(Axis.SCENES.id());
+    }
+
+    /** Returns nanoseconds for each of the model's terms. */
+    double[] nanoseconds(String strategy) {
+        return nanoseconds.computeIfAbsent(
+                strategy,
+                id -> fit(id, Quantity.TIME, NANOS, numbers -> colored(id, StrategyModel.timeTerms(numbers))));
+    }
+
+    /** Clears the term of colours that a strategy does not compute: it has either late or early ones. */
+    private static double[] colored(String strategy, double[] terms) {
+        boolean isLate = Renderers.find(strategy).getCapabilities().contains(Capability.SHADES_ONLY_VISIBLE);
+        terms[StrategyModel.getTimeTermNames().indexOf(isLate ? "early colours" : "late colours")] = 0;
+        return terms;
+    }
+
+    /** Returns what the model expects of a strategy at a point, with one thread, milliseconds. */
+    double milliseconds(String strategy, GrowthResults.Point point) {
+        double[] terms = StrategyModel.timeTerms(point.numbers());
+        double sum = 0;
+        for (int i = 0; i < terms.length; i++) {
+            sum += nanoseconds(strategy)[i] * terms[i];
+        }
+        return sum / NANOS;
+    }
+
+    /** Returns bytes for each of the model's terms. */
+    double[] bytes(String strategy) {
+        return fit(strategy, Quantity.PEAK, 1, StrategyModel::memoryTerms);
+    }
+
+    /** Returns the part of a strategy's time that a second thread does not halve, or nothing if there was none. */
+    OptionalDouble serialShare(String strategy) {
+        double[] times = new double[3];
+        for (GrowthResults.Point point : results.points(Axis.THREADS)) {
+            if (point.threads() < times.length) {
+                times[point.threads()] =
+                        results.median(point, strategy, Quantity.TIME.of).orElse(0);
+            }
+        }
+        return times[1] == 0 || times[2] == 0
+                ? OptionalDouble.empty()
+                : OptionalDouble.of(rounded(Math.min(1, Math.max(0, 2 * times[2] / times[1] - 1))));
+    }
+
+    private double[] fit(String strategy, Quantity quantity, double unit, Function<FrameNumbers, double[]> terms) {
+        List<double[]> rows = new ArrayList<>();
+        for (GrowthResults.Point point : results.points()) {
+            OptionalDouble value = results.median(point, strategy, quantity.of);
+            if (isFitted(point) && value.isPresent()) {
+                double[] row = terms.apply(point.numbers());
+                for (int i = 0; i < row.length; i++) {
+                    row[i] /= value.getAsDouble() * unit;
+                }
+                rows.add(row);
+            }
+        }
+        double[] coefficients = leastSquares(rows);
+        for (int i = 0; i < coefficients.length; i++) {
+            int term = i;
+            double share = rows.stream().mapToDouble(row -> row[term]).max().orElse(0) * coefficients[i];
+            coefficients[i] = share < NEGLIGIBLE ? 0 : rounded(coefficients[i]);
+        }
+        return coefficients;
+    }
+
+    /** Returns the coefficients, none negative, that bring each row's sum closest to 1: one at a time, again and again. */
+    static double[] leastSquares(List<double[]> rows) {
+        int count = rows.get(0).length;
+        double[] coefficients = new double[count];
+        double[] rest = new double[rows.size()];
+        Arrays.fill(rest, 1);
+        for (int sweep = 0; sweep < SWEEPS; sweep++) {
+            for (int i = 0; i < count; i++) {
+                double slope = 0;
+                double square = 0;
+                for (int k = 0; k < rest.length; k++) {
+                    slope += rows.get(k)[i] * rest[k];
+                    square += rows.get(k)[i] * rows.get(k)[i];
+                }
+                double better = square == 0 ? 0 : Math.max(0, coefficients[i] + slope / square);
+                for (int k = 0; k < rest.length; k++) {
+                    rest[k] -= (better - coefficients[i]) * rows.get(k)[i];
+                }
+                coefficients[i] = better;
+            }
+        }
+        return coefficients;
+    }
+
+    private static double rounded(double value) {
+        return new BigDecimal(value).round(new MathContext(3)).doubleValue();
+    }
+
+    /** Returns the Kotlin file with the coefficients. */
+    String toKotlin() {
+        List<String> shares = results.strategies().stream()
+                .filter(strategy -> serialShare(strategy).isPresent())
+                .map(strategy ->
+                        "\"" + strategy + "\" to " + serialShare(strategy).getAsDouble())
+                .toList();
+        return String.format(Locale.ROOT, """
+                package dev.lazyz
+
+                /**
+                 * Coefficients of [StrategyModel], fitted to `docs/growth/results.json` by the command that measured it. Generated: not to
+                 * be edited.
+                 */
+                internal object StrategyCosts {
+                    /** Nanoseconds for each of [StrategyModel.timeTermNames]. */
+                    val nanoseconds: Map<String, DoubleArray> = mapOf(
+                %s    )
+
+                    /** Bytes for each of [StrategyModel.memoryTermNames]. */
+                    val bytes: Map<String, DoubleArray> = mapOf(
+                %s    )
+
+                    /** The part of the time that threads do not share. */
+                    val serialShares: Map<String, Double> = mapOf(%s)
+                }
+                """, lines(this::nanoseconds), lines(this::bytes), String.join(", ", shares));
+    }
+
+    private String lines(Function<String, double[]> coefficients) {
+        StringBuilder text = new StringBuilder();
+        for (String strategy : results.strategies()) {
+            List<String> numbers = new ArrayList<>();
+            for (double number : coefficients.apply(strategy)) {
+                numbers.add(Double.toString(number));
+            }
+            text.append("        \"" + strategy + "\" to doubleArrayOf(" + String.join(", ", numbers) + "),\n");
+        }
+        return text.toString();
+    }
+}

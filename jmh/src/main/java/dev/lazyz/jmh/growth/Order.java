@@ -1,0 +1,87 @@
+package dev.lazyz.jmh.growth;
+
+import java.util.Set;
+
+/**
+ * An order of growth as theory has it: n triangles, p pixels, d layers, c rounds, t threads.
+ *
+ * @param text the order
+ * @param least least slope on log-log at the end of the curve that is in keeping with it
+ * @param greatest greatest such slope
+ */
+record Order(String text, double least, double greatest) {
+    private static final double SLACK = 0.15;
+
+    /** What holds of strategies that keep a row, or a few of them, at a time. */
+    private static final Set<String> ROWS = Set.of("tiled", "lazy", "flow", "lists", "scanline", "warnock");
+
+    private static final Order CONSTANT = of("1", 0);
+
+    private static Order of(String text, double slope) {
+        return new Order(text, slope, slope);
+    }
+
+    /** Whether a slope departs from this order. */
+    boolean isDeparture(double slope) {
+        return slope < least - SLACK || slope > greatest + SLACK;
+    }
+
+    /** Returns the order in which a strategy's cost grows along an axis. */
+    static Order of(Axis axis, Quantity quantity, String strategy) {
+        return switch (quantity) {
+            case TIME -> time(axis, strategy);
+            case ALLOCATED -> allocated(axis, strategy);
+            case PEAK -> peak(axis, strategy);
+        };
+    }
+
+    private static Order time(Axis axis, String strategy) {
+        return switch (axis) {
+            case TRIANGLES -> Set.of("tiled", "zbuffer", "hybrid").contains(strategy) ? of("n", 1) : of("n log n", 1);
+            case SMALL -> new Order("1 + p", 0, 1);
+            case PIXELS -> strategy.equals("scanline") ? new Order("p + √p", 0.5, 1) : of("p", 1);
+            case DEPTH ->
+                switch (strategy) {
+                    case "tiled", "warnock" -> new Order("p + d", 0, 1);
+                    case "hierarchical" -> new Order("p + d log d", 0, 1);
+                    case "scanline" -> new Order("p + √p d log d", 0, 1);
+                    default -> of("p d", 1);
+                };
+            case SHADING -> of("p c", 1);
+            case THREADS -> new Order("1 / t, up to the processors", -1, 0);
+            case SCENES -> CONSTANT;
+        };
+    }
+
+    private static Order peak(Axis axis, String strategy) {
+        return switch (axis) {
+            case TRIANGLES ->
+                switch (strategy) {
+                    case "zbuffer" -> CONSTANT;
+                    case "hybrid" -> new Order("p + visible n", 0, 1);
+                    case "painter", "hierarchical" -> new Order("p + n", 0, 1);
+                    default -> new Order("√n + n", 0.5, 1);
+                };
+            case PIXELS, SMALL -> ROWS.contains(strategy) ? new Order("n + √p", 0, 0.5) : new Order("n + p", 0, 1);
+            case DEPTH ->
+                switch (strategy) {
+                    case "zbuffer" -> CONSTANT;
+                    case "lists" -> of("√p d, up to a bound", 1);
+                    case "hybrid", "painter", "hierarchical" -> new Order("p + d", 0, 1);
+                    default -> new Order("√p + d", 0, 1);
+                };
+            default -> CONSTANT;
+        };
+    }
+
+    private static Order allocated(Axis axis, String strategy) {
+        return switch (axis) {
+            case TRIANGLES -> of("n", 1);
+            // Each row of these two is an array of its own
+            case PIXELS, SMALL ->
+                Set.of("lazy", "flow").contains(strategy) ? new Order("n + p", 0, 1) : peak(axis, strategy);
+            case DEPTH -> new Order("frame and peak: " + peak(axis, strategy).text(), 0, 1);
+            default -> CONSTANT;
+        };
+    }
+}

@@ -1,0 +1,51 @@
+package dev.lazyz.jmh.report;
+
+import java.util.List;
+import java.util.function.Function;
+
+/**
+ * A page of Markdown with generated parts: what stands between {@code <!-- generated: NAME -->} and {@code <!-- end -->} is
+ * replaced; the rest of the page is left as it is.
+ */
+public final class GeneratedPage {
+    private static final String BEGIN = "<!-- generated: ";
+    private static final String END = "<!-- end -->";
+
+    private GeneratedPage() {}
+
+    /**
+     * Returns the page with its generated parts renewed.
+     *
+     * @param section text of a part by its name, ending with a line break; throws if there is no such part
+     * @throws IllegalArgumentException if a part has no end
+     */
+    public static String fill(String page, Function<String, String> section) {
+        StringBuilder filled = new StringBuilder();
+        int from = 0;
+        for (int begin = page.indexOf(BEGIN); begin >= 0; begin = page.indexOf(BEGIN, from)) {
+            int nameEnd = page.indexOf(" -->", begin);
+            int end = page.indexOf(END, begin);
+            if (nameEnd < 0 || end < nameEnd) {
+                throw new IllegalArgumentException("no " + END + " after position " + begin);
+            }
+            String name = page.substring(begin + BEGIN.length(), nameEnd);
+            filled.append(page, from, nameEnd)
+                    .append(" -->\n")
+                    .append(section.apply(name))
+                    .append(END);
+            from = end + END.length();
+        }
+        return filled.append(page.substring(from)).toString();
+    }
+
+    /** Returns a table. */
+    public static String table(List<String> head, List<List<String>> rows) {
+        StringBuilder text = new StringBuilder();
+        text.append("| ").append(String.join(" | ", head)).append(" |\n");
+        text.append("|").append("---|".repeat(head.size())).append('\n');
+        for (List<String> row : rows) {
+            text.append("| ").append(String.join(" | ", row)).append(" |\n");
+        }
+        return text.toString();
+    }
+}
