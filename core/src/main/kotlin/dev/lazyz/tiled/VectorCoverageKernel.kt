@@ -31,6 +31,11 @@ internal class VectorCoverageKernel : CoverageKernel() {
     /** The samples of a square that are outside of an edge. */
     private val outside = IntArray(COUNT)
 
+    /** An edge function at the first sample of a row, and its steps by column and row. */
+    private val value = IntArray(COUNT)
+    private val stepX = IntArray(COUNT)
+    private val stepY = IntArray(COUNT)
+
     /** From one triangle's vertex number to the next one's. */
     private val steps = IntArray(LANES) { 3 * it }
     private val places = IntArray(LANES)
@@ -103,26 +108,42 @@ internal class VectorCoverageKernel : CoverageKernel() {
 
     /** Notes which samples of the square are outside of an edge. */
     private fun leave(count: Int, fromX: IntArray, fromY: IntArray, toX: IntArray, toY: IntArray) {
+        begin(count, fromX, fromY, toX, toY)
+        for (row in 0 until SmallCoverage.SIDE) leaveRow(count, SmallCoverage.SIDE * row)
+    }
+
+    /** Sets the edge function at the square's first sample, and its steps. */
+    private fun begin(count: Int, fromX: IntArray, fromY: IntArray, toX: IntArray, toY: IntArray) {
         var i = 0
         while (i < count) {
             val x = IntVector.fromArray(INTS, fromX, i)
             val y = IntVector.fromArray(INTS, fromY, i)
             val runX = IntVector.fromArray(INTS, toX, i).sub(x)
             val runY = IntVector.fromArray(INTS, toY, i).sub(y)
+            val right = IntVector.fromArray(INTS, left, i).lanewise(VectorOperators.LSHL, ScreenGrid.SHIFT).sub(x)
+            val down = IntVector.fromArray(INTS, top, i).lanewise(VectorOperators.LSHL, ScreenGrid.SHIFT).sub(y)
             val isOwner = runY.or(runY.sub(1).and(runX.neg())).lanewise(VectorOperators.LSHR, Int.SIZE_BITS - 1)
-            val sampleX = IntVector.fromArray(INTS, left, i).lanewise(VectorOperators.LSHL, ScreenGrid.SHIFT)
-                .add(ScreenGrid.CENTER)
-            val sampleY = IntVector.fromArray(INTS, top, i).lanewise(VectorOperators.LSHL, ScreenGrid.SHIFT)
-                .add(ScreenGrid.CENTER)
-            val value = runX.mul(sampleY.sub(y)).sub(runY.mul(sampleX.sub(x))).sub(1).add(isOwner)
-            val stepX = runY.neg().lanewise(VectorOperators.LSHL, ScreenGrid.SHIFT)
-            val stepY = runX.lanewise(VectorOperators.LSHL, ScreenGrid.SHIFT)
-            val row0 = signs(value, stepX)
-            val row1 = signs(value.add(stepY), stepX)
-            val row2 = signs(value.add(stepY).add(stepY), stepX)
-            row0.or(row1.lanewise(VectorOperators.LSHL, SmallCoverage.SIDE))
-                .or(row2.lanewise(VectorOperators.LSHL, 2 * SmallCoverage.SIDE))
-                .or(IntVector.fromArray(INTS, outside, i)).intoArray(outside, i)
+            runX.mul(down.add(ScreenGrid.CENTER)).sub(runY.mul(right.add(ScreenGrid.CENTER))).sub(1).add(isOwner)
+                .intoArray(value, i)
+            runY.neg().lanewise(VectorOperators.LSHL, ScreenGrid.SHIFT).intoArray(stepX, i)
+            runX.lanewise(VectorOperators.LSHL, ScreenGrid.SHIFT).intoArray(stepY, i)
+            i += LANES
+        }
+    }
+
+    /** Notes which of a row's samples are outside, the first of them at bit [bit], and goes to the next row. */
+    private fun leaveRow(count: Int, bit: Int) {
+        var i = 0
+        while (i < count) {
+            val step = IntVector.fromArray(INTS, stepX, i)
+            val first = IntVector.fromArray(INTS, value, i)
+            val second = first.add(step)
+            val third = second.add(step)
+            val signs = first.lanewise(VectorOperators.LSHR, Int.SIZE_BITS - 1)
+                .or(second.lanewise(VectorOperators.LSHR, Int.SIZE_BITS - 1).lanewise(VectorOperators.LSHL, 1))
+                .or(third.lanewise(VectorOperators.LSHR, Int.SIZE_BITS - 1).lanewise(VectorOperators.LSHL, 2))
+            signs.lanewise(VectorOperators.LSHL, bit).or(IntVector.fromArray(INTS, outside, i)).intoArray(outside, i)
+            first.add(IntVector.fromArray(INTS, stepY, i)).intoArray(value, i)
             i += LANES
         }
     }
@@ -144,13 +165,4 @@ internal class VectorCoverageKernel : CoverageKernel() {
         /** What [ScreenGrid.firstSample] adds before it shifts. */
         const val TO_FIRST = ScreenGrid.STEPS - 1 - ScreenGrid.CENTER
     }
-}
-
-/** The signs of three values, one [step] apart, from the lowest bit on. */
-private fun signs(value: IntVector, step: IntVector): IntVector {
-    val second = value.add(step)
-    val third = second.add(step)
-    return value.lanewise(VectorOperators.LSHR, Int.SIZE_BITS - 1)
-        .or(second.lanewise(VectorOperators.LSHR, Int.SIZE_BITS - 1).lanewise(VectorOperators.LSHL, 1))
-        .or(third.lanewise(VectorOperators.LSHR, Int.SIZE_BITS - 1).lanewise(VectorOperators.LSHL, 2))
 }
