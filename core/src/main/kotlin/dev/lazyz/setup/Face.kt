@@ -134,14 +134,23 @@ internal class Face {
         shader.shade(fragment)
     }
 
-    /** Beyond the three vertices, where a polygon may reach, equal colours need not give the same one to the bit. */
     private fun isUniform(): Boolean {
         if (fields == 0) return true
-        if (fields != PlanarPrimitive.COLOR || least > 0.0) return false
+        if (fields != PlanarPrimitive.COLOR) return false
         for (k in Vertices.COLOR until Vertices.COLOR + 4) {
             if (!isSame(vertices.get(0, k), vertices.get(1, k), vertices.get(2, k))) return false
         }
         return true
+    }
+
+    /**
+     * Whether interpolation between these values of the three vertices gives the first of them, to the bit, when it is rounded
+     * to single precision. Beyond the vertices, where a polygon may reach, equal ones need not.
+     */
+    fun isSame(a: Double, b: Double, c: Double): Boolean {
+        val bits = a.toRawBits()
+        return bits == b.toRawBits() && bits == c.toRawBits() && a.isFinite() && a.toFloat().toDouble() == a &&
+            least == 0.0
     }
 
     private fun edges(ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int) {
@@ -201,11 +210,5 @@ internal class Face {
 
         /** Bytes of a face: two objects, one of 22 fields, and the vertices' numbers. */
         const val BYTES: Long = 2 * 16L + 22 * 8L + 16L + 3 * Vertices.STRIDE * 8L
-
-        /** Whether interpolation between these gives the first of them, to the bit, when it is rounded to single precision. */
-        fun isSame(a: Double, b: Double, c: Double): Boolean {
-            val bits = a.toRawBits()
-            return bits == b.toRawBits() && bits == c.toRawBits() && a.isFinite() && a.toFloat().toDouble() == a
-        }
     }
 }

@@ -202,10 +202,14 @@ internal class TriangleBins(
     private inner class Chunk(private val number: Int, private val coverage: CoverageKernel) {
         private val forms = TriangleForms(test)
 
-        /** Nearest key of each triangle that is not small, and its tile or [SEVERAL]. */
+        /** Nearest key of each triangle that is not small, and its tile or, negative, the number of its tiles in [several]. */
         private var nearestFound = LongArray(LEAST_CHUNK)
         private var tilesFound = IntArray(LEAST_CHUNK)
         private var triangleCount = 0
+
+        /** The tiles of triangles that have more than one. */
+        private var several = IntArray(LEAST_CHUNK)
+        private var severalCount = 0
 
         /** Key of each fragment; its tile and its place there, [TILE_SHIFT] bits apart. */
         private var keysFound = LongArray(maxOf(LEAST_CHUNK, total / chunks / 2))
@@ -213,7 +217,8 @@ internal class TriangleBins(
         private var fragmentCount = 0
 
         val bytes: Long
-            get() = (Long.SIZE_BYTES + Int.SIZE_BYTES) * (nearestFound.size + keysFound.size.toLong())
+            get() = (Long.SIZE_BYTES + Int.SIZE_BYTES) * (nearestFound.size + keysFound.size.toLong()) +
+                Int.SIZE_BYTES * several.size
 
         /** Draws triangles that are small, and counts the others for their tiles. */
         fun enter(batch: TriangleBatch, first: Int, count: Int) {
@@ -248,8 +253,13 @@ internal class TriangleBins(
                 triangleEnds.count(number, firstTile)
                 keep(forms.nearest(batch, triangle), firstTile)
             } else {
-                forEachTile(batch, triangle) { triangleEnds.count(number, it) }
-                keep(forms.nearest(batch, triangle), SEVERAL)
+                val before = severalCount
+                forEachTile(batch, triangle) {
+                    triangleEnds.count(number, it)
+                    if (severalCount == several.size) several = several.copyOf(2 * severalCount)
+                    several[severalCount++] = it
+                }
+                if (severalCount > before) keep(forms.nearest(batch, triangle), before - severalCount)
             }
         }
 
@@ -305,14 +315,13 @@ internal class TriangleBins(
                 keys[to] = keysFound[i]
                 places[to] = placesFound[i] and (1 shl TILE_SHIFT) - 1
             }
+            var taken = 0
             for (i in 0 until triangleCount) {
-                val key = nearestFound[i]
-                if (tilesFound[i] == SEVERAL) {
-                    val index = test.indexOf(key)
-                    val batch = content.batch(index)
-                    forEachTile(batch, index - batch.first) { triangles[triangleEnds.next(number, it)] = key }
+                val tile = tilesFound[i]
+                if (tile >= 0) {
+                    triangles[triangleEnds.next(number, tile)] = nearestFound[i]
                 } else {
-                    triangles[triangleEnds.next(number, tilesFound[i])] = key
+                    for (k in 0 until -tile) triangles[triangleEnds.next(number, several[taken++])] = nearestFound[i]
                 }
             }
         }
@@ -321,9 +330,6 @@ internal class TriangleBins(
     private fun tile(x: Int, y: Int): Int = (grid.bandOf(y) - bandStart) * columns + grid.columnOf(x)
 
     companion object {
-        /** Instead of a tile: there are more than one. */
-        private const val SEVERAL = -1
-
         private const val MOST_FRAGMENTS = SmallCoverage.SIDE * SmallCoverage.SIDE
 
         /** Triangles for which it is not worth to ask another thread. */

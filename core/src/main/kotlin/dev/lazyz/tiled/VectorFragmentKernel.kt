@@ -95,6 +95,7 @@ internal class VectorFragmentKernel : FragmentKernel {
         val a = data[field]
         val b = data[Vertices.STRIDE + field]
         val c = data[2 * Vertices.STRIDE + field]
+        if (face.isSame(a, b, c)) return out.fill(a.toFloat(), at, at + count)
         var i = 0
         while (i < count) {
             val sum = DoubleVector.fromArray(DOUBLES, weight0, i).mul(a)
