@@ -49,9 +49,7 @@ internal class FaceSetUp(
     /** Whether triangle [triangle] of the mesh shows its back; [vertices] is scratch. */
     fun isBack(triangle: Int, vertices: Vertices): Boolean {
         val mesh = mesh!!
-        for (i in 0 until 3) {
-            vertices.setWorld(i, mesh, mesh.triangles[3 * triangle + i])
-        }
+        for (i in 0 until 3) vertices.setWorld(i, mesh, mesh.triangles[3 * triangle + i])
         newellNormal(vertices, TRIANGLE, TRIANGLE_END)
         return !(stage.towardEye(vertices, 0, normal) >= 0.0)
     }
@@ -60,9 +58,7 @@ internal class FaceSetUp(
     fun primitive(triangle: Int): Primitive {
         val mesh = mesh!!
         val vertices = Vertices(3)
-        for (i in 0 until 3) {
-            stage.place(vertices, i, mesh, mesh.triangles[3 * triangle + i])
-        }
+        for (i in 0 until 3) stage.place(vertices, i, mesh, mesh.triangles[3 * triangle + i])
         return primitive(vertices, TRIANGLE, TRIANGLE_END, FillRule.NON_ZERO)
     }
 

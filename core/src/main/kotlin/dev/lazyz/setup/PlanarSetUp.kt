@@ -29,9 +29,7 @@ internal class PlanarSetUp(camera: Camera, viewport: Viewport, private val light
         if (mesh.material.alphaMode != AlphaMode.OPAQUE) return null
         val snapped = SnappedVertices(stage, mesh)
         val chunks = (mesh.vertexCount - 1) / CHUNK + 1
-        inParallel(chunks) {
-            snapped.snap(it * CHUNK, minOf((it + 1) * CHUNK, mesh.vertexCount))
-        }
+        inParallel(chunks) { snapped.snap(it * CHUNK, minOf((it + 1) * CHUNK, mesh.vertexCount)) }
 
         // Triangles that have to be cut are set up one by one; those that show the wrong side are left out
         var hidden: LongArray? = null
@@ -82,9 +80,7 @@ internal class PlanarSetUp(camera: Camera, viewport: Viewport, private val light
     /** Transforms all vertices of [mesh]. */
     private fun meshVertices(mesh: Mesh): Vertices {
         val vertices = Vertices(mesh.vertexCount)
-        for (i in 0 until mesh.vertexCount) {
-            stage.place(vertices, i, mesh, i)
-        }
+        for (i in 0 until mesh.vertexCount) stage.place(vertices, i, mesh, i)
         return vertices
     }
 

@@ -147,6 +147,13 @@ internal class Band(frame: Frame, private val grid: TileGrid) {
         for (column in firstColumns[member]..lastColumns[member]) action(column)
     }
 
+    /** Whether nothing is to be drawn into the tile [column]. */
+    fun isEmpty(column: Int): Boolean {
+        forEachMember(column) { return false }
+        val bins = bins ?: return true
+        return bins.triangleCount(number, column) == 0 && bins.fragmentCount(number, column) == 0
+    }
+
     /** Calls [action] for each member that may cover samples of the tile [column], in submission order. */
     inline fun forEachMember(column: Int, action: (member: Int) -> Unit) {
         var entry = if (column == 0) 0 else ends[column - 1]

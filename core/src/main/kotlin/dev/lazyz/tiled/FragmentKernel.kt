@@ -2,19 +2,66 @@ package dev.lazyz.tiled
 
 import dev.lazyz.FragmentBatch
 import dev.lazyz.setup.Face
+import dev.lazyz.setup.PlanarPrimitive
+import dev.lazyz.setup.Vertices
 
 /**
- * What is done for every visible sample, before and after it is shaded: the loops of [TileShading].
+ * What is done for every visible sample but shading itself: the loops of [TileShading].
  *
  * All kernels give the same bits. Stateless but for scratch: belongs to one thread.
+ *
+ * @param long samples from which on a run is worth loops over arrays
  */
-internal interface FragmentKernel {
+internal abstract class FragmentKernel(private val long: Int) {
     /**
      * Fills in the attributes of [face] at the samples [x] until [x] + [count] of row [y], from place [at] of [batch] on.
      * What stands behind these places, as far as [FragmentBatch.SPARE] further, may be overwritten.
      */
-    fun attributes(face: Face, batch: FragmentBatch, at: Int, x: Int, y: Int, count: Int)
+    fun attributes(face: Face, batch: FragmentBatch, at: Int, x: Int, y: Int, count: Int) {
+        val fields = face.fields
+        if (fields == 0) return
+        if (count < long || !face.isExact) {
+            for (i in 0 until count) face.attributes(batch, at + i, x + i, y)
+            return
+        }
+        weigh(face, x, y, count)
+        if (fields and PlanarPrimitive.WORLD != 0) {
+            mix(face, Vertices.WORLD, 1.0, batch.worldX, at, count)
+            mix(face, Vertices.WORLD + 1, 1.0, batch.worldY, at, count)
+            mix(face, Vertices.WORLD + 2, 1.0, batch.worldZ, at, count)
+        }
+        if (fields and PlanarPrimitive.NORMAL != 0) {
+            mix(face, Vertices.NORMAL, face.normalSign, batch.normalX, at, count)
+            mix(face, Vertices.NORMAL + 1, face.normalSign, batch.normalY, at, count)
+            mix(face, Vertices.NORMAL + 2, face.normalSign, batch.normalZ, at, count)
+        }
+        if (fields and PlanarPrimitive.UV != 0) {
+            mix(face, Vertices.UV, 1.0, batch.u, at, count)
+            mix(face, Vertices.UV + 1, 1.0, batch.v, at, count)
+        }
+        if (fields and PlanarPrimitive.COLOR != 0) {
+            mix(face, Vertices.COLOR, 1.0, batch.vertexRed, at, count)
+            mix(face, Vertices.COLOR + 1, 1.0, batch.vertexGreen, at, count)
+            mix(face, Vertices.COLOR + 2, 1.0, batch.vertexBlue, at, count)
+            mix(face, Vertices.COLOR + 3, 1.0, batch.vertexAlpha, at, count)
+        }
+    }
+
+    /**
+     * Computes the perspective-correct weights of the vertices at these samples, as [Face.attributes] has them, and keeps
+     * them. Edge functions are exact as doubles, see [Face.isExact].
+     */
+    protected abstract fun weigh(face: Face, x: Int, y: Int, count: Int)
+
+    /** Mixes the vertices' [field] by the weights, times [sign], into [count] places of [out] from [at] on. */
+    protected abstract fun mix(face: Face, field: Int, sign: Double, out: FloatArray, at: Int, count: Int)
+
+    /**
+     * Returns the first place from [from] on whose key in [keys] is another primitive's than the one at [from], or [until].
+     * The lower half of a key says whose it is.
+     */
+    abstract fun runEnd(keys: LongArray, from: Int, until: Int): Int
 
     /** Packs the colours of [batch] into [argb], which has room for [FragmentBatch.SPARE] more. */
-    fun pack(batch: FragmentBatch, argb: IntArray)
+    abstract fun pack(batch: FragmentBatch, argb: IntArray)
 }

@@ -57,8 +57,15 @@ internal class Schedule : Checkpoint {
         return NONE
     }
 
-    /** Waits until [condition] holds, which has to be signalled, or the rendering is over. */
+    /**
+     * Waits until [condition] holds, which has to be signalled, or the rendering is over. At first without sleep: a tile
+     * takes less time than to be woken up.
+     */
     fun awaitUntil(condition: () -> Boolean) {
+        for (spin in 0 until SPINS) {
+            if (isOver || condition()) return
+            Thread.onSpinWait()
+        }
         lock.withLock { while (!isOver && !condition()) changed.await() }
     }
 
@@ -94,6 +101,9 @@ internal class Schedule : Checkpoint {
     }
 
     companion object {
+        /** Looks at a condition before falling asleep: some 20 microseconds. */
+        private const val SPINS = 500
+
         /** No tile. */
         const val NONE: Long = -1
     }

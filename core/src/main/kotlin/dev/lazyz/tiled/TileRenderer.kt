@@ -37,6 +37,7 @@ internal class TileRenderer(
 
     /** Renders the tile [column] of [band]. */
     fun render(band: Band, column: Int) {
+        if (band.isEmpty(column)) return shading.clear(band, grid.columnStart(column), grid.columnEnd(column))
         keys.begin(grid.columnStart(column), grid.columnEnd(column), band.rowStart, band.rowEnd)
         layers.begin()
         band.bins?.let { batches.draw(it, band.number, column) }

@@ -80,6 +80,15 @@ internal class TileShading(
         counters.peakSuspensions = maxOf(counters.peakSuspensions, counters.shadingCalls - shadedBefore)
     }
 
+    /** Fills in background at all samples of a tile, the columns [columnStart] until [columnEnd] of [band]. */
+    fun clear(band: Band, columnStart: Int, columnEnd: Int) {
+        for (row in 0 until band.rowEnd - band.rowStart) {
+            band.argb[row].fill(background, columnStart - firstColumn, columnEnd - firstColumn)
+            band.depth[row].fill(frame.raster.backgroundDepth, columnStart - firstColumn, columnEnd - firstColumn)
+            band.primitive[row].fill(DepthTest.BACKGROUND, columnStart - firstColumn, columnEnd - firstColumn)
+        }
+    }
+
     private fun shadeRow(y: Int) {
         val row = y - keys.rowStart
         val all = keys.keys
@@ -91,14 +100,11 @@ internal class TileShading(
         val indices = band.primitive[row]
         var at = 0
         while (at < width) {
-            val rank = all[first + at].toInt()
             val index = test.indexOf(all[first + at])
-            val start = at
-            do {
-                indices[toColumn + at] = index
-                at++
-            } while (at < width && all[first + at].toInt() == rank)
-            shadeRun(keys.columnStart + start, keys.columnStart + at, y, row, index)
+            val end = kernel.runEnd(all, first + at, first + width) - first
+            for (i in at until end) indices[toColumn + i] = index
+            shadeRun(keys.columnStart + at, keys.columnStart + end, y, row, index)
+            at = end
         }
     }
 

@@ -148,6 +148,7 @@ internal class VectorCoverageKernel : CoverageKernel() {
         }
     }
 
+    /** Makes the answer of what is outside. */
     private fun finish(count: Int) {
         var i = 0
         while (i < count) {

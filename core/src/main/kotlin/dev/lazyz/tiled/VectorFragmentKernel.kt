@@ -3,17 +3,21 @@ package dev.lazyz.tiled
 import dev.lazyz.FragmentBatch
 import dev.lazyz.Srgb
 import dev.lazyz.setup.Face
-import dev.lazyz.setup.PlanarPrimitive
 import dev.lazyz.setup.Vertices
 import jdk.incubator.vector.DoubleVector
 import jdk.incubator.vector.FloatVector
 import jdk.incubator.vector.IntVector
+import jdk.incubator.vector.LongVector
 import jdk.incubator.vector.VectorOperators
 import jdk.incubator.vector.VectorShape
 import jdk.incubator.vector.VectorSpecies
 
 private val DOUBLES: VectorSpecies<Double> = DoubleVector.SPECIES_PREFERRED
 private val LANES: Int = DOUBLES.length()
+
+/** Bits of the half of a key. */
+private const val HALF = 32L
+private val LONGS: VectorSpecies<Long> = LongVector.SPECIES_PREFERRED
 
 /** As many floats as [DOUBLES] has lanes. */
 private val NARROW: VectorSpecies<Float> =
@@ -27,7 +31,7 @@ private val INTS: VectorSpecies<Int> = IntVector.SPECIES_PREFERRED
  * Edge functions are taken as doubles, which have them exactly: so the order in which steps are added up does not matter.
  * Methods are small, and hand arrays to each other: so C2 keeps vectors in registers.
  */
-internal class VectorFragmentKernel : FragmentKernel {
+internal class VectorFragmentKernel : FragmentKernel(long = 4) {
     /** Steps from a run's first sample to each. */
     private val columns = DoubleArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE) { it.toDouble() }
 
@@ -37,38 +41,7 @@ internal class VectorFragmentKernel : FragmentKernel {
     private val buckets = IntArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
     private val places = IntArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
 
-    override fun attributes(face: Face, batch: FragmentBatch, at: Int, x: Int, y: Int, count: Int) {
-        if (face.fields == 0) return
-        if (count < LONG || !face.isExact) {
-            for (i in 0 until count) face.attributes(batch, at + i, x + i, y)
-            return
-        }
-        weigh(face, x, y, count)
-        val fields = face.fields
-        if (fields and PlanarPrimitive.WORLD != 0) {
-            mix(face, Vertices.WORLD, 1.0, batch.worldX, at, count)
-            mix(face, Vertices.WORLD + 1, 1.0, batch.worldY, at, count)
-            mix(face, Vertices.WORLD + 2, 1.0, batch.worldZ, at, count)
-        }
-        if (fields and PlanarPrimitive.NORMAL != 0) {
-            mix(face, Vertices.NORMAL, face.normalSign, batch.normalX, at, count)
-            mix(face, Vertices.NORMAL + 1, face.normalSign, batch.normalY, at, count)
-            mix(face, Vertices.NORMAL + 2, face.normalSign, batch.normalZ, at, count)
-        }
-        if (fields and PlanarPrimitive.UV != 0) {
-            mix(face, Vertices.UV, 1.0, batch.u, at, count)
-            mix(face, Vertices.UV + 1, 1.0, batch.v, at, count)
-        }
-        if (fields and PlanarPrimitive.COLOR != 0) {
-            mix(face, Vertices.COLOR, 1.0, batch.vertexRed, at, count)
-            mix(face, Vertices.COLOR + 1, 1.0, batch.vertexGreen, at, count)
-            mix(face, Vertices.COLOR + 2, 1.0, batch.vertexBlue, at, count)
-            mix(face, Vertices.COLOR + 3, 1.0, batch.vertexAlpha, at, count)
-        }
-    }
-
-    /** Perspective-correct weights, as [Face] has them for one sample; edge functions are exact as doubles. */
-    private fun weigh(face: Face, x: Int, y: Int, count: Int) {
+    override fun weigh(face: Face, x: Int, y: Int, count: Int) {
         val first0 = (face.e0 + face.e0dx * x + face.e0dy * y).toDouble()
         val first1 = (face.e1 + face.e1dx * x + face.e1dy * y).toDouble()
         val first2 = (face.e2 + face.e2dx * x + face.e2dy * y).toDouble()
@@ -90,7 +63,7 @@ internal class VectorFragmentKernel : FragmentKernel {
         }
     }
 
-    private fun mix(face: Face, field: Int, sign: Double, out: FloatArray, at: Int, count: Int) {
+    override fun mix(face: Face, field: Int, sign: Double, out: FloatArray, at: Int, count: Int) {
         val data = face.vertices.data
         val a = data[field]
         val b = data[Vertices.STRIDE + field]
@@ -104,6 +77,25 @@ internal class VectorFragmentKernel : FragmentKernel {
             sum.mul(sign).convertShape(VectorOperators.D2F, NARROW, 0).reinterpretAsFloats().intoArray(out, at + i)
             i += LANES
         }
+    }
+
+    override fun runEnd(keys: LongArray, from: Int, until: Int): Int {
+        // Most runs are short, or long
+        val rank = keys[from]
+        var at = from + 1
+        val near = minOf(from + NEAR, until)
+        while (at < near) {
+            if (keys[at].toInt() != rank.toInt()) return at
+            at++
+        }
+        while (at + LANES <= until) {
+            val difference = LongVector.fromArray(LONGS, keys, at).lanewise(VectorOperators.XOR, rank)
+            val isOther = difference.lanewise(VectorOperators.LSHL, HALF).compare(VectorOperators.NE, 0L)
+            if (isOther.anyTrue()) return at + isOther.firstTrue()
+            at += LANES
+        }
+        while (at < until && keys[at].toInt() == rank.toInt()) at++
+        return at
     }
 
     override fun pack(batch: FragmentBatch, argb: IntArray) {
@@ -132,10 +124,8 @@ internal class VectorFragmentKernel : FragmentKernel {
         while (i < count) {
             val bucket = IntVector.fromArray(INTS, Srgb.buckets, 0, buckets, i)
             val before = bucket.and((1 shl Srgb.CODE_SHIFT) - 1).sub(1)
-            val isBehind = before.sub(IntVector.fromArray(INTS, places, i)).lanewise(
-                VectorOperators.LSHR,
-                Int.SIZE_BITS - 1
-            )
+            val place = IntVector.fromArray(INTS, places, i)
+            val isBehind = before.sub(place).lanewise(VectorOperators.LSHR, Int.SIZE_BITS - 1)
             val code = bucket.lanewise(VectorOperators.LSHR, Srgb.CODE_SHIFT).add(isBehind)
             code.lanewise(VectorOperators.LSHL, shift).or(IntVector.fromArray(INTS, argb, i)).intoArray(argb, i)
             i += INTS.length()
@@ -157,8 +147,8 @@ internal class VectorFragmentKernel : FragmentKernel {
     }
 
     private companion object {
-        /** Samples from which on a run is worth vectors. */
-        const val LONG = 4
+        /** Samples of a run that are looked at one by one. */
+        const val NEAR = 4
 
         const val OPAQUE = 0xFF shl 24
     }
