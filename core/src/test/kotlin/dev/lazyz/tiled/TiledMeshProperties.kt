@@ -136,18 +136,29 @@ class TiledMeshProperties {
             Float.NaN, Float.NEGATIVE_INFINITY, -1f, -0f, 0f, Float.MIN_VALUE, Math.nextDown(Srgb.LEAST), Srgb.LEAST,
             Math.nextDown(1f), 1f, Math.nextUp(1f), 2f, Float.POSITIVE_INFINITY,
         )
+        val leastOfCode = FloatArray(256) { code ->
+            // Positive floats are ordered as their bits are
+            var low = 0
+            var high = 1f.toRawBits()
+            while (low < high) {
+                val middle = (low + high) / 2
+                if (Srgb.encode(Float.fromBits(middle)) < code) low = middle + 1 else high = middle
+            }
+            Float.fromBits(low)
+        }
         val random = Random(1)
         val batch = FragmentBatch(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
         repeat(1000) { round ->
             batch.size = 1 + random.nextInt(FragmentBatch.CAPACITY)
             for (channel in listOf(batch.red, batch.green, batch.blue)) {
                 for (i in 0 until batch.size) {
-                    channel[i] = if (random.nextInt(8) == 0) {
-                        special[random.nextInt(special.size)]
-                    } else {
-                        // On both sides of where one code ends and the next begins
-                        val code = Srgb.decode(random.nextInt(256))
-                        code + (random.nextFloat() - 0.5f) * 0.01f * code
+                    // Often on one side or the other of where a code ends and the next begins
+                    val edge = leastOfCode[1 + random.nextInt(255)]
+                    channel[i] = when (random.nextInt(4)) {
+                        0 -> special[random.nextInt(special.size)]
+                        1 -> edge
+                        2 -> Math.nextDown(edge)
+                        else -> random.nextFloat()
                     }
                 }
             }
