@@ -204,10 +204,14 @@ class TiledMeshProperties {
         )
     }
 
+    /** A pentagon, inclined, of one colour. */
     private fun pane(random: Random, alpha: Float): Surface {
         val z = random.nextDouble() * 4 - 2
-        val corners = listOf(Vertex(-1.0, -1.0, z), Vertex(1.0, -1.0, z), Vertex(1.0, 1.0, z), Vertex(-1.0, 1.0, z))
-        return Polygon(listOf(corners), Material(Rgba(0f, 0.4f, 0f, alpha), alphaMode = AlphaMode.BLEND))
+        val slope = random.nextDouble() * 2 - 1
+        val color = Rgba(random.nextFloat(), random.nextFloat(), random.nextFloat())
+        val places = listOf(-1.0 to -1.0, 1.0 to -1.0, 1.7 to 0.2, 1.0 to 1.0, -1.0 to 1.0)
+        val corners = places.map { (x, y) -> Vertex(x, y, z + slope * x, color = color) }
+        return Polygon(listOf(corners), Material(Rgba(0.3f, 0.4f, 0.7f, alpha), alphaMode = AlphaMode.BLEND))
     }
 
     /** Triangles around random places, as large as a random power of two; a few with a vertex that is nowhere. */
