@@ -73,9 +73,9 @@ public class FrameNumbers @JvmOverloads constructor(
 
         fun add(batch: TriangleBatch, triangle: Int) {
             if (!batch.isDrawn(triangle)) return
-            val a = TriangleBatch.STRIDE * batch.corners[3 * triangle]
-            val b = TriangleBatch.STRIDE * batch.corners[3 * triangle + 1]
-            val c = TriangleBatch.STRIDE * batch.corners[3 * triangle + 2]
+            val a = batch.place(triangle, 0)
+            val b = batch.place(triangle, 1)
+            val c = batch.place(triangle, 2)
             val grid = batch.grid
 
             // As far as the box around the triangle lies in the region, so does the triangle

@@ -30,6 +30,9 @@ internal class TriangleBatch(
     /** Vertex numbers, three a triangle. */
     val corners: IntArray get() = mesh.triangles
 
+    /** Where in [grid] the numbers of vertex [corner], 0..2, of [triangle] begin. */
+    fun place(triangle: Int, corner: Int): Int = STRIDE * corners[3 * triangle + corner]
+
     /** Whether [triangle] is drawn from this batch. */
     fun isDrawn(triangle: Int): Boolean =
         hidden == null || hidden[triangle ushr WORD_SHIFT] ushr triangle and 1L == 0L

@@ -102,9 +102,9 @@ internal class TriangleForms(private val test: DepthTest) {
     /** Sets the depth of triangle number [triangle] of [batch]. */
     fun depth(batch: TriangleBatch, triangle: Int) {
         val grid = batch.grid
-        val a = TriangleBatch.STRIDE * batch.corners[3 * triangle]
-        val b = TriangleBatch.STRIDE * batch.corners[3 * triangle + 1]
-        val c = TriangleBatch.STRIDE * batch.corners[3 * triangle + 2]
+        val a = batch.place(triangle, 0)
+        val b = batch.place(triangle, 1)
+        val c = batch.place(triangle, 2)
         depth(
             batch.first + triangle, grid[a], grid[a + 1], grid[a + 2], grid[b], grid[b + 1], grid[b + 2], grid[c],
             grid[c + 1], grid[c + 2],
@@ -120,9 +120,9 @@ internal class TriangleForms(private val test: DepthTest) {
     /** Returns a key that none of triangle number [triangle] of [batch] is before. */
     fun nearest(batch: TriangleBatch, triangle: Int): Long = nearest(
         batch.first + triangle,
-        batch.grid[TriangleBatch.STRIDE * batch.corners[3 * triangle] + 2],
-        batch.grid[TriangleBatch.STRIDE * batch.corners[3 * triangle + 1] + 2],
-        batch.grid[TriangleBatch.STRIDE * batch.corners[3 * triangle + 2] + 2],
+        batch.grid[batch.place(triangle, 0) + 2],
+        batch.grid[batch.place(triangle, 1) + 2],
+        batch.grid[batch.place(triangle, 2) + 2],
     )
 
     private fun nearest(index: Int, az: Int, bz: Int, cz: Int): Long =

@@ -58,9 +58,9 @@ internal class BatchTriangles(
 
     private fun draw(batch: TriangleBatch, triangle: Int) {
         val grid = batch.grid
-        val a = TriangleBatch.STRIDE * batch.corners[3 * triangle]
-        val b = TriangleBatch.STRIDE * batch.corners[3 * triangle + 1]
-        val c = TriangleBatch.STRIDE * batch.corners[3 * triangle + 2]
+        val a = batch.place(triangle, 0)
+        val b = batch.place(triangle, 1)
+        val c = batch.place(triangle, 2)
         val ax = grid[a]
         val ay = grid[a + 1]
         val bx = grid[b]

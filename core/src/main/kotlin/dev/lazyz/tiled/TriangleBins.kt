@@ -43,8 +43,8 @@ internal class TriangleBins(
     private val chunks = minOf(threads, (total - 1) / LEAST_CHUNK + 1)
 
     /** Where the triangles of each tile are among [triangles], and its fragments among [keys] and [places]. */
-    private val triangleEnds = Ends()
-    private val fragmentEnds = Ends()
+    private val triangleEnds = BinEnds(chunks, tiles)
+    private val fragmentEnds = BinEnds(chunks, tiles)
     private val triangles: LongArray
     private val keys: LongArray
     private val places: IntArray
@@ -67,19 +67,19 @@ internal class TriangleBins(
 
     /** Copies the nearest key of each triangle that is to be drawn into a tile, in submission order. */
     fun copyTriangles(band: Int, column: Int, to: LongArray) {
-        val tile = (band - bandStart) * columns + column
+        val tile = tile(band, column)
         System.arraycopy(triangles, triangleEnds.start(tile), to, 0, triangleCount(band, column))
     }
 
     /** Number of triangles to be drawn into a tile. */
     fun triangleCount(band: Int, column: Int): Int {
-        val tile = (band - bandStart) * columns + column
+        val tile = tile(band, column)
         return triangleEnds.end(tile) - triangleEnds.start(tile)
     }
 
     /** Lowers a tile's keys [to] to those of the fragments that fall into it; returns how many were lowered. */
     fun lower(band: Int, column: Int, to: LongArray): Int {
-        val tile = (band - bandStart) * columns + column
+        val tile = tile(band, column)
         var passes = 0
         for (i in fragmentEnds.start(tile) until fragmentEnds.end(tile)) {
             val key = keys[i]
@@ -94,7 +94,7 @@ internal class TriangleBins(
 
     /** Number of fragments that fall into a tile. */
     fun fragmentCount(band: Int, column: Int): Int {
-        val tile = (band - bandStart) * columns + column
+        val tile = tile(band, column)
         return fragmentEnds.end(tile) - fragmentEnds.start(tile)
     }
 
@@ -114,9 +114,9 @@ internal class TriangleBins(
 
     /** Calls [action] for each tile that the bounds of a triangle reach, unless one of its edges has the tile outside. */
     private inline fun forEachTile(batch: TriangleBatch, triangle: Int, action: (tile: Int) -> Unit) {
-        val a = TriangleBatch.STRIDE * batch.corners[3 * triangle]
-        val b = TriangleBatch.STRIDE * batch.corners[3 * triangle + 1]
-        val c = TriangleBatch.STRIDE * batch.corners[3 * triangle + 2]
+        val a = batch.place(triangle, 0)
+        val b = batch.place(triangle, 1)
+        val c = batch.place(triangle, 2)
         val ax = batch.grid[a]
         val ay = batch.grid[a + 1]
         val bx = batch.grid[b]
@@ -145,7 +145,7 @@ internal class TriangleBins(
                         isOutside(sign, bx, by, cx, cy, left, right, top, bottom) ||
                         isOutside(sign, cx, cy, ax, ay, left, right, top, bottom)
                     )
-                if (!isOutside) action((band - bandStart) * columns + column)
+                if (!isOutside) action(tile(band, column))
             }
         }
     }
@@ -168,34 +168,6 @@ internal class TriangleBins(
         val x = (if (runY < 0) right else left) * ScreenGrid.STEPS + ScreenGrid.CENTER
         val y = (if (runX > 0) bottom else top) * ScreenGrid.STEPS + ScreenGrid.CENTER
         return runX * (y - fromY) - runY * (x - fromX) < 0
-    }
-
-    /** Chunk by chunk, how much each tile gets; then, after [sumUp], where the next goes; and in the end where it ends. */
-    private inner class Ends {
-        private val ends = IntArray(chunks * tiles)
-
-        fun count(chunk: Int, tile: Int) {
-            ends[chunk * tiles + tile]++
-        }
-
-        /** Sums up tile by tile, and within a tile chunk by chunk, so that each chunk knows where its share begins. */
-        fun sumUp(): Int {
-            var sum = 0
-            for (tile in 0 until tiles) {
-                for (chunk in 0 until chunks) {
-                    val count = ends[chunk * tiles + tile]
-                    ends[chunk * tiles + tile] = sum
-                    sum = Math.addExact(sum, count)
-                }
-            }
-            return sum
-        }
-
-        fun next(chunk: Int, tile: Int): Int = ends[chunk * tiles + tile]++
-
-        fun start(tile: Int): Int = if (tile == 0) 0 else end(tile - 1)
-
-        fun end(tile: Int): Int = ends[(chunks - 1) * tiles + tile]
     }
 
     /** What one chunk of the triangles brings, in the order in which it was found. Belongs to one thread. */
@@ -236,9 +208,9 @@ internal class TriangleBins(
 
         private fun enterLarge(batch: TriangleBatch, triangle: Int) {
             val snapped = batch.grid
-            val a = TriangleBatch.STRIDE * batch.corners[3 * triangle]
-            val b = TriangleBatch.STRIDE * batch.corners[3 * triangle + 1]
-            val c = TriangleBatch.STRIDE * batch.corners[3 * triangle + 2]
+            val a = batch.place(triangle, 0)
+            val b = batch.place(triangle, 1)
+            val c = batch.place(triangle, 2)
             val left = ScreenGrid.firstSample(minOf(snapped[a], minOf(snapped[b], snapped[c])))
             val right = ScreenGrid.firstSample(maxOf(snapped[a], maxOf(snapped[b], snapped[c])))
             val top = ScreenGrid.firstSample(minOf(snapped[a + 1], minOf(snapped[b + 1], snapped[c + 1])))
@@ -248,8 +220,8 @@ internal class TriangleBins(
             val first = maxOf(top, rowStart)
             val end = minOf(bottom, rowEnd)
             if (columnStart >= columnEnd || first >= end) return
-            val firstTile = tile(columnStart, first)
-            if (firstTile == tile(columnEnd - 1, end - 1)) {
+            val firstTile = tileAt(columnStart, first)
+            if (firstTile == tileAt(columnEnd - 1, end - 1)) {
                 triangleEnds.count(number, firstTile)
                 keep(forms.nearest(batch, triangle), firstTile)
             } else {
@@ -302,7 +274,7 @@ internal class TriangleBins(
         )
 
         private fun add(x: Int, y: Int) {
-            val tile = tile(x, y)
+            val tile = tileAt(x, y)
             keysFound[fragmentCount] = forms.keyAt(x, y)
             placesFound[fragmentCount++] = tile shl TILE_SHIFT or grid.rowInTile(y) * stride + grid.columnInTile(x)
             fragmentEnds.count(number, tile)
@@ -327,7 +299,9 @@ internal class TriangleBins(
         }
     }
 
-    private fun tile(x: Int, y: Int): Int = (grid.bandOf(y) - bandStart) * columns + grid.columnOf(x)
+    private fun tile(band: Int, column: Int): Int = (band - bandStart) * columns + column
+
+    private fun tileAt(x: Int, y: Int): Int = tile(grid.bandOf(y), grid.columnOf(x))
 
     companion object {
         private const val MOST_FRAGMENTS = SmallCoverage.SIDE * SmallCoverage.SIDE
