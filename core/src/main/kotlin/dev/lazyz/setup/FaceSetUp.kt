@@ -28,6 +28,16 @@ internal class FaceSetUp(
     /** Whether attributes depend on which side of a face is seen, or on where it is. */
     private val isPlaced = isPrelit || fields and (PlanarPrimitive.WORLD or PlanarPrimitive.NORMAL) != 0
 
+    /** Whether faces have only attributes that the mesh has, shared by neighbours: no light and no normals of their own. */
+    val isShared: Boolean get() = mesh != null && !isPrelit &&
+        (!usesFaceNormal || fields and PlanarPrimitive.NORMAL == 0)
+
+    /** Returns the sign that turns the normals of [triangle] to the viewer, if these faces [isShared]; [vertices] is scratch. */
+    fun normalSign(batch: TriangleBatch, triangle: Int, vertices: Vertices): Double {
+        for (i in 0 until 3) load(vertices, i, batch.corners[3 * triangle + i])
+        return turn(vertices)
+    }
+
     /** Sets vertex [to] to the attributes of the mesh's vertex [from], as far as they matter. */
     fun load(vertices: Vertices, to: Int, from: Int) {
         val mesh = mesh!!

@@ -16,7 +16,7 @@ import kotlin.contracts.contract
  * Filled by the calling thread, read by all, each of which writes the samples of its own tile; then used again for a
  * later band. A *member* is a primitive of the band, by its place in submission order within it.
  */
-internal class Band(frame: Frame, private val grid: TileGrid) {
+internal class Band(frame: Frame, private val grid: TileGrid, private val pool: ArrayPool) {
     private val order = VisibilityOrder(frame.raster.depthTest)
     private val region = frame.region
     private val content = frame.content
@@ -53,9 +53,9 @@ internal class Band(frame: Frame, private val grid: TileGrid) {
     private var wideCount = 0
 
     /** What is visible, row by row, from the region's first column. */
-    val argb: Array<IntArray> = Array(grid.tileHeight) { IntArray(region.width) }
-    val depth: Array<IntArray> = Array(grid.tileHeight) { IntArray(region.width) }
-    val primitive: Array<IntArray> = Array(grid.tileHeight) { IntArray(region.width) }
+    val argb: Array<IntArray> = Array(grid.tileHeight) { pool.ints(region.width) }
+    val depth: Array<IntArray> = Array(grid.tileHeight) { pool.ints(region.width) }
+    val primitive: Array<IntArray> = Array(grid.tileHeight) { pool.ints(region.width) }
 
     private val remaining = AtomicInteger()
 
@@ -154,6 +154,12 @@ internal class Band(frame: Frame, private val grid: TileGrid) {
         return bins.triangleCount(number, column) == 0 && bins.fragmentCount(number, column) == 0
     }
 
+    /** Whether the tile [column] has more fragments of small triangles than other triangles. */
+    fun isFine(column: Int): Boolean {
+        val bins = bins ?: return false
+        return bins.fragmentCount(number, column) > bins.triangleCount(number, column)
+    }
+
     /** Calls [action] for each member that may cover samples of the tile [column], in submission order. */
     inline fun forEachMember(column: Int, action: (member: Int) -> Unit) {
         var entry = if (column == 0) 0 else ends[column - 1]
@@ -183,6 +189,11 @@ internal class Band(frame: Frame, private val grid: TileGrid) {
             checkpoint()
             sink.row(rowStart + row, argb[row], depth[row], primitive[row])
         }
+    }
+
+    /** Gives the rows' memory back; to be called last. */
+    fun release() {
+        for (rows in listOf(argb, depth, primitive)) rows.forEach(pool::release)
     }
 
     companion object {

@@ -8,6 +8,9 @@ package dev.lazyz.tiled
 internal class BinEnds(private val chunks: Int, private val tiles: Int) {
     private val ends = IntArray(chunks * tiles)
 
+    /** Bytes held. */
+    val bytes: Long get() = Int.SIZE_BYTES * ends.size.toLong()
+
     fun count(chunk: Int, tile: Int) {
         ends[chunk * tiles + tile]++
     }

@@ -1,19 +1,27 @@
 package dev.lazyz.tiled
 
-/**
- * The innermost loops of [Tiled], all of one make. All makes give the same bits. Belongs to one thread.
- *
- * @property isVector whether the loops are written with the Vector API
- */
-internal class Kernels(
-    val isVector: Boolean,
-    val coverage: CoverageKernel,
-    val blocks: BlockKernel,
-    val fragments: FragmentKernel,
-) {
+/** The makes of the innermost loops of [Tiled]. All give the same bits. What they make belongs to one thread. */
+internal enum class Kernels {
+    /** Those that any JVM runs. */
+    SCALAR,
+
+    /** Those for JVMs with the module `jdk.incubator.vector`. */
+    VECTOR,
+
+    ;
+
+    /** Returns the loops that find out what small triangles cover. */
+    fun coverage(): CoverageKernel = if (this == VECTOR) VectorCoverageKernel() else ScalarCoverageKernel()
+
+    /** Returns the loops that draw blocks. */
+    fun blocks(): BlockKernel = if (this == VECTOR) VectorBlockKernel() else ScalarBlockKernel()
+
+    /** Returns the loops over visible samples. */
+    fun fragments(): FragmentKernel = if (this == VECTOR) VectorFragmentKernel() else ScalarFragmentKernel()
+
     companion object {
         /** Returns the fastest that this JVM offers now: a module may come to one that runs. */
-        fun best(): Kernels = if (hasVectors()) vector() else scalar()
+        fun best(): Kernels = if (hasVectors()) VECTOR else SCALAR
 
         /** Whether the JVM's own class loaders find the Vector API, and its vectors are wide enough. */
         private fun hasVectors(): Boolean = try {
@@ -22,11 +30,5 @@ internal class Kernels(
         } catch (_: ClassNotFoundException) {
             false
         }
-
-        /** Returns those that any JVM runs. */
-        fun scalar(): Kernels = Kernels(false, ScalarCoverageKernel(), ScalarBlockKernel(), ScalarFragmentKernel())
-
-        /** Returns those for JVMs with the module `jdk.incubator.vector`. */
-        fun vector(): Kernels = Kernels(true, VectorCoverageKernel(), VectorBlockKernel(), VectorFragmentKernel())
     }
 }

@@ -16,21 +16,21 @@ internal class Rendering(
     private val grid: TileGrid,
     private val coherence: Coherence,
     private val threads: Int,
-    private val kernels: () -> Kernels,
+    private val kernels: Kernels,
+    private val pool: ArrayPool,
 ) {
     private val columns = grid.columns.toLong()
 
     /** Number of threads, the caller's included. */
     private val crew = minOf(threads.toLong(), columns * grid.bands).toInt()
-    private val schedule = Schedule()
+    private val schedule = Schedule(grid.columns, crew)
     private val arrivals = Arrivals(frame, grid)
 
     /** The bands at work: number b is in place b modulo their number. */
-    private val bands = Array(bandsAtWork()) { Band(frame, grid) }
+    private val bands = Array(bandsAtWork()) { Band(frame, grid, pool) }
     private var filled = 0
 
     private val test = frame.raster.depthTest
-    private val stride = TileKeys.stride(grid)
     private val hasBatches = frame.content.batches.isNotEmpty()
     private val bandsAtOnce = TriangleBins.bandsAtOnce(grid)
     private var bins: TriangleBins? = null
@@ -38,7 +38,7 @@ internal class Rendering(
 
     /** One for each thread, the caller's first. */
     private val renderers = List(crew) { number ->
-        TileRenderer(frame, grid, coherence, kernels(), if (number == 0) Checkpoint(::passCaller) else schedule)
+        TileRenderer(frame, grid, coherence, kernels, if (number == 0) Checkpoint(::passCaller) else schedule)
     }
 
     /** Renders all, and hands every row to [sink]. */
@@ -46,7 +46,7 @@ internal class Rendering(
         val workers = ArrayList<Thread>()
         try {
             for (number in 1 until crew) {
-                val worker = Thread({ work(renderers[number]) }, "lazyz-tiled-$number")
+                val worker = Thread({ work(number) }, "lazyz-tiled-$number")
                 worker.isDaemon = true
                 worker.start()
                 workers += worker
@@ -61,6 +61,7 @@ internal class Rendering(
             endAll(workers)
         }
         schedule.firstFailure?.let { throw it }
+        for (band in bands) band.release()
         return counters()
     }
 
@@ -71,24 +72,25 @@ internal class Rendering(
             // Render tiles, of this band or the next, until this one is complete
             val band = bandAt(number)
             while (!band.isComplete) {
-                val tile = schedule.take()
+                val tile = schedule.take(0)
                 if (tile != Schedule.NONE) render(tile, renderers[0]) else schedule.awaitUntil { band.isComplete }
                 passCaller()
             }
 
             // Hand it out, and use its place for another one
             band.sendTo(sink) { passCaller() }
+            band.bins?.finishBand()
             fillNext()
         }
     }
 
     /** The part of every other thread. */
-    private fun work(renderer: TileRenderer) {
+    private fun work(number: Int) {
         try {
             while (true) {
-                val tile = schedule.takeOrWait()
+                val tile = schedule.takeOrWait(number)
                 if (tile == Schedule.NONE) return
-                render(tile, renderer)
+                render(tile, renderers[number])
             }
         } catch (e: Throwable) {
             schedule.fail(e)
@@ -107,13 +109,12 @@ internal class Rendering(
         arrivals.moveTo(filled)
         if (hasBatches && filled % bandsAtOnce == 0) {
             val until = minOf(filled + bandsAtOnce, grid.bands)
-            bins = null
-            bins = TriangleBins(frame.content, grid, test, stride, filled, until, threads, kernels)
+            bins = TriangleBins(frame.content, grid, test, filled, until, threads, kernels, pool)
                 .also { binBytes = maxOf(binBytes, it.bytes) }
         }
         bandAt(filled).fill(filled, arrivals, bins)
         filled++
-        schedule.release(filled * columns)
+        schedule.release(filled)
     }
 
     private fun bandAt(number: Int): Band = bands[number % bands.size]

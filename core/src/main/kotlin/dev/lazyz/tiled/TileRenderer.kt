@@ -26,10 +26,10 @@ internal class TileRenderer(
     private val keys = TileKeys(grid, frame.raster, counters)
     private val layers = TileLayers(keys, test, counters)
     private val spans = Spans(frame.region)
-    private val drawing = TileTriangles(keys, kernels.blocks, counters)
+    private val drawing = TileTriangles(keys, kernels.blocks(), counters)
     private val batches = BatchTriangles(content, test, keys, drawing, checkpoint)
     private val forms = TriangleForms(test)
-    private val shading = TileShading(frame, keys, layers, coherence, kernels.fragments, counters, checkpoint)
+    private val shading = TileShading(frame, keys, layers, coherence, kernels.fragments(), counters, checkpoint)
     private var cursorBytes = 0L
 
     /** Bytes held at most. */
@@ -49,7 +49,7 @@ internal class TileRenderer(
         } else {
             drawAll(band, column) { true }
         }
-        shading.shade(band)
+        shading.shade(band, band.isFine(column))
     }
 
     private inline fun drawAll(band: Band, column: Int, isWanted: (Primitive) -> Boolean) {

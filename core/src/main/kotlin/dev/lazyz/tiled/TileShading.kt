@@ -49,14 +49,18 @@ internal class TileShading(
     private val faceSetUps = arrayOfNulls<FaceSetUp>(content.batches.size)
     private var lastBatch = -1
 
-    /** Fragments that wait for their colour, and the runs that they are: row of the tile, column of the band, length. */
-    private val fragments = FragmentBatch(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
-    private val runRows = IntArray(FragmentBatch.CAPACITY)
-    private val runColumns = IntArray(FragmentBatch.CAPACITY)
-    private val runLengths = IntArray(FragmentBatch.CAPACITY)
-    private var runs = 0
     private val packed = IntArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
+
+    /** Runs that wait for their colour, all of one shader and the same attributes, which are known. */
+    private val runs = FragmentRuns()
     private var shader: Shader? = null
+
+    /** Runs so short that it is not worth to know all of their primitives; their triangles of batch number [shortBatch]. */
+    private val shortRuns = FragmentRuns()
+    private val shortTriangles = IntArray(FragmentBatch.CAPACITY)
+    private var shortBatch = -1
+    private val scattered = ScatteredAttributes()
+    private var isFine = false
 
     private val alone = FragmentBatch(1)
     private val fragment = Fragment()
@@ -64,12 +68,17 @@ internal class TileShading(
 
     /** Bytes held at most. */
     val bytes: Long
-        get() = fragments.bytes + Int.SIZE_BYTES * (3L * runRows.size + packed.size) + faces.size * Face.BYTES +
-            single.peakBytes
+        get() = runs.bytes + shortRuns.bytes + Int.SIZE_BYTES * (packed.size + shortTriangles.size.toLong()) +
+            scattered.bytes + faces.size * Face.BYTES + single.peakBytes
 
-    /** Fills in colour, depth and primitive of the tile in [band]. */
-    fun shade(band: Band) {
+    /**
+     * Fills in colour, depth and primitive of the tile in [band].
+     *
+     * @param isFine whether most triangles are thought to be so small that they are met once; this is for speed only
+     */
+    fun shade(band: Band, isFine: Boolean) {
         this.band = band
+        this.isFine = isFine
         val shadedBefore = counters.shadingCalls
         for (y in keys.rowStart until keys.rowEnd) {
             checkpoint.pass()
@@ -77,6 +86,7 @@ internal class TileShading(
             if (layers.isEmpty) shadeRow(y) else blendRow(y)
         }
         flush()
+        flushShort()
         counters.peakSuspensions = maxOf(counters.peakSuspensions, counters.shadingCalls - shadedBefore)
     }
 
@@ -115,6 +125,7 @@ internal class TileShading(
             colors.fill(background, from - firstColumn, until - firstColumn)
             return
         }
+        if (until - from < SHORT && gatherShort(from, until, y, row, index)) return
         val face = face(index)
         if (face == null) {
             val primitive = primitive(index)
@@ -123,8 +134,7 @@ internal class TileShading(
             }
             return
         }
-        counters.shadingCalls += until - from
-        counters.shadingStarts += until - from
+        count(until - from)
         if (face.isConstant) {
             colors.fill(face.argb, from - firstColumn, until - firstColumn)
         } else {
@@ -132,50 +142,76 @@ internal class TileShading(
         }
     }
 
-    /** Adds a run to the batch. */
+    /** Counts the calls of a shader. */
+    private fun count(calls: Int) {
+        counters.shadingCalls += calls
+        counters.shadingStarts += calls
+    }
+
+    /** Adds a run of a face to those that wait. */
     private fun gather(face: Face, from: Int, until: Int, y: Int, row: Int) {
-        if (face.shader !== shader || face.fields != fragments.fields) {
+        if (face.shader !== shader || face.fields != runs.fragments.fields) {
             flush()
             shader = face.shader
-            fragments.begin(face.fields)
+            runs.fragments.begin(face.fields)
         }
         var x = from
         while (x < until) {
-            if (fragments.size == FragmentBatch.CAPACITY) flush()
-            val at = fragments.size
-            val count = minOf(until - x, FragmentBatch.CAPACITY - at)
-            fragments.place(at, x, y, count)
-            kernel.attributes(face, fragments, at, x, y, count)
-            fragments.size = at + count
-            runRows[runs] = row
-            runColumns[runs] = x - firstColumn
-            runLengths[runs++] = count
+            if (runs.room == 0) flush()
+            val at = runs.fragments.size
+            val count = minOf(until - x, runs.room)
+            runs.fragments.place(at, x, y, count)
+            kernel.attributes(face, runs.fragments, at, x, y, count)
+            runs.add(row, x - firstColumn, count)
             x += count
         }
     }
 
-    /** Shades what has been gathered. */
+    /** Adds a short run to those that wait, or returns false: if it is not a batch's, or is known already. */
+    private fun gatherShort(from: Int, until: Int, y: Int, row: Int, index: Int): Boolean {
+        if (!isFine || faces.isEmpty() || faces[index and FACES - 1]?.index == index) return false
+        val number = batch(index)
+        if (number < 0) return false
+        val setUp = faceSetUp(number)
+        val triangle = index - content.batches[number].first
+        if (!setUp.isShared) return false
+        val count = until - from
+        if (number != shortBatch || count > shortRuns.room) {
+            flushShort()
+            shortBatch = number
+            shortRuns.fragments.begin(setUp.fields)
+        }
+        val at = shortRuns.fragments.size
+        shortRuns.fragments.place(at, from, y, count)
+        shortTriangles.fill(triangle, at, at + count)
+        shortRuns.add(row, from - firstColumn, count)
+        count(count)
+        return true
+    }
+
+    /** Shades the runs whose attributes are known. */
     private fun flush() {
-        val count = fragments.size
-        if (count == 0) return
-        val shader = shader!!
+        if (runs.fragments.size > 0) shade(runs, shader!!)
+    }
+
+    /** Finds the attributes of short runs, and shades them. */
+    private fun flushShort() {
+        if (shortRuns.fragments.size == 0) return
+        val setUp = faceSetUp(shortBatch)
+        scattered.fill(shortRuns.fragments, content.batches[shortBatch], shortTriangles, setUp)
+        shade(shortRuns, setUp.shader)
+    }
+
+    private fun shade(runs: FragmentRuns, shader: Shader) {
+        val fragments = runs.fragments
         if (shader is BatchShader) {
-            fragments.alpha.fill(1f, 0, count)
+            fragments.alpha.fill(1f, 0, fragments.size)
             shader.shade(fragments)
         } else {
             fragments.shadeEach(shader)
         }
         kernel.pack(fragments, packed)
-        var at = 0
-        for (run in 0 until runs) {
-            val colors = band.argb[runRows[run]]
-            val column = runColumns[run]
-            val length = runLengths[run]
-            for (i in 0 until length) colors[column + i] = packed[at + i]
-            at += length
-        }
-        fragments.size = 0
-        runs = 0
+        runs.takeOut(packed, band.argb)
     }
 
     /** Returns what is known of the primitive [index], or null if it is shaded sample by sample. */
@@ -191,11 +227,13 @@ internal class TileShading(
             face.fill(index, flat, fragment)
         } else {
             val batch = content.batches[number]
-            val setUp = faceSetUps[number] ?: batch.faces().also { faceSetUps[number] = it }
-            face.fill(batch, index - batch.first, setUp, fragment)
+            face.fill(batch, index - batch.first, faceSetUp(number), fragment)
         }
         return face
     }
+
+    private fun faceSetUp(number: Int): FaceSetUp =
+        faceSetUps[number] ?: content.batches[number].faces().also { faceSetUps[number] = it }
 
     /** Returns the number of the batch that a primitive is drawn from, or -1; mostly it is that of the one before. */
     private fun batch(index: Int): Int {
@@ -242,8 +280,7 @@ internal class TileShading(
     /** Returns a fragment with the colour of the primitive [index], not packed. */
     private fun shaded(x: Int, y: Int, index: Int): Fragment {
         val face = face(index) ?: return single.shaded(x, y, index, primitive(index))
-        counters.shadingCalls++
-        counters.shadingStarts++
+        count(1)
         if (face.isConstant) {
             face.shadeConstant(fragment)
         } else {
@@ -259,5 +296,8 @@ internal class TileShading(
     private companion object {
         /** Primitives that are remembered, a power of two. */
         const val FACES = 64
+
+        /** Samples from which on a run is not short. */
+        const val SHORT = 4
     }
 }

@@ -94,6 +94,18 @@ class TiledMeshProperties {
         assertEquals(work(scalar.counters), work(vector.counters))
     }
 
+    @Property(tries = 100, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    fun rule_7_1_whatARendererHasRenderedBeforeChangesNothing(@ForAll seed: Long) {
+        val random = Random(seed)
+        val frame = frame(random)
+        val expected = Tiled(Coherence.DIRECT, 2, 16).render(frame)
+        for (used in USED) {
+            val image = used.render(frame)
+            assertEquals(expected, image) { "seed $seed, $used" }
+            assertEquals(work(expected.counters), work(image.counters))
+        }
+    }
+
     @Test
     fun aShaderOfMeshesWithAndWithoutAnAttributeSeesNoneWhereThereIsNone() {
         // Shared by both, so that one batch could hold samples of both
@@ -114,6 +126,36 @@ class TiledMeshProperties {
         for (surfaces in listOf(listOf(with, without), listOf(without, with))) {
             val frame = Scene(surfaces, emptyList(), camera).frame(16, 16)
             assertEquals(ZBuffer().render(frame), Tiled(Coherence.DIRECT, 1, 64).render(frame))
+        }
+    }
+
+    @Property(tries = 20, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    fun rule_7_1_trianglesOfASampleOrTwoHaveAllAttributes(@ForAll seed: Long) {
+        val random = Random(seed)
+        val side = 60
+        val positions = FloatArray(3 * side * side) { i ->
+            val vertex = i / 3
+            when (i % 3) {
+                0 -> (vertex % side + random.nextFloat()) / side * 4 - 2
+                1 -> (vertex / side + random.nextFloat()) / side * 4 - 2
+                else -> random.nextFloat() * 0.1f
+            }
+        }
+        val triangles = IntArray(6 * (side - 1) * (side - 1)) { i ->
+            val cell = i / 6
+            val corner = intArrayOf(0, 1, side, side, 1, side + 1)[i % 6]
+            cell / (side - 1) * side + cell % (side - 1) + corner
+        }
+
+        fun numbers(size: Int) = FloatArray(size * side * side) { random.nextFloat() * 2 - 1 }
+        for (shader in SHADERS) {
+            val mesh = Mesh(positions, triangles, Material(shader = shader), numbers(3), numbers(2), numbers(4))
+            val frame = Scene(listOf(mesh), emptyList(), SampleScenes.camera).frame(50, 50)
+            val expected = ZBuffer().render(frame)
+            assertTrue(expected.visible > 500)
+            for (kernel in kernels().values) {
+                assertEquals(expected, Tiled(Coherence.DIRECT, 1, 64, kernel).render(frame))
+            }
         }
     }
 
@@ -166,7 +208,7 @@ class TiledMeshProperties {
             if (round % 4 == 0) batch.alpha[random.nextInt(batch.size)] = random.nextFloat()
             val (scalar, vector) = kernels().values.map { kernels ->
                 val argb = IntArray(batch.red.size)
-                kernels().fragments.pack(batch, argb)
+                kernels().fragments().pack(batch, argb)
                 argb.take(batch.size)
             }
             assertEquals(scalar, vector)
@@ -261,8 +303,8 @@ class TiledMeshProperties {
     }
 
     private fun kernels(): Map<String, () -> Kernels> {
-        val kernels = linkedMapOf<String, () -> Kernels>("scalar" to Kernels::scalar)
-        if (Kernels.best().isVector) kernels["vector"] = Kernels::vector
+        val kernels = linkedMapOf("scalar" to { Kernels.SCALAR })
+        if (Kernels.best() == Kernels.VECTOR) kernels["vector"] = { Kernels.VECTOR }
         return kernels
     }
 
@@ -272,6 +314,17 @@ class TiledMeshProperties {
     private companion object {
         val SIZES = listOf(1, 8, 16, 64, 512)
         val THREADS = listOf(1, 2, 3, 8)
+
+        /** Between them they read all attributes. */
+        val SHADERS = listOf(
+            Shader { it.setColor(it.worldX + 0.5f, it.worldY + 0.5f, it.worldZ * 8) },
+            Shader { it.setColor(it.normalX, it.normalY, it.normalZ) },
+            Shader { it.setColor(it.u, it.v, it.vertexAlpha) },
+            Shader { it.setColor(it.vertexRed, it.vertexGreen, it.vertexBlue) },
+        )
+
+        /** Renderers that keep arrays from one try to the next. */
+        val USED = THREADS.map { Tiled(Coherence.DIRECT, it, 16) }
 
         val ROUNDS = BatchShader { batch ->
             for (i in 0 until batch.size) {

@@ -51,7 +51,7 @@ class TiledProperties {
         for (tileSize in SIZES) {
             val grid = TileGrid(frame.region, tileSize)
             val arrivals = Arrivals(frame, grid)
-            val band = Band(frame, grid)
+            val band = Band(frame, grid, ArrayPool())
             for (number in 0 until grid.bands) {
                 arrivals.moveTo(number)
                 band.fill(number, arrivals, null)

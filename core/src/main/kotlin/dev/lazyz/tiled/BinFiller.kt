@@ -1,0 +1,101 @@
+package dev.lazyz.tiled
+
+import dev.lazyz.DepthTest
+import dev.lazyz.setup.TriangleBatch
+import dev.lazyz.setup.TriangleForms
+
+/**
+ * What one chunk of a frame's triangles brings to [TriangleBins], in the order in which it was found. Belongs to one thread at
+ * a time.
+ *
+ * @param number number of the chunk
+ * @param stride places of a row of a tile, see [TileKeys.stride]
+ */
+internal class BinFiller(
+    private val number: Int,
+    private val area: BinArea,
+    private val stride: Int,
+    test: DepthTest,
+    private val coverage: CoverageKernel,
+    pool: ArrayPool,
+    private val triangleEnds: BinEnds,
+    private val fragmentEnds: BinEnds,
+) {
+    private val forms = TriangleForms(test)
+
+    /** Nearest key of each triangle that is not small, and a tile that it reaches. */
+    private val triangles = KeyedPlaces(pool)
+
+    /** Key of each fragment; its tile and its place there, [TILE_SHIFT] bits apart. */
+    private val fragments = KeyedPlaces(pool)
+
+    /** Bytes held. */
+    val bytes: Long get() = triangles.bytes + fragments.bytes
+
+    /** Draws triangles that are small, and notes the others for their tiles. */
+    fun enter(batch: TriangleBatch, first: Int, count: Int) {
+        coverage.cover(batch, first, count)
+        for (i in 0 until count) {
+            val covered = coverage.covered[i]
+            if (covered == 0 || !batch.isDrawn(first + i)) continue
+            if (covered == CoverageKernel.LARGE) {
+                val nearest = forms.nearest(batch, first + i)
+                area.forEachTile(batch, first + i) {
+                    triangleEnds.count(number, it)
+                    triangles.add(nearest, it)
+                }
+            } else {
+                draw(batch, first + i, coverage.left[i], coverage.top[i], covered)
+            }
+        }
+    }
+
+    /** Draws the samples [covered] of the square from ([left], [top]) on. */
+    private fun draw(batch: TriangleBatch, triangle: Int, left: Int, top: Int, covered: Int) {
+        var rest = covered
+        if (left < area.columnStart || left + SmallCoverage.SIDE > area.columnEnd || top < area.rowStart ||
+            top + SmallCoverage.SIDE > area.rowEnd
+        ) {
+            rest = rest and here(left, top)
+        }
+        if (rest == 0) return
+        forms.depth(batch, triangle)
+        while (rest != 0) {
+            val place = Integer.numberOfTrailingZeros(rest)
+            val x = left + SmallCoverage.column(place)
+            val y = top + SmallCoverage.row(place)
+            val tile = area.tileAt(x, y)
+            fragmentEnds.count(number, tile)
+            fragments.add(forms.keyAt(x, y), tile shl TILE_SHIFT or area.placeInTile(x, y, stride))
+            rest = rest and (rest - 1)
+        }
+    }
+
+    /** Returns the bits of the samples that are in these tiles, of the square from ([left], [top]) on. */
+    private fun here(left: Int, top: Int): Int = SmallCoverage.within(
+        (area.columnStart - left).coerceIn(0, SmallCoverage.SIDE),
+        (area.columnEnd - left).coerceIn(0, SmallCoverage.SIDE),
+        (area.rowStart - top).coerceIn(0, SmallCoverage.SIDE),
+        (area.rowEnd - top).coerceIn(0, SmallCoverage.SIDE),
+    )
+
+    /** Puts triangles and fragments where they belong; nothing is left here. */
+    fun distribute(triangleKeys: LongArray, keys: LongArray, places: IntArray) {
+        triangles.forEach { nearest, tile -> triangleKeys[triangleEnds.next(number, tile)] = nearest }
+        fragments.forEach { key, place ->
+            val to = fragmentEnds.next(number, place ushr TILE_SHIFT)
+            keys[to] = key
+            places[to] = place and (1 shl TILE_SHIFT) - 1
+        }
+        triangles.release()
+        fragments.release()
+    }
+
+    companion object {
+        /** Most tiles that bins are made for at a time: 12 bits. */
+        const val MOST_TILES: Int = 1 shl 12
+
+        /** A tile has at most 2^18 places. */
+        private const val TILE_SHIFT = 18
+    }
+}
