@@ -28,7 +28,7 @@ final class Charts {
     /** Writes a PNG file for each table of times that has a chart. */
     void write(Path folder) throws IOException {
         write(folder, PerformancePage::isCompared);
-        write(folder, time -> !PerformancePage.isCompared(time));
+        write(folder, PerformancePage::isOther);
     }
 
     private void write(Path folder, Predicate<Results.Time> which) throws IOException {

@@ -57,6 +57,11 @@ record Contender(String name, Kind kind, List<String> command) {
         };
     }
 
+    /** Whether this is ours, or what ours are compared with first of all. */
+    boolean isOursOrBase() {
+        return kind == Kind.OURS || kind == Kind.LLVMPIPE || kind == Kind.LLVMPIPE_VISIBILITY;
+    }
+
     /** Whether colours of its pictures can be compared with ours. */
     boolean isSrgb() {
         return kind != Kind.VTK && kind != Kind.JMOL;

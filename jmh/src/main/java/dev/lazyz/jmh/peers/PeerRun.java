@@ -16,6 +16,8 @@ import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.lang.management.CompilationMXBean;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -27,7 +29,8 @@ import java.util.Set;
  *
  * <p>A frame is what it takes from a scene in memory to its rows: {@code scene.frame(raster)}, which transforms the
  * vertices and sets all primitives up, and a rendering into a sink that drops the rows. Nothing is kept from frame to frame
- * but the renderer. Times are milliseconds of wall clock, in steady state after a warm-up.
+ * but the renderer. Times are milliseconds of wall clock, in steady state: after a warm-up that goes on, to five times its
+ * length at most, until Java's compilers have been idle for two seconds.
  */
 public final class PeerRun {
     private static final Set<String> OPTIONS =
@@ -35,6 +38,12 @@ public final class PeerRun {
 
     /** Fewest frames that are measured, however long they take. */
     private static final int LEAST_FRAMES = 5;
+
+    /** How long compilers must have been idle before times are taken, nanoseconds. */
+    private static final long IDLE = 2_000_000_000L;
+
+    /** The most that a warm-up may be longer than asked for. */
+    private static final int LONGEST = 5;
 
     private final Scene scene;
     private final Raster raster;
@@ -71,9 +80,7 @@ public final class PeerRun {
 
     private String measure(double warmUp, double measure) {
         double first = frame();
-        for (long end = System.nanoTime() + (long) (1e9 * warmUp); System.nanoTime() < end; ) {
-            frame();
-        }
+        warmUp((long) (1e9 * warmUp));
         double[] times = new double[1 << 16];
         int count = 0;
         long end = System.nanoTime() + (long) (1e9 * measure);
@@ -93,6 +100,23 @@ public final class PeerRun {
                 first,
                 count,
                 Runtime.version());
+    }
+
+    /** Renders for so many nanoseconds, and on while Java's compilers are at work. */
+    private void warmUp(long least) {
+        CompilationMXBean compilers = ManagementFactory.getCompilationMXBean();
+        long start = System.nanoTime();
+        long busy = compilers.getTotalCompilationTime();
+        long idleSince = start;
+        for (long now = start;
+                now - start < least || (now - idleSince < IDLE && now - start < LONGEST * least);
+                now = System.nanoTime()) {
+            frame();
+            if (compilers.getTotalCompilationTime() != busy) {
+                busy = compilers.getTotalCompilationTime();
+                idleSince = System.nanoTime();
+            }
+        }
     }
 
     private double frame() {

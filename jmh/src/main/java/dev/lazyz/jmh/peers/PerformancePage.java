@@ -48,7 +48,8 @@ public final class PerformancePage {
             case "facts" -> facts();
             case "pictures" -> pictures();
             case "compared" -> times(PerformancePage::isCompared);
-            case "others" -> times(time -> !isCompared(time));
+            case "others" -> times(PerformancePage::isOther);
+            case "meshes" -> meshes();
             case "gain" -> gain();
             case "starts" -> starts();
             default -> throw new IllegalArgumentException("no table '" + name + "'");
@@ -58,6 +59,16 @@ public final class PerformancePage {
     /** Whether a time belongs to S1 to S6. */
     static boolean isCompared(Results.Time time) {
         return time.scene().matches("S[1-6]");
+    }
+
+    /** Whether a time belongs to a mesh file. */
+    static boolean isMesh(Results.Time time) {
+        return time.scene().contains(".");
+    }
+
+    /** Whether a time belongs to another scene. */
+    static boolean isOther(Results.Time time) {
+        return !isCompared(time) && !isMesh(time);
     }
 
     private String facts() {
@@ -119,6 +130,27 @@ public final class PerformancePage {
                             .append(")\n\n"));
         }
         return text.toString();
+    }
+
+    /** A row for each mesh and raster, a column for each renderer. */
+    private String meshes() {
+        List<Results.Time> all =
+                results.times().stream().filter(PerformancePage::isMesh).toList();
+        List<String> contenders =
+                distinct(all.stream().map(Results.Time::contender).toList());
+        List<String> head = new ArrayList<>(List.of("mesh, 1 thread", "raster"));
+        head.addAll(contenders);
+        List<List<String>> rows = new ArrayList<>();
+        for (String scene : distinct(all.stream().map(Results.Time::scene).toList())) {
+            for (int side : all.stream().mapToInt(Results.Time::side).distinct().toArray()) {
+                List<Results.Time> times =
+                        all.stream().filter(time -> time.side() == side).toList();
+                List<String> row = new ArrayList<>(List.of(scene, Integer.toString(side)));
+                contenders.forEach(contender -> row.add(cell(times, scene, contender)));
+                rows.add(row);
+            }
+        }
+        return GeneratedPage.table(head, rows);
     }
 
     /** Times by raster and threads, in the order in which they were measured. */

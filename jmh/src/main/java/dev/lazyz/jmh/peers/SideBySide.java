@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import kotlinx.serialization.json.JsonObject;
@@ -26,6 +27,9 @@ import kotlinx.serialization.json.JsonObject;
  * processors. {@code peers/run} starts it.
  *
  * <p>First every peer's picture is compared with ours; a peer that covers other samples than we do has done other work.
+ *
+ * <p>All of this is done with the first raster. Further rasters, and mesh files, are measured in the first round, by ours and
+ * by llvmpipe with one thread: a day is not long enough for everything.
  */
 public final class SideBySide {
     private static final Set<String> OPTIONS = Set.of(
@@ -39,6 +43,7 @@ public final class SideBySide {
             "others",
             "sides",
             "other-sides",
+            "meshes",
             "threads",
             "rounds",
             "warm-up",
@@ -88,8 +93,10 @@ public final class SideBySide {
     private void run(Path file) throws IOException, InterruptedException {
         List<String> compared = options.list("scenes", String.join(",", Workloads.COMPARED));
         List<String> others = options.list("others", "");
+        List<String> meshes = options.list("meshes", "");
         List<Integer> sides = integers("sides", "1024");
         List<Integer> otherSides = integers("other-sides", "1024");
+        List<Integer> threads = integers("threads", "1,2");
         state();
         for (String scene : compared) {
             export(scene);
@@ -97,13 +104,26 @@ public final class SideBySide {
         for (String scene : others) {
             export(scene);
         }
-        comparePictures(compared, sides);
-        comparePictures(others, otherSides);
+        for (String mesh : meshes) {
+            export(mesh);
+        }
+        comparePictures(compared, sides.get(0), contender -> true);
+        comparePictures(others, otherSides.get(0), contender -> true);
+        comparePictures(meshes, otherSides.get(0), Contender::isOursOrBase);
         int rounds = Integer.parseInt(options.get("rounds", "3"));
         for (int round = 1; round <= rounds; round++) {
             start(round);
-            measure(compared, sides, round, file);
-            measure(others, otherSides, round, file);
+            measure(compared, sides.get(0), threads, round, file, contender -> true);
+            measure(others, otherSides.get(0), threads, round, file, contender -> true);
+        }
+        for (int side : sides.subList(1, sides.size())) {
+            measure(compared, side, List.of(1), 1, file, Contender::isOursOrBase);
+        }
+        for (int side : otherSides.subList(1, otherSides.size())) {
+            measure(others, side, List.of(1), 1, file, Contender::isOursOrBase);
+        }
+        for (int side : otherSides) {
+            measure(meshes, side, List.of(1), 1, file, Contender::isOursOrBase);
         }
     }
 
@@ -140,7 +160,8 @@ public final class SideBySide {
     }
 
     /** Draws each scene once by every contender that can; all JVMs give the same bits, so ours by one. */
-    private void comparePictures(List<String> scenes, List<Integer> sides) throws IOException, InterruptedException {
+    private void comparePictures(List<String> scenes, int side, Predicate<Contender> which)
+            throws IOException, InterruptedException {
         Contender ours = contenders.stream()
                 .filter(contender -> contender.kind() == Contender.Kind.OURS)
                 .findFirst()
@@ -148,12 +169,10 @@ public final class SideBySide {
         Path ourPicture = folder.resolve("ours.picture");
         Path theirPicture = folder.resolve("theirs.picture");
         for (String scene : scenes) {
-            for (int side : sides) {
-                addPicture(ours, scene, side, ourPicture, ourPicture);
-                for (Contender contender : contenders) {
-                    if (contender.kind() != Contender.Kind.OURS && canDraw(contender, scene, 1)) {
-                        addPicture(contender, scene, side, ourPicture, theirPicture);
-                    }
+            addPicture(ours, scene, side, ourPicture, ourPicture);
+            for (Contender contender : contenders) {
+                if (contender.kind() != Contender.Kind.OURS && which.test(contender) && canDraw(contender, scene, 1)) {
+                    addPicture(contender, scene, side, ourPicture, theirPicture);
                 }
             }
         }
@@ -180,21 +199,20 @@ public final class SideBySide {
                         contender.isSrgb() ? difference.mean() : -1));
     }
 
-    private void measure(List<String> scenes, List<Integer> sides, int round, Path file)
+    private void measure(
+            List<String> scenes, int side, List<Integer> threads, int round, Path file, Predicate<Contender> which)
             throws IOException, InterruptedException {
-        for (int side : sides) {
-            for (String scene : scenes) {
-                for (int threads : integers("threads", "1,2")) {
-                    for (Contender contender : contenders) {
-                        if (canDraw(contender, scene, threads)) {
-                            measure(contender, scene, side, threads, round);
-                        }
+        for (String scene : scenes) {
+            for (int count : threads) {
+                for (Contender contender : contenders) {
+                    if (which.test(contender) && canDraw(contender, scene, count)) {
+                        measure(contender, scene, side, count, round);
                     }
                 }
-
-                // A long run that is broken off has results, too
-                results.write(file);
             }
+
+            // A long run that is broken off has results, too
+            results.write(file);
         }
     }
 

@@ -26,7 +26,9 @@ class PerformancePageTest {
                     time("S1", 1, "llvmpipe", 3, 200),
                     time("S1", 1, "JDK 25", 3, 50),
                     time("city", 1, "llvmpipe", 1, 3),
-                    time("city", 1, "JDK 25", 1, 2)),
+                    time("city", 1, "JDK 25", 1, 2),
+                    time("cow.obj", 1, "llvmpipe", 1, 8),
+                    time("cow.obj", 1, "JDK 25", 1, 2)),
             List.of(new Results.Picture("S1", 1024, "VTK", 1000, 2, 3, -1, -1)),
             List.of(
                     new Results.Start("zcli", 1, 400),
@@ -46,6 +48,12 @@ class PerformancePageTest {
     @Test
     void scenesThatWereNotMadeToBeComparedHaveTheirOwnTable() {
         assertTrue(fill("others").contains("| JDK 25 | 2.00, **1.50 x** |"), fill("others"));
+    }
+
+    @Test
+    void meshesHaveARowEach() {
+        assertTrue(fill("meshes").contains("| cow.obj | 1024 | 8.00 | 2.00, **4.00 x** |"), fill("meshes"));
+        assertFalse(fill("others").contains("cow"), fill("others"));
     }
 
     @Test
