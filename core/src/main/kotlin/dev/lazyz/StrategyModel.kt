@@ -69,12 +69,17 @@ public object StrategyModel {
      * Returns the most bytes that the strategy called [id] holds while it renders a frame with these [numbers]: working memory
      * and, unless it draws meshes from their arrays, the primitives that their triangles become. Neither the scene nor the
      * picture. NaN if it was never measured.
+     *
+     * @param budget a [RenderOptions.memoryBudget] that the strategy keeps to, or null
      */
     @JvmStatic
-    public fun bytes(id: String, numbers: FrameNumbers): Double {
+    @JvmOverloads
+    public fun bytes(id: String, numbers: FrameNumbers, budget: Long? = null): Double {
         val coefficients = StrategyCosts.bytes[id] ?: return Double.NaN
         val primitives = if (id in fromArrays) 0.0 else PRIMITIVE_BYTES * numbers.primitives
-        return sum(coefficients, memoryTerms(numbers)) + primitives
+        val working = sum(coefficients, memoryTerms(numbers))
+        val most = if (budget == null) working else minOf(working, budget + IMAGE_BYTES * numbers.samples)
+        return most + primitives
     }
 
     private fun sum(coefficients: DoubleArray, terms: DoubleArray): Double {
@@ -87,6 +92,9 @@ public object StrategyModel {
 
     /** What [Primitive.heldBytes] says of a triangle. */
     private const val PRIMITIVE_BYTES = 256.0
+
+    /** A sample of the image that a budget does not count: colour, depth and primitive. */
+    private const val IMAGE_BYTES = 12.0
 
     /** Strategies to which triangles of meshes are no objects. */
     private val fromArrays = setOf("tiled")

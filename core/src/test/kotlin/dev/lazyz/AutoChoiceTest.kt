@@ -151,6 +151,17 @@ class AutoChoiceTest {
     }
 
     @Test
+    fun aBudgetBoundsTheMemory() {
+        val layers = FrameNumbers(1000, 1000, 1000, 1e6, 1e9)
+        val least = 12e6 + 1000 + 256 * 1000
+        assertEquals(least, StrategyModel.bytes("hybrid", layers, 1000))
+        assertTrue(StrategyModel.bytes("hybrid", layers) > least)
+        val frame = frame(256, *Array(200) { grid(1, it * 0.01) })
+        val unbounded = StrategyModel.bytes("hybrid", FrameNumbers.of(frame)).toLong()
+        assertEquals("hybrid", Renderers.auto(frame, RenderOptions(memoryBudget = 1000), memory = unbounded - 1).id)
+    }
+
+    @Test
     fun threadsMakeOnlyParallelOnesFaster() {
         val numbers = FrameNumbers.of(frame(512, grid(20)))
         assertEquals(StrategyModel.milliseconds("zbuffer", numbers), StrategyModel.milliseconds("zbuffer", numbers, 8))
