@@ -8,9 +8,10 @@ import dev.lazyz.Shader
  * A flat primitive as those see it who shade many samples of it: what [PlanarPrimitive] knows of itself, in a form that is
  * filled again for one after the other. Belongs to one thread.
  *
- * Attributes are what [PlanarPrimitive] says they are, to the bit.
+ * Attributes are what [PlanarPrimitive] says they are, to the bit. Edge functions are each opposite to a vertex, their origin is
+ * sample (0, 0).
  */
-internal class Face {
+internal class Face : EdgeForms() {
     /** Submission index of the primitive that this is, or -1. */
     var index: Int = -1
         private set
@@ -24,25 +25,6 @@ internal class Face {
 
     /** -1 to turn normals round, otherwise 1. */
     @JvmField var normalSign: Double = 1.0
-
-    /** Edge functions opposite to each vertex: value at sample (0, 0), and steps by column and row. */
-    @JvmField var e0: Long = 0L
-
-    @JvmField var e1: Long = 0L
-
-    @JvmField var e2: Long = 0L
-
-    @JvmField var e0dx: Long = 0L
-
-    @JvmField var e1dx: Long = 0L
-
-    @JvmField var e2dx: Long = 0L
-
-    @JvmField var e0dy: Long = 0L
-
-    @JvmField var e1dy: Long = 0L
-
-    @JvmField var e2dy: Long = 0L
 
     /** 1/w of each vertex. */
     @JvmField var over0: Double = 1.0

@@ -15,29 +15,10 @@ import dev.lazyz.LinearForm
  *
  * Source: Juan Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988.
  */
-internal class TriangleForms(private val test: DepthTest) {
+internal class TriangleForms(private val test: DepthTest) : EdgeForms() {
     private val isReversed = test.key(1, 0) < test.key(0, 0)
 
-    /** Edge functions: value at the area's first sample, and steps by column and row. */
-    @JvmField var e0: Long = 0L
-
-    @JvmField var e1: Long = 0L
-
-    @JvmField var e2: Long = 0L
-
-    @JvmField var e0dx: Long = 0L
-
-    @JvmField var e1dx: Long = 0L
-
-    @JvmField var e2dx: Long = 0L
-
-    @JvmField var e0dy: Long = 0L
-
-    @JvmField var e1dy: Long = 0L
-
-    @JvmField var e2dy: Long = 0L
-
-    /** Depth, likewise; turned round where the greatest wins. */
+    /** Depth: value at the origin, and steps by column and row; turned round where the greatest wins. */
     @JvmField var z: Long = 0L
 
     @JvmField var zdx: Long = 0L

@@ -13,6 +13,11 @@ import dev.lazyz.setup.Vertices
  * @param long samples from which on a run is worth loops over arrays
  */
 internal abstract class FragmentKernel(private val long: Int) {
+    /** Weight of each vertex at the samples of a run: what [weigh] leaves for [mix]. Vectors write behind its end. */
+    protected val weight0: DoubleArray = DoubleArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
+    protected val weight1: DoubleArray = DoubleArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
+    protected val weight2: DoubleArray = DoubleArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
+
     /**
      * Fills in the attributes of [face] at the samples [x] until [x] + [count] of row [y], from place [at] of [batch] on.
      * What stands behind these places, as far as [FragmentBatch.SPARE] further, may be overwritten.

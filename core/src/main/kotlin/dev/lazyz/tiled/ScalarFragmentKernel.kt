@@ -7,10 +7,6 @@ import dev.lazyz.setup.Vertices
 
 /** The loops as any JVM runs them: those over arrays are such that C2 makes vectors of them. */
 internal class ScalarFragmentKernel : FragmentKernel(long = 12) {
-    private val weight0 = DoubleArray(FragmentBatch.CAPACITY)
-    private val weight1 = DoubleArray(FragmentBatch.CAPACITY)
-    private val weight2 = DoubleArray(FragmentBatch.CAPACITY)
-
     override fun weigh(face: Face, x: Int, y: Int, count: Int) {
         val first0 = (face.e0 + face.e0dx * x + face.e0dy * y).toDouble()
         val first1 = (face.e1 + face.e1dx * x + face.e1dy * y).toDouble()

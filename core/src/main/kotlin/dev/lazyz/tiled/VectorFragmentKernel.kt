@@ -35,9 +35,6 @@ internal class VectorFragmentKernel : FragmentKernel(long = 4) {
     /** Steps from a run's first sample to each. */
     private val columns = DoubleArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE) { it.toDouble() }
 
-    private val weight0 = DoubleArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
-    private val weight1 = DoubleArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
-    private val weight2 = DoubleArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
     private val buckets = IntArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
     private val places = IntArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
 

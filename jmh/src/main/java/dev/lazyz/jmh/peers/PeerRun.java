@@ -29,7 +29,7 @@ import java.util.Set;
  *
  * <p>A frame is what it takes from a scene in memory to its rows: {@code scene.frame(raster)}, which transforms the
  * vertices and sets all primitives up, and a rendering into a sink that drops the rows. Nothing is kept from frame to frame
- * but the renderer. Times are milliseconds of wall clock, in steady state: after a warm-up that goes on, to five times its
+ * but the renderer. Times are milliseconds of wall clock, in steady state: after a warm-up that goes on, to eight times its
  * length at most, until Java's compilers have been idle for two seconds.
  */
 public final class PeerRun {
@@ -43,7 +43,7 @@ public final class PeerRun {
     private static final long IDLE = 2_000_000_000L;
 
     /** The most that a warm-up may be longer than asked for. */
-    private static final int LONGEST = 5;
+    private static final int LONGEST = 8;
 
     private final Scene scene;
     private final Raster raster;
