@@ -10,9 +10,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Shader
 import dev.lazyz.setup.Face
-import dev.lazyz.setup.FaceSetUp
 import dev.lazyz.setup.LateShading
-import dev.lazyz.setup.PlanarPrimitive
 
 /**
  * Computes the colours of one tile, now that it is known what is visible: those of flat primitives many at a time,
@@ -25,7 +23,7 @@ internal class TileShading(
     private val frame: Frame,
     private val keys: TileKeys,
     private val layers: TileLayers,
-    private val coherence: Coherence,
+    coherence: Coherence,
     private val kernel: FragmentKernel,
     private val counters: Counters,
     private val checkpoint: Checkpoint,
@@ -39,16 +37,8 @@ internal class TileShading(
     private val single = LateShading(frame, coherence, counters)
     private val firstColumn = frame.region.columnStart
 
-    /**
-     * Flat primitives lately seen, by the lower bits of their indices: one is met again on the next row. None where
-     * attributes are stepped along rows.
-     */
-    private val faces = arrayOfNulls<Face>(if (coherence == Coherence.INCREMENTAL) 0 else FACES)
-
-    /** What shades the triangles of each batch, made when it is first met. */
-    private val faceSetUps = arrayOfNulls<FaceSetUp>(content.batches.size)
-    private var lastBatch = -1
-
+    /** None where attributes are stepped along rows. */
+    private val faces = FaceCache(content, coherence != Coherence.INCREMENTAL)
     private val packed = IntArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
 
     /** Runs that wait for their colour, all of one shader and the same attributes, which are known. */
@@ -69,7 +59,7 @@ internal class TileShading(
     /** Bytes held at most. */
     val bytes: Long
         get() = runs.bytes + shortRuns.bytes + Int.SIZE_BYTES * (packed.size + shortTriangles.size.toLong()) +
-            scattered.bytes + faces.size * Face.BYTES + single.peakBytes
+            scattered.bytes + faces.bytes + single.peakBytes
 
     /**
      * Fills in colour, depth and primitive of the tile in [band].
@@ -126,7 +116,7 @@ internal class TileShading(
             return
         }
         if (until - from < SHORT && gatherShort(from, until, y, row, index)) return
-        val face = face(index)
+        val face = faces.face(index)
         if (face == null) {
             val primitive = primitive(index)
             for (x in from until until) {
@@ -169,10 +159,10 @@ internal class TileShading(
 
     /** Adds a short run to those that wait, or returns false: if it is not a batch's, or is known already. */
     private fun gatherShort(from: Int, until: Int, y: Int, row: Int, index: Int): Boolean {
-        if (!isFine || faces.isEmpty() || faces[index and FACES - 1]?.index == index) return false
-        val number = batch(index)
+        if (!isFine || !faces.isUsed || faces.has(index)) return false
+        val number = faces.batch(index)
         if (number < 0) return false
-        val setUp = faceSetUp(number)
+        val setUp = faces.setUp(number)
         val triangle = index - content.batches[number].first
         if (!setUp.isShared) return false
         val count = until - from
@@ -197,7 +187,7 @@ internal class TileShading(
     /** Finds the attributes of short runs, and shades them. */
     private fun flushShort() {
         if (shortRuns.fragments.size == 0) return
-        val setUp = faceSetUp(shortBatch)
+        val setUp = faces.setUp(shortBatch)
         scattered.fill(shortRuns.fragments, content.batches[shortBatch], shortTriangles, setUp)
         shade(shortRuns, setUp.shader)
     }
@@ -214,45 +204,9 @@ internal class TileShading(
         runs.takeOut(packed, band.argb)
     }
 
-    /** Returns what is known of the primitive [index], or null if it is shaded sample by sample. */
-    private fun face(index: Int): Face? {
-        if (faces.isEmpty()) return null
-        val slot = index and FACES - 1
-        val known = faces[slot]
-        if (known != null && known.index == index) return known
-        val number = batch(index)
-        val flat = if (number < 0) content.single(index) as? PlanarPrimitive ?: return null else null
-        val face = known ?: Face().also { faces[slot] = it }
-        if (flat != null) {
-            face.fill(index, flat, fragment)
-        } else {
-            val batch = content.batches[number]
-            face.fill(batch, index - batch.first, faceSetUp(number), fragment)
-        }
-        return face
-    }
-
-    private fun faceSetUp(number: Int): FaceSetUp =
-        faceSetUps[number] ?: content.batches[number].faces().also { faceSetUps[number] = it }
-
-    /** Returns the number of the batch that a primitive is drawn from, or -1; mostly it is that of the one before. */
-    private fun batch(index: Int): Int {
-        if (lastBatch >= 0) {
-            val triangle = index - content.batches[lastBatch].first
-            if (triangle >= 0 && triangle < content.batches[lastBatch].count &&
-                content.batches[lastBatch].isDrawn(triangle)
-            ) {
-                return lastBatch
-            }
-        }
-        val number = content.batchNumber(index)
-        if (number >= 0) lastBatch = number
-        return number
-    }
-
     /** Returns the primitive [index], which has no face. */
     private fun primitive(index: Int): Primitive =
-        if (faces.isEmpty()) frame.primitives[index] else content.single(index)
+        if (faces.isUsed) content.single(index) else frame.primitives[index]
 
     private fun blendRow(y: Int) {
         val row = y - keys.rowStart
@@ -279,7 +233,7 @@ internal class TileShading(
 
     /** Returns a fragment with the colour of the primitive [index], not packed. */
     private fun shaded(x: Int, y: Int, index: Int): Fragment {
-        val face = face(index) ?: return single.shaded(x, y, index, primitive(index))
+        val face = faces.face(index) ?: return single.shaded(x, y, index, primitive(index))
         count(1)
         if (face.isConstant) {
             face.shadeConstant(fragment)
@@ -294,9 +248,6 @@ internal class TileShading(
     }
 
     private companion object {
-        /** Primitives that are remembered, a power of two. */
-        const val FACES = 64
-
         /** Samples from which on a run is not short. */
         const val SHORT = 4
     }

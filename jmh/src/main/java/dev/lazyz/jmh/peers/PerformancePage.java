@@ -142,7 +142,11 @@ public final class PerformancePage {
         head.addAll(contenders);
         List<List<String>> rows = new ArrayList<>();
         for (String scene : distinct(all.stream().map(Results.Time::scene).toList())) {
-            for (int side : all.stream().mapToInt(Results.Time::side).distinct().toArray()) {
+            for (int side : all.stream()
+                    .filter(time -> time.scene().equals(scene))
+                    .mapToInt(Results.Time::side)
+                    .distinct()
+                    .toArray()) {
                 List<Results.Time> times =
                         all.stream().filter(time -> time.side() == side).toList();
                 List<String> row = new ArrayList<>(List.of(scene, Integer.toString(side)));

@@ -28,7 +28,8 @@ class PerformancePageTest {
                     time("city", 1, "llvmpipe", 1, 3),
                     time("city", 1, "JDK 25", 1, 2),
                     time("cow.obj", 1, "llvmpipe", 1, 8),
-                    time("cow.obj", 1, "JDK 25", 1, 2)),
+                    time("cow.obj", 1, "JDK 25", 1, 2),
+                    new Results.Time("bunny.obj", 256, 1, "llvmpipe", 1, 5, 5, 5, 5, 5, 5, 9)),
             List.of(new Results.Picture("S1", 1024, "VTK", 1000, 2, 3, -1, -1)),
             List.of(
                     new Results.Start("zcli", 1, 400),
@@ -53,6 +54,8 @@ class PerformancePageTest {
     @Test
     void meshesHaveARowEach() {
         assertTrue(fill("meshes").contains("| cow.obj | 1024 | 8.00 | 2.00, **4.00 x** |"), fill("meshes"));
+        assertTrue(fill("meshes").contains("| bunny.obj | 256 | 5.00 |  |"), fill("meshes"));
+        assertFalse(fill("meshes").contains("| bunny.obj | 1024 |"), fill("meshes"));
         assertFalse(fill("others").contains("cow"), fill("others"));
     }
 
