@@ -7,44 +7,53 @@ package dev.lazyz.tiled
  * Source: the pool of segments of Square's okio, for lending memory out instead of giving it up.
  */
 internal class ArrayPool {
-    private var free = Free()
-
-    /** What the last rendering left, and this one has not yet asked for. */
-    private var leftover = Free()
+    private val ints = Shelf(::IntArray)
+    private val longs = Shelf(::LongArray)
 
     /** To be called before each rendering: forgets what the last one did not need. */
     @Synchronized
     fun begin() {
-        leftover = free
-        free = Free()
+        ints.begin()
+        longs.begin()
     }
 
     /** Returns an array of [size] numbers. */
     @Synchronized
-    fun ints(size: Int): IntArray =
-        free.ints[size]?.removeLastOrNull() ?: leftover.ints[size]?.removeLastOrNull() ?: IntArray(size)
+    fun ints(size: Int): IntArray = ints.take(size)
 
     /** See [ints]. */
     @Synchronized
-    fun longs(size: Int): LongArray =
-        free.longs[size]?.removeLastOrNull() ?: leftover.longs[size]?.removeLastOrNull() ?: LongArray(size)
+    fun longs(size: Int): LongArray = longs.take(size)
 
     /** Takes an array back that nobody looks at any longer. */
     @Synchronized
     fun release(array: IntArray) {
-        free.ints.getOrPut(array.size) { ArrayList() }.add(array)
+        ints.put(array.size, array)
     }
 
     /** See [release]. */
     @Synchronized
     fun release(array: LongArray) {
-        free.longs.getOrPut(array.size) { ArrayList() }.add(array)
+        longs.put(array.size, array)
     }
 
-    /** Arrays by their size. */
-    private class Free {
-        val ints = HashMap<Int, ArrayList<IntArray>>()
-        val longs = HashMap<Int, ArrayList<LongArray>>()
+    /** Arrays of one type, by their size. */
+    private class Shelf<A : Any>(private val make: (size: Int) -> A) {
+        private var free = HashMap<Int, ArrayList<A>>()
+
+        /** What the last rendering left, and this one has not yet asked for. */
+        private var leftover = HashMap<Int, ArrayList<A>>()
+
+        fun begin() {
+            leftover = free
+            free = HashMap()
+        }
+
+        fun take(size: Int): A = free[size]?.removeLastOrNull() ?: leftover[size]?.removeLastOrNull() ?: make(size)
+
+        fun put(size: Int, array: A) {
+            free.getOrPut(size) { ArrayList() }.add(array)
+        }
     }
 
     companion object {

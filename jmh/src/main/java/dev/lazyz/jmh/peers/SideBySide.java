@@ -28,7 +28,7 @@ import kotlinx.serialization.json.JsonObject;
  *
  * <p>First every peer's picture is compared with ours; a peer that covers other samples than we do has done other work.
  *
- * <p>All of this is done with the first raster. Further rasters, and mesh files, are measured in the first round, by ours and
+ * <p>All of this is done with the first raster. Further rasters, and mesh files, are measured once, by ours and
  * by llvmpipe with one thread: a day is not long enough for everything.
  */
 public final class SideBySide {
@@ -109,7 +109,6 @@ public final class SideBySide {
         }
         comparePictures(compared, sides.get(0), contender -> true);
         comparePictures(others, otherSides.get(0), contender -> true);
-        comparePictures(meshes, otherSides.get(0), Contender::isOursOrBase);
         int rounds = Integer.parseInt(options.get("rounds", "3"));
         for (int round = 1; round <= rounds; round++) {
             start(round);
@@ -117,14 +116,19 @@ public final class SideBySide {
             measure(others, otherSides.get(0), threads, round, file, contender -> true);
         }
         for (int side : sides.subList(1, sides.size())) {
-            measure(compared, side, List.of(1), 1, file, Contender::isOursOrBase);
+            measureOnce(compared, side, file);
         }
         for (int side : otherSides.subList(1, otherSides.size())) {
-            measure(others, side, List.of(1), 1, file, Contender::isOursOrBase);
+            measureOnce(others, side, file);
         }
         for (int side : otherSides) {
-            measure(meshes, side, List.of(1), 1, file, Contender::isOursOrBase);
+            measureOnce(meshes, side, file);
         }
+    }
+
+    private void measureOnce(List<String> scenes, int side, Path file) throws IOException, InterruptedException {
+        comparePictures(scenes, side, Contender::isOursOrBase);
+        measure(scenes, side, List.of(1), 1, file, Contender::isOursOrBase);
     }
 
     private List<Integer> integers(String name, String otherwise) {

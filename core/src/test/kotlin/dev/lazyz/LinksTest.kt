@@ -1,4 +1,4 @@
-package dev.lazyz.cli
+package dev.lazyz
 
 import java.nio.file.Path
 import kotlin.io.path.exists
@@ -13,9 +13,7 @@ import org.junit.jupiter.api.Test
 
 /** Links of the project's pages to files and headings lead somewhere. */
 class LinksTest {
-    private val root: Path =
-        generateSequence(Path.of("").toAbsolutePath()) { it.parent }
-            .first { it.resolve("settings.gradle.kts").exists() }
+    private val root: Path = ProjectFiles.root
 
     private val pages: List<Path> = root.walk()
         .filter { it.extension == "md" && it.relativeTo(root).none { part -> part.name in BUILT } }
