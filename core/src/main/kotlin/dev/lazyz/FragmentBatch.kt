@@ -176,6 +176,9 @@ public class FragmentBatch internal constructor(capacity: Int) {
 
         /** Places behind the last fragment of a full batch: the most lanes that a vector has, less one. */
         internal const val SPARE: Int = 64 - 1
+
+        /** Places that an array needs which is written vector by vector. */
+        internal const val ROOM: Int = CAPACITY + SPARE
     }
 }
 

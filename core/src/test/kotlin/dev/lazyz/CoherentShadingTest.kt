@@ -93,7 +93,10 @@ class CoherentShadingTest {
         val direct = counters(renderer, crowd, Coherence.DIRECT).peakBytes
         val incremental = counters(renderer, crowd, Coherence.INCREMENTAL).peakBytes
         val chains = 257 * 152L
-        assertTrue(incremental - direct in 1..chains + 512) { "$incremental, $direct" }
+        assertTrue(incremental in chains..direct + chains + 512) { "$incremental, $direct" }
+
+        // In place of chains tiles hold which samples show each primitive
+        if (renderer.id != "tiled") assertTrue(incremental > direct) { "$incremental, $direct" }
     }
 
     @TestFactory

@@ -49,9 +49,10 @@ internal class Face : EdgeForms() {
         private set
 
     /**
-     * Whether the values of the edge functions at the primitive's samples are exact as doubles, and so are the differences
-     * between them. Their sum is the same everywhere, and none of them is more than four times that: see
-     * [PlanarAssembly], which chooses the triangle of a polygon.
+     * Whether the edge functions are exact as doubles at the primitive's samples, at all others of a tile that has some of them,
+     * and in steps from one to the other. Their sum is the same everywhere, and at the primitive's samples none is more than
+     * four times that, 2^52: see [PlanarAssembly], which chooses the triangle of a polygon. A step by a column or row is at most
+     * 2^36, within a tile 2^45: see [ScreenGrid.GUARD].
      */
     val isExact: Boolean get() = e0 + e1 + e2 < EXACT
 

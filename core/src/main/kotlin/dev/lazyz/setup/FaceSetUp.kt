@@ -29,12 +29,34 @@ internal class FaceSetUp(
     private val isPlaced = isPrelit || fields and (PlanarPrimitive.WORLD or PlanarPrimitive.NORMAL) != 0
 
     /** Whether faces have only attributes that the mesh has, shared by neighbours: no light and no normals of their own. */
-    val isShared: Boolean get() = mesh != null && !isPrelit &&
-        (!usesFaceNormal || fields and PlanarPrimitive.NORMAL == 0)
+    val isShared: Boolean = mesh != null && !isPrelit && (!usesFaceNormal || fields and PlanarPrimitive.NORMAL == 0)
+
+    /** Whether a face has one colour if its vertices have. */
+    private val mayBeConstant = mesh != null && material.shader == null && !isPrelit &&
+        fields and PlanarPrimitive.COLOR.inv() == 0
+
+    /** Whether triangle [triangle] of the mesh has one colour; what is lit at its vertices may have, all the same. */
+    fun isConstant(triangle: Int): Boolean {
+        val mesh = mesh!!
+        val colors = mesh.colors
+        if (!mayBeConstant || fields == 0 || colors == null) return mayBeConstant
+        val a = 4 * mesh.triangles[3 * triangle]
+        val b = 4 * mesh.triangles[3 * triangle + 1]
+        val c = 4 * mesh.triangles[3 * triangle + 2]
+        for (k in 0 until 4) {
+            val bits = colors[a + k].toRawBits()
+            if (colors[b + k].toRawBits() != bits || colors[c + k].toRawBits() != bits) return false
+        }
+        return true
+    }
 
     /** Returns the sign that turns the normals of [triangle] to the viewer, if these faces [isShared]; [vertices] is scratch. */
     fun normalSign(batch: TriangleBatch, triangle: Int, vertices: Vertices): Double {
-        for (i in 0 until 3) load(vertices, i, batch.corners[3 * triangle + i])
+        for (i in 0 until 3) {
+            val corner = batch.corners[3 * triangle + i]
+            vertices.setWorld(i, batch.mesh, corner)
+            vertices.setNormal(i, batch.mesh, corner)
+        }
         return turn(vertices)
     }
 

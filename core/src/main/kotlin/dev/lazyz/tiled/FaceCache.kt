@@ -23,8 +23,15 @@ internal class FaceCache(private val content: FrameContent, val isUsed: Boolean)
     /** Bytes held at most. */
     val bytes: Long get() = faces.size * Face.BYTES
 
-    /** Whether the face of primitive [index] is here. */
-    fun has(index: Int): Boolean = isUsed && faces[index and FACES - 1]?.index == index
+    /** Whether primitive [index] has a face. */
+    fun isFlat(index: Int): Boolean = isUsed && (batch(index) >= 0 || content.single(index) is PlanarPrimitive)
+
+    /** Returns the face of primitive [index] if that has one colour, and if this is to be seen without the face. */
+    fun constant(index: Int): Face? {
+        val number = batch(index)
+        if (number < 0 || !setUp(number).isConstant(index - content.batches[number].first)) return null
+        return face(index)?.takeIf { it.isConstant }
+    }
 
     /** Returns the face of primitive [index], or null if it has none. */
     fun face(index: Int): Face? {

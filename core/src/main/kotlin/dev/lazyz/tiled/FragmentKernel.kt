@@ -10,26 +10,30 @@ import dev.lazyz.setup.Vertices
  *
  * All kernels give the same bits. Stateless but for scratch: belongs to one thread.
  *
- * @param long samples from which on a run is worth loops over arrays
+ * @param long samples from which on loops over arrays are worth it
  */
 internal abstract class FragmentKernel(private val long: Int) {
-    /** Weight of each vertex at the samples of a run: what [weigh] leaves for [mix]. Vectors write behind its end. */
-    protected val weight0: DoubleArray = DoubleArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
-    protected val weight1: DoubleArray = DoubleArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
-    protected val weight2: DoubleArray = DoubleArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
+    /** Weight of each vertex at the samples: what [weigh] leaves for [mix]. Vectors write behind its end. */
+    protected val weight0: DoubleArray = DoubleArray(FragmentBatch.ROOM)
+    protected val weight1: DoubleArray = DoubleArray(FragmentBatch.ROOM)
+    protected val weight2: DoubleArray = DoubleArray(FragmentBatch.ROOM)
 
     /**
-     * Fills in the attributes of [face] at the samples [x] until [x] + [count] of row [y], from place [at] of [batch] on.
-     * What stands behind these places, as far as [FragmentBatch.SPARE] further, may be overwritten.
+     * Fills in the attributes of [face] at the samples from number [at] of [fragments] on, in a tile whose first sample is
+     * ([x], [y]). What stands behind the last, as far as [FragmentBatch.SPARE] further, may be overwritten.
      */
-    fun attributes(face: Face, batch: FragmentBatch, at: Int, x: Int, y: Int, count: Int) {
+    fun attributes(face: Face, fragments: WaitingFragments, at: Int, x: Int, y: Int) {
         val fields = face.fields
+        val batch = fragments.batch
+        val count = fragments.size - at
         if (fields == 0) return
         if (count < long || !face.isExact) {
-            for (i in 0 until count) face.attributes(batch, at + i, x + i, y)
+            for (i in at until at + count) {
+                face.attributes(batch, i, x + fragments.columns[i].toInt(), y + fragments.rows[i].toInt())
+            }
             return
         }
-        weigh(face, x, y, count)
+        weigh(face, fragments, at, x, y)
         if (fields and PlanarPrimitive.WORLD != 0) {
             mix(face, Vertices.WORLD, 1.0, batch.worldX, at, count)
             mix(face, Vertices.WORLD + 1, 1.0, batch.worldY, at, count)
@@ -56,7 +60,7 @@ internal abstract class FragmentKernel(private val long: Int) {
      * Computes the perspective-correct weights of the vertices at these samples, as [Face.attributes] has them, and keeps
      * them. Edge functions are exact as doubles, see [Face.isExact].
      */
-    protected abstract fun weigh(face: Face, x: Int, y: Int, count: Int)
+    protected abstract fun weigh(face: Face, fragments: WaitingFragments, at: Int, x: Int, y: Int)
 
     /** Mixes the vertices' [field] by the weights, times [sign], into [count] places of [out] from [at] on. */
     protected abstract fun mix(face: Face, field: Int, sign: Double, out: FloatArray, at: Int, count: Int)

@@ -7,17 +7,24 @@ import dev.lazyz.setup.Vertices
 
 /** The loops as any JVM runs them: those over arrays are such that C2 makes vectors of them. */
 internal class ScalarFragmentKernel : FragmentKernel(long = 12) {
-    override fun weigh(face: Face, x: Int, y: Int, count: Int) {
+    override fun weigh(face: Face, fragments: WaitingFragments, at: Int, x: Int, y: Int) {
         val first0 = (face.e0 + face.e0dx * x + face.e0dy * y).toDouble()
         val first1 = (face.e1 + face.e1dx * x + face.e1dy * y).toDouble()
         val first2 = (face.e2 + face.e2dx * x + face.e2dy * y).toDouble()
-        val step0 = face.e0dx.toDouble()
-        val step1 = face.e1dx.toDouble()
-        val step2 = face.e2dx.toDouble()
-        for (i in 0 until count) {
-            val part0 = (first0 + i * step0) * face.over0
-            val part1 = (first1 + i * step1) * face.over1
-            val part2 = (first2 + i * step2) * face.over2
+        val right0 = face.e0dx.toDouble()
+        val right1 = face.e1dx.toDouble()
+        val right2 = face.e2dx.toDouble()
+        val down0 = face.e0dy.toDouble()
+        val down1 = face.e1dy.toDouble()
+        val down2 = face.e2dy.toDouble()
+        val columns = fragments.columns
+        val rows = fragments.rows
+        for (i in 0 until fragments.size - at) {
+            val column = columns[at + i]
+            val row = rows[at + i]
+            val part0 = (first0 + column * right0 + row * down0) * face.over0
+            val part1 = (first1 + column * right1 + row * down1) * face.over1
+            val part2 = (first2 + column * right2 + row * down2) * face.over2
             val scale = 1.0 / maxOf(part0 + part1 + part2, face.least)
             weight0[i] = part0 * scale
             weight1[i] = part1 * scale

@@ -48,7 +48,9 @@ internal class TileKeys(grid: TileGrid, raster: Raster, private val counters: Co
 
     /** What none of the keys is behind. */
     private var farthest = background
-    private var isStale = false
+
+    /** The block where it was found: while that has it, the bound is exact. */
+    private var farthestBlock = 0
 
     /** Keys compared since blocks were last looked through, but for those whose block was looked through at once. */
     private var comparisons = 0
@@ -76,7 +78,7 @@ internal class TileKeys(grid: TileGrid, raster: Raster, private val counters: Co
         }
         farthestOfBlock.fill(background)
         farthest = background
-        isStale = false
+        farthestBlock = 0
         comparisons = 0
     }
 
@@ -92,17 +94,16 @@ internal class TileKeys(grid: TileGrid, raster: Raster, private val counters: Co
     /** Returns a key that none of the tile's is behind: a fragment that is not before it is hidden. */
     fun farthest(): Long {
         lookThroughIfDue()
-        if (isStale) {
+        if (farthestOfBlock[farthestBlock] != farthest) {
             farthest = NOT_THERE
-            for (key in farthestOfBlock) farthest = maxOf(farthest, key)
-            isStale = false
+            for (block in farthestOfBlock.indices) {
+                if (farthestOfBlock[block] > farthest) {
+                    farthest = farthestOfBlock[block]
+                    farthestBlock = block
+                }
+            }
         }
         return farthest
-    }
-
-    /** Notes that blocks have been drawn to whose entry in [farthestOfBlock] is up to date. */
-    fun blocksChanged() {
-        isStale = true
     }
 
     /**
@@ -133,7 +134,6 @@ internal class TileKeys(grid: TileGrid, raster: Raster, private val counters: Co
             }
         }
         comparisons = 0
-        isStale = true
     }
 
     /** Chooses what [draw] draws: [primitive], with submission index [index]. */

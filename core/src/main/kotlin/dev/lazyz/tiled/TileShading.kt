@@ -16,8 +16,9 @@ import dev.lazyz.setup.LateShading
  * Computes the colours of one tile, now that it is known what is visible: those of flat primitives many at a time,
  * others one by one. Belongs to one thread; used for tile after tile.
  *
- * Neighbours on a row that show the same primitive are a run: what is known of the primitive is fetched once. Runs are
- * gathered, over rows, until the shader or the attributes change or the batch is full.
+ * What is known of a flat primitive is fetched once, for all its samples of the tile: these are gathered, primitive after
+ * primitive, until the shader or the attributes change or the batch is full. Of primitives with very few samples not even that
+ * is fetched.
  */
 internal class TileShading(
     private val frame: Frame,
@@ -39,16 +40,17 @@ internal class TileShading(
 
     /** None where attributes are stepped along rows. */
     private val faces = FaceCache(content, coherence != Coherence.INCREMENTAL)
-    private val packed = IntArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
+    private val packed = IntArray(FragmentBatch.ROOM)
+    private val runs = PrimitiveRuns()
 
-    /** Runs that wait for their colour, all of one shader and the same attributes, which are known. */
-    private val runs = FragmentRuns()
+    /** Fragments that wait for their colour, all of one shader and the same attributes, which are known. */
+    private val waiting = WaitingFragments()
     private var shader: Shader? = null
 
-    /** Runs so short that it is not worth to know all of their primitives; their triangles of batch number [shortBatch]. */
-    private val shortRuns = FragmentRuns()
-    private val shortTriangles = IntArray(FragmentBatch.CAPACITY)
-    private var shortBatch = -1
+    /** Fragments of triangles so small that it is not worth to know all of them: [smallTriangles] of batch number [smallBatch]. */
+    private val waitingSmall = WaitingFragments()
+    private val smallTriangles = IntArray(FragmentBatch.CAPACITY)
+    private var smallBatch = -1
     private val scattered = ScatteredAttributes()
     private var isFine = false
 
@@ -58,8 +60,8 @@ internal class TileShading(
 
     /** Bytes held at most. */
     val bytes: Long
-        get() = runs.bytes + shortRuns.bytes + Int.SIZE_BYTES * (packed.size + shortTriangles.size.toLong()) +
-            scattered.bytes + faces.bytes + single.peakBytes
+        get() = runs.bytes + waiting.bytes + waitingSmall.bytes + scattered.bytes + faces.bytes + single.peakBytes +
+            Int.SIZE_BYTES * (packed.size + smallTriangles.size.toLong())
 
     /**
      * Fills in colour, depth and primitive of the tile in [band].
@@ -69,14 +71,16 @@ internal class TileShading(
     fun shade(band: Band, isFine: Boolean) {
         this.band = band
         this.isFine = isFine
+        runs.begin()
         val shadedBefore = counters.shadingCalls
         for (y in keys.rowStart until keys.rowEnd) {
             checkpoint.pass()
             single.beginRow()
             if (layers.isEmpty) shadeRow(y) else blendRow(y)
         }
+        for (number in 0 until runs.count) shadeAll(number)
         flush()
-        flushShort()
+        flushSmall()
         counters.peakSuspensions = maxOf(counters.peakSuspensions, counters.shadingCalls - shadedBefore)
     }
 
@@ -100,8 +104,8 @@ internal class TileShading(
         val indices = band.primitive[row]
         var at = 0
         while (at < width) {
-            val index = test.indexOf(all[first + at])
             val end = kernel.runEnd(all, first + at, first + width) - first
+            val index = test.indexOf(all[first + at])
             for (i in at until end) indices[toColumn + i] = index
             shadeRun(keys.columnStart + at, keys.columnStart + end, y, row, index)
             at = end
@@ -115,21 +119,35 @@ internal class TileShading(
             colors.fill(background, from - firstColumn, until - firstColumn)
             return
         }
-        if (until - from < SHORT && gatherShort(from, until, y, row, index)) return
-        val face = faces.face(index)
-        if (face == null) {
-            val primitive = primitive(index)
-            for (x in from until until) {
-                colors[x - firstColumn] = single.shaded(x, y, index, primitive).toArgb()
+        var number = runs.find(index)
+        if (number == PrimitiveRuns.NONE) {
+            if (isFine && until - from < FEW && canGatherSmall(index, until - from)) {
+                count(until - from)
+                return gatherSmall(index, PrimitiveRuns.place(row, from - keys.columnStart), until - from)
             }
-            return
+            number = note(index)
         }
-        count(until - from)
-        if (face.isConstant) {
-            colors.fill(face.argb, from - firstColumn, until - firstColumn)
-        } else {
-            gather(face, from, until, y, row)
+        when (number) {
+            PrimitiveRuns.APART -> {
+                val primitive = primitive(index)
+                for (x in from until until) colors[x - firstColumn] = single.shaded(x, y, index, primitive).toArgb()
+            }
+            PrimitiveRuns.CONSTANT -> {
+                count(until - from)
+                colors.fill(runs.color(index), from - firstColumn, until - firstColumn)
+            }
+            else -> {
+                count(until - from)
+                runs.add(number, PrimitiveRuns.place(row, from - keys.columnStart), until - from)
+            }
         }
+    }
+
+    /** Notes a primitive that is met for the first time, see [PrimitiveRuns.find]. */
+    private fun note(index: Int): Int {
+        if (!faces.isFlat(index)) return runs.noteApart(index)
+        val constant = faces.constant(index) ?: return runs.note(index)
+        return runs.noteConstant(index, constant.argb)
     }
 
     /** Counts the calls of a shader. */
@@ -138,70 +156,94 @@ internal class TileShading(
         counters.shadingStarts += calls
     }
 
-    /** Adds a run of a face to those that wait. */
-    private fun gather(face: Face, from: Int, until: Int, y: Int, row: Int) {
-        if (face.shader !== shader || face.fields != runs.fragments.fields) {
-            flush()
-            shader = face.shader
-            runs.fragments.begin(face.fields)
+    /** Computes the colours of all samples of primitive [number] of [runs], or lets them wait. */
+    private fun shadeAll(number: Int) {
+        val index = runs.index(number)
+        if (runs.size(number) < FEW && canGatherSmall(index, runs.size(number))) {
+            return runs.forEach(number) { start, length -> gatherSmall(index, start, length) }
         }
-        var x = from
-        while (x < until) {
-            if (runs.room == 0) flush()
-            val at = runs.fragments.size
-            val count = minOf(until - x, runs.room)
-            runs.fragments.place(at, x, y, count)
-            kernel.attributes(face, runs.fragments, at, x, y, count)
-            runs.add(row, x - firstColumn, count)
-            x += count
+        val face = faces.face(index)!!
+        if (face.isConstant) fill(number, face.argb) else gather(number, face)
+    }
+
+    private fun fill(number: Int, argb: Int) {
+        val tileColumn = keys.columnStart - firstColumn
+        runs.forEach(number) { start, length ->
+            val column = tileColumn + PrimitiveRuns.column(start)
+            band.argb[PrimitiveRuns.row(start)].fill(argb, column, column + length)
         }
     }
 
-    /** Adds a short run to those that wait, or returns false: if it is not a batch's, or is known already. */
-    private fun gatherShort(from: Int, until: Int, y: Int, row: Int, index: Int): Boolean {
-        if (!isFine || !faces.isUsed || faces.has(index)) return false
-        val number = faces.batch(index)
-        if (number < 0) return false
-        val setUp = faces.setUp(number)
-        val triangle = index - content.batches[number].first
-        if (!setUp.isShared) return false
-        val count = until - from
-        if (number != shortBatch || count > shortRuns.room) {
-            flushShort()
-            shortBatch = number
-            shortRuns.fragments.begin(setUp.fields)
+    /** Adds the samples of a face to those that wait. */
+    private fun gather(number: Int, face: Face) {
+        if (face.shader !== shader || face.fields != waiting.batch.fields) {
+            flush()
+            shader = face.shader
+            waiting.batch.begin(face.fields)
         }
-        val at = shortRuns.fragments.size
-        shortRuns.fragments.place(at, from, y, count)
-        shortTriangles.fill(triangle, at, at + count)
-        shortRuns.add(row, from - firstColumn, count)
-        count(count)
+        var first = waiting.size
+        runs.forEach(number) { start, length ->
+            var done = 0
+            while (done < length) {
+                if (waiting.room == 0) {
+                    kernel.attributes(face, waiting, first, keys.columnStart, keys.rowStart)
+                    flush()
+                    first = 0
+                }
+                val count = minOf(length - done, waiting.room)
+                waiting.add(start + done, count)
+                done += count
+            }
+        }
+        kernel.attributes(face, waiting, first, keys.columnStart, keys.rowStart)
+    }
+
+    /** Makes room for [count] more samples of primitive [index] among those of small triangles, if it can be one of them. */
+    private fun canGatherSmall(index: Int, count: Int): Boolean {
+        val batch = if (faces.isUsed) faces.batch(index) else -1
+        if (batch < 0 || !faces.setUp(batch).isShared) return false
+        if (batch != smallBatch || count > waitingSmall.room) {
+            flushSmall()
+            smallBatch = batch
+            waitingSmall.batch.begin(faces.setUp(batch).fields)
+        }
         return true
     }
 
-    /** Shades the runs whose attributes are known. */
+    /** Adds samples of primitive [index], of which [canGatherSmall] has been asked, to those of small triangles that wait. */
+    private fun gatherSmall(index: Int, start: Int, length: Int) {
+        val first = waitingSmall.size
+        waitingSmall.add(start, length)
+        smallTriangles.fill(index - content.batches[smallBatch].first, first, first + length)
+    }
+
+    /** Shades the fragments whose attributes are known. */
     private fun flush() {
-        if (runs.fragments.size > 0) shade(runs, shader!!)
+        if (waiting.size == 0) return
+        waiting.locate(keys.columnStart, keys.rowStart)
+        shade(waiting, shader!!)
     }
 
-    /** Finds the attributes of short runs, and shades them. */
-    private fun flushShort() {
-        if (shortRuns.fragments.size == 0) return
-        val setUp = faces.setUp(shortBatch)
-        scattered.fill(shortRuns.fragments, content.batches[shortBatch], shortTriangles, setUp)
-        shade(shortRuns, setUp.shader)
+    /** Finds the attributes of small triangles' fragments, and shades them. */
+    private fun flushSmall() {
+        if (waitingSmall.size == 0) return
+        val setUp = faces.setUp(smallBatch)
+        waitingSmall.locate(keys.columnStart, keys.rowStart)
+        scattered.fill(waitingSmall.batch, content.batches[smallBatch], smallTriangles, setUp)
+        shade(waitingSmall, setUp.shader)
     }
 
-    private fun shade(runs: FragmentRuns, shader: Shader) {
-        val fragments = runs.fragments
+    private fun shade(fragments: WaitingFragments, shader: Shader) {
+        checkpoint.pass()
+        val batch = fragments.batch
         if (shader is BatchShader) {
-            fragments.alpha.fill(1f, 0, fragments.size)
-            shader.shade(fragments)
+            batch.alpha.fill(1f, 0, batch.size)
+            shader.shade(batch)
         } else {
-            fragments.shadeEach(shader)
+            batch.shadeEach(shader)
         }
-        kernel.pack(fragments, packed)
-        runs.takeOut(packed, band.argb)
+        kernel.pack(batch, packed)
+        fragments.takeOut(packed, band.argb, keys.columnStart - firstColumn)
     }
 
     /** Returns the primitive [index], which has no face. */
@@ -248,7 +290,7 @@ internal class TileShading(
     }
 
     private companion object {
-        /** Samples from which on a run is not short. */
-        const val SHORT = 4
+        /** Samples from which on it pays to know a triangle. */
+        const val FEW = 4
     }
 }

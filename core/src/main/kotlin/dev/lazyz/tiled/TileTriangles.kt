@@ -151,7 +151,6 @@ internal class TileTriangles(
         counters.fragments += covered
         counters.depthEvaluations += covered
         counters.depthPasses += passes
-        if (passes > 0) tile.blocksChanged()
     }
 
     /**

@@ -32,25 +32,27 @@ private val INTS: VectorSpecies<Int> = IntVector.SPECIES_PREFERRED
  * Methods are small, and hand arrays to each other: so C2 keeps vectors in registers.
  */
 internal class VectorFragmentKernel : FragmentKernel(long = 4) {
-    /** Steps from a run's first sample to each. */
-    private val columns = DoubleArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE) { it.toDouble() }
+    private val buckets = IntArray(FragmentBatch.ROOM)
+    private val places = IntArray(FragmentBatch.ROOM)
 
-    private val buckets = IntArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
-    private val places = IntArray(FragmentBatch.CAPACITY + FragmentBatch.SPARE)
-
-    override fun weigh(face: Face, x: Int, y: Int, count: Int) {
+    override fun weigh(face: Face, fragments: WaitingFragments, at: Int, x: Int, y: Int) {
         val first0 = (face.e0 + face.e0dx * x + face.e0dy * y).toDouble()
         val first1 = (face.e1 + face.e1dx * x + face.e1dy * y).toDouble()
         val first2 = (face.e2 + face.e2dx * x + face.e2dy * y).toDouble()
-        val step0 = face.e0dx.toDouble()
-        val step1 = face.e1dx.toDouble()
-        val step2 = face.e2dx.toDouble()
+        val right0 = face.e0dx.toDouble()
+        val right1 = face.e1dx.toDouble()
+        val right2 = face.e2dx.toDouble()
+        val down0 = face.e0dy.toDouble()
+        val down1 = face.e1dy.toDouble()
+        val down2 = face.e2dy.toDouble()
+        val count = fragments.size - at
         var i = 0
         while (i < count) {
-            val column = DoubleVector.fromArray(DOUBLES, columns, i)
-            val part0 = column.mul(step0).add(first0).mul(face.over0)
-            val part1 = column.mul(step1).add(first1).mul(face.over1)
-            val part2 = column.mul(step2).add(first2).mul(face.over2)
+            val column = DoubleVector.fromArray(DOUBLES, fragments.columns, at + i)
+            val row = DoubleVector.fromArray(DOUBLES, fragments.rows, at + i)
+            val part0 = column.mul(right0).add(row.mul(down0)).add(first0).mul(face.over0)
+            val part1 = column.mul(right1).add(row.mul(down1)).add(first1).mul(face.over1)
+            val part2 = column.mul(right2).add(row.mul(down2)).add(first2).mul(face.over2)
             val sum = part0.add(part1).add(part2).max(face.least)
             val scale = DoubleVector.broadcast(DOUBLES, 1.0).div(sum)
             part0.mul(scale).intoArray(weight0, i)

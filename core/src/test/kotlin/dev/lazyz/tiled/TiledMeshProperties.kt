@@ -130,9 +130,13 @@ class TiledMeshProperties {
     }
 
     @Property(tries = 20, seed = "1995", edgeCases = EdgeCasesMode.NONE)
-    fun rule_7_1_trianglesOfASampleOrTwoHaveAllAttributes(@ForAll seed: Long) {
-        val random = Random(seed)
-        val side = 60
+    fun rule_7_1_trianglesOfASampleOrTwoHaveAllAttributes(@ForAll seed: Long) = assertAttributes(Random(seed), 60, 50)
+
+    @Property(tries = 10, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    fun rule_7_1_manyTrianglesOfATileHaveAllAttributes(@ForAll seed: Long) = assertAttributes(Random(seed), 34, 160)
+
+    /** Renders a sheet of [side] x [side] vertices at random heights, which has all attributes, in one tile of [size] x [size]. */
+    private fun assertAttributes(random: Random, side: Int, size: Int) {
         val positions = FloatArray(3 * side * side) { i ->
             val vertex = i / 3
             when (i % 3) {
@@ -150,11 +154,11 @@ class TiledMeshProperties {
         fun numbers(size: Int) = FloatArray(size * side * side) { random.nextFloat() * 2 - 1 }
         for (shader in SHADERS) {
             val mesh = Mesh(positions, triangles, Material(shader = shader), numbers(3), numbers(2), numbers(4))
-            val frame = Scene(listOf(mesh), emptyList(), SampleScenes.camera).frame(50, 50)
+            val frame = Scene(listOf(mesh), emptyList(), SampleScenes.camera).frame(size, size)
             val expected = ZBuffer().render(frame)
-            assertTrue(expected.visible > 500)
+            assertTrue(expected.visible > size * size / 5)
             for (kernel in kernels().values) {
-                assertEquals(expected, Tiled(Coherence.DIRECT, 1, 64, kernel).render(frame))
+                assertEquals(expected, Tiled(Coherence.DIRECT, 1, 256, kernel).render(frame))
             }
         }
     }
