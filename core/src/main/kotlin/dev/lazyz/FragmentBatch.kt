@@ -184,7 +184,8 @@ public class FragmentBatch internal constructor(capacity: Int) {
 
 /**
  * A [Shader] that colours many fragments at a time, in loops that the JVM can vectorise. Faster than a plain shader where
- * there is much to compute, and equal to it otherwise.
+ * there is much to compute, and equal to it otherwise. Keep loops short, with few arrays each: compilers give up vectorising
+ * long ones.
  *
  * What is computed for a fragment must depend on that fragment's attributes only, not on its place in the batch or on its
  * neighbours there: batches are put together differently by every renderer, and some shade fragments one by one. Thread

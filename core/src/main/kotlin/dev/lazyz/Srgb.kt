@@ -19,17 +19,19 @@ internal object Srgb {
     }
 
     /**
-     * Values from [LEAST] to 1 by the upper bits of their floats, 256 buckets an octave: the code at a bucket's least
-     * value, and, in the lower [CODE_SHIFT] bits, where in the bucket the next code begins. No bucket has two such values.
+     * What turns the bits of a value from [LEAST] to 1 into its code, by the upper ones of these bits above [LEAST_BITS], 256
+     * buckets an octave: the sum of both, shifted right by [BUCKET_SHIFT], is the code. No bucket has more than one value at
+     * which the code changes; from there on the sum's lower bits carry over.
      */
-    val buckets: IntArray = IntArray(BUCKETS + 1)
+    val summands: IntArray = IntArray(BUCKETS + 1)
 
     init {
         var code = 0
         for (bucket in 0..BUCKETS) {
-            while (leastOfBucket(bucket) >= threshold[code + 1]) code++
-            val next = threshold[code + 1].toRawBits() - leastOfBucket(bucket).toRawBits()
-            buckets[bucket] = code shl CODE_SHIFT or minOf(next, 1 shl BUCKET_SHIFT)
+            val least = leastOfBucket(bucket)
+            while (least >= threshold[code + 1]) code++
+            val next = minOf(threshold[code + 1].toRawBits() - least.toRawBits(), BUCKET)
+            summands[bucket] = (code shl BUCKET_SHIFT) + BUCKET - next - least.toRawBits()
         }
     }
 
@@ -39,12 +41,8 @@ internal object Srgb {
     fun encode(linear: Float): Int {
         if (!(linear >= LEAST)) return 0
         if (linear >= 1f) return 255
-        val bits = linear.toRawBits() - LEAST_BITS
-        val bucket = buckets[bits ushr BUCKET_SHIFT]
-
-        // Positive floats are ordered as their bits are; a branch would be taken or not at random
-        val place = bits and (1 shl BUCKET_SHIFT) - 1
-        return (bucket ushr CODE_SHIFT) + ((bucket and (1 shl CODE_SHIFT) - 1) - 1 - place ushr Int.SIZE_BITS - 1)
+        val bits = linear.toRawBits()
+        return summands[bits - LEAST_BITS ushr BUCKET_SHIFT] + bits ushr BUCKET_SHIFT
     }
 
     /** Packs a linear colour with straight alpha to `0xAARRGGBB`. */
@@ -72,8 +70,11 @@ internal object Srgb {
 
     /** [LEAST] as bits: an exponent of 127 - 13. */
     const val LEAST_BITS: Int = (127 - 13) shl 23
+
+    /** 1 as bits. */
+    const val MOST_BITS: Int = 127 shl 23
     const val BUCKET_SHIFT: Int = 23 - 8
-    const val CODE_SHIFT: Int = BUCKET_SHIFT + 1
+    private const val BUCKET = 1 shl BUCKET_SHIFT
 
     /** Number of buckets below 1, which has one of its own. */
     private const val BUCKETS = 13 shl 8

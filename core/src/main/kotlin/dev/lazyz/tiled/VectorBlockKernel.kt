@@ -43,12 +43,10 @@ internal class VectorBlockKernel : BlockKernel {
     }
 
     override fun whole(keys: LongArray, at: Int, stride: Int, z: Long, farthest: LongArray, block: Int): Int {
-        val before = farthest[block]
         var passes = 0
         var most = Long.MIN_VALUE
         var column = 0
         while (column < BlockKernel.BLOCK) {
-            farthest[block] = before
             passes += wholeColumn(keys, at + column, stride, this.z, column, z, forms.zdy, forms.rank, farthest, block)
             most = maxOf(most, farthest[block])
             column += LANES
@@ -70,12 +68,10 @@ internal class VectorBlockKernel : BlockKernel {
         farthest: LongArray,
         block: Int,
     ): Long {
-        val before = farthest[block]
         var result = 0L
         var most = Long.MIN_VALUE
         var column = 0
         while (column < BlockKernel.BLOCK) {
-            farthest[block] = before
             result += partColumn(keys, at + column, stride, column, e0, e1, e2, z, columns, rows, farthest, block)
             most = maxOf(most, farthest[block])
             column += LANES
@@ -125,7 +121,7 @@ internal class VectorBlockKernel : BlockKernel {
             value = value.add(forms.zdy)
             i += stride
         }
-        if (passes > 0) farthest[block] = most.reduceLanes(VectorOperators.MAX)
+        if (passes > 0 || LANES < BlockKernel.BLOCK) farthest[block] = most.reduceLanes(VectorOperators.MAX)
         return covered.toLong() shl Int.SIZE_BITS or passes.toLong()
     }
 
@@ -161,7 +157,7 @@ internal class VectorBlockKernel : BlockKernel {
                 value = value.add(dy)
                 i += stride
             }
-            if (passes > 0) farthest[block] = most.reduceLanes(VectorOperators.MAX)
+            if (passes > 0 || LANES < BlockKernel.BLOCK) farthest[block] = most.reduceLanes(VectorOperators.MAX)
             return passes
         }
     }

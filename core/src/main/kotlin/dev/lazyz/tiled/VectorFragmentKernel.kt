@@ -32,8 +32,9 @@ private val INTS: VectorSpecies<Int> = IntVector.SPECIES_PREFERRED
  * Methods are small, and hand arrays to each other: so C2 keeps vectors in registers.
  */
 internal class VectorFragmentKernel : FragmentKernel(long = 4) {
-    private val buckets = IntArray(FragmentBatch.ROOM)
-    private val places = IntArray(FragmentBatch.ROOM)
+    private val red = Component()
+    private val green = Component()
+    private val blue = Component()
 
     override fun weigh(face: Face, fragments: WaitingFragments, at: Int, x: Int, y: Int) {
         val first0 = (face.e0 + face.e0dx * x + face.e0dy * y).toDouble()
@@ -105,10 +106,29 @@ internal class VectorFragmentKernel : FragmentKernel(long = 4) {
             }
             return
         }
-        argb.fill(OPAQUE, 0, count)
-        encode(batch.red, argb, 16, count)
-        encode(batch.green, argb, 8, count)
-        encode(batch.blue, argb, 0, count)
+        red.find(batch.red, count)
+        green.find(batch.green, count)
+        blue.find(batch.blue, count)
+        join(argb, count)
+    }
+
+    /** Written out: in a method of its own, three times, C2 does not inline the look-up. */
+    private fun join(argb: IntArray, count: Int) {
+        val summands = Srgb.summands
+        var i = 0
+        while (i < count) {
+            val r = IntVector.fromArray(INTS, red.bits, i)
+                .add(IntVector.fromArray(INTS, summands, 0, red.buckets, i))
+            val g = IntVector.fromArray(INTS, green.bits, i)
+                .add(IntVector.fromArray(INTS, summands, 0, green.buckets, i))
+            val b = IntVector.fromArray(INTS, blue.bits, i)
+                .add(IntVector.fromArray(INTS, summands, 0, blue.buckets, i))
+            r.lanewise(VectorOperators.LSHR, Srgb.BUCKET_SHIFT).lanewise(VectorOperators.LSHL, 16)
+                .or(g.lanewise(VectorOperators.LSHR, Srgb.BUCKET_SHIFT).lanewise(VectorOperators.LSHL, 8))
+                .or(b.lanewise(VectorOperators.LSHR, Srgb.BUCKET_SHIFT))
+                .or(OPAQUE).intoArray(argb, i)
+            i += INTS.length()
+        }
     }
 
     private fun isOpaque(alpha: FloatArray, count: Int): Boolean {
@@ -116,32 +136,23 @@ internal class VectorFragmentKernel : FragmentKernel(long = 4) {
         return true
     }
 
-    /** Puts the codes of colours, see [Srgb.encode], into [argb], [shift] bits from the right. */
-    private fun encode(linear: FloatArray, argb: IntArray, shift: Int, count: Int) {
-        number(linear, count)
-        var i = 0
-        while (i < count) {
-            val bucket = IntVector.fromArray(INTS, Srgb.buckets, 0, buckets, i)
-            val before = bucket.and((1 shl Srgb.CODE_SHIFT) - 1).sub(1)
-            val place = IntVector.fromArray(INTS, places, i)
-            val isBehind = before.sub(place).lanewise(VectorOperators.LSHR, Int.SIZE_BITS - 1)
-            val code = bucket.lanewise(VectorOperators.LSHR, Srgb.CODE_SHIFT).add(isBehind)
-            code.lanewise(VectorOperators.LSHL, shift).or(IntVector.fromArray(INTS, argb, i)).intoArray(argb, i)
-            i += INTS.length()
-        }
-    }
+    /** What [Srgb.encode] looks up for one component of a batch's colours. */
+    private class Component {
+        @JvmField val bits = IntArray(FragmentBatch.ROOM)
 
-    /** Finds the bucket of each value, and its place there. */
-    private fun number(linear: FloatArray, count: Int) {
-        var i = 0
-        while (i < count) {
-            val value = FloatVector.fromArray(FLOATS, linear, i)
-            val isSomething = value.compare(VectorOperators.GE, Srgb.LEAST)
-            val clamped = FloatVector.broadcast(FLOATS, Srgb.LEAST).blend(value.min(1f), isSomething)
-            val bits = clamped.reinterpretAsInts().sub(Srgb.LEAST_BITS)
-            bits.lanewise(VectorOperators.LSHR, Srgb.BUCKET_SHIFT).intoArray(buckets, i)
-            bits.and((1 shl Srgb.BUCKET_SHIFT) - 1).intoArray(places, i)
-            i += INTS.length()
+        @JvmField val buckets = IntArray(FragmentBatch.ROOM)
+
+        fun find(linear: FloatArray, count: Int) {
+            var i = 0
+            while (i < count) {
+                val value = FloatVector.fromArray(FLOATS, linear, i)
+                val isSomething = value.compare(VectorOperators.GE, Srgb.LEAST)
+                val known = FloatVector.broadcast(FLOATS, Srgb.LEAST).blend(value, isSomething)
+                val bits = known.reinterpretAsInts().min(Srgb.MOST_BITS)
+                bits.intoArray(this.bits, i)
+                bits.sub(Srgb.LEAST_BITS).lanewise(VectorOperators.LSHR, Srgb.BUCKET_SHIFT).intoArray(buckets, i)
+                i += INTS.length()
+            }
         }
     }
 

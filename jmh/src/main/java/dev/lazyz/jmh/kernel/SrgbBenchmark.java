@@ -38,6 +38,7 @@ public class SrgbBenchmark {
     private final float[] linear = new float[COUNT];
     private final float[] thresholds = new float[257];
     private final int[] buckets = new int[13 << 8];
+    private final int[] summands = new int[buckets.length];
 
     /** Makes values and tables, and refuses to measure variants that differ. */
     @Setup
@@ -52,15 +53,16 @@ public class SrgbBenchmark {
             while (Float.intBitsToFloat(least) >= thresholds[code + 1]) {
                 code++;
             }
-            int next = Float.floatToRawIntBits(thresholds[code + 1]) - least;
-            buckets[bucket] = code << CODE_SHIFT | Math.min(next, 1 << BUCKET_SHIFT);
+            int next = Math.min(Float.floatToRawIntBits(thresholds[code + 1]) - least, 1 << BUCKET_SHIFT);
+            buckets[bucket] = code << CODE_SHIFT | next;
+            summands[bucket] = (code << BUCKET_SHIFT) + (1 << BUCKET_SHIFT) - next - least;
         }
         Random random = new Random(4);
         for (int i = 0; i < COUNT; i++) {
             float smooth = (float) i / COUNT + 0.001f * random.nextFloat();
             linear[i] = values.equals("random") ? random.nextFloat() : smooth;
         }
-        Agreement.of(formula(), search(), searchFromTheLast(), buckets());
+        Agreement.of(formula(), search(), searchFromTheLast(), buckets(), carry());
     }
 
     /** The standard's formula, rounded. */
@@ -107,7 +109,7 @@ public class SrgbBenchmark {
         return hash;
     }
 
-    /** Looks the upper bits of the float up, and compares the lower ones once: what the library does. */
+    /** Looks the upper bits of the float up, and compares the lower ones once. */
     @Benchmark
     public long buckets() {
         long hash = 0;
@@ -115,6 +117,27 @@ public class SrgbBenchmark {
             hash = 31 * hash + code(value);
         }
         return hash;
+    }
+
+    /** Looks up what to add to the float's bits so that their carry is the comparison: what the library does. */
+    @Benchmark
+    public long carry() {
+        long hash = 0;
+        for (float value : linear) {
+            hash = 31 * hash + carriedCode(value);
+        }
+        return hash;
+    }
+
+    private int carriedCode(float value) {
+        if (!(value >= LEAST)) {
+            return 0;
+        }
+        if (value >= 1f) {
+            return 255;
+        }
+        int bits = Float.floatToRawIntBits(value);
+        return summands[bits - LEAST_BITS >>> BUCKET_SHIFT] + bits >>> BUCKET_SHIFT;
     }
 
     private int code(float value) {

@@ -33,7 +33,10 @@ public final class RoundsShader implements BatchShader {
         this.rounds = rounds;
     }
 
-    /** Colours of samples with the given interpolated colours; blue stays as it is. Rounds outside, samples inside. */
+    /**
+     * Colours of samples with the given interpolated colours; blue stays as it is. Rounds outside, samples inside, in loops
+     * that are short: the compiler of JDK 17 gives up vectorising one that does all of a round.
+     */
     @Override
     public void shade(FragmentBatch batch) {
         int size = batch.getSize();
@@ -42,7 +45,9 @@ public final class RoundsShader implements BatchShader {
         System.arraycopy(batch.vertexRed, 0, x, 0, size);
         System.arraycopy(batch.vertexGreen, 0, y, 0, size);
         for (int round = 0; round < rounds; round++) {
-            round(size, x, y, batch.vertexRed, batch.vertexGreen, batch.vertexBlue);
+            turn(size, x, y, batch.vertexBlue);
+            bend(size, x, batch.vertexRed);
+            bend(size, y, batch.vertexGreen);
         }
         for (int i = 0; i < size; i++) {
             x[i] = 0.25f + 0.75f * x[i];
@@ -51,12 +56,19 @@ public final class RoundsShader implements BatchShader {
         System.arraycopy(batch.vertexBlue, 0, batch.blue, 0, size);
     }
 
-    private static void round(int size, float[] x, float[] y, float[] red, float[] green, float[] blue) {
+    /** The linear part of a round: what is put through s. */
+    private static void turn(int size, float[] x, float[] y, float[] blue) {
         for (int i = 0; i < size; i++) {
             float s = 0.5f * x[i] + 0.3f * y[i] - 0.4f * blue[i];
-            float t = 0.4f * y[i] - 0.5f * x[i] + 0.3f * blue[i];
-            x[i] = 0.5f * red[i] + 0.5f * wave(s);
-            y[i] = 0.5f * green[i] + 0.5f * wave(t);
+            y[i] = 0.4f * y[i] - 0.5f * x[i] + 0.3f * blue[i];
+            x[i] = s;
+        }
+    }
+
+    /** The other part of a round, for one of x and y: s, and the mean with what it began as. */
+    private static void bend(int size, float[] values, float[] first) {
+        for (int i = 0; i < size; i++) {
+            values[i] = 0.5f * first[i] + 0.5f * wave(values[i]);
         }
     }
 
