@@ -106,6 +106,15 @@ internal class TriangleForms(private val test: DepthTest) : EdgeForms() {
         batch.grid[batch.place(triangle, 2) + 2],
     )
 
+    /** Returns a key that none of triangle number [triangle] of [batch] is behind. */
+    fun farthest(batch: TriangleBatch, triangle: Int): Long {
+        val az = batch.grid[batch.place(triangle, 0) + 2]
+        val bz = batch.grid[batch.place(triangle, 1) + 2]
+        val cz = batch.grid[batch.place(triangle, 2) + 2]
+        val depth = if (isReversed) minOf(az, minOf(bz, cz)) else maxOf(az, maxOf(bz, cz))
+        return test.key(depth, batch.first + triangle) + (1L shl Int.SIZE_BITS)
+    }
+
     private fun nearest(index: Int, az: Int, bz: Int, cz: Int): Long =
         test.key(if (isReversed) maxOf(az, maxOf(bz, cz)) + 1 else minOf(az, minOf(bz, cz)) - 1, index)
 

@@ -18,30 +18,22 @@ internal class BatchTriangles(
 ) {
     private val forms = TriangleForms(test)
 
-    /** The triangles' nearest keys, in order of arrival and sorted. */
-    private var nearest = LongArray(CAPACITY)
-    private var sorted = LongArray(CAPACITY)
-    private var count = 0
-    private val ends = IntArray(BUCKETS + 1)
+    /** The triangles' nearest keys. */
+    private val triangles = NearToFar()
 
     /** Bytes held. */
-    val bytes: Long
-        get() = Long.SIZE_BYTES * (nearest.size + sorted.size).toLong() + Int.SIZE_BYTES * ends.size
+    val bytes: Long get() = triangles.bytes
 
     /** Draws what [bins] has for the tile [column] of band number [band]. */
     fun draw(bins: TriangleBins, band: Int, column: Int) {
         drawing.lower(bins, band, column)
-        count = bins.triangleCount(band, column)
-        if (count > nearest.size) {
-            nearest = LongArray(count + count / 4)
-            sorted = LongArray(nearest.size)
-        }
-        bins.copyTriangles(band, column, nearest)
-        sort()
-        for (i in 0 until count) {
+        bins.copyTriangles(band, column, triangles.begin(bins.triangleCount(band, column)))
+        triangles.sort()
+        for (i in 0 until triangles.count) {
             checkpoint.pass()
-            if (sorted[i] >= keys.farthest()) continue
-            val index = test.indexOf(sorted[i])
+            val nearest = triangles[i]
+            if (nearest >= keys.farthest()) continue
+            val index = test.indexOf(nearest)
             val batch = batch(index)
             draw(batch, index - batch.first)
         }
@@ -71,26 +63,5 @@ internal class BatchTriangles(
         forms.depth(batch, triangle)
         forms.moveTo(keys.columnStart, keys.rowStart)
         drawing.draw(forms, ax, ay, bx, by, cx, cy)
-    }
-
-    /** Sorts roughly from near to far: a counting sort by the upper bits in which the keys differ. */
-    private fun sort() {
-        var least = Long.MAX_VALUE
-        var most = Long.MIN_VALUE
-        for (i in 0 until count) {
-            least = minOf(least, nearest[i])
-            most = maxOf(most, nearest[i])
-        }
-        val shift = maxOf(0, Long.SIZE_BITS - java.lang.Long.numberOfLeadingZeros(most - least) - BUCKET_BITS)
-        ends.fill(0)
-        for (i in 0 until count) ends[((nearest[i] - least) ushr shift).toInt() + 1]++
-        for (bucket in 0 until BUCKETS) ends[bucket + 1] += ends[bucket]
-        for (i in 0 until count) sorted[ends[((nearest[i] - least) ushr shift).toInt()]++] = nearest[i]
-    }
-
-    private companion object {
-        const val CAPACITY = 64
-        const val BUCKET_BITS = 8
-        const val BUCKETS = 1 shl BUCKET_BITS
     }
 }

@@ -9,44 +9,56 @@ import dev.lazyz.setup.TriangleForms
  * a time.
  *
  * @param number number of the chunk
- * @param stride places of a row of a tile, see [TileKeys.stride]
  */
 internal class BinFiller(
     private val number: Int,
     private val area: BinArea,
-    private val stride: Int,
+    grid: TileGrid,
     test: DepthTest,
     private val coverage: CoverageKernel,
     pool: ArrayPool,
     private val triangleEnds: BinEnds,
     private val fragmentEnds: BinEnds,
 ) {
+    private val row = WideTriangles.ROW + 1 + number
+    private val stride = TileKeys.stride(grid)
     private val forms = TriangleForms(test)
+    private val tiles = TriangleTiles(area, grid)
 
-    /** Nearest key of each triangle that is not small, and a tile that it reaches. */
+    /** Nearest key of each triangle that is neither small nor wide, and a tile that it reaches. */
     private val triangles = KeyedPlaces(pool)
+
+    /** Nearest keys of those that are wide. */
+    val wide: NearToFar = NearToFar()
 
     /** Key of each fragment; its tile and its place there, [TILE_SHIFT] bits apart. */
     private val fragments = KeyedPlaces(pool)
 
     /** Bytes held. */
-    val bytes: Long get() = triangles.bytes + fragments.bytes
+    val bytes: Long get() = triangles.bytes + wide.bytes + fragments.bytes
 
-    /** Draws triangles that are small, and notes the others for their tiles. */
+    /** Draws triangles that are small, and notes the others for their tiles, or as [wide]. */
     fun enter(batch: TriangleBatch, first: Int, count: Int) {
         coverage.cover(batch, first, count)
         for (i in 0 until count) {
             val covered = coverage.covered[i]
             if (covered == 0 || !batch.isDrawn(first + i)) continue
             if (covered == CoverageKernel.LARGE) {
-                val nearest = forms.nearest(batch, first + i)
-                area.forEachTile(batch, first + i) {
-                    triangleEnds.count(number, it)
-                    triangles.add(nearest, it)
-                }
+                enterLarge(batch, first + i)
             } else {
                 draw(batch, first + i, coverage.left[i], coverage.top[i], covered)
             }
+        }
+    }
+
+    private fun enterLarge(batch: TriangleBatch, triangle: Int) {
+        val reached = tiles.begin(batch, triangle)
+        if (reached == 0) return
+        val nearest = forms.nearest(batch, triangle)
+        if (reached >= WideTriangles.TILES) return wide.add(nearest)
+        tiles.forEach({ false }) { tile, _ ->
+            triangleEnds.count(row, tile)
+            triangles.add(nearest, tile)
         }
     }
 
@@ -81,7 +93,7 @@ internal class BinFiller(
 
     /** Puts triangles and fragments where they belong; nothing is left here. */
     fun distribute(triangleKeys: LongArray, keys: LongArray, places: IntArray) {
-        triangles.forEach { nearest, tile -> triangleKeys[triangleEnds.next(number, tile)] = nearest }
+        triangles.forEach { nearest, tile -> triangleKeys[triangleEnds.next(row, tile)] = nearest }
         fragments.forEach { key, place ->
             val to = fragmentEnds.next(number, place ushr TILE_SHIFT)
             keys[to] = key

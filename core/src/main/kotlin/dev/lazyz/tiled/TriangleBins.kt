@@ -13,7 +13,10 @@ import dev.lazyz.setup.inParallel
  * it follow the triangle's index and the order in which to draw, and of triangles that turn out to be hidden nothing else
  * is ever looked at.
  *
- * A tile's fragments and triangles are in submission order, whatever the number of threads. Memory, lent by a pool: 8 bytes
+ * Those that reach many tiles come later, from near to far, see [WideTriangles].
+ *
+ * A tile has first the wide triangles and then the others in submission order, like its fragments, whatever the number of
+ * threads. Memory, lent by a pool: 8 bytes
  * for each pair of a triangle and a tile, 12 a fragment, and 12 for each of both while bins are made; 8 bytes a tile and
  * thread. Immutable once made, until [finishBand] takes it all back.
  *
@@ -36,7 +39,7 @@ internal class TriangleBins(
     private val chunks = minOf(threads, (total - 1) / LEAST_CHUNK + 1)
 
     /** Where the triangles of each tile are among [triangles], and its fragments among [keys] and [places]. */
-    private val triangleEnds = BinEnds(chunks, area.tiles)
+    private val triangleEnds = BinEnds(1 + chunks, area.tiles)
     private val fragmentEnds = BinEnds(chunks, area.tiles)
     private val triangles: LongArray
     private val keys: LongArray
@@ -46,17 +49,25 @@ internal class TriangleBins(
     val bytes: Long
 
     init {
-        val stride = TileKeys.stride(grid)
         val fillers = List(chunks) {
-            BinFiller(it, area, stride, test, kernels.coverage(), pool, triangleEnds, fragmentEnds)
+            BinFiller(it, area, grid, test, kernels.coverage(), pool, triangleEnds, fragmentEnds)
         }
-        inParallel(chunks) { number -> forEach(number, fillers[number]::enter) }
-        val found = fillers.sumOf { it.bytes }
+        inParallel(chunks) { forEach(it, fillers[it]::enter) }
+        val wide = NearToFar()
+        for (filler in fillers) wide.addAll(filler.wide)
+        wide.sort()
+        val parts = if (wide.count == 0) 0 else minOf(chunks, area.bands)
+        val wideParts = List(parts) { WideTriangles(content, area, grid, test, pool, triangleEnds) }
+        inParallel(parts) { wideParts[it].enter(wide, it, parts) }
+        val found = fillers.sumOf { it.bytes } + wide.bytes + wideParts.sumOf { it.bytes }
         triangles = pool.longs(ArrayPool.roomy(triangleEnds.sumUp()))
         val fragments = ArrayPool.roomy(fragmentEnds.sumUp())
         keys = pool.longs(fragments)
         places = pool.ints(fragments)
-        inParallel(chunks) { fillers[it].distribute(triangles, keys, places) }
+        inParallel(chunks) {
+            if (it < parts) wideParts[it].distribute(triangles)
+            fillers[it].distribute(triangles, keys, places)
+        }
         bytes = found + triangleEnds.bytes + fragmentEnds.bytes + Int.SIZE_BYTES * places.size.toLong() +
             Long.SIZE_BYTES * (triangles.size + keys.size.toLong())
     }
@@ -69,7 +80,7 @@ internal class TriangleBins(
         pool.release(places)
     }
 
-    /** Copies the nearest key of each triangle that is to be drawn into a tile, in submission order. */
+    /** Copies the nearest key of each triangle that is to be drawn into a tile. */
     fun copyTriangles(band: Int, column: Int, to: LongArray) {
         val tile = area.tile(band, column)
         System.arraycopy(triangles, triangleEnds.start(tile), to, 0, triangleCount(band, column))

@@ -163,6 +163,42 @@ class TiledMeshProperties {
         }
     }
 
+    @Property(tries = 6, seed = "1999", edgeCases = EdgeCasesMode.NONE)
+    fun rule_7_1_largeTrianglesThatHideEachOtherAreTheSameForAnyThreads(
+        @ForAll seed: Long,
+        @ForAll depthTest: DepthTest,
+    ) {
+        // More than one thread takes at a time; some cover tiles wholly, and edges lie along tiles
+        val random = Random(seed)
+        val count = 9000
+        val positions = FloatArray(9 * count)
+        for (triangle in 0 until count) {
+            val reach = if (random.nextBoolean()) 4f else 0.5f
+            val center = FloatArray(3) { random.nextFloat() * 2 - 1 }
+            for (i in 0 until 9) {
+                val isDepth = i % 3 == 2
+                val value = center[i % 3] + (random.nextFloat() - 0.5f) * if (isDepth) 0.2f else reach
+                positions[9 * triangle + i] = if (triangle % 3 == 0 && !isDepth) Math.round(value * 4) / 4f else value
+            }
+        }
+        val mesh = Mesh(positions, IntArray(3 * count) { it }, Material(Rgba(1f, 0.5f, 0f)))
+        val camera = Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 2.0, 1.0, 9.0)
+        val isGreater = depthTest == DepthTest.GREATER || depthTest == DepthTest.GREATER_OR_EQUAL
+        val background = if (isGreater) 0 else Int.MAX_VALUE
+        val raster = Raster(64, 64, depthTest = depthTest, backgroundDepth = background)
+        val frame = Scene(listOf(mesh), emptyList(), camera).frame(raster)
+        val expected = ZBuffer().render(frame)
+        for (tileSize in listOf(4, 16)) {
+            val counters = HashSet<String>()
+            for (threads in THREADS) {
+                val image = Tiled(Coherence.DIRECT, threads, tileSize).render(frame)
+                assertEquals(expected, image) { "seed $seed, $depthTest, tileSize $tileSize, $threads threads" }
+                counters += work(image.counters)
+            }
+            assertEquals(1, counters.size) { "seed $seed, $depthTest, tileSize $tileSize: $counters" }
+        }
+    }
+
     @Test
     fun aConstantTriangleBehindGlassHasItsColor() {
         val corners = listOf(Vertex(-1.0, -1.0, 1.0), Vertex(1.0, -1.0, 1.0), Vertex(1.0, 1.0, 1.0))
