@@ -29,8 +29,8 @@ import java.util.concurrent.atomic.AtomicReference
  * [dev.lazyz.BatchShader]s.
  *
  * Memory: one row of tiles (with several threads two or more), at 12 bytes a sample; for at most 4096 tiles at a time, 20 bytes
- * for each pair of a mesh's triangle and a tile, and 24 for each fragment of one of less than ten samples; some 30 bytes
- * for each other primitive in a row of tiles, and the spans of those that several tiles share; for each thread a tile's
+ * for each pair of a mesh's triangle and a tile, and 24 for each fragment of one of less than ten samples and for each triangle that
+ * reaches 8 tiles; some 30 bytes for each other primitive in a row of tiles, and the spans of those that several tiles share; for each thread a tile's
  * keys, 8 bytes a sample, and 20 bytes for each translucent fragment of a tile; and 16 bytes for each primitive of the
  * frame that is not a mesh's. It does not grow with the number of rows. Make tiles smaller for pictures that are very wide.
  * Rows and bins are kept for the next rendering, softly: a frame like the last one allocates nothing that is large, and

@@ -11,14 +11,12 @@ import dev.lazyz.setup.inParallel
  * A triangle whose bounds have a few samples is drawn here and now, while its vertices are at hand: what goes to a tile are
  * its fragments, a key and a place each. Of all others a tile gets a key that none of the triangle's is before: from
  * it follow the triangle's index and the order in which to draw, and of triangles that turn out to be hidden nothing else
- * is ever looked at.
+ * is ever looked at. Those that reach many tiles are entered when all are known, see [WideTriangles].
  *
- * Those that reach many tiles come later, from near to far, see [WideTriangles].
- *
- * A tile has first the wide triangles and then the others in submission order, like its fragments, whatever the number of
- * threads. Memory, lent by a pool: 8 bytes
- * for each pair of a triangle and a tile, 12 a fragment, and 12 for each of both while bins are made; 8 bytes a tile and
- * thread. Immutable once made, until [finishBand] takes it all back.
+ * A tile has the wide triangles first, and then the others in submission order, like its fragments, whatever the number of
+ * threads. Memory, lent by a pool: 8 bytes for each pair of a triangle and a tile, 12 a fragment, and 12 for each of both
+ * while bins are made; besides 24 bytes a wide triangle, 16 bytes a tile and thread. Immutable once made, until [finishBand]
+ * takes it all back.
  *
  * @param bandStart first band
  * @param bandEnd the band after the last
