@@ -15,6 +15,9 @@ private val SPECIES: VectorSpecies<Long> =
     }
 private val LANES: Int = SPECIES.length()
 
+/** Whether a vector is part of a block's row: then the block's farthest key may be another part's, even if nothing changes here. */
+private val IS_PART: Boolean = LANES < BlockKernel.BLOCK
+
 /**
  * The loops by the JVM's Vector API, a row of a block at a time where the machine has 512-bit registers. To be loaded
  * only where the JVM has the module `jdk.incubator.vector`.
@@ -121,7 +124,7 @@ internal class VectorBlockKernel : BlockKernel {
             value = value.add(forms.zdy)
             i += stride
         }
-        if (passes > 0 || LANES < BlockKernel.BLOCK) farthest[block] = most.reduceLanes(VectorOperators.MAX)
+        if (passes > 0 || IS_PART) farthest[block] = most.reduceLanes(VectorOperators.MAX)
         return covered.toLong() shl Int.SIZE_BITS or passes.toLong()
     }
 
@@ -157,7 +160,7 @@ internal class VectorBlockKernel : BlockKernel {
                 value = value.add(dy)
                 i += stride
             }
-            if (passes > 0 || LANES < BlockKernel.BLOCK) farthest[block] = most.reduceLanes(VectorOperators.MAX)
+            if (passes > 0 || IS_PART) farthest[block] = most.reduceLanes(VectorOperators.MAX)
             return passes
         }
     }
