@@ -36,7 +36,7 @@ internal class ScalarFragmentKernel : FragmentKernel(long = 12) {
         val a = face.vertices.get(0, field)
         val b = face.vertices.get(1, field)
         val c = face.vertices.get(2, field)
-        if (face.isSame(a, b, c)) return out.fill(a.toFloat(), at, at + count)
+        if (face.isSame(a, b, c)) return out.fill((sign * a).toFloat(), at, at + count)
         for (i in 0 until count) out[at + i] = (sign * (weight0[i] * a + weight1[i] * b + weight2[i] * c)).toFloat()
     }
 

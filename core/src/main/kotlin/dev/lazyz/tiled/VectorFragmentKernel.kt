@@ -68,7 +68,7 @@ internal class VectorFragmentKernel : FragmentKernel(long = 4) {
         val a = data[field]
         val b = data[Vertices.STRIDE + field]
         val c = data[2 * Vertices.STRIDE + field]
-        if (face.isSame(a, b, c)) return out.fill(a.toFloat(), at, at + count)
+        if (face.isSame(a, b, c)) return out.fill((sign * a).toFloat(), at, at + count)
         var i = 0
         while (i < count) {
             val sum = DoubleVector.fromArray(DOUBLES, weight0, i).mul(a)

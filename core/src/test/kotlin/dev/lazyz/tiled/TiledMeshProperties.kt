@@ -277,7 +277,12 @@ class TiledMeshProperties {
             DepthTest.entries[random.nextInt(4)],
             if (random.nextInt(4) == 0) 1 shl 30 else convention.farthest,
         )
-        val frame = Scene(surfaces, emptyList(), camera).frame(raster)
+        val lights = listOf(
+            Light.Ambient(Rgba(0.1f, 0.1f, 0.2f)),
+            Light.Directional(Vector3d(-1.0, -2.0, -3.0), Rgba(0.7f, 0.6f, 0.5f)),
+            Light.Point(Vector3d(2.0, 2.0, 2.0), Rgba(0.2f, 0.3f, 0.4f)),
+        )
+        val frame = Scene(surfaces, lights, camera).frame(raster)
         if (random.nextBoolean()) return frame
         val x = random.nextInt(raster.width)
         val y = random.nextInt(raster.height)
@@ -319,12 +324,16 @@ class TiledMeshProperties {
         ) {
             positions[3 * random.nextInt(3 * triangles) + 2] = if (random.nextBoolean()) 30f else -30f
         }
-        return if (random.nextBoolean()) soup else Mesh(positions, soup.triangles, soup.material, colors = same(soup))
+        return when (random.nextInt(3)) {
+            0 -> soup
+            1 -> Mesh(positions, soup.triangles, soup.material, colors = same(soup.colors!!, 4))
+            else -> Mesh(positions, soup.triangles, soup.material, same(soup.normals!!, 3), soup.uvs, soup.colors)
+        }
     }
 
-    /** The first vertex's colour for all of each triangle. */
-    private fun same(soup: Mesh): FloatArray =
-        FloatArray(4 * soup.vertexCount) { soup.colors!![it / 12 * 12 + it % 4] }
+    /** The first vertex's [size] numbers for all of each triangle. */
+    private fun same(numbers: FloatArray, size: Int): FloatArray =
+        FloatArray(numbers.size) { numbers[it / (3 * size) * (3 * size) + it % size] }
 
     private fun material(random: Random): Material {
         val sides = Sides.entries[random.nextInt(2)]
