@@ -1,0 +1,142 @@
+package dev.lazyz.scenes
+
+import dev.lazyz.AlphaMode
+import dev.lazyz.Camera
+import dev.lazyz.FillRule
+import dev.lazyz.Light
+import dev.lazyz.Material
+import dev.lazyz.Mesh
+import dev.lazyz.Polygon
+import dev.lazyz.Rgba
+import dev.lazyz.Scene
+import dev.lazyz.Shading
+import dev.lazyz.Sides
+import dev.lazyz.Sphere
+import dev.lazyz.Surface
+import dev.lazyz.Texture
+import dev.lazyz.TextureFilter
+import dev.lazyz.TextureWrap
+import dev.lazyz.Vertex
+import org.joml.Vector3d
+
+/** Small scenes for [GoldenTest], a feature each: what the built-in scenes, made to look good, do not show. */
+internal object GoldenScenes {
+    private val camera = Camera.perspective(
+        Vector3d(0.4, 0.7, 6.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 40.0, 1.0, 20.0,
+    )
+
+    private val lights = listOf(
+        Light.Ambient(Rgba(0.10f, 0.08f, 0.12f)),
+        Light.Directional(Vector3d(-1.0, -2.0, -4.0), Rgba(0.6f, 0.5f, 0.4f)),
+        Light.Point(Vector3d(1.5, 1.0, 2.5), Rgba(0.3f, 0.5f, 0.4f)),
+    )
+
+    /** Eight by eight texels, of all opacities from 0 to 1. */
+    private val leaf = Texture(
+        8, 8, IntArray(64) { (it * 4 + 3 shl 24) or (it * 37 and 255 shl 16) or (255 - it * 3 shl 8) or (it * 11 and 255) },
+    )
+
+    val all: Map<String, () -> Scene> = Shading.entries.associate { shading ->
+        shading.name.lowercase() to { scene(shown(shining(shading))) }
+    } + mapOf(
+        "behind" to { scene(Shading.entries.flatMapIndexed { i, shading -> behind(shining(shading), 2 - i) }) },
+        "one-sided" to {
+            scene(shown(shining(Shading.GOURAUD, sides = Sides.FRONT)) + behind(shining(Shading.PHONG, sides = Sides.FRONT), 0))
+        },
+        "texture" to { scene(textured()) },
+        "mask" to {
+            scene(
+                shown(shining(Shading.PHONG, leaf, AlphaMode.MASK)) +
+                    behind(shining(Shading.GOURAUD, leaf, AlphaMode.MASK), 1) + wall(),
+            )
+        },
+        "blend" to {
+            scene(
+                shown(shining(Shading.GOURAUD, leaf, AlphaMode.BLEND)) +
+                    Shading.entries.flatMapIndexed { i, shading -> behind(shining(shading, null, AlphaMode.BLEND), 2 - i) } +
+                    wall(),
+            )
+        },
+    )
+
+    private fun scene(surfaces: List<Surface>) = Scene(surfaces, lights, camera, Rgba(0.2f, 0.3f, 0.5f))
+
+    private fun shining(
+        shading: Shading,
+        texture: Texture? = null,
+        alphaMode: AlphaMode = AlphaMode.OPAQUE,
+        sides: Sides = Sides.BOTH,
+    ) = Material(
+        Rgba(0.7f, 0.5f, 0.3f, if (alphaMode == AlphaMode.BLEND) 0.6f else 1f), texture, shading,
+        Rgba(0.5f, 0.6f, 0.7f), 9, Rgba(0.02f, 0.06f, 0.04f), alphaMode, alphaCutoff = 0.25f, sides = sides,
+    )
+
+    /** A sheet with a bump, a five-pointed star and a sphere, of one material. */
+    private fun shown(material: Material): List<Surface> =
+        listOf(sheet(material), star(material), Sphere(Vector3d(1.2, -0.9, 0.5), 0.6, material))
+
+    /** A sheet of 6 x 6 vertices with normals of its own, texture coordinates, and vertex colours. */
+    private fun sheet(material: Material): Mesh {
+        val side = 6
+        val positions = FloatArray(3 * side * side)
+        val normals = FloatArray(positions.size)
+        val uvs = FloatArray(2 * side * side)
+        val colors = FloatArray(4 * side * side)
+        for (i in 0 until side * side) {
+            val x = i % side / 2.5 - 1
+            val y = i / side / 2.5 - 1
+            val bump = 1 / (1 + 2 * (x * x + y * y))
+            floatArrayOf((2 * x).toFloat(), (2 * y).toFloat(), bump.toFloat()).copyInto(positions, 3 * i)
+            val slope = 2 * bump * bump
+            floatArrayOf((slope * x).toFloat(), (slope * y).toFloat(), 1f).copyInto(normals, 3 * i)
+            floatArrayOf((x + 1).toFloat(), (1 - y).toFloat()).copyInto(uvs, 2 * i)
+            floatArrayOf(1f - i % 3 * 0.3f, 0.4f + i % 5 * 0.15f, 1f, 1f - i % 4 * 0.2f).copyInto(colors, 4 * i)
+        }
+        val triangles = IntArray(6 * (side - 1) * (side - 1)) { i ->
+            val cell = i / 6
+            cell / (side - 1) * side + cell % (side - 1) + intArrayOf(0, 1, side, side, 1, side + 1)[i % 6]
+        }
+        return Mesh(positions, triangles, material, normals, uvs, colors)
+    }
+
+    private fun star(material: Material): Polygon {
+        val places = listOf(0.0 to 1.0, 0.6 to -0.8, -0.95 to 0.3, 0.95 to 0.3, -0.6 to -0.8)
+        val contour = places.mapIndexed { i, (x, y) ->
+            val color = Rgba(1f, 0.2f * i, 0.5f, 0.7f)
+            Vertex(x - 1.2, y + 0.9, 0.9 + 0.3 * x, (x + 1).toFloat(), (y + 1).toFloat(), color)
+        }
+        return Polygon(listOf(contour), material, FillRule.EVEN_ODD)
+    }
+
+    /** Two large triangles seen from behind, at height [row]: one with equal normals, one with different ones. */
+    private fun behind(material: Material, row: Int): List<Surface> = listOf(0, 1).map { i ->
+        val x = -2.1f + 2.1f * i
+        val y = 0.8f * row - 0.4f
+        val positions = floatArrayOf(x, y, 1f, x + 1f, y + 0.75f, 0.8f + 0.1f * i, x + 2f, y, 0.6f)
+        val normals = FloatArray(9) { floatArrayOf(0.3f, -0.2f, 1f)[it % 3] + if (i == 1 && it == 3) 0.5f else 0f }
+        val uvs = floatArrayOf(0f, 0f, 1f, 2f, 2f, 0f)
+        val colors = FloatArray(12) { if (i == 0) floatArrayOf(0.9f, 0.5f, 0.7f, 0.8f)[it % 4] else 1f - it * 0.05f }
+        Mesh(positions, intArrayOf(0, 1, 2), material, normals, uvs, colors)
+    }
+
+    /** Four squares side by side: both filters, both ways to go on beyond the texture, coordinates far and near. */
+    private fun textured(): List<Surface> = List(4) { i ->
+        val filter = TextureFilter.entries[i % 2]
+        val wrap = TextureWrap.entries
+        val texture = leaf.withSampling(filter, wrap[i / 2], wrap[1 - i / 2])
+        val x = i % 2 * 2.2 - 2.2
+        val y = i / 2 * 2.0 - 2.0
+        val reach = 1.5f + i
+        val contour = listOf(
+            Vertex(x, y, 0.5, -reach, reach), Vertex(x + 2, y, 0.0, reach, reach),
+            Vertex(x + 2, y + 1.8, -0.5, reach, -reach), Vertex(x, y + 1.8, 0.0, -reach, -reach),
+        )
+        Polygon(listOf(contour), Material(Rgba(0.9f, 0.8f, 1f), texture, Shading.CONSTANT, emission = Rgba(0f, 0.1f, 0f)))
+    }
+
+    /** An opaque wall behind everything. */
+    private fun wall(): Surface {
+        val positions = floatArrayOf(-3f, -3f, -1f, 3f, -3f, -1.5f, 3f, 0.5f, -1f, -3f, 0.5f, -2f)
+        return Mesh(positions, intArrayOf(0, 1, 2, 0, 2, 3), Material(Rgba(0.8f, 0.8f, 0.2f), shading = Shading.FLAT))
+    }
+}
