@@ -78,9 +78,11 @@ internal class Effort :
     /** What jqwik tells whoever runs it. */
     private fun translated(result: PropertyExecutionResult, verdict: RuleResult): PropertyExecutionResult =
         when (verdict.outcome) {
-            RuleOutcome.PASSED, RuleOutcome.FAILED -> result
+            RuleOutcome.PASSED, RuleOutcome.FAILED, RuleOutcome.CRASHED, RuleOutcome.TIMED_OUT, RuleOutcome.FLAKY,
+            RuleOutcome.NOT_RUN,
+            -> result
 
-            RuleOutcome.NOT_FOLLOWED, RuleOutcome.WAIVED, RuleOutcome.NOT_APPLICABLE ->
+            RuleOutcome.NOT_FOLLOWED, RuleOutcome.WAIVED, RuleOutcome.NOT_SUPPORTED ->
                 result.mapToAborted(TestAbortedException(verdict.message))
 
             RuleOutcome.WAIVED_BUT_PASSES, RuleOutcome.WAIVER_EXPIRED ->

@@ -66,7 +66,7 @@ internal class ReportText(private val report: ConformanceReport) {
         val words = report.results.maxOfOrNull { it.outcome.words.length } ?: 0
         val names = report.results.maxOfOrNull { it.rule.name.length } ?: 0
         for (result in report.results) {
-            val note = if (result.outcome == RuleOutcome.NOT_APPLICABLE) "  ${result.message}" else ""
+            val note = if (result.outcome == RuleOutcome.NOT_SUPPORTED) "  ${result.message}" else ""
             appendLine(
                 "${result.outcome.words.padEnd(words)}  ${result.rule.name.padEnd(names)}  " +
                     "${"${result.tries}".padStart(6)} tries ${"${result.milliseconds}".padStart(6)} ms$note",

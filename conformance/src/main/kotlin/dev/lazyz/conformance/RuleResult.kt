@@ -7,10 +7,22 @@ public enum class RuleOutcome(internal val words: String) {
     /** The renderer keeps the rule, as far as it was tried. */
     PASSED("passed"),
 
-    /** The renderer breaks the rule. */
+    /** The renderer breaks the rule: a wrong answer, or an exception. */
     FAILED("failed"),
 
-    /** The renderer does not do what it SHOULD: told, but no failure. */
+    /** The renderer threw an [Error], or ended the process, while the rule was tried: a failure. */
+    CRASHED("crashed"),
+
+    /** A try of the rule was not over at its deadline: a failure. */
+    TIMED_OUT("timed out"),
+
+    /** The renderer broke the rule, and did not break it when it rendered the same frame again: a failure. */
+    FLAKY("flaky"),
+
+    /** The rule was not tried, since too many others had timed out or the process was ended: a failure. */
+    NOT_RUN("not run"),
+
+    /** The renderer does not do what it SHOULD: reported, but no failure. */
     NOT_FOLLOWED("not followed"),
 
     /** The renderer breaks the rule, which a waiver allows. */
@@ -23,11 +35,20 @@ public enum class RuleOutcome(internal val words: String) {
     WAIVER_EXPIRED("waiver expired"),
 
     /** The rule is for renderers with a capability that this one does not declare. */
-    NOT_APPLICABLE("not applicable"),
+    NOT_SUPPORTED("not supported"),
     ;
 
     /** Whether a renderer with this outcome does not conform. */
-    public val isFailure: Boolean get() = this == FAILED || this == WAIVED_BUT_PASSES || this == WAIVER_EXPIRED
+    public val isFailure: Boolean get() = when (this) {
+        PASSED, NOT_FOLLOWED, WAIVED, NOT_SUPPORTED -> false
+        FAILED, CRASHED, TIMED_OUT, FLAKY, NOT_RUN, WAIVED_BUT_PASSES, WAIVER_EXPIRED -> true
+    }
+
+    /** Whether the renderer broke the rule, whatever its level. */
+    internal val isBroken: Boolean get() = when (this) {
+        FAILED, CRASHED, TIMED_OUT, FLAKY, NOT_FOLLOWED -> true
+        PASSED, NOT_RUN, WAIVED, WAIVED_BUT_PASSES, WAIVER_EXPIRED, NOT_SUPPORTED -> false
+    }
 
     /** Whether reports tell it at length. */
     internal val isTold: Boolean get() = isFailure || this == NOT_FOLLOWED
@@ -38,7 +59,7 @@ public enum class RuleOutcome(internal val words: String) {
  *
  * @property rule the rule
  * @property outcome what came of it
- * @property message why it failed, is not followed, is waived or does not apply; empty if it passed
+ * @property message why it failed, is not followed, is waived, was not run or is not supported; empty if it passed
  * @property tries how often it was tried, frames that were made smaller after a failure not included
  * @property milliseconds how long that took
  * @property distribution what the frames were like

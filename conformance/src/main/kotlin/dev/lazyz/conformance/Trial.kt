@@ -31,17 +31,16 @@ internal class Trial(private val rule: SuiteRule, private val waiver: Waiver?) {
         val inapplicable = notDeclared
         val failure = result.throwable().orElse(null) ?: AssertionError("failed without a word")
         val plain = when {
-            inapplicable != null -> RuleOutcome.NOT_APPLICABLE
+            inapplicable != null -> RuleOutcome.NOT_SUPPORTED
             result.status() == Status.SUCCESSFUL -> RuleOutcome.PASSED
-            result.status() == Status.ABORTED -> RuleOutcome.NOT_APPLICABLE
+            result.status() == Status.ABORTED -> RuleOutcome.NOT_SUPPORTED
             rule.level == Level.SHOULD -> RuleOutcome.NOT_FOLLOWED
             else -> RuleOutcome.FAILED
         }
-        val isBroken = plain == RuleOutcome.FAILED || plain == RuleOutcome.NOT_FOLLOWED
         val outcome = when {
             waiver == null -> plain
             waiver.expires < today -> RuleOutcome.WAIVER_EXPIRED
-            isBroken -> RuleOutcome.WAIVED
+            plain.isBroken -> RuleOutcome.WAIVED
             else -> RuleOutcome.WAIVED_BUT_PASSES
         }
         val parameters = result.falsifiedParameters().orElse(emptyList())
@@ -52,14 +51,18 @@ internal class Trial(private val rule: SuiteRule, private val waiver: Waiver?) {
             tries = result.countTries(),
             milliseconds = (System.nanoTime() - start) / NANOSECONDS,
             distribution = census.distribution(),
-            failure = if (isBroken) RuleFailure.of(failure, parameters) else null,
+            failure = if (plain.isBroken) RuleFailure.of(failure, parameters) else null,
         )
     }
 
     private fun message(plain: RuleOutcome, outcome: RuleOutcome, failure: Throwable): String = when (outcome) {
         RuleOutcome.PASSED -> ""
-        RuleOutcome.FAILED, RuleOutcome.NOT_FOLLOWED -> failure.message ?: failure.toString()
-        RuleOutcome.NOT_APPLICABLE -> (notDeclared ?: failure).message.orEmpty()
+        RuleOutcome.FAILED, RuleOutcome.CRASHED, RuleOutcome.TIMED_OUT, RuleOutcome.FLAKY, RuleOutcome.NOT_FOLLOWED ->
+            failure.message ?: failure.toString()
+
+        RuleOutcome.NOT_RUN -> failure.message.orEmpty()
+
+        RuleOutcome.NOT_SUPPORTED -> (notDeclared ?: failure).message.orEmpty()
         RuleOutcome.WAIVED -> "waived until ${waiver?.expires}: ${waiver?.reason} (${waiver?.link})"
         RuleOutcome.WAIVED_BUT_PASSES -> "is waived, but ${word(plain)}: delete its waiver"
         RuleOutcome.WAIVER_EXPIRED -> "the waiver expired on ${waiver?.expires}, and the rule ${word(plain)}"
@@ -68,8 +71,12 @@ internal class Trial(private val rule: SuiteRule, private val waiver: Waiver?) {
     private fun word(plain: RuleOutcome): String = when (plain) {
         RuleOutcome.PASSED -> "passes"
         RuleOutcome.FAILED -> "fails"
+        RuleOutcome.CRASHED -> "crashes"
+        RuleOutcome.TIMED_OUT -> "times out"
+        RuleOutcome.FLAKY -> "is flaky"
+        RuleOutcome.NOT_RUN -> "was not run"
         RuleOutcome.NOT_FOLLOWED -> "is not followed"
-        else -> "does not apply"
+        else -> "is not supported"
     }
 
     companion object {

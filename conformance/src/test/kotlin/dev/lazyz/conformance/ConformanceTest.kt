@@ -91,7 +91,7 @@ class ConformanceTest {
     @Test
     fun ruleForACapabilityThatIsNotDeclaredDoesNotApply() {
         val result = of(PlainRenderer(), promise).run().results.single()
-        assertEquals(RuleOutcome.NOT_APPLICABLE, result.outcome)
+        assertEquals(RuleOutcome.NOT_SUPPORTED, result.outcome)
         assertEquals("SHADES_ONLY_VISIBLE is not declared", result.message)
         assertEquals(1, result.tries)
         assertFalse(result.outcome.isFailure)

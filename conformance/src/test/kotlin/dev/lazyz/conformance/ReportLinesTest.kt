@@ -27,7 +27,7 @@ class ReportLinesTest {
     private fun waiver(rule: String, expires: String = "9999-01-01") =
         "rule: $rule\nreason: <none>\nlink: https://example.org/7\nexpires: $expires\n\n"
 
-    /** One rule each: failed, not applicable, waived but passes, waived, and one with a waiver that is not run. */
+    /** One rule each: failed, not supported, waived but passes, waived, and one with a waiver that is not run. */
     private val report = Conformance {
         WrongColors()
     }.tries(0.05).rule(nearest).rule(promise).rule(rows).rule(background)
@@ -52,7 +52,7 @@ class ReportLinesTest {
         val failure = report.toText().substringAfter("FAILED: ").substringBefore("\n\n")
         assertTrue("\n  why         ${result(nearest).rule.intent}\n" in failure, failure)
         assertTrue("\n  look at     ${result(nearest).rule.look}\n" in failure, failure)
-        val line = report.toText().lines().single { it.startsWith("not applicable") }
+        val line = report.toText().lines().single { it.startsWith("not supported") }
         assertTrue(line.endsWith(" ms  SHADES_ONLY_VISIBLE is not declared"), line)
     }
 

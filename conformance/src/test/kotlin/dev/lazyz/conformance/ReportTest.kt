@@ -46,7 +46,7 @@ class ReportTest {
         val parts = listOf(
             "strategy      wrong-colors (", "\nWaivers\n  $rows (waived but passes)\n", "\nFAILED: $nearest (MUST)\n",
             "    expected #", "reproduce   zcli conformance ", "\nWAIVED BUT PASSES: $rows", " tries  ",
-            "\nnot applicable     rule_8_2_", "something is hidden",
+            "\nnot supported      rule_8_2_", "something is hidden",
             "wrong-colors does NOT conform: 4 rules, 1 passed, 1 failed, 1 waived but",
         )
         assertEquals(parts.map { text.indexOf(it) }.sorted(), parts.map { text.indexOf(it) }, text)

@@ -10,7 +10,7 @@ class SuiteRun private constructor(val report: ConformanceReport) {
 
     /** What was thrown, by the names of the rules that failed or are not followed. */
     val failures: Map<String, Throwable> = report.results
-        .filter { it.outcome == RuleOutcome.FAILED || it.outcome == RuleOutcome.NOT_FOLLOWED }
+        .filter { it.outcome.isBroken }
         .associate { it.rule.name to checkNotNull(it.failure).cause }
 
     companion object {

@@ -88,7 +88,7 @@ class TrialTest {
     @Test
     fun abortedRuleDoesNotApply() {
         val result = trial().verdict(Ended(Status.ABORTED, TestAbortedException("no GPU")), LocalDate.now())
-        assertEquals(RuleOutcome.NOT_APPLICABLE, result.outcome)
+        assertEquals(RuleOutcome.NOT_SUPPORTED, result.outcome)
         assertEquals("no GPU", result.message)
         assertNull(result.failure)
     }

@@ -67,7 +67,7 @@ class WaiversTest {
         assertTrue(result.outcome.isFailure)
         val inapplicable = outcome(PlainRenderer(), rule = "rule_8_2_promiseToShadeOnlyTheVisibleIsKept")
         assertEquals(RuleOutcome.WAIVED_BUT_PASSES, inapplicable.outcome)
-        assertEquals("is waived, but does not apply: delete its waiver", inapplicable.message)
+        assertEquals("is waived, but is not supported: delete its waiver", inapplicable.message)
     }
 
     @Test
