@@ -37,7 +37,7 @@ internal class Effort :
         // Make the effort that is asked for
         val attributes = context.attributes()
         attributes.setTries((attributes.tries().orElse(1) * settings.tries).toInt().coerceAtLeast(1))
-        settings.seed?.let { attributes.setSeed(it.toString()) }
+        attributes.setSeed(rule.seed(settings.seed ?: SuiteRule.fixedSeed).toString())
         if (settings.shrinking == Shrinking.OFF) attributes.setShrinking(ShrinkingMode.OFF)
 
         // Try the rule, and judge

@@ -9,7 +9,7 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** The seed of all rules, unless [RendererConformance.SEED] names another. */
+/** The suite's seed, unless [RendererConformance.SEED] names another; [SuiteRule.seed] makes each rule's own of it. */
 internal const val FIXED: String = "1995"
 
 /** Rules about the picture: it is the oracle's, bit for bit. Part of [RendererConformance]. */

@@ -28,7 +28,7 @@ public abstract class RendererConformance : PromiseRules() {
         /** System property: a positive decimal number that multiplies the number of frames each rule is tried on. */
         public const val TRIES: String = "lazyz.conformance.tries"
 
-        /** System property: a whole number that replaces the fixed seed of all rules. */
+        /** System property: a whole number that replaces the suite's fixed seed. */
         public const val SEED: String = "lazyz.conformance.seed"
 
         /** System property: the folder in which frames that fail are kept, in a folder of the test class's name. */

@@ -25,6 +25,12 @@ public class SuiteRule private constructor(internal val method: Method) {
     /** The rule's number in `docs/contract.md`, such as `5.2`. Several tests may be of one rule. */
     public val number: String get() = numbers().joinToString(".")
 
+    /**
+     * The seed of this rule's frames, given the [suite]'s: FNV-1a, 64 bits, over the characters of [name], begun at
+     * [suite]. So each rule has frames of its own, and has the same ones whichever other rules there are.
+     */
+    internal fun seed(suite: Long): Long = name.fold(suite) { hash, char -> (hash xor char.code.toLong()) * FNV_PRIME }
+
     private fun numbers(): List<Int> =
         name.removePrefix(PREFIX).split('_').takeWhile { it.toIntOrNull() != null }.map { it.toInt() }
 
@@ -32,6 +38,7 @@ public class SuiteRule private constructor(internal val method: Method) {
 
     public companion object {
         private const val PREFIX = "rule_"
+        private const val FNV_PRIME = 0x100000001B3L
 
         /** All rules of the suite, by number and then by name. */
         @JvmStatic
@@ -49,9 +56,8 @@ public class SuiteRule private constructor(internal val method: Method) {
         public fun matching(nameOrNumber: String): List<SuiteRule> =
             all.filter { it.name == nameOrNumber || it.number == nameOrNumber }
 
-        /** The seed of all rules where nobody says another. */
+        /** The suite's seed where nobody says another. */
         internal val fixedSeed: Long =
-
             all.first { it.method.parameterCount > 0 }.method.getAnnotation(Property::class.java).seed.toLong()
     }
 }

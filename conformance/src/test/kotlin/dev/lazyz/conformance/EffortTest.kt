@@ -27,6 +27,22 @@ class EffortTest {
     }
 
     @Test
+    fun eachRuleHasFramesOfItsOwn() {
+        val seeds = SuiteRule.all.map { it.seed(1995) }
+        assertEquals(SuiteRule.all.size, seeds.toSet().size)
+        assertTrue(SuiteRule.all.indices.none { seeds[it] == SuiteRule.all[it].seed(1996) })
+
+        // Two rules about the same generator's frames
+        val (nearest, index) = listOf(RuleNames.nearest, RuleNames.index).map { frames(0.2, it).toSet() }
+        assertTrue((nearest intersect index).size < index.size / 2)
+    }
+
+    @Test
+    fun seedOfARuleIsTheSameForEver() {
+        assertEquals(SEED, SuiteRule.find(rule)!!.seed(1995))
+    }
+
+    @Test
     fun effortThatIsNoPositiveNumberIsRefused() {
         for (factor in listOf(-1.0, 0.0, Double.NaN, Double.POSITIVE_INFINITY)) {
             assertThrows(IllegalArgumentException::class.java) { SuiteRun.ofRule(rule, factor) { ZBuffer() } }
@@ -38,14 +54,20 @@ class EffortTest {
         }
     }
 
-    private fun frames(tries: Double): List<String> {
+    private fun frames(tries: Double, rule: String = this.rule): List<String> {
         val seen = ArrayList<String>()
         SuiteRun.ofRule(rule, tries) {
             BrokenRenderer("witness") { frame: Frame, sink ->
-                seen.add("${frame.raster} ${frame.primitives}")
-                ZBuffer().render(frame, sink)
+                val image = ZBuffer().render(frame)
+                seen.add("${frame.raster} ${image.argb.contentHashCode()}")
+                emit(image, sink)
             }
         }
         return seen
+    }
+
+    private companion object {
+        /** As worked out by hand, outside of the JVM. */
+        const val SEED = -2063692123702923964L
     }
 }
