@@ -33,7 +33,11 @@ internal object GoldenScenes {
 
     /** Eight by eight texels, of all opacities from 0 to 1. */
     private val leaf = Texture(
-        8, 8, IntArray(64) { (it * 4 + 3 shl 24) or (it * 37 and 255 shl 16) or (255 - it * 3 shl 8) or (it * 11 and 255) },
+        8, 8,
+        IntArray(64) {
+            (it * 4 + 3 shl 24) or (it * 37 and 255 shl 16) or (255 - it * 3 shl 8) or
+                (it * 11 and 255)
+        },
     )
 
     val all: Map<String, () -> Scene> = Shading.entries.associate { shading ->
@@ -41,7 +45,10 @@ internal object GoldenScenes {
     } + mapOf(
         "behind" to { scene(Shading.entries.flatMapIndexed { i, shading -> behind(shining(shading), 2 - i) }) },
         "one-sided" to {
-            scene(shown(shining(Shading.GOURAUD, sides = Sides.FRONT)) + behind(shining(Shading.PHONG, sides = Sides.FRONT), 0))
+            scene(
+                shown(shining(Shading.GOURAUD, sides = Sides.FRONT)) +
+                    behind(shining(Shading.PHONG, sides = Sides.FRONT), 0)
+            )
         },
         "texture" to { scene(textured()) },
         "mask" to {
@@ -53,7 +60,9 @@ internal object GoldenScenes {
         "blend" to {
             scene(
                 shown(shining(Shading.GOURAUD, leaf, AlphaMode.BLEND)) +
-                    Shading.entries.flatMapIndexed { i, shading -> behind(shining(shading, null, AlphaMode.BLEND), 2 - i) } +
+                    Shading.entries.flatMapIndexed { i, shading ->
+                        behind(shining(shading, null, AlphaMode.BLEND), 2 - i)
+                    } +
                     wall(),
             )
         },
@@ -131,7 +140,10 @@ internal object GoldenScenes {
             Vertex(x, y, 0.5, -reach, reach), Vertex(x + 2, y, 0.0, reach, reach),
             Vertex(x + 2, y + 1.8, -0.5, reach, -reach), Vertex(x, y + 1.8, 0.0, -reach, -reach),
         )
-        Polygon(listOf(contour), Material(Rgba(0.9f, 0.8f, 1f), texture, Shading.CONSTANT, emission = Rgba(0f, 0.1f, 0f)))
+        Polygon(
+            listOf(contour),
+            Material(Rgba(0.9f, 0.8f, 1f), texture, Shading.CONSTANT, emission = Rgba(0f, 0.1f, 0f)),
+        )
     }
 
     /** An opaque wall behind everything. */
