@@ -1,0 +1,139 @@
+package dev.lazyz.conformance.strangers
+
+import dev.lazyz.Capability
+import dev.lazyz.Counters
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.RowSink
+import dev.lazyz.Spans
+
+/** The plain depth buffer: a key and a colour for every sample; shades what is nearer at once. */
+internal open class PlainDrawing(frame: Frame) : Drawing(frame) {
+    val keys = LongArray(region.size.toInt())
+    val colors = IntArray(region.size.toInt())
+    val spans = Spans(region)
+
+    override fun run(sink: RowSink): Counters {
+        keys.fill(backgroundKey())
+        colors.fill(backgroundArgb())
+        counters.peakBytes = 12L * keys.size
+        drawAll()
+        for (y in region.rowStart until region.rowEnd) finishRow(keys, (y - region.rowStart) * width, y, sink)
+        return counters
+    }
+
+    open fun drawAll() {
+        for ((index, primitive) in primitives.withIndex()) {
+            counters.primitives++
+            draw(primitive, index)
+        }
+    }
+
+    open fun draw(primitive: Primitive, index: Int) {
+        if (!reaches(primitive)) return
+        val top = maxOf(primitive.rowStart, region.rowStart)
+        val cursor = primitive.cursor(top)
+        for (y in top until minOf(primitive.rowEnd, region.rowEnd)) {
+            cursor.next(spans)
+            for (i in 0 until spans.count) drawSpan(primitive, index, y, spans.start(i), spans.end(i))
+        }
+    }
+
+    open fun drawSpan(primitive: Primitive, index: Int, y: Int, start: Int, end: Int) {
+        count(start, end)
+        walk(primitive, y, start, end)
+        var at = (y - region.rowStart) * width + start - region.columnStart
+        for (x in start until end) {
+            val key = key(spanDepths[x - start], index)
+            if (passes(key, keys[at])) {
+                keys[at] = key
+                counters.depthPasses++
+                show(at, index, x, y)
+            }
+            at++
+        }
+    }
+
+    open fun passes(key: Long, best: Long): Boolean = key < best
+
+    /** The sample at [at] shows the primitive [index] from now on. */
+    open fun show(at: Int, index: Int, x: Int, y: Int) {
+        colors[at] = color(index, x, y)
+    }
+
+    override fun color(index: Int, x: Int, y: Int): Int {
+        counters.shadingCalls++
+        fragment.moveTo(x, y)
+        primitives[index].shade(fragment)
+        return fragment.toArgb()
+    }
+
+    override fun colorRow(y: Int) {
+        val at = (y - region.rowStart) * width
+        colors.copyInto(argb, 0, at, at + width)
+    }
+}
+
+/** As [PlainDrawing], the nearest primitives first; stops as soon as what is left is behind everything. */
+internal open class NearToFarDrawing(frame: Frame) : PlainDrawing(frame) {
+    override fun drawAll() {
+        counters.primitives = primitives.size.toLong()
+        val order = order()
+        counters.peakBytes += 4L * order.size
+        for ((drawn, index) in order.withIndex()) {
+            if (drawn % 4 == 0 && isBehind(primitives[index], index, keys.max())) return
+            draw(primitives[index], index)
+        }
+    }
+
+    open fun order(): List<Int> = primitives.indices.sortedBy { nearestKey(primitives[it], it) }
+
+    /** Whether [primitive] and all that follow it are behind [farthest]. */
+    open fun isBehind(primitive: Primitive, index: Int, farthest: Long): Boolean =
+        nearestKey(primitive, index) > farthest
+}
+
+/** As [PlainDrawing], but shades later: as many samples wait as the budget has room for, 4 bytes each. */
+internal open class WaitingDrawing(frame: Frame, options: RenderOptions) : PlainDrawing(frame) {
+    val budget = options.memoryBudget
+    val capacity: Int by lazy { capacity() }
+    val waiting: IntArray by lazy { IntArray(capacity) }
+    var count = 0
+
+    open fun capacity(): Int = if (budget == null) keys.size else minOf(budget / 4, keys.size.toLong()).toInt()
+
+    override fun show(at: Int, index: Int, x: Int, y: Int) {
+        if (count == capacity) flush()
+        if (capacity == 0) {
+            super.show(at, index, x, y)
+        } else {
+            waiting[count++] = at
+            counters.peakSuspensions = maxOf(counters.peakSuspensions, count.toLong())
+        }
+    }
+
+    open fun flush() {
+        for (i in 0 until count) {
+            val at = waiting[i]
+            colors[at] = color(test.indexOf(keys[at]), region.columnStart + at % width, region.rowStart + at / width)
+        }
+        count = 0
+    }
+
+    override fun drawAll() {
+        counters.peakBytes += 4L * capacity
+        super.drawAll()
+        flush()
+    }
+}
+
+internal fun plain(drawing: (Frame) -> PlainDrawing): Renderer =
+    Workbench("plain", { setOf(Capability.STREAMS_PRIMITIVES) }) { frame, _ -> drawing(frame) }
+
+internal fun nearToFar(drawing: (Frame) -> NearToFarDrawing): Renderer =
+    Workbench("near-to-far", { emptySet() }) { frame, _ -> drawing(frame) }
+
+internal fun waiting(drawing: (Frame, RenderOptions) -> WaitingDrawing): Renderer =
+    Workbench("waiting", { setOf(Capability.MEMORY_BUDGET, Capability.STREAMS_PRIMITIVES) }, drawing = drawing)
