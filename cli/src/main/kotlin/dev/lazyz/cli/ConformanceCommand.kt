@@ -2,6 +2,7 @@ package dev.lazyz.cli
 
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
@@ -46,25 +47,37 @@ internal class ConformanceCommand(private val streams: Streams) : Command("confo
     private val report by option("--report", help = "Write the report there too, with pictures of failures")
         .convert("FOLDER") { Path.of(it) }
 
+    private val fuzzing by FuzzingOptions()
+
     private val isJson by option("--json", help = "Print JSON instead of the summary").flag()
 
     override fun help(context: Context): String =
-        "Judges a strategy, ours or your own, by the rules of the contract.\n\nExit code 1: it does not conform."
+        "Judges a strategy, ours or your own, by the rules of the contract.\n\nExit code 1: it does not conform, or " +
+            "pictures differ."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli conformance --strategy my-id --classpath my.jar --report report" to "your own, and a page with pictures",
         "zcli conformance --strategy lazy --rule 5.2 --tries 10" to "what the contract says about ties, thoroughly",
         "zcli conformance --strategy my-id --classpath my.jar --explore" to "frames that nobody has seen",
+        "zcli conformance --strategy tiled --against zbuffer --minutes 10 --corpus frames" to "two against each other",
     )
 
     override fun run() {
+        fuzzing.check()
         val isGood = StrategyPath(classPath).use { path ->
             val renderer = path.find(strategy)
+            if (fuzzing.isAsked) return@use fuzz(renderer, path)
             val report = conformance(renderer).run()
             streams.print(if (isJson) report.toJson() else report.toText())
             report.isConformant
         }
         if (!isGood) throw ProgramResult(ExitCode.DIFFERENT)
+    }
+
+    private fun fuzz(renderer: Renderer, path: StrategyPath): Boolean {
+        val report = fuzzing.run(renderer, seed, path::find)
+        streams.print(report.toText())
+        return report.isEqual
     }
 
     private fun conformance(renderer: Renderer): Conformance {

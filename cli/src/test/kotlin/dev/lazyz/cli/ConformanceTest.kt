@@ -179,4 +179,26 @@ class ConformanceTest {
         conformance("--strategy", "zbuffer", "--rule", ties, "--report", full).mistake("full")
         assertFalse(folder.resolve("full/report.html").exists())
     }
+
+    @Test
+    fun twoStrategiesAreComparedOnFramesOfAnySize() {
+        val jar = jar(FickleRenderer::class.java)
+        val corpus = folder.resolve("corpus")
+        val words = arrayOf("--against", "zbuffer", "--minutes", "0.01", "--corpus", corpus)
+        val same = conformance("--strategy", "hierarchical", *words).done()
+        assertTrue("hierarchical against zbuffer: " in same.text && "no picture differs" in same.text, same.text)
+        assertTrue(corpus.resolve("recipes.txt").exists())
+        val other = conformance("--strategy", "fickle", "--classpath", jar, *words)
+        assertEquals(1, other.code)
+        assertTrue("differ" in other.text && "is the first of" in other.text, other.text)
+    }
+
+    @Test
+    fun minutesAndCorpusGoWithAgainst() {
+        for (option in listOf("--minutes" to "1", "--corpus" to "x")) {
+            val run = conformance("--strategy", "zbuffer", option.first, option.second)
+            assertEquals(2, run.code)
+            assertTrue("${option.first} goes with --against" in run.errors, run.errors)
+        }
+    }
 }

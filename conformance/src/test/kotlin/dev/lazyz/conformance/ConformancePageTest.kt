@@ -1,8 +1,11 @@
 package dev.lazyz.conformance
 
+import dev.lazyz.conformance.fuzz.DifferentialFuzzing
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.zbuffer.ZBuffer
 import java.nio.file.Files
 import java.nio.file.Path
+import java.time.Duration
 import kotlin.io.path.extension
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
@@ -24,7 +27,7 @@ class ConformancePageTest {
         val sources = Files.walk(root.resolve("conformance/src/test")).use { paths ->
             paths.filter { it.extension == "kt" || it.extension == "java" }.toList().map { lines(it.readText()) }
         }
-        assertEquals(6, blocks.size)
+        assertEquals(7, blocks.size)
         for (block in blocks) {
             assertTrue(sources.any { it.windowed(block.size).contains(block) }) {
                 "no test has these lines of docs/conformance.md:\n${block.joinToString("\n")}"
@@ -48,5 +51,12 @@ class ConformancePageTest {
         val report = Conformance { MyRenderer() }.tries(0.1).output(folder).run()
         check(report.isConformant) { report.toText() }
         assertTrue(Files.exists(folder.resolve("report.html")))
+    }
+
+    @Test
+    fun programComparesTwoRenderers(@TempDir folder: Path) {
+        val report = DifferentialFuzzing(ZBuffer(), MyRenderer()).time(Duration.ofSeconds(1)).corpus(folder).run()
+        check(report.isEqual) { report.toText() }
+        assertTrue(report.frames > 1)
     }
 }

@@ -1,0 +1,179 @@
+package dev.lazyz.conformance.fuzz
+
+import dev.lazyz.Capability
+import dev.lazyz.Renderer
+import dev.lazyz.conformance.Census
+import dev.lazyz.conformance.FrameCase
+import dev.lazyz.conformance.Rendering
+import dev.lazyz.conformance.asOpaque
+import dev.lazyz.conformance.difference
+import java.nio.file.Path
+import java.time.Duration
+import java.util.Random
+import kotlin.streams.asSequence
+import net.jqwik.api.Shrinkable
+import net.jqwik.api.sessions.JqwikSession
+
+/**
+ * Looks for frames that two renderers render differently, without an oracle: on frames of any size, for as long as one
+ * likes.
+ *
+ * A census of the traits of frames guides it: frames with a pair of traits that no frame had before are kept, in a
+ * corpus on disk if there is one, and changed a little to make others. Where one of the renderers does not blend,
+ * translucent frames are rendered as opaque ones. Frames that differ are made smaller.
+ *
+ * Not thread safe. Uses jqwik's generators, so there is no other use of jqwik in this thread meanwhile.
+ *
+ * @param expected the one that is believed to be right
+ * @param actual the other
+ */
+public class DifferentialFuzzing(private val expected: Renderer, private val actual: Renderer) {
+    private var time: Duration = Duration.ofMinutes(1)
+    private var mostFrames = Long.MAX_VALUE
+    private var corpus = Corpus(null)
+    private var random = Random(FIXED_SEED)
+    private val pairs = TraitPairs()
+    private val pool = ArrayList<Known>()
+
+    /** Ends after [time]; by default a minute. */
+    public fun time(time: Duration): DifferentialFuzzing = apply { this.time = time }
+
+    /** Ends after [frames] frames, if that is sooner. */
+    public fun frames(frames: Long): DifferentialFuzzing = apply { mostFrames = frames }
+
+    /** Keeps what it finds in [folder], and begins with what an earlier run found. */
+    public fun corpus(folder: Path): DifferentialFuzzing = apply { corpus = Corpus(folder) }
+
+    /** Chooses other frames. */
+    public fun seed(seed: Long): DifferentialFuzzing = apply { random = Random(seed) }
+
+    /**
+     * Renders frames until the time is over, or [MOST_DIFFERENCES] of them differ.
+     *
+     * @throws java.io.IOException if the corpus cannot be read or written
+     */
+    public fun run(): DifferentialReport {
+        val start = System.nanoTime()
+        val known = ArrayDeque(corpus.read())
+        val remembered = known.size
+        val differences = ArrayList<String>()
+        var frames = 0L
+        while (frames < mostFrames && differences.size < MOST_DIFFERENCES &&
+            System.nanoTime() - start < time.toNanos()
+        ) {
+            val old = known.removeFirstOrNull()
+            val recipe = old ?: next()
+            val message = try {
+                JqwikSession.run { tryOne(recipe, isNew = old == null) }
+                null
+            } catch (e: Differs) {
+                e.message
+            }
+            message?.let { differences.add(it) }
+            frames++
+        }
+        val milliseconds = (System.nanoTime() - start) / NANOSECONDS
+        return DifferentialReport(
+            expected.id, actual.id, frames, minOf(remembered.toLong(), frames), pairs.size, differences, milliseconds,
+        )
+    }
+
+    /** A change of one that is rare, or something new. */
+    private fun next(): Recipe {
+        while (true) {
+            val recipe = if (pool.isEmpty() || random.nextInt(NEW) == 0) Recipe.any(random) else rare().changed(random)
+            if (recipe.cost <= MOST_SAMPLES) return recipe
+        }
+    }
+
+    /** Of some recipes that are known, the one whose traits are the rarest. */
+    private fun rare(): Recipe =
+        List(CANDIDATES) { pool[random.nextInt(pool.size)] }.maxBy { pairs.rarity(it.traits) }.recipe
+
+    private fun tryOne(recipe: Recipe, isNew: Boolean) {
+        val frame = recipe.frame()
+        val traits = traits(recipe, frame.value())
+        if (pairs.add(traits) > 0) {
+            pool.add(Known(recipe, traits))
+            if (isNew) corpus.add(recipe)
+        }
+        val first = disagreement(recipe, frame.value()) ?: return
+        val (case, disagreement) = smaller(recipe, frame, first)
+        val who = "${expected.id} and ${actual.id} with ${recipe.options()}"
+        val message = "$who: $disagreement\nin\n$case\nrecipe $recipe"
+        corpus.addDifference(recipe, case, message)
+        throw Differs(message)
+    }
+
+    private fun traits(recipe: Recipe, case: FrameCase): Set<String> {
+        val chosen = Ingredient.entries.map { "$it=${recipe[it]}" }.toSet()
+        val isSmall = case.frame.region.size * case.frame.primitives.size <= MOST_EXAMINED
+        return if (isSmall) chosen + Census.traits(case.frame).map { it.name } else chosen
+    }
+
+    /** How the two renderers disagree on [whole], or null if they do not. */
+    private fun disagreement(recipe: Recipe, whole: FrameCase): String? {
+        val case = rendered(recipe, whole)
+        val (one, other) = listOf(expected, actual).map { renderer ->
+            runCatching { Rendering.of(renderer.configured(recipe.options()), case.frame) }
+        }
+        val thrown = listOf(one, other).map { it.exceptionOrNull()?.javaClass?.name }
+        if (thrown[0] !=
+            thrown[1]
+        ) {
+            return "the one threw ${thrown[0] ?: "nothing"}, the other ${thrown[1] ?: "nothing"}"
+        }
+        val images = listOf(one, other).map { it.getOrNull()?.image ?: return null }
+        return difference(images[0], images[1])?.toString()
+    }
+
+    private fun rendered(recipe: Recipe, whole: FrameCase): FrameCase {
+        val blend = listOf(expected, actual).all { Capability.TRANSPARENCY in it.capabilities }
+        val case = recipe.finish(whole)
+        return if (blend || !case.frame.hasTranslucency) case else case.asOpaque()
+    }
+
+    /** Returns the smallest frame on which they disagree that is found in some steps, and how they disagree. */
+    private fun smaller(recipe: Recipe, frame: Shrinkable<FrameCase>, first: String): Pair<FrameCase, String> {
+        var best = frame
+        var disagreement = first
+        var steps = 0
+        do {
+            val before = best
+            for (candidate in best.shrink().asSequence()) {
+                if (++steps > MOST_STEPS) break
+                disagreement = disagreement(recipe, candidate.value()) ?: continue
+                best = candidate
+                break
+            }
+        } while (best !== before && steps <= MOST_STEPS)
+        return rendered(recipe, best.value()) to disagreement
+    }
+
+    private class Known(val recipe: Recipe, val traits: Set<String>)
+
+    private class Differs(message: String) : RuntimeException(message)
+
+    public companion object {
+        /** After as many frames that differ, a run ends. */
+        public const val MOST_DIFFERENCES: Int = 10
+
+        private const val FIXED_SEED = 1995L
+        private const val NANOSECONDS = 1_000_000L
+
+        /** One frame in so many is no change of another. */
+        private const val NEW = 4
+
+        /** Of so many recipes the rarest is changed. */
+        private const val CANDIDATES = 8
+
+        /** Larger frames would take seconds with the slowest renderers. */
+        private const val MOST_SAMPLES = 3_000_000L
+
+        /** Larger frames take longer to examine than to render. */
+        private const val MOST_EXAMINED = 300_000L
+
+        /** Most renderings of smaller frames, for a frame that differs. */
+        private const val MOST_STEPS = 300
+    }
+}

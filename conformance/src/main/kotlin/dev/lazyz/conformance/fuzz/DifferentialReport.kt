@@ -1,0 +1,43 @@
+package dev.lazyz.conformance.fuzz
+
+import java.util.Locale
+
+/**
+ * What came of comparing two renderers on many frames. Immutable and thread safe.
+ *
+ * @property expected id of the one that is believed to be right
+ * @property actual id of the other
+ * @property frames number of frames that both rendered
+ * @property remembered of them, number of those from the corpus
+ * @property pairs number of pairs of traits that occurred
+ * @property differences for each frame that differs: the first sample, both answers, the frame as code, its recipe
+ * @property milliseconds how long it took
+ */
+public class DifferentialReport internal constructor(
+    public val expected: String,
+    public val actual: String,
+    public val frames: Long,
+    public val remembered: Long,
+    public val pairs: Int,
+    public val differences: List<String>,
+    public val milliseconds: Long,
+) {
+    /** Whether all pictures were the same. */
+    public val isEqual: Boolean get() = differences.isEmpty()
+
+    /** Returns a summary for people. */
+    public fun toText(): String = buildString {
+        for (difference in differences) append(difference).append("\n\n")
+        val verdict = when (differences.size) {
+            0 -> "no picture differs"
+            1 -> "1 picture differs"
+            else -> "${differences.size} pictures differ"
+        }
+        append("$actual against $expected: $frames frames, $remembered of them from the corpus, ")
+        append("$pairs pairs of traits; $verdict; ")
+        append("%.1f s\n".format(Locale.ROOT, milliseconds / 1000.0))
+    }
+
+    override fun toString(): String = "DifferentialReport($actual against $expected, $frames frames, " +
+        "${differences.size} differences)"
+}

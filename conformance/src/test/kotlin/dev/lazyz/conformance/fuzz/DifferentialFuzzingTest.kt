@@ -1,0 +1,97 @@
+package dev.lazyz.conformance.fuzz
+
+import dev.lazyz.Renderer
+import dev.lazyz.conformance.BrokenRenderers
+import dev.lazyz.hierarchical.HierarchicalZBuffer
+import dev.lazyz.scenes.Scenes
+import dev.lazyz.zbuffer.ZBuffer
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.Random
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.readLines
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+class DifferentialFuzzingTest {
+    private fun fuzzing(actual: Renderer, frames: Long = FRAMES) = DifferentialFuzzing(ZBuffer(), actual).frames(frames)
+
+    @Test
+    fun renderersThatAgreeAreFoundToAgree() {
+        val report = fuzzing(HierarchicalZBuffer()).run()
+        assertTrue(report.isEqual, report.toText())
+        assertEquals(FRAMES, report.frames)
+        assertTrue("hierarchical against zbuffer: $FRAMES frames, 0 of them from the corpus" in report.toText())
+    }
+
+    @Test
+    fun differenceIsFoundMadeSmallAndKept(@TempDir folder: Path) {
+        val report = fuzzing(BrokenRenderers.lastWinsTies()).corpus(folder).run()
+        assertFalse(report.isEqual)
+        val smallest = report.differences.minBy { it.length }
+        assertTrue("is the first of" in smallest && "recipe KIND=" in smallest, smallest)
+        assertTrue(smallest.lines().size < 12, smallest)
+
+        // A scene file of it is there too, and can be read
+        val kept = folder.resolve("differences").listDirectoryEntries()
+        assertEquals(report.differences.size, kept.count { "$it".endsWith(".txt") })
+        for (file in kept.filter { "$it".endsWith(".json") }) Scenes.load(file)
+    }
+
+    @Test
+    fun sameSeedFindsTheSame() {
+        val (one, other) = List(2) { fuzzing(BrokenRenderers.gapsFilled()).seed(7).run() }
+        assertEquals(one.differences, other.differences)
+        assertEquals(one.pairs, other.pairs)
+    }
+
+    @Test
+    fun corpusIsWhatTheNextRunBeginsWith(@TempDir folder: Path) {
+        fuzzing(HierarchicalZBuffer()).corpus(folder).run()
+        val recipes = folder.resolve("recipes.txt").readLines()
+        assertTrue(recipes.size > FRAMES / 2, "$recipes")
+
+        // A difference that one of them shows is found by it, though nothing new is tried
+        val again = fuzzing(BrokenRenderers.lastWinsTies(), recipes.size.toLong()).corpus(folder).run()
+        assertEquals(again.frames, again.remembered)
+        assertFalse(again.isEqual)
+    }
+
+    @Test
+    fun exceptionOfOneIsADifference() {
+        val report = fuzzing(BrokenRenderers.needsTwoColumns()).run()
+        assertTrue(report.differences.any { "the other java.lang.IllegalStateException" in it }, report.toText())
+    }
+
+    @Test
+    fun recipeIsMadeAgainFromItsText() {
+        val random = Random(1)
+        repeat(100) {
+            val recipe = Recipe.any(random).changed(random)
+            assertEquals(recipe, Recipe.parse("$recipe"))
+        }
+        assertEquals(null, Recipe.parse("# no recipe"))
+    }
+
+    @Test
+    fun framesBecomeUnlikeEachOther() {
+        val pairs = TraitPairs()
+        assertEquals(3, pairs.add(setOf("a", "b", "c")))
+        assertEquals(2, pairs.add(setOf("a", "b", "d")))
+        assertTrue(pairs.rarity(setOf("c", "d")) > pairs.rarity(setOf("a", "b")))
+        assertEquals(5, pairs.size)
+    }
+
+    @Test
+    fun nothingIsWrittenWithoutACorpus(@TempDir folder: Path) {
+        Corpus(null).add(Recipe.any(Random(1)))
+        assertEquals(0, Files.list(folder).use { it.count() })
+    }
+
+    private companion object {
+        const val FRAMES = 12L
+    }
+}
