@@ -16,7 +16,8 @@ internal class Stranger(val id: String, val what: String, val chapters: Set<Stri
 internal object StrangersGallery {
     val all: List<Stranger> =
         depthMistakes + tileMistakes + binMistakes + sweepMistakes + listMistakes + blendMistakes +
-            shadingMistakes + stepMistakes + counterMistakes + workerMistakes
+            shadingMistakes + stepMistakes + counterMistakes + workerMistakes + threadMistakes + regionMistakes +
+            promiseMistakes + failureMistakes + largeMistakes
 
     val correct: List<() -> Renderer> = listOf(
         { plain { PlainDrawing(it) } },
