@@ -3,6 +3,7 @@ package dev.lazyz.cli
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.default
@@ -11,12 +12,13 @@ import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 
 /**
- * `zcli compare`: declares the options; [CompareJob] does the work.
+ * `zcli compare`: declares the options; [CompareJob] and [CompareSeveralJob] do the work.
  *
  * @param args the words of the command line, for the report of a bug
  */
 internal class CompareCommand(private val streams: Streams, private val args: List<String>) : Command("compare") {
-    private val input by argument("INPUT", help = INPUT_HELP)
+    private val inputs by argument("INPUT", help = "$INPUT_HELP; or a folder: all models and scene files in it")
+        .multiple(required = true)
     private val comparing by ComparingOptions()
     private val reading by ReadingOptions()
     private val picture by PictureOptions()
@@ -24,36 +26,58 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
     private val cost by CostOptions()
 
     override fun help(context: Context): String =
-        "Renders a model or a scene with all strategies, checks that they give the same picture, and tells what each " +
-            "took.\n\nColour, depth and visible surface of every pixel are compared, without tolerance. Exit code 1: " +
-            "the strategies' pictures differ, or a strategy failed."
+        "Renders models or scenes with all strategies, checks that they give the same picture, and tells what each " +
+            "took; of several inputs, or a folder, a line each.\n\nColour, depth and visible surface of every pixel " +
+            "are compared, without tolerance. Exit code 1: the strategies' pictures differ, or a strategy failed; " +
+            "2: none of this, but an input could not be read."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli compare city" to "all strategies, one row each",
         "zcli compare model.glb --size 1024x768 --opaque --repeat 5" to "all of them; times are medians of five",
         "zcli compare teapot --strategy zbuffer --strategy lazy --json" to "two of them, for a script",
+        "zcli compare models a.obj city --size 160x120 --views iso,front,back" to "many files, from three sides",
     )
 
     override fun run() {
-        val request = CompareRequest(
-            subject = subject(input, reading, picture, camera),
-            strategies = comparing.strategies.distinct(),
-            choices = cost.choices(),
-            repeat = comparing.repeat,
-        )
-        val comparison = CompareJob(request, streams).run()
+        val code = StrategyPath.with(comparing.classPath) { compare() }
+        if (code != ExitCode.DONE) throw ProgramResult(code)
+    }
+
+    private fun compare(): Int {
+        val views = comparing.views.orEmpty()
+        if (views.isNotEmpty() && camera.pointOfView().isDirected) {
+            throw Mistake("--views goes with none of --view, --azimuth and --elevation")
+        }
+        val request = CompareRequest(comparing.strategies.distinct(), cost.choices(), comparing.repeat, views)
+        val named = CompareInputs(inputs, reading.format)
+        if (named.isSingle && views.size < 2) return compareOne(request, inputs.single())
+        return CompareSeveralJob(request, streams, ::subject, args).run(named.all, comparing.isJson)
+    }
+
+    private fun compareOne(request: CompareRequest, input: String): Int {
+        val source = FrameSource(subject(input), streams)
+        val job = CompareJob(request, streams)
+        val comparison = job.compare(source, source.load(), request.views.singleOrNull())
+        if (comparison.isBlank) streams.nothingIsVisible()
         streams.print(if (comparing.isJson) Json.of(comparison.entries) + "\n" else ComparisonTable.of(comparison))
         for (bug in comparison.bugs) streams.messages.println(Failure.bugReport(bug, args.toTypedArray()))
-        if (!comparison.isGood) throw ProgramResult(ExitCode.DIFFERENT)
+        return if (comparison.isGood) ExitCode.DONE else ExitCode.DIFFERENT
     }
+
+    private fun subject(input: String): Subject = subject(input, reading, picture, camera)
 }
 
-/** What `zcli compare` is asked to do. Without [strategies], all are compared. */
+/**
+ * How `zcli compare` is to compare.
+ *
+ * @property strategies ids; all if there are none
+ * @property views the sides to look from, one after the other; as the subject has it if there are none
+ */
 internal class CompareRequest(
-    val subject: Subject,
     val strategies: List<String>,
     val choices: Choices,
     val repeat: Int,
+    val views: List<View>,
 )
 
 /** What to compare, and how to tell. */
@@ -65,11 +89,19 @@ private class ComparingOptions : OptionGroup("Comparing") {
             "against; default: all of 'zcli strategies'",
     ).multiple()
 
+    val classPath by classPath()
+
+    val views by option(
+        "--views",
+        help = "Look from each of these sides, with commas between them, such as iso,front,back; default: as the " +
+            "options of the camera say",
+    ).listOf("SIDES", View.entries.associateBy { it.name.lowercase() })
+
     val repeat by option(
         "--repeat",
         help = "Render so many times with each, 1..1000, and tell the median of the times; default: 1, which " +
             "includes the time that Java takes to warm up",
     ).count(1..1000).default(1)
 
-    val isJson by option("--json", help = "Tell it as one JSON object").flag()
+    val isJson by option("--json", help = "Tell it as one JSON object, or, of several inputs, as JSON lines").flag()
 }

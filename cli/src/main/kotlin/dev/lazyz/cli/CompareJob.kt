@@ -5,30 +5,30 @@ import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Renderer
+import dev.lazyz.scenes.LoadedScene
 
-/** One run of `zcli compare`: one frame, all strategies one after the other, each held against the first. */
+/**
+ * Renders frames with all strategies of [request], one after the other, and holds each against the first.
+ *
+ * @throws Mistake if a strategy is not known, or a flag would be heeded by none
+ */
 internal class CompareJob(private val request: CompareRequest, private val streams: Streams) {
-    /** The first picture that is complete; the only one that is kept. */
-    private var reference: Reference? = null
+    private val strategies = strategies()
 
-    fun run(): Comparison {
-        // Find the user's mistakes before the work begins
-        val source = FrameSource(request.subject, streams)
-        val strategies = strategies()
-
-        // Read, set up, and see whether it fits
-        val loaded = source.load()
-        val frame = source.frame(loaded)
+    /** Compares on the scene [loaded] from [source], seen from [view] if there is one. */
+    fun compare(source: FrameSource, loaded: LoadedScene, view: View? = null): Comparison {
+        val frame = source.frame(loaded, view)
         val able = strategies.filter { canRender(it, frame) }
         if (able.isEmpty()) throw Mistake(noneBlends())
         for (strategy in able) MemoryNeed.check(strategy, frame.region, kept = BYTES_PER_PIXEL)
 
         // Render with one after the other
+        val round = Round(frame)
         val outcomes = strategies.map { strategy ->
-            strategy.id to if (strategy in able) outcome(strategy, frame) else Outcome.NotBlending
+            strategy.id to if (strategy in able) round.outcome(strategy) else Outcome.NotBlending
         }
-        if (reference?.image?.visible == 0) streams.warning("nothing is visible: the picture is all background")
-        return Comparison(source.input.name, frame, request.repeat, loaded.warnings.size, reference, outcomes)
+        val warnings = loaded.warnings.size
+        return Comparison(source.input.name, view, frame, request.repeat, warnings, round.reference, outcomes)
     }
 
     private fun strategies(): List<Renderer> {
@@ -47,35 +47,42 @@ internal class CompareJob(private val request: CompareRequest, private val strea
     private fun noneBlends(): String = "the scene is translucent, and no compared strategy blends " +
         "(${Strategies.whoDoes(Capability.TRANSPARENCY)})\nCompare others, or compare it as opaque with --opaque."
 
-    private fun outcome(strategy: Renderer, frame: Frame): Outcome = try {
-        rendered(strategy, frame)
-    } catch (failure: Throwable) {
-        // Whatever a strategy throws, the others shall have their turn
-        Outcome.Failed(failure)
-    }
+    /** One frame, rendered with one strategy after the other. */
+    private inner class Round(private val frame: Frame) {
+        /** The first picture that is complete; the only one that is kept. */
+        var reference: Reference? = null
+            private set
 
-    private fun rendered(strategy: Renderer, frame: Frame): Outcome {
-        val times = LongArray(request.repeat)
-        var counters = Counters()
-        var difference: Difference? = null
-        for (i in times.indices) {
-            streams.progress("rendering with ${strategy.id}, ${i + 1} of ${request.repeat} ...")
-
-            // Keep the very first picture, and hold all others against it, row by row
-            val known = reference?.image
-            val collector = if (known == null) Image.Collector(frame.region) else null
-            val comparison = known?.let { RowComparison(it) }
-            val rows = CompleteRows(frame.region, listOfNotNull(collector, comparison).single())
-
-            val start = System.nanoTime()
-            counters = strategy.render(frame, rows)
-            times[i] = System.nanoTime() - start
-            rows.requireComplete()
-            if (collector != null) reference = Reference(strategy.id, collector.toImage(counters))
-            difference = difference ?: comparison?.difference
+        fun outcome(strategy: Renderer): Outcome = try {
+            rendered(strategy)
+        } catch (failure: Throwable) {
+            // Whatever a strategy throws, the others shall have their turn
+            Outcome.Failed(failure)
         }
-        times.sort()
-        return Outcome.Rendered(counters, times[times.size / 2], difference)
+
+        private fun rendered(strategy: Renderer): Outcome {
+            val times = LongArray(request.repeat)
+            var counters = Counters()
+            var difference: Difference? = null
+            for (i in times.indices) {
+                streams.progress("rendering with ${strategy.id}, ${i + 1} of ${request.repeat} ...")
+
+                // Keep the very first picture, and hold all others against it, row by row
+                val known = reference?.image
+                val collector = if (known == null) Image.Collector(frame.region) else null
+                val comparison = known?.let { RowComparison(it) }
+                val rows = CompleteRows(frame.region, listOfNotNull(collector, comparison).single())
+
+                val start = System.nanoTime()
+                counters = strategy.render(frame, rows)
+                times[i] = System.nanoTime() - start
+                rows.requireComplete()
+                if (collector != null) reference = Reference(strategy.id, collector.toImage(counters))
+                difference = difference ?: comparison?.difference
+            }
+            times.sort()
+            return Outcome.Rendered(counters, times[times.size / 2], difference)
+        }
     }
 
     private companion object {

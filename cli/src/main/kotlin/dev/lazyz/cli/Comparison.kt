@@ -25,12 +25,15 @@ internal sealed interface Outcome {
 internal class Reference(val id: String, val image: Image)
 
 /**
- * What `zcli compare` found out: an outcome for each strategy, by id, in the order in which they ran. The names of
- * [entries] are an interface to scripts.
+ * What `zcli compare` found out about one frame: an outcome for each strategy, by id, in the order in which they ran.
+ * The names of [entries] are an interface to scripts.
+ *
+ * @property view one of several that were asked for, or null
  */
 internal class Comparison(
     private val input: String,
-    private val frame: Frame,
+    val view: View?,
+    val frame: Frame,
     val repeat: Int,
     private val warnings: Int,
     val reference: Reference?,
@@ -51,6 +54,7 @@ internal class Comparison(
     val entries: Map<String, Any?>
         get() = mapOf(
             "input" to input,
+            *listOfNotNull(view?.let { "view" to it.name.lowercase() }).toTypedArray(),
             "width" to frame.width,
             "height" to frame.height,
             "repeat" to repeat,
@@ -60,6 +64,14 @@ internal class Comparison(
             "pixelHash" to reference?.image?.pixelHash(),
             "strategies" to outcomes.map { (id, outcome) -> mapOf("strategy" to id) + entries(id, outcome) },
         )
+
+    /** Whether all that was rendered is background. */
+    val isBlank: Boolean get() = reference?.image?.visible == 0
+
+    /** Says by how much the strategy called [id] differs. */
+    fun sentence(id: String, difference: Difference): String =
+        "$id differs from ${reference?.id} at %,d of %,d pixels, ".format(null, difference.pixels, frame.region.size) +
+            "first at column ${difference.x}, row ${difference.y}"
 
     /** What [outcome] took, as the statistics of a rendering have it. */
     fun statistics(outcome: Outcome.Rendered): Map<String, Any> =

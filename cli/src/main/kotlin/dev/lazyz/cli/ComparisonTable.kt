@@ -58,11 +58,9 @@ internal object ComparisonTable {
         val reference = comparison.reference ?: return@buildString
         for ((id, outcome) in comparison.outcomes) {
             val difference = (outcome as? Outcome.Rendered)?.difference ?: continue
-            val size = reference.image.region.size
             val width = maxOf(id.length, reference.id.length)
             appendLine()
-            append("$id differs from ${reference.id} at %,d of %,d pixels, ".format(null, difference.pixels, size))
-            appendLine("first at column ${difference.x}, row ${difference.y}:")
+            appendLine(comparison.sentence(id, difference) + ":")
             appendLine("  ${reference.id.padEnd(width)}  ${difference.expected}")
             appendLine("  ${id.padEnd(width)}  ${difference.actual}")
         }

@@ -18,13 +18,7 @@ import java.nio.file.Path
 internal class ConformanceCommand(private val streams: Streams) : Command("conformance") {
     private val strategy by option("--strategy", metavar = "ID", help = "The strategy to judge").required()
 
-    private val classPath by option(
-        "--classpath",
-        metavar = "JAR",
-        help =
-        "Where to look for it besides zcli's own: a jar with an entry " +
-            "META-INF/services/dev.lazyz.Renderer, or one that it needs; say it again for each further one",
-    ).multiple()
+    private val classPath by classPath()
 
     private val seed by option("--seed", help = "Try other frames than the usual").convert("N") { text ->
         text.toLongOrNull() ?: fail("'$text' is not a whole number")

@@ -16,8 +16,7 @@ internal class FrameSource(private val subject: Subject, private val streams: St
 
     /** Reads the input, and tells its warnings. */
     fun load(): LoadedScene {
-        streams.progress("reading ${input.name} ...")
-        val loaded = input.load(streams)
+        val loaded = read()
         val warnings = loaded.warnings
         warnings.take(MAX_WARNINGS).forEach { streams.warning(it) }
         val rest = warnings.size - MAX_WARNINGS
@@ -25,11 +24,18 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         return loaded
     }
 
-    /** Sets [loaded] up. */
-    fun frame(loaded: LoadedScene): Frame {
+    /** Reads the input without a word about its warnings. */
+    fun read(): LoadedScene {
+        streams.progress("reading ${input.name} ...")
+        return input.load(streams)
+    }
+
+    /** Sets [loaded] up, seen from [view] if there is one, or else as the user wants it. */
+    fun frame(loaded: LoadedScene, view: View? = null): Frame {
         // Turn, light and look at it as asked
         val upright = if (subject.up == Up.Z) UpAxis.fromZ(loaded.scene) else loaded.scene
-        val seen = subject.pointOfView.applyTo(upright)
+        val pointOfView = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
+        val seen = pointOfView.applyTo(upright)
         val scene = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
 
         // The camera frames the whole raster, the picture is a part of it

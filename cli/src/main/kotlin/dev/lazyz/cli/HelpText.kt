@@ -18,7 +18,13 @@ internal object HelpText : HelpFormatter {
     ): String = buildString {
         val arguments = parameters.filterIsInstance<ParameterHelp.Argument>()
         val commands = parameters.filterIsInstance<ParameterHelp.Subcommand>()
-        val operands = if (commands.isEmpty()) arguments.joinToString("") { " ${it.name}" } else " COMMAND [ARGS]"
+        val operands = if (commands.isEmpty()) {
+            arguments.joinToString("") {
+                if (it.repeatable) " ${it.name}..." else " ${it.name}"
+            }
+        } else {
+            " COMMAND [ARGS]"
+        }
         appendLine("Usage: $programName [OPTIONS]$operands")
         appendLine()
         appendLine(wrap(prolog, 0))

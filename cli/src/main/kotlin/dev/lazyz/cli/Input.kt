@@ -16,6 +16,8 @@ internal class Input(private val word: String, private val format: SceneFormat?)
     private val isStandardInput = word == "-"
     private val builtin = if (format == null) Scenes.builtins.firstOrNull { it.id == word } else null
 
+    val isBuiltin: Boolean get() = builtin != null
+
     /** What to call the input. */
     val name: String get() = if (isStandardInput) "standard input" else word
 

@@ -102,9 +102,15 @@ internal fun RawOption.color(): NullableOption<Rgba, Rgba> = convert("COLOR") { 
 
 /** Takes one of the names of [values]. */
 internal fun <T : Any> RawOption.oneOf(metavar: String, values: Map<String, T>): NullableOption<T, T> =
-    convert(metavar) { text ->
-        values[text.lowercase()]
-            ?: fail("'$text' is not one of ${values.keys.joinToString()}${Nearest.hint(text, values.keys)}")
-    }
+    convert(metavar) { text -> named(text, values) { fail(it) } }
+
+/** Takes several of the names of [values] with commas between them; one that is said twice counts once. */
+internal fun <T : Any> RawOption.listOf(metavar: String, values: Map<String, T>): NullableOption<List<T>, List<T>> =
+    convert(metavar) { text -> text.split(',').map { name -> named(name, values) { fail(it) } }.distinct() }
+
+/** Returns the value called [name], or what [fail] makes of a message. */
+private fun <T : Any> named(name: String, values: Map<String, T>, fail: (String) -> Nothing): T =
+    values[name.lowercase()]
+        ?: fail("'$name' is not one of ${values.keys.joinToString()}${Nearest.hint(name, values.keys)}")
 
 private fun plain(number: Double): String = if (number % 1.0 == 0.0) number.toLong().toString() else number.toString()

@@ -45,7 +45,7 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
             isExplained = rendering.isExplained,
             stats = output.stats,
         )
-        RenderJob(request, streams).run()
+        StrategyPath.with(rendering.classPath) { RenderJob(request, streams).run() }
     }
 }
 
@@ -82,6 +82,8 @@ private class RenderingOptions : OptionGroup("Rendering") {
             "take; default: the first of 'zcli strategies' that is capable of what the scene and the other " +
             "options need",
     )
+
+    val classPath by classPath()
 
     val isExplained by option(
         "--explain",

@@ -23,7 +23,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         val nanoseconds = System.nanoTime() - start
 
         // Tell
-        if (tally.visible == 0L) streams.warning("nothing is visible: the picture is all background")
+        if (tally.visible == 0L) streams.nothingIsVisible()
         outputs.describe(frame.region)
         val form = request.stats ?: return
         val name = source.input.name

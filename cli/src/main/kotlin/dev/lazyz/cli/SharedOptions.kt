@@ -1,8 +1,10 @@
 package dev.lazyz.cli
 
+import com.github.ajalt.clikt.core.ParameterHolder
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.Coherence
 import dev.lazyz.DepthConvention
@@ -31,6 +33,14 @@ internal fun subject(input: String, reading: ReadingOptions, picture: PictureOpt
         depthConvention = picture.depthConvention,
         pointOfView = camera.pointOfView(),
     )
+
+/** Where strategies come from. */
+internal fun ParameterHolder.classPath() = option(
+    "--classpath",
+    metavar = "JAR",
+    help = "Where to look for strategies besides zcli's own: a jar with an entry " +
+        "META-INF/services/dev.lazyz.Renderer, or one that it needs; say it again for each further one",
+).multiple()
 
 /** How to read the input. */
 internal class ReadingOptions : OptionGroup("Reading") {

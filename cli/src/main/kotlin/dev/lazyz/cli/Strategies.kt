@@ -11,6 +11,8 @@ internal object Strategies {
         Renderers.all()
     } catch (clash: IllegalStateException) {
         throw Mistake(clash.message.orEmpty())
+    } catch (broken: LinkageError) {
+        throw Mistake("a renderer on the class path cannot be loaded: $broken\nIs a jar that it needs missing?")
     }
 
     fun find(id: String): Renderer {

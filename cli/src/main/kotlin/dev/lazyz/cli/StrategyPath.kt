@@ -32,11 +32,7 @@ internal class StrategyPath(words: List<String>) : Closeable {
 
     /** Returns the strategy called [id]. */
     fun find(id: String): Renderer {
-        val all = try {
-            Strategies.all()
-        } catch (broken: LinkageError) {
-            throw Mistake("a renderer on the class path cannot be loaded: $broken\nIs a jar that it needs missing?")
-        }
+        val all = Strategies.all()
         return all.firstOrNull { it.id == id } ?: throw Mistake(notFound(id, all.map { it.id }))
     }
 
@@ -65,5 +61,11 @@ internal class StrategyPath(words: List<String>) : Closeable {
             throw Mistake("--classpath: $path is no jar: ${bad.message}")
         }
         return path
+    }
+
+    companion object {
+        /** Runs [work] with the strategies of the jars called [words], if there are any, besides zcli's own. */
+        fun <T> with(words: List<String>, work: () -> T): T =
+            if (words.isEmpty()) work() else StrategyPath(words).use { work() }
     }
 }

@@ -48,6 +48,8 @@ internal class Streams(
         messages.println("zcli: warning: $message")
     }
 
+    fun nothingIsVisible() = warning("nothing is visible: the picture is all background")
+
     /** Prints text that was asked for to standard error. */
     fun note(text: String) {
         clearProgress()

@@ -28,6 +28,9 @@ internal class PointOfView(
     private val zoom: Double?,
     private val projection: Fit?,
 ) {
+    /** Whether the user said from which side, and not only from how far, or how. */
+    val isDirected: Boolean get() = listOfNotNull(view, azimuth, elevation).isNotEmpty()
+
     private val isGiven: Boolean get() = listOfNotNull(view, azimuth, elevation, zoom, projection).isNotEmpty()
 
     /**
@@ -46,6 +49,9 @@ internal class PointOfView(
             ),
         )
     }
+
+    /** Returns the same, seen from the side [other]. */
+    fun from(other: View): PointOfView = PointOfView(other, null, null, zoom, projection)
 
     /** The framing camera that looks the way [viewpoint] does. */
     private fun framing(viewpoint: Viewpoint): FittedViewpoint {

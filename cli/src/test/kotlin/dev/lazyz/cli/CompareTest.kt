@@ -143,7 +143,7 @@ class CompareTest {
         val ours = IllegalStateException("the cursor ran away")
         val outcomes = listOf("lazy" to ours, "buggy" to RuntimeException(), "zbuffer" to OutOfMemoryError())
             .map { (id, failure) -> id to Outcome.Failed(failure) }
-        val comparison = Comparison("x", frame, 1, 0, null, outcomes)
+        val comparison = Comparison("x", null, frame, 1, 0, null, outcomes)
         assertEquals(listOf<Throwable>(ours), comparison.bugs)
         assertFalse(comparison.isGood)
     }

@@ -1,12 +1,7 @@
 package dev.lazyz.cli
 
 import java.nio.file.Path
-import java.util.jar.Attributes
-import java.util.jar.JarEntry
-import java.util.jar.JarOutputStream
-import java.util.jar.Manifest
 import kotlin.io.path.exists
-import kotlin.io.path.outputStream
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -22,19 +17,8 @@ class ConformanceTest {
 
     private val ties = "rule_5_2_tiesGoToTheFirstSubmitted"
 
-    /** A jar that offers these classes. */
-    private fun jar(vararg classes: Class<*>, name: String = "mine.jar"): Path {
-        val manifest = Manifest()
-        manifest.mainAttributes[Attributes.Name.MANIFEST_VERSION] = "1.0"
-        manifest.mainAttributes[Attributes.Name.IMPLEMENTATION_VERSION] = "2.7"
-        val path = folder.resolve(name)
-        JarOutputStream(path.outputStream(), manifest).use { jar ->
-            jar.putNextEntry(JarEntry("META-INF/services/dev.lazyz.Renderer"))
-            jar.write(classes.joinToString("\n") { it.name }.toByteArray())
-            jar.closeEntry()
-        }
-        return path
-    }
+    private fun jar(vararg classes: Class<*>, name: String = "mine.jar"): Path =
+        folder.rendererJar(*classes, name = name)
 
     private fun conformance(vararg words: Any) = zcli("conformance", "--tries", "0.05", *words)
 

@@ -10,7 +10,12 @@ import dev.lazyz.lists.Lists
 import dev.lazyz.zbuffer.ZBuffer
 import java.net.URLClassLoader
 import java.nio.file.Path
+import java.util.jar.Attributes
+import java.util.jar.JarEntry
+import java.util.jar.JarOutputStream
+import java.util.jar.Manifest
 import kotlin.io.path.createDirectories
+import kotlin.io.path.outputStream
 import kotlin.io.path.writeText
 
 /** A renderer that fails after half the rows in a way that its [id] names. */
@@ -109,6 +114,20 @@ open class RowsRenderer(override val id: String, private val deliver: (Int, () -
 class ShortRenderer : RowsRenderer("short", { y, row -> if (y < 20) row() })
 
 class StutteringRenderer : RowsRenderer("stuttering", { y, row -> repeat(if (y == 7) 2 else 1) { row() } })
+
+/** Writes a jar that offers these classes as renderers. */
+internal fun Path.rendererJar(vararg classes: Class<*>, name: String = "mine.jar"): Path {
+    val manifest = Manifest()
+    manifest.mainAttributes[Attributes.Name.MANIFEST_VERSION] = "1.0"
+    manifest.mainAttributes[Attributes.Name.IMPLEMENTATION_VERSION] = "2.7"
+    val path = resolve(name)
+    JarOutputStream(path.outputStream(), manifest).use { jar ->
+        jar.putNextEntry(JarEntry("META-INF/services/dev.lazyz.Renderer"))
+        jar.write(classes.joinToString("\n") { it.name }.toByteArray())
+        jar.closeEntry()
+    }
+    return path
+}
 
 /** Runs [block] with the classes called [names] offered as renderers on the class path, by way of [folder]. */
 internal fun withRenderers(folder: Path, vararg names: String, block: () -> Unit) {
