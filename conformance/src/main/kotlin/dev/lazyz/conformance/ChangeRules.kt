@@ -37,6 +37,7 @@ public sealed class ChangeRules : PictureRules() {
     @Rule(
         intent = "Coverage in parts is coverage: no crack, no sample drawn twice, the same depth on both sides.",
         look = "Look at the first and the last column of a span, and at state that is carried from a span to the next.",
+        about = [Symptom.COVERAGE],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_2_5_primitivesInTwoPartsAreTheWhole(
@@ -105,6 +106,7 @@ public sealed class ChangeRules : PictureRules() {
     @Rule(
         intent = "Without ties, the order of submission changes nothing but the indices.",
         look = "Look for results that depend on who came first: early rejection, sorting that is not total, state.",
+        about = [Symptom.ORDER],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_4_orderIsIrrelevantWithoutTies(
@@ -132,6 +134,7 @@ public sealed class ChangeRules : PictureRules() {
     @Rule(
         intent = "The picture of a region is that rectangle of the whole picture.",
         look = "Columns and rows of primitives are the raster's; only the row's arrays begin at the region.",
+        about = [Symptom.REGION],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_4_regionIsThatPartOfThePicture(
@@ -145,6 +148,7 @@ public sealed class ChangeRules : PictureRules() {
     @Rule(
         intent = "Coherence, memory budget, threads and tile size are about cost, never about the picture.",
         look = "The message names the options: compare stepped colours, or the tiles' edges, with direct ones.",
+        about = [Symptom.OPTIONS],
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_optionsChangeNothing(@ForAll(supplier = MixedCases::class) case: FrameCase) {

@@ -43,6 +43,14 @@ public class ConformanceReport internal constructor(
     /** What the frames of all rules were like. */
     public val distribution: Distribution = results.fold(Distribution.NONE) { sum, it -> sum + it.distribution }
 
+    /** Which of the rules that are broken are most likely about the mistake. */
+    internal val diagnosis: Diagnosis = Diagnosis.of(results)
+
+    /** The likely causes first, then the others, by number. */
+    internal val told: List<RuleResult> = results.filter { it.outcome.isTold }.sortedBy { result ->
+        diagnosis.causes.indexOfFirst { it.rule == result.rule }.let { if (it < 0) Int.MAX_VALUE else it }
+    }
+
     /** Whether no rule's outcome is a failure. */
     public val isConformant: Boolean get() = results.none { it.outcome.isFailure }
 
@@ -55,7 +63,10 @@ public class ConformanceReport internal constructor(
         return "$words --seed $seed --tries ${plain(tries)} --rule ${rule.name}"
     }
 
-    /** Returns a summary for people: waivers, failures and what is not followed in full, a line a rule, a verdict. */
+    /**
+     * Returns a summary for people: the verdict, the likely cause, the first failures with the beginning of their
+     * messages, a line a rule, and the verdict again. Some 150 lines at most, however many rules are broken.
+     */
     public fun toText(): String = ReportText(this).text()
 
     /** Returns all of it but the pictures as JSON; `docs/conformance.md` describes the keys. */

@@ -14,6 +14,7 @@ public sealed class CounterRules : UseRules() {
     @Rule(
         intent = "Primitives and shading calls are counted as they are submitted and made.",
         look = "Count where Primitive.shade is called, nowhere else, and add up the counters of all threads.",
+        about = [Symptom.COUNTERS],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_countersCountWhatHappens(@ForAll(supplier = MixedCases::class) case: FrameCase) {

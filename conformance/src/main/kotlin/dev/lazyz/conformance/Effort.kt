@@ -71,7 +71,7 @@ internal class Effort :
             trial.notDeclared = failure
             return TryExecutionResult.satisfied(true)
         }
-        if (result.isFalsified) trial?.isFalsified = true
+        if (trial != null && result.isFalsified && trial.firstFailure == null) trial.firstFailure = failure
         return result
     }
 

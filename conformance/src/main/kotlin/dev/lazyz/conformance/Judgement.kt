@@ -1,6 +1,7 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Frame
+import dev.lazyz.Image
 import dev.lazyz.Polygon
 import dev.lazyz.Raster
 import dev.lazyz.Region
@@ -17,6 +18,8 @@ import java.util.concurrent.Executors
  * @param how what is special about this renderer, or nothing
  */
 internal class Judgement(private val renderer: Renderer, private val case: FrameCase, private val how: String = "") {
+    private val isAgain = Trial.current?.isAgain(renderer) ?: false
+
     /** The frame, rendered row by row. */
     val rendering: Rendering = attempt { Rendering.of(renderer, case.frame) }
 
@@ -44,12 +47,15 @@ internal class Judgement(private val renderer: Renderer, private val case: Frame
     /** Fails because of [what]. */
     fun fail(what: String, cause: Throwable? = null): Nothing {
         val expected = Rendering.of(ReferenceRenderer(), case.frame).image
-        throw Violation(message(what), case, expected, rendering.image, cause)
+        throw violation(what, expected, rendering.image, cause)
     }
 
     /** Fails because of a [difference]; [lead] says what of. */
     fun fail(lead: String, difference: Difference): Nothing =
-        throw Violation(message("$lead$difference"), case, difference.expected, difference.actual)
+        throw violation("$lead$difference", difference.expected, difference.actual, null)
+
+    private fun violation(what: String, expected: Image?, actual: Image?, cause: Throwable?) =
+        Violation(message(what), case, expected, actual, cause, isConfigured = how.isNotEmpty(), isAgain = isAgain)
 
     private fun message(what: String): String =
         "${renderer.id}${if (how.isEmpty()) "" else " with $how"}: $what\nin\n$case"
@@ -57,9 +63,9 @@ internal class Judgement(private val renderer: Renderer, private val case: Frame
     private fun <T> attempt(block: () -> T): T = try {
         block()
     } catch (e: Exception) {
-        throw Violation(message("threw $e"), case, cause = e)
+        throw violation("threw $e", null, null, e)
     } catch (e: StackOverflowError) {
-        throw Violation(message("threw $e"), case, cause = e)
+        throw violation("threw $e", null, null, e)
     }
 }
 

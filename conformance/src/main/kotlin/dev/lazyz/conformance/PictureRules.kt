@@ -22,6 +22,7 @@ public sealed class PictureRules {
     @Rule(
         intent = "Primitives of one's own cover what they say: many spans a row, loose bounds, depth without a form.",
         look = "Look for places that assume one span a row, close bounds, or a depthForm that is not null.",
+        about = [Symptom.OWN_PRIMITIVE],
     )
     @Property(tries = 200, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_2_8_primitivesOfOnesOwnCoverWhatTheySay(@ForAll(supplier = ConfettiCases::class) case: FrameCase) {
@@ -32,6 +33,7 @@ public sealed class PictureRules {
     @Rule(
         intent = "The background competes with its own depth, wherever that lies, as if it were submitted first.",
         look = "Initialise each sample with Raster.backgroundDepth, and compare with it as with any other fragment.",
+        about = [Symptom.BACKGROUND],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_4_3_backgroundIsWhereNothingPasses(@ForAll(supplier = ScreenCases::class) case: FrameCase) {
@@ -47,6 +49,7 @@ public sealed class PictureRules {
     @Rule(
         intent = "The visible fragment of a sample is the least by (depth, submission index), exactly.",
         look = "Follow the sample that differs: is it covered, is its depth exact, is it compared with all others?",
+        about = [Symptom.PICTURE],
     )
     @Property(tries = 500, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_1_nearestFragmentIsVisible(@ForAll(supplier = ScreenCases::class) case: FrameCase) {
@@ -57,6 +60,7 @@ public sealed class PictureRules {
     @Rule(
         intent = "Meshes, polygons and spheres before a camera, clipped and masked, show what is nearest.",
         look = "If frames on the screen pass, look at spheres (no depthForm), masks (many spans) and clipped polygons.",
+        about = [Symptom.IN_SPACE],
     )
     @Property(tries = 250, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_1_nearestFragmentIsVisibleInScenes(@ForAll(supplier = WorldCases::class) case: FrameCase) {
@@ -67,6 +71,7 @@ public sealed class PictureRules {
     @Rule(
         intent = "Equal depths are decided by the order of submission, whatever the order of evaluation.",
         look = "Compare DepthTest.key or the pair (depth, index); a strict or lax comparison of depths is not enough.",
+        about = [Symptom.TIE],
     )
     @Property(tries = 200, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_2_tiesGoToTheFirstSubmitted(@ForAll(supplier = TiedCases::class) case: FrameCase) {
@@ -78,6 +83,7 @@ public sealed class PictureRules {
     @Rule(
         intent = "All four depth tests are total orders, under either convention.",
         look = "Take the order from Raster.depthTest alone: neither the convention nor the usual test says it.",
+        about = [Symptom.DEPTH_TEST, Symptom.GREATEST_WINS],
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_3_everyDepthTestIsObeyed(@ForAll(supplier = TiedCases::class) case: FrameCase) {
@@ -104,6 +110,7 @@ public sealed class PictureRules {
     @Rule(
         intent = "Who promises TRANSPARENCY blends in exact order of depth, with one order of sums.",
         look = "Sort a sample's fragments by key, stop at the first opaque one, and add up as rule 5.5 says.",
+        about = [Symptom.TRANSLUCENT],
     )
     @Property(tries = 200, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_translucentPrimitivesBlendInOrderOfDepth(
@@ -118,6 +125,7 @@ public sealed class PictureRules {
     @Rule(
         intent = "A wrong picture without a word would be worse than none.",
         look = "Ask Frame.hasTranslucency before the first row, and throw an IllegalArgumentException that says so.",
+        about = [Symptom.TRANSLUCENT],
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_6_whoCannotBlendRefuses(@ForAll(supplier = TranslucentCases::class) case: FrameCase) {
@@ -130,6 +138,7 @@ public sealed class PictureRules {
     @Rule(
         intent = "Numbering does not depend on what can be seen, so parts of a frame can be merged.",
         look = "Number primitives by their place in Frame.primitives, before any of them is thrown away.",
+        about = [Symptom.EMPTY_PRIMITIVE],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_9_4_primitivesThatCoverNothingKeepTheirIndex(
@@ -142,6 +151,7 @@ public sealed class PictureRules {
     @Rule(
         intent = "Indices have 31 bits: a frame may have more primitives than a short, or a float, can number.",
         look = "Look at the width of the index within a packed key, and at every cast on its way to the row.",
+        about = [Symptom.MANY_PRIMITIVES],
     )
     @Property(tries = 3, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_9_4_indicesAreNotCut(@ForAll(supplier = TiedCases::class) case: FrameCase) {
@@ -152,6 +162,7 @@ public sealed class PictureRules {
     @Rule(
         intent = "An empty frame is a frame: all background, nothing counted.",
         look = "Look for a first(), a minimum or a division that wants at least one primitive.",
+        about = [Symptom.NO_PRIMITIVES],
     )
     @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_9_6_framesWithoutPrimitivesAreOrdinary(@ForAll(supplier = EmptyCases::class) case: FrameCase) {
@@ -166,6 +177,7 @@ public sealed class PictureRules {
     @Rule(
         intent = "Rasters of one sample, one row or one column are ordinary.",
         look = "Look at sizes that are rounded to blocks, at differences to a next row, at loops that begin with 1.",
+        about = [Symptom.NARROW],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_9_6_narrowRastersAreOrdinary(@ForAll(supplier = NarrowCases::class) case: FrameCase) {

@@ -13,6 +13,7 @@ internal class ReportHtml(private val report: ConformanceReport) {
         appendLine("<h1>$title</h1>")
         val verdict = if (report.isConformant) "good" else "bad"
         appendLine("""<p class="$verdict">${escaped(ReportText(report).verdict())}</p>""")
+        diagnosis()
         waivers()
         failures("Failures") { it.isFailure || it == RuleOutcome.WAIVED }
         failures("Not followed") { it == RuleOutcome.NOT_FOLLOWED }
@@ -20,6 +21,18 @@ internal class ReportHtml(private val report: ConformanceReport) {
         rules()
         distribution()
         appendLine("</body></html>")
+    }
+
+    private fun StringBuilder.diagnosis() {
+        val causes = report.diagnosis.causes
+        if (causes.isEmpty()) return
+        appendLine("<h2>Likely ${if (causes.size == 1) "cause" else "causes, best first"}</h2>")
+        appendLine("<ol>")
+        for (cause in causes) {
+            val link = """<a href="#${cause.rule.name}">${escaped(cause.rule.name)}</a>"""
+            appendLine("<li>$link: ${escaped(cause.why)}<br>${escaped(cause.rule.look)}</li>")
+        }
+        appendLine("</ol>")
     }
 
     private fun StringBuilder.waivers() {
@@ -34,7 +47,8 @@ internal class ReportHtml(private val report: ConformanceReport) {
     }
 
     private fun StringBuilder.failures(title: String, isMeant: (RuleOutcome) -> Boolean) {
-        val told = report.results.filter { isMeant(it.outcome) }.sortedBy { !it.outcome.isFailure }
+        val told = (report.told + report.withOutcome(RuleOutcome.WAIVED)).filter { isMeant(it.outcome) }
+            .sortedBy { !it.outcome.isFailure }
         if (told.isEmpty()) return
         appendLine("<h2>$title</h2>")
 

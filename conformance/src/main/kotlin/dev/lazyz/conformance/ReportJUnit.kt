@@ -20,7 +20,8 @@ internal class ReportJUnit(private val report: ConformanceReport) {
     private fun suite() = escaped("dev.lazyz.conformance.${report.strategy.id}")
 
     private fun StringBuilder.properties() {
-        val properties = mapOf(
+        val causes = report.diagnosis.causes.withIndex().associate { (i, it) -> "likely.cause.${i + 1}" to "$it" }
+        val properties = mapOf("verdict" to ReportText(report).verdict()) + causes + mapOf(
             "suite.version" to report.suiteVersion,
             "strategy.class" to report.strategy.className,
             "strategy.version" to report.strategy.version,

@@ -5,6 +5,7 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.add
+import kotlinx.serialization.json.addJsonObject
 import kotlinx.serialization.json.buildJsonArray
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
@@ -16,13 +17,21 @@ internal class ReportJson(private val report: ConformanceReport) {
     fun text(): String = format.encodeToString(JsonObject.serializer(), report()) + "\n"
 
     private fun report(): JsonObject = buildJsonObject {
+        put("conformant", report.isConformant)
+        putJsonArray("diagnosis") {
+            for (cause in report.diagnosis.causes) {
+                addJsonObject {
+                    put("rule", cause.rule.name)
+                    put("why", cause.why)
+                }
+            }
+        }
         put("suite", report.suiteVersion)
         putJsonObject("strategy") {
             put("id", report.strategy.id)
             put("class", report.strategy.className)
             put("version", report.strategy.version)
         }
-        put("conformant", report.isConformant)
         put("jvm", report.jvm)
         put("os", report.os)
         put("seed", report.seed)
@@ -60,6 +69,7 @@ internal class ReportJson(private val report: ConformanceReport) {
 
     private fun failure(failure: RuleFailure, rule: SuiteRule): JsonObject = buildJsonObject {
         put("message", failure.message)
+        failure.symptoms?.let { symptoms -> putJsonArray("symptoms") { for (it in symptoms) add(camelCase(it.name)) } }
         failure.sample?.let { sample ->
             putJsonObject("sample") {
                 put("x", sample.x)

@@ -5,9 +5,12 @@ import java.util.Locale
 /** A report for a terminal. */
 internal class ReportText(private val report: ConformanceReport) {
     fun text(): String = buildString {
+        appendLine(verdict())
+        diagnosis()
+        appendLine()
         heading()
         waivers()
-        for (result in report.results.filter { it.outcome.isTold }) failure(result)
+        for (result in report.told.take(MOST_TOLD)) failure(result)
         appendLine()
         rules()
         appendLine()
@@ -23,6 +26,17 @@ internal class ReportText(private val report: ConformanceReport) {
         val numbers = counts.entries.joinToString { (outcome, count) -> "$count ${outcome.words}" }
         return "${report.strategy.id} $verdict: ${counted(report.results.size.toLong(), "rule")}, $numbers; " +
             "%.1f s".format(Locale.ROOT, report.milliseconds / 1000.0)
+    }
+
+    private fun StringBuilder.diagnosis() {
+        val causes = report.diagnosis.causes
+        if (causes.isEmpty()) return
+        appendLine()
+        appendLine(if (causes.size == 1) "Likely cause" else "Likely causes, best first")
+        for ((i, cause) in causes.withIndex()) {
+            appendLine("  ${i + 1}. ${cause.rule}: ${cause.why}")
+            if (cause.rule.look.isNotEmpty()) appendLine("     ${cause.rule.look}")
+        }
     }
 
     private fun StringBuilder.heading() {
@@ -50,13 +64,33 @@ internal class ReportText(private val report: ConformanceReport) {
     private fun StringBuilder.failure(result: RuleResult) {
         appendLine()
         appendLine("${result.outcome.words.uppercase()}: ${result.rule} (${result.rule.level})")
-        appendLine(result.message.prependIndent("    "))
+        message(result.message, result.rule)
         val failure = result.failure
-        if (failure != null && failure.message != result.message) appendLine(failure.message.prependIndent("    "))
+        if (failure != null && failure.message != result.message) message(failure.message, result.rule)
         if (result.rule.intent.isNotEmpty()) appendLine("  why         ${result.rule.intent}")
         if (result.rule.look.isNotEmpty()) appendLine("  look at     ${result.rule.look}")
         if (failure?.code != null) appendLine("  scene file  ${sceneFile(failure, result.rule)}")
         appendLine("  reproduce   ${report.commandFor(result.rule)}")
+    }
+
+    /** The beginning of [message], if it is long. */
+    private fun StringBuilder.message(message: String, rule: SuiteRule) {
+        val lines = message.lines()
+        for (line in lines.take(MOST_LINES)) appendLine("    ${shortened(line)}")
+        val rest = lines.size - MOST_LINES
+        if (rest >
+            0
+        ) {
+            appendLine("    (${counted(rest.toLong(), "more line")}; see failures/$rule.kt of a report on disk)")
+        }
+    }
+
+    private fun shortened(line: String): String = if (line.length >
+        MOST_COLUMNS
+    ) {
+        line.take(MOST_COLUMNS) + " ..."
+    } else {
+        line
     }
 
     private fun sceneFile(failure: RuleFailure, rule: SuiteRule): String =
@@ -66,12 +100,19 @@ internal class ReportText(private val report: ConformanceReport) {
         val words = report.results.maxOfOrNull { it.outcome.words.length } ?: 0
         val names = report.results.maxOfOrNull { it.rule.name.length } ?: 0
         for (result in report.results) {
-            val note = if (result.outcome == RuleOutcome.NOT_SUPPORTED) "  ${result.message}" else ""
+            val note = note(result)
             appendLine(
                 "${result.outcome.words.padEnd(words)}  ${result.rule.name.padEnd(names)}  " +
                     "${"${result.tries}".padStart(6)} tries ${"${result.milliseconds}".padStart(6)} ms$note",
             )
         }
+    }
+
+    /** What a line says of a rule that is told nowhere else. */
+    private fun note(result: RuleResult): String {
+        val isTold = result.outcome.isTold && result !in report.told.take(MOST_TOLD)
+        if (!isTold && result.outcome != RuleOutcome.NOT_SUPPORTED) return ""
+        return "  " + result.message.lineSequence().first().removePrefix("${report.strategy.id}: ").take(MOST_COLUMNS)
     }
 
     private fun StringBuilder.distribution() {
@@ -80,9 +121,17 @@ internal class ReportText(private val report: ConformanceReport) {
         for (trait in FrameTrait.entries) appendLine("${"${all.count(trait)}".padStart(8)}  ${trait.words}")
         if (all.unexamined > 0) appendLine("${"${all.unexamined}".padStart(8)}  not looked at")
     }
+
     private fun counted(number: Long, thing: String): String = if (number == 1L) "1 $thing" else "$number ${thing}s"
 
     companion object {
+        /** Failures with a paragraph of their own; of the others there is a line. */
+        private const val MOST_TOLD = Diagnosis.MOST_CAUSES
+
+        /** Lines and columns of a failure's message. */
+        private const val MOST_LINES = 20
+        private const val MOST_COLUMNS = 200
+
         /** Why there is none. */
         const val NO_SCENE_FILE: String = "none: a scene file has no words for all that is in the frame"
     }

@@ -15,8 +15,15 @@ public enum class Level {
  * @property level how binding it is
  * @property intent why there is such a rule, one sentence
  * @property look what to look at in one's renderer when it fails, one sentence
+ * @property about symptoms of mistakes that the rule is about, in failures of whichever rule; none if such a mistake shows
+ *   only by what this rule does, as when it calls a renderer from several threads
  */
 @Target(AnnotationTarget.FUNCTION)
 @Retention(AnnotationRetention.RUNTIME)
 @MustBeDocumented
-public annotation class Rule(val level: Level = Level.MUST, val intent: String, val look: String)
+public annotation class Rule(
+    val level: Level = Level.MUST,
+    val intent: String,
+    val look: String,
+    val about: Array<Symptom> = [],
+)

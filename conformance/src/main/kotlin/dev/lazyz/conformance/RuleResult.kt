@@ -94,7 +94,15 @@ public class RuleFailure private constructor(
     public val actual: Image?,
     public val cause: Throwable,
     internal val case: FrameCase?,
+    private val first: Throwable?,
 ) {
+    /** What it looks like, before and after the frame was made smaller; null if it does not tell enough to say. */
+    internal val symptoms: Set<Symptom>? by lazy {
+        val last = Symptoms.of(cause)
+        val before = first?.takeIf { it !== cause }?.let { Symptoms.of(it) }
+        if (before == null || last == null) last else last intersect before
+    }
+
     /** The frame as the text of a scene file, see [FrameCase.sceneFile]; null if there are no words for it. */
     public val sceneFile: String? get() = case?.sceneFile()
 
@@ -108,8 +116,8 @@ public class RuleFailure private constructor(
     override fun toString(): String = message
 
     internal companion object {
-        /** Tells of what was [thrown] when a rule was tried with [parameters]. */
-        fun of(thrown: Throwable, parameters: List<Any?>): RuleFailure {
+        /** Tells of what was [thrown] when a rule was tried with [parameters], and what at [first], if that is known. */
+        fun of(thrown: Throwable, parameters: List<Any?>, first: Throwable? = null): RuleFailure {
             val violation = thrown as? Violation
             val case = violation?.case ?: parameters.firstNotNullOfOrNull { it as? FrameCase }
             return RuleFailure(
@@ -119,6 +127,7 @@ public class RuleFailure private constructor(
                 violation?.actual,
                 thrown,
                 case,
+                first,
             )
         }
     }

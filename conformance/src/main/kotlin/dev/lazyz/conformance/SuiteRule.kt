@@ -22,6 +22,9 @@ public class SuiteRule private constructor(internal val method: Method) {
 
     public val look: String get() = rule?.look.orEmpty()
 
+    /** Symptoms of mistakes that the rule is about, see [Rule.about]. */
+    internal val about: Set<Symptom> get() = rule?.about.orEmpty().toSet()
+
     /** The rule's number in `docs/contract.md`, such as `5.2`. Several tests may be of one rule. */
     public val number: String get() = numbers().joinToString(".")
 

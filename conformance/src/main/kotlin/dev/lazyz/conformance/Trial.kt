@@ -1,7 +1,10 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Frame
+import dev.lazyz.Renderer
 import java.time.LocalDate
+import java.util.Collections
+import java.util.IdentityHashMap
 import net.jqwik.api.lifecycle.PropertyExecutionResult
 import net.jqwik.api.lifecycle.PropertyExecutionResult.Status
 
@@ -14,17 +17,25 @@ internal class Trial(private val rule: SuiteRule, private val waiver: Waiver?) {
     @Volatile
     var notDeclared: NotDeclared? = null
 
-    /** Whether a try has failed: what follows makes the frame smaller, and is no try. */
+    /** What the first try that failed threw: what follows makes the frame smaller, and is no try. */
     @Volatile
-    var isFalsified = false
+    var firstFailure: Throwable? = null
+
+    private val rendered = Collections.synchronizedSet(Collections.newSetFromMap(IdentityHashMap<Renderer, Boolean>()))
+
+    /** Whether this try has asked [renderer] for a picture before. */
+    fun isAgain(renderer: Renderer): Boolean = !rendered.add(renderer)
 
     /** A rule renders [frame]. */
     fun saw(frame: Frame) {
-        if (!isFalsified) census.add(frame)
+        if (firstFailure == null) census.add(frame)
     }
 
     /** The next try begins. */
-    fun nextTry() = census.nextTry()
+    fun nextTry() {
+        census.nextTry()
+        rendered.clear()
+    }
 
     /** Says what came of the rule, given jqwik's [result]. */
     fun verdict(result: PropertyExecutionResult, today: LocalDate): RuleResult {
@@ -51,7 +62,7 @@ internal class Trial(private val rule: SuiteRule, private val waiver: Waiver?) {
             tries = result.countTries(),
             milliseconds = (System.nanoTime() - start) / NANOSECONDS,
             distribution = census.distribution(),
-            failure = if (plain.isBroken) RuleFailure.of(failure, parameters) else null,
+            failure = if (plain.isBroken) RuleFailure.of(failure, parameters, firstFailure) else null,
         )
     }
 

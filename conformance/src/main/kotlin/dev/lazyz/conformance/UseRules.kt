@@ -12,6 +12,7 @@ public sealed class UseRules : ChangeRules() {
     @Rule(
         intent = "A renderer has no memory: the same frame gives the same bits, whatever came in between.",
         look = "Look for buffers that are kept in the renderer, and are not cleared, or not as large as this frame.",
+        about = [Symptom.AGAIN],
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_sameBitsAgain(@ForAll(supplier = SeveralCases::class) cases: List<FrameCase>) {
@@ -88,6 +89,7 @@ public sealed class UseRules : ChangeRules() {
     @Rule(
         intent = "Sinks write files and feed encoders: each row once, from the top.",
         look = "Look at the order in which blocks, tiles or threads finish, and at the last rows, which fill no block.",
+        about = [Symptom.ROWS],
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_3_rowsArriveInOrderEachOnce(@ForAll(supplier = MixedCases::class) case: FrameCase) {

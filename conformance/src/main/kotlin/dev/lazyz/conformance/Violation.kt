@@ -8,6 +8,8 @@ import dev.lazyz.Image
  *
  * @param expected what the oracle makes of the frame, or null if that is not to the point
  * @param actual what the renderer made of it, or null if it made nothing
+ * @param isConfigured whether the renderer was configured with options
+ * @param isAgain whether the same renderer had rendered another frame before, in the same try
  */
 internal class Violation(
     message: String,
@@ -15,6 +17,8 @@ internal class Violation(
     val expected: Image? = null,
     val actual: Image? = null,
     cause: Throwable? = null,
+    val isConfigured: Boolean = false,
+    val isAgain: Boolean = false,
 ) : AssertionError(message, cause)
 
 /** Ends a rule that holds only for renderers with a [capability] that this one does not declare. */

@@ -27,7 +27,7 @@ class ReportPageTest {
     fun waiversAreFirstThenFailuresThenTheRest() {
         val report = report(WrongColors(), listOf(nearest, rows), nearest, promise, rows, background)
         val html = report.toHtml()
-        assertEquals(listOf("Waivers", "Failures", "What was run", "Rules", "Frames"), all("<h2>(.*)</h2>", html))
+        assertEquals(listOf("Likely cause", "Waivers", "Failures", "What was run", "Rules", "Frames"), all("<h2>(.*)</h2>", html))
         assertTrue("""<p class="bad">${ReportText(report).verdict()}</p>""" in html)
 
         // What is a failure comes before what is waived, and each has a section and a way to it
