@@ -66,7 +66,7 @@ class ReportTest {
         val rules = json.getValue("rules").jsonArray.map { it.jsonObject }
         assertEquals(listOf("failed", "waivedButPasses"), rules.map { it.getValue("outcome").jsonPrimitive.content })
         val failure = rules[0].getValue("failure").jsonObject
-        assertEquals(setOf("message", "sample", "frame", "scene", "command"), failure.keys)
+        assertEquals(setOf("message", "symptoms", "sample", "frame", "scene", "command"), failure.keys)
         assertTrue("severalVisible" in json.getValue("distribution").jsonObject)
     }
 
