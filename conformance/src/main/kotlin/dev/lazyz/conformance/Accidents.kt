@@ -102,4 +102,4 @@ internal fun endsInterrupted(renderer: Renderer, case: FrameCase) {
 }
 
 /** Milliseconds after which a small frame counts as hanging. */
-private const val PATIENCE = 20_000L
+private const val PATIENCE = 10_000L

@@ -2,6 +2,7 @@ package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
 import java.nio.file.Path
+import java.time.Duration
 import java.util.concurrent.ThreadLocalRandom
 import java.util.function.Supplier
 
@@ -28,6 +29,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     private var tries: Double? = null
     private val rules = LinkedHashSet<SuiteRule>()
     private var waivers: Waivers? = null
+    private var deadline: Duration? = null
     private var output: Path? = null
     private var command: String? = null
 
@@ -45,6 +47,17 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     public fun tries(factor: Double): Conformance = apply {
         require(factor > 0.0 && factor.isFinite()) { "tries must be a positive number: $factor" }
         tries = factor
+    }
+
+    /**
+     * Gives each try so much time, by default 20 seconds. A rule of which a try takes longer has timed out; when three
+     * have, no others are tried.
+     *
+     * @throws IllegalArgumentException if it is not positive
+     */
+    public fun deadline(deadline: Duration): Conformance = apply {
+        require(deadline > Duration.ZERO) { "the deadline must be positive: $deadline" }
+        this.deadline = deadline
     }
 
     /**
@@ -99,6 +112,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
             seed ?: Settings.seed() ?: SuiteRule.fixedSeed,
             waivers ?: Settings.waivers(),
             shrinking,
+            deadline ?: Settings.deadline(),
         )
         val chosen = SuiteRule.all.filter { rules.isEmpty() || it in rules }
         val judged = StrategyInfo(renderer.get())

@@ -2,12 +2,12 @@ package dev.lazyz.conformance
 
 import java.lang.reflect.AnnotatedElement
 import java.lang.reflect.Method
-import java.nio.file.Path
 import java.time.LocalDate
 import java.util.Optional
-import net.jqwik.api.ShrinkingMode
+import net.jqwik.api.lifecycle.AroundContainerHook
 import net.jqwik.api.lifecycle.AroundPropertyHook
 import net.jqwik.api.lifecycle.AroundTryHook
+import net.jqwik.api.lifecycle.ContainerLifecycleContext
 import net.jqwik.api.lifecycle.PropertyExecutionResult
 import net.jqwik.api.lifecycle.PropertyExecutor
 import net.jqwik.api.lifecycle.PropertyLifecycleContext
@@ -18,8 +18,16 @@ import org.opentest4j.TestAbortedException
 
 /** Sets tries and seed of the suite's rules, by a [Conformance] run or by system properties, and judges. */
 internal class Effort :
+    AroundContainerHook,
     AroundPropertyHook,
     AroundTryHook {
+    /** Of the class whose rules are tried; jqwik makes one hook for all, and runs one class after the other. */
+    private var tally = Tally()
+
+    override fun beforeContainer(context: ContainerLifecycleContext) {
+        tally = Tally()
+    }
+
     /** Leaves alone what a subclass adds. */
     override fun appliesTo(element: Optional<AnnotatedElement>): Boolean =
         element.map {
@@ -38,24 +46,38 @@ internal class Effort :
         val attributes = context.attributes()
         attributes.setTries((attributes.tries().orElse(1) * settings.tries).toInt().coerceAtLeast(1))
         attributes.setSeed(rule.seed(settings.seed ?: SuiteRule.fixedSeed).toString())
-        if (settings.shrinking == Shrinking.OFF) attributes.setShrinking(ShrinkingMode.OFF)
+        if (run != null) attributes.setShrinking(settings.shrinking.mode)
 
         // Try the rule, and judge
-        val trial = Trial(rule, settings.waivers.of(rule.name))
-        Trial.current = trial
-        val result = try {
-            property.execute()
-        } finally {
-            Trial.current = null
-        }
-        val verdict = trial.verdict(result, LocalDate.now())
+        val (result, verdict) = Trial(rule, settings.waivers.of(rule.name), settings.deadline, tally.steps)
+            .use { trial ->
+                trial.notRun = tally.whyNoFurtherRule
+                val result = tried(trial, context, property)
+                result to trial.verdict(result, LocalDate.now())
+            }
+        tally.add(verdict)
         if (run != null) {
             run.add(verdict)
             return translated(result, verdict)
         }
-        if (verdict.outcome != RuleOutcome.FAILED) return translated(result, verdict)
+        if (!verdict.outcome.isBroken || !verdict.outcome.isFailure) return translated(result, verdict)
         val kept = KeptFailure.of(context.testInstance() as RendererConformance, settings, verdict)
         return result.mapToFailed(AssertionError("${verdict.message}\n$kept", verdict.failure?.cause))
+    }
+
+    private fun tried(
+        trial: Trial,
+        context: PropertyLifecycleContext,
+        property: PropertyExecutor,
+    ): PropertyExecutionResult {
+        Trial.current = trial
+        try {
+            val result = property.execute()
+            trial.repeat { context.targetMethod().invoke(context.testInstance(), *it.toTypedArray()) }
+            return result
+        } finally {
+            Trial.current = null
+        }
     }
 
     override fun aroundTry(
@@ -63,58 +85,23 @@ internal class Effort :
         attempt: TryExecutor,
         parameters: List<Any>,
     ): TryExecutionResult {
-        val trial = Trial.current
-        trial?.nextTry()
-        val result = attempt.execute(parameters)
-        val failure = result.throwable().orElse(null)
-        if (trial != null && failure is NotDeclared) {
-            trial.notDeclared = failure
-            return TryExecutionResult.satisfied(true)
-        }
-        if (trial != null && result.isFalsified && trial.firstFailure == null) trial.firstFailure = failure
-        return result
+        val rule = SuiteRule.find(context.targetMethod().name) ?: return attempt.execute(parameters)
+
+        // Where a build tool has jqwik shrink for some seconds, its search goes on when the rule is over
+        val trial = Trial.current?.takeIf { it.rule == rule } ?: throw ShrinkingEnds()
+        return trial.attempt(parameters) { attempt.execute(parameters) }
     }
 
     /** What jqwik tells whoever runs it. */
     private fun translated(result: PropertyExecutionResult, verdict: RuleResult): PropertyExecutionResult =
         when (verdict.outcome) {
-            RuleOutcome.PASSED, RuleOutcome.FAILED, RuleOutcome.CRASHED, RuleOutcome.TIMED_OUT, RuleOutcome.FLAKY,
-            RuleOutcome.NOT_RUN,
-            -> result
+            RuleOutcome.PASSED, RuleOutcome.FAILED, RuleOutcome.CRASHED, RuleOutcome.TIMED_OUT, RuleOutcome.FLAKY ->
+                result
 
             RuleOutcome.NOT_FOLLOWED, RuleOutcome.WAIVED, RuleOutcome.NOT_SUPPORTED ->
                 result.mapToAborted(TestAbortedException(verdict.message))
 
-            RuleOutcome.WAIVED_BUT_PASSES, RuleOutcome.WAIVER_EXPIRED ->
+            RuleOutcome.NOT_RUN, RuleOutcome.WAIVED_BUT_PASSES, RuleOutcome.WAIVER_EXPIRED ->
                 result.mapToFailed(AssertionError(verdict.message, verdict.failure?.cause))
         }
-}
-
-/** Whether a frame that fails is made smaller. */
-internal enum class Shrinking { ON, OFF }
-
-/** How the suite is run; [seed] is null for the fixed one. */
-internal class Settings(val tries: Double, val seed: Long?, val waivers: Waivers, val shrinking: Shrinking) {
-    companion object {
-        /** What the system properties say. */
-        fun ofProperties(): Settings = Settings(tries(), seed(), waivers(), Shrinking.ON)
-
-        fun tries(): Double {
-            val text = System.getProperty(RendererConformance.TRIES, "1")
-            val tries = text.toDoubleOrNull()
-            require(tries != null && tries > 0.0 && tries.isFinite()) {
-                "system property ${RendererConformance.TRIES} must be a positive number: $text"
-            }
-            return tries
-        }
-
-        fun seed(): Long? = System.getProperty(RendererConformance.SEED)?.let { text ->
-            requireNotNull(text.toLongOrNull()) {
-                "system property ${RendererConformance.SEED} must be a whole number: $text"
-            }
-        }
-
-        fun waivers(): Waivers =
-            System.getProperty(Waivers.PROPERTY)?.let { Waivers.read(Path.of(it)) } ?: Waivers.NONE
-    }
 }

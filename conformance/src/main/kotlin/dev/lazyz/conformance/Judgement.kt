@@ -18,14 +18,14 @@ import java.util.concurrent.Executors
  * @param how what is special about this renderer, or nothing
  */
 internal class Judgement(private val renderer: Renderer, private val case: FrameCase, private val how: String = "") {
+    init {
+        Trial.current?.saw(case)
+    }
+
     private val isAgain = Trial.current?.isAgain(renderer) ?: false
 
     /** The frame, rendered row by row. */
     val rendering: Rendering = attempt { Rendering.of(renderer, case.frame) }
-
-    init {
-        Trial.current?.saw(case.frame)
-    }
 
     /** Fails unless the frame came out as the oracle says, bit for bit. */
     fun equalsReference(): Judgement = apply {
@@ -62,9 +62,7 @@ internal class Judgement(private val renderer: Renderer, private val case: Frame
 
     private fun <T> attempt(block: () -> T): T = try {
         block()
-    } catch (e: Exception) {
-        throw violation("threw $e", null, null, e)
-    } catch (e: StackOverflowError) {
+    } catch (e: Throwable) {
         throw violation("threw $e", null, null, e)
     }
 }
@@ -156,7 +154,7 @@ private fun Frame.covers(index: Int, x: Int, y: Int): Boolean {
 
 /** Calls [block] for each of [cases] in a thread of its own, all at the same time. Fails as the first that fails. */
 internal fun atOnce(cases: List<FrameCase>, block: (FrameCase) -> Unit) {
-    val threads = Executors.newFixedThreadPool(cases.size)
+    val threads = Executors.newFixedThreadPool(cases.size) { Thread(it).apply { isDaemon = true } }
     try {
         val barrier = CyclicBarrier(cases.size)
         val results = cases.map { case ->
@@ -169,6 +167,6 @@ internal fun atOnce(cases: List<FrameCase>, block: (FrameCase) -> Unit) {
     } catch (e: ExecutionException) {
         throw e.cause ?: e
     } finally {
-        threads.shutdown()
+        threads.shutdownNow()
     }
 }

@@ -31,6 +31,12 @@ public abstract class RendererConformance : PromiseRules() {
         /** System property: a whole number that replaces the suite's fixed seed. */
         public const val SEED: String = "lazyz.conformance.seed"
 
+        /**
+         * System property: a positive decimal number, the seconds after which a try counts as hanging; by default 20. The
+         * rule has timed out then, and the next one is tried.
+         */
+        public const val DEADLINE: String = "lazyz.conformance.deadline"
+
         /** System property: the folder in which frames that fail are kept, in a folder of the test class's name. */
         public const val OUTPUT: String = "lazyz.conformance.output"
     }

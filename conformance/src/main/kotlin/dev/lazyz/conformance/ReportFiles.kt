@@ -31,6 +31,7 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
         val files = LinkedHashMap<String, ByteArray>()
         failure.case?.let { files["$rule.kt"] = snippet(it, rule, failure).toByteArray() }
         failure.sceneFile?.let { files["$rule.json"] = it.toByteArray() }
+        failure.before.forEachIndexed { i, it -> files["$rule-before-${i + 1}.kt"] = before(it, rule).toByteArray() }
         for ((name, png) in Pictures.of(failure)?.png().orEmpty()) files["$rule-$name.png"] = png
         for ((name, bytes) in files) write(failures.resolve(name), bytes)
         return files.keys.toList()
@@ -42,6 +43,13 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
         for (line in failure.message.substringBefore("\nin\n").lines()) appendLine("// $line".trimEnd())
         appendLine("// ${report.commandFor(rule)}")
         appendLine("// ${if (failure.sceneFile == null) "scene file: $NO_SCENE_FILE" else drawing(case, rule)}")
+        append(code(case))
+    }
+
+    private fun before(case: FrameCase, rule: SuiteRule): String =
+        "// ${report.strategy.id} rendered this frame before it broke $rule\n${code(case)}"
+
+    private fun code(case: FrameCase): String = buildString {
         appendLine()
         for (name in listOf("dev.lazyz.*", "dev.lazyz.conformance.*", "org.joml.Vector3d")) appendLine("import $name")
         appendLine()
@@ -71,6 +79,7 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
     }
 
     private companion object {
-        val ENDINGS = listOf(".kt", ".json", "-expected.png", "-actual.png", "-difference.png")
+        val ENDINGS = listOf(".kt", ".json", "-expected.png", "-actual.png", "-difference.png") +
+            (1..Trial.MOST_BEFORE).map { "-before-$it.kt" }
     }
 }

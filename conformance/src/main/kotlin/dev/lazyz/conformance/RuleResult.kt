@@ -16,7 +16,7 @@ public enum class RuleOutcome(internal val words: String) {
     /** A try of the rule was not over at its deadline: a failure. */
     TIMED_OUT("timed out"),
 
-    /** The renderer broke the rule, and did not break it when it rendered the same frame again: a failure. */
+    /** The renderer broke the rule, and did not when it was tried on the same frame again: a failure. */
     FLAKY("flaky"),
 
     /** The rule was not tried, since too many others had timed out or the process was ended: a failure. */
@@ -86,6 +86,7 @@ public class RuleResult internal constructor(
  * @property expected the right picture; null if there is none to show
  * @property actual the renderer's picture, of the same region; null if there is none to show
  * @property cause what was thrown
+ * @property before what was rendered before it, the last few frames, if the failure is not reproducible; else empty
  */
 public class RuleFailure private constructor(
     public val message: String,
@@ -95,6 +96,7 @@ public class RuleFailure private constructor(
     public val cause: Throwable,
     internal val case: FrameCase?,
     private val first: Throwable?,
+    public val before: List<FrameCase>,
 ) {
     /** What it looks like, before and after the frame was made smaller; null if it does not tell enough to say. */
     internal val symptoms: Set<Symptom>? by lazy {
@@ -116,10 +118,18 @@ public class RuleFailure private constructor(
     override fun toString(): String = message
 
     internal companion object {
-        /** Tells of what was [thrown] when a rule was tried with [parameters], and what at [first], if that is known. */
-        fun of(thrown: Throwable, parameters: List<Any?>, first: Throwable? = null): RuleFailure {
+        /**
+         * Tells of what was [thrown] when a rule was tried with [parameters], and what at [first], if that is known.
+         * [before] are frames that were rendered before.
+         */
+        fun of(
+            thrown: Throwable,
+            parameters: List<Any?>,
+            first: Throwable? = null,
+            before: List<FrameCase> = emptyList(),
+        ): RuleFailure {
             val violation = thrown as? Violation
-            val case = violation?.case ?: parameters.firstNotNullOfOrNull { it as? FrameCase }
+            val case = violation?.case ?: (thrown as? TimedOut)?.case ?: Trial.cases(parameters).firstOrNull()
             return RuleFailure(
                 thrown.message ?: thrown.toString(),
                 case?.code,
@@ -128,6 +138,7 @@ public class RuleFailure private constructor(
                 thrown,
                 case,
                 first,
+                before,
             )
         }
     }

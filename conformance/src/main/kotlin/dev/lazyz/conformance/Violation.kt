@@ -21,6 +21,9 @@ internal class Violation(
     val isAgain: Boolean = false,
 ) : AssertionError(message, cause)
 
+/** A try was not over at its deadline; [case] is what it was rendering, if that is a frame. */
+internal class TimedOut(message: String, val case: FrameCase?) : AssertionError(message)
+
 /** Ends a rule that holds only for renderers with a [capability] that this one does not declare. */
 internal class NotDeclared(val capability: Capability) : RuntimeException("$capability is not declared")
 

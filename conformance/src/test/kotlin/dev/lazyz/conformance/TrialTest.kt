@@ -56,15 +56,13 @@ class TrialTest {
     fun frameCountsAnewInEachTry() {
         val frame = case.frame
         val attempt = TryExecutor { parameters ->
-            for (it in parameters) Trial.current?.saw((it as FrameCase).frame)
+            for (it in parameters) Trial.current?.saw(it as FrameCase)
             TryExecutionResult.satisfied()
         }
-        val context = Proxy.newProxyInstance(javaClass.classLoader, arrayOf(TryLifecycleContext::class.java)) {
-                _,
-                _,
-                _
-            ->
-            error("not asked")
+        val rule = checkNotNull(SuiteRule.find(nearest))
+        val types = arrayOf(TryLifecycleContext::class.java)
+        val context = Proxy.newProxyInstance(javaClass.classLoader, types) { _, asked, _ ->
+            if (asked.name == "targetMethod") rule.method else error("not asked")
         } as TryLifecycleContext
         val census = Census()
         for (i in 1..2) {

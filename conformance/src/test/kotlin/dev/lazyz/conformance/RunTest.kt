@@ -1,0 +1,96 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Renderer
+import java.time.Duration
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Whatever a renderer does, a run comes to its end and tells it. */
+class RunTest {
+    private val nearest = "rule_5_1_nearestFragmentIsVisible"
+    private val ties = "rule_5_2_tiesGoToTheFirstSubmitted"
+
+    private fun of(make: () -> Renderer) = Conformance(make).tries(0.1).deadline(Duration.ofMillis(300))
+
+    private fun nearest(make: () -> Renderer): RuleResult = of(make).rule(nearest).run().results.single()
+
+    private fun assertOutcome(expected: RuleOutcome, result: RuleResult) =
+        assertEquals(expected, result.outcome) { result.message }
+
+    @Test
+    fun hangingRendererTimesOutWithTheFrameAndThePlace() {
+        val places = mapOf(
+            RunGallery.sleeps() to "java.lang.Thread.sleep(",
+            RunGallery.spins() to "Thread.onSpinWait(",
+            RunGallery.waits() to "thread never-done (WAITING)",
+        )
+        for ((renderer, place) in places) {
+            val result = nearest { renderer }
+            assertOutcome(RuleOutcome.TIMED_OUT, result)
+            assertTrue("was not over after 0.3 s; it is at" in result.message, result.message)
+            assertTrue(renderer.id == "spins" || place in result.message, result.message)
+            assertTrue(".RunGallery" in result.message, result.message)
+            assertTrue("\nin\nFrameBuilder(Raster(" in result.message, result.message)
+            assertTrue(result.failure?.code.orEmpty() in result.message)
+        }
+    }
+
+    @Test
+    fun otherRulesAreTriedUntilThreeHaveTimedOut() {
+        val rules =
+            listOf("rule_1_3_movingByWholePixelsMovesThePicture", "5.1", ties, "rule_9_6_narrowRastersAreOrdinary")
+        val run = of { RunGallery.sleeps() }.also { for (rule in rules) it.rule(rule) }.run()
+        val outcomes = run.results.map { it.outcome }
+        assertEquals(3, outcomes.count { it == RuleOutcome.TIMED_OUT }) { run.toText() }
+        assertTrue(outcomes.takeLast(2).all { it == RuleOutcome.NOT_RUN }, run.toText())
+        assertEquals("3 rules before it timed out", run.results.last().message)
+        assertEquals(0, run.results.last().tries)
+    }
+
+    @Test
+    fun errorsAreCrashesOfOneRule() {
+        val renderers = mapOf(
+            RunGallery.exhausts() to "java.lang.OutOfMemoryError",
+            RunGallery.recurses() to "java.lang.StackOverflowError",
+            RunGallery.forgets() to "kotlin.NotImplementedError",
+            RunGallery.dies() to "java.lang.ThreadDeath",
+        )
+        for ((renderer, error) in renderers) {
+            val run = of { renderer }.rule(nearest).rule("rule_9_6_framesWithoutPrimitivesAreOrdinary").run()
+            assertOutcome(RuleOutcome.CRASHED, run.results.first())
+            assertOutcome(RuleOutcome.PASSED, run.results.last())
+            assertTrue("threw $error" in run.results.first().message, run.results.first().message)
+            assertNotNull(run.results.first().failure?.code)
+        }
+    }
+
+    @Test
+    fun failureThatIsNotReproducibleIsFlakyAndKeepsWhatCameBefore() {
+        for (renderer in listOf(RunGallery.racy(), RunGallery.stateful())) {
+            val result = nearest { renderer }
+            assertOutcome(RuleOutcome.FLAKY, result)
+            assertTrue(result.message.startsWith("not reproducible: "), result.message)
+            assertTrue(checkNotNull(result.failure).before.isNotEmpty(), renderer.id)
+        }
+    }
+
+    @Test
+    fun shrinkingIsBoundedAndLeavesNoThread() {
+        var calls = 0
+        val before = Thread.getAllStackTraces().keys
+        val report = of {
+            calls++
+            WrongColors()
+        }.rule("5.1").rule("5.2").run()
+        val broken = report.results.filter { it.outcome == RuleOutcome.FAILED }
+        assertTrue(broken.size > Tally.MOST_SHRUNK, report.toText())
+
+        // Each failure: first the tries, then the steps of shrinking, then its repetitions
+        val tries = report.results.sumOf { it.tries }
+        val most = Tally.MOST_SHRUNK * Settings.MANY_STEPS + (broken.size - Tally.MOST_SHRUNK) * Settings.FEW_STEPS
+        assertTrue(calls <= tries + most + 4 * broken.size, "$calls calls")
+        assertEquals(emptySet<Thread>(), Thread.getAllStackTraces().keys - before)
+    }
+}
