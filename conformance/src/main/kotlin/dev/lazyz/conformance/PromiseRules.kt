@@ -128,6 +128,18 @@ public sealed class PromiseRules : CounterRules() {
         }
     }
 
+    /** What the garbage collector leaves is within the budget, too. */
+    @Rule(
+        intent = "Who promises MEMORY_BUDGET keeps to it on the heap, not only by its own count.",
+        look = "Look for what is held and not counted: objects, lists of suspended colours, arrays that only grow.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_8_1_heapKeepsToTheBudget() {
+        val renderer = renderer()
+        if (Capability.MEMORY_BUDGET !in renderer.capabilities) notDeclared(Capability.MEMORY_BUDGET)
+        budgetOnTheHeap(renderer)
+    }
+
     /** Hidden primitives, however many, take no memory. */
     @Rule(
         intent = "Who promises STREAMS_PRIMITIVES does not keep them: memory does not grow with their number.",

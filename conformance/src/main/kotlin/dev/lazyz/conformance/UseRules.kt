@@ -31,6 +31,16 @@ public sealed class UseRules : ChangeRules() {
         atOnce(cases) { case -> repeat(3) { Judgement(renderer, case).equalsReference() } }
     }
 
+    /** A frame that has been rendered, and its sink, can be collected as garbage though the renderer is in use. */
+    @Rule(
+        intent = "A renderer keeps nothing between calls: who lets go of a frame gets its memory back.",
+        look = "Look for fields, caches and thread locals that hold the last frame, its primitives or its sink.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_1_nothingIsKeptBetweenCalls() {
+        keepsNothing(renderer())
+    }
+
     /** What a primitive throws reaches the caller, as it is, and does no harm to later renderings. */
     @Rule(
         intent = "A failure of the caller's code is the caller's to see, as it is, and leaves no trace.",

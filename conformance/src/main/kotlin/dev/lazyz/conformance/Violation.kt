@@ -24,8 +24,11 @@ internal class Violation(
 /** A try was not over at its deadline; [case] is what it was rendering, if that is a frame. */
 internal class TimedOut(message: String, val case: FrameCase?) : AssertionError(message)
 
-/** Ends a rule that holds only for renderers with a [capability] that this one does not declare. */
-internal class NotDeclared(val capability: Capability) : RuntimeException("$capability is not declared")
+/** Ends a rule that does not apply, for this [reason]. Reports say so; it is no failure. */
+internal class NotDeclared(reason: String) : RuntimeException(reason)
 
-/** The rule does not apply: the renderer does not declare [capability]. Reports say so; it is no failure. */
-internal fun notDeclared(capability: Capability): Nothing = throw NotDeclared(capability)
+/** The rule does not apply: the renderer does not declare [capability]. */
+internal fun notDeclared(capability: Capability): Nothing = throw NotDeclared("$capability is not declared")
+
+/** The rule does not apply: this JVM cannot measure what it is about, for this [reason]. */
+internal fun notMeasured(reason: String): Nothing = throw NotDeclared("not measured: $reason")

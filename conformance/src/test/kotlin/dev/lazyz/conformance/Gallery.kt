@@ -20,6 +20,7 @@ internal object Gallery {
         "Colour" to ColourGallery.mutants,
         "Use" to UseGallery.mutants,
         "Counters and promises" to PromisesGallery.mutants,
+        "Memory" to MemoryGallery.mutants,
     )
 
     val all: List<Mutant> get() = themes.values.flatten()

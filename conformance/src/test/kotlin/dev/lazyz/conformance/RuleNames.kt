@@ -25,6 +25,7 @@ internal object RuleNames {
     val options = RendererConformance::rule_7_5_optionsChangeNothing.name
     val again = RendererConformance::rule_7_1_sameBitsAgain.name
     val threads = RendererConformance::rule_7_1_sameBitsFromSeveralThreads.name
+    val kept = RendererConformance::rule_7_1_nothingIsKeptBetweenCalls.name
     val accidents = RendererConformance::rule_7_1_exceptionsOfPrimitivesReachTheCaller.name
     val interrupts = RendererConformance::rule_7_1_interruptedThreadsEnd.name
     val sinks = RendererConformance::rule_7_3_exceptionsOfTheSinkReachTheCaller.name
@@ -44,5 +45,6 @@ internal object RuleNames {
     val parallel = RendererConformance::rule_7_5_promiseToWorkInParallelIsKept.name
     val sums = RendererConformance::rule_8_1_countersDoNotDependOnThreads.name
     val budget = RendererConformance::rule_8_1_promiseToKeepToTheBudgetIsKept.name
+    val heap = RendererConformance::rule_8_1_heapKeepsToTheBudget.name
     val arrivals = RendererConformance::rule_8_1_promiseToStreamPrimitivesIsKept.name
 }

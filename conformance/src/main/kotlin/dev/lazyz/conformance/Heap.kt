@@ -1,0 +1,65 @@
+package dev.lazyz.conformance
+
+import java.lang.ref.WeakReference
+
+/** What the heap holds: what is left when the garbage has been collected. */
+internal object Heap {
+    private const val ATTEMPTS = 5
+
+    /** Ends the rule where the garbage collector has been told not to work when it is asked to. */
+    fun requireMeasurable() {
+        val garbage = WeakReference(ByteArray(1))
+        if (!isSoon { garbage.get() == null }) notMeasured("this JVM ignores System.gc()")
+    }
+
+    /** Whether [isSo] becomes true after some collections. */
+    fun isSoon(isSo: () -> Boolean): Boolean {
+        repeat(2 * ATTEMPTS) {
+            System.gc()
+            if (isSo()) return true
+
+            // Threads that have just ended may take a moment to let go of what they held
+            Thread.sleep(it.toLong())
+        }
+        return false
+    }
+
+    /** Returns the most bytes that are held, beyond those from before, when [work] calls the function it is given. */
+    fun most(work: (measure: () -> Unit) -> Unit): Long {
+        val before = settled()
+        var most = 0L
+        work { synchronized(this) { most = maxOf(most, held() - before) } }
+        return most
+    }
+
+    /**
+     * Calls [fail] with the least of several [measurements] unless one of them is at most [limit]: noise only adds.
+     */
+    fun requireAtMost(limit: Long, measurements: () -> Long, fail: (least: Long) -> Nothing) {
+        requireMeasurable()
+        var least = Long.MAX_VALUE
+        repeat(ATTEMPTS) {
+            least = minOf(least, measurements())
+            if (least <= limit) return
+        }
+        fail(least)
+    }
+
+    /** The bytes that are held as soon as they do not become fewer. */
+    private fun settled(): Long {
+        var least = held()
+        repeat(ATTEMPTS) {
+            Thread.sleep(1)
+            val now = held()
+            if (now >= least) return least
+            least = now
+        }
+        return least
+    }
+
+    private fun held(): Long {
+        System.gc()
+        val runtime = Runtime.getRuntime()
+        return runtime.totalMemory() - runtime.freeMemory()
+    }
+}
