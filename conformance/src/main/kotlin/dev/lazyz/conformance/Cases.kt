@@ -16,6 +16,12 @@ internal class TiedCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> = Frames.tied()
 }
 
+/** Frames of eight primitives in two rows at most. */
+internal class TwoRowsCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> =
+        Frames.of(FrameMix.of(FrameKind.CONFETTI, FrameKind.COPLANAR).sized(9, 2).counted(8, 8))
+}
+
 /** Frames of primitives of one's own. */
 internal class ConfettiCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> = Frames.confetti()

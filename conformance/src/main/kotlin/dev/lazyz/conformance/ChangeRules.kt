@@ -12,7 +12,7 @@ import net.jqwik.api.Property
 
 /** Rules about frames that are changed in a way whose effect on the picture is known. Part of [RendererConformance]. */
 @Suppress("ktlint:standard:function-naming")
-public sealed class ChangeRules : PictureRules() {
+public sealed class ChangeRules : CombinationRules() {
     /** A frame whose primitives all move by whole pixels shows the same picture in another place. */
     @Rule(
         intent = "A move by whole pixels changes the place and nothing else.",

@@ -151,3 +151,26 @@ internal fun FrameCase.moved(right: Int, down: Int): FrameCase = FrameCase(
     ),
     "$code // with raster and primitives moved $right columns to the right and $down rows down",
 )
+
+/** Half of [few], then [MILLIONS] times [nothing], then the other half: a list that takes no memory. */
+private class WithMillions(private val few: List<Primitive>, private val nothing: Primitive) :
+    AbstractList<Primitive>(),
+    RandomAccess {
+    private val half = few.size / 2
+    override val size: Int get() = few.size + MILLIONS
+
+    override fun get(index: Int): Primitive = when {
+        index < half -> few[index]
+        index < half + MILLIONS -> nothing
+        else -> few[index - MILLIONS]
+    }
+}
+
+/** After half of the primitives come [MILLIONS] that cover nothing, and say so. */
+internal fun FrameCase.behindMillions(): FrameCase = FrameCase(
+    Frame(frame.raster, WithMillions(frame.primitives, Cutting(NothingThere(frame.raster), 0..<0, 0..<0))),
+    "$code // and after half of the primitives, $MILLIONS that cover nothing",
+)
+
+/** More than a float holds exactly. */
+internal const val MILLIONS: Int = (1 shl 24) + 1

@@ -37,6 +37,13 @@ public class Confetti @JvmOverloads constructor(
         require(levels in 1..MAX_LEVELS) { "levels must be in 1..$MAX_LEVELS: $levels" }
     }
 
+    /** With one depth the bounds are as close as can be: that depth. */
+    override val leastDepth: Int get() = if (isLevel) depth(columnStart, rowStart) else 0
+    override val greatestDepth: Int get() = if (isLevel) depth(columnStart, rowStart) else Int.MAX_VALUE
+
+    private val isLevel: Boolean
+        get() = if (depthForm == null) levels == 1 else depthForm.run { dx == 0L && dy == 0L && c >= 0 }
+
     override fun spans(y: Int, spans: Spans) {
         if (y < rowStart || y >= rowEnd) return
         for (x in columnStart until columnEnd) if (isCovered(x, y)) spans.add(x, x + 1)

@@ -27,6 +27,9 @@ public enum class FrameKind(public val isInSpace: Boolean = false) {
     /** Flat polygons with a hole, or an island in the hole, by either fill rule. */
     HOLES,
 
+    /** Flat polygons with up to eighty teeth: as many spans in a row, where the raster is wide enough. */
+    COMBS,
+
     /** Flat polygons whose contour crosses itself: bow ties and pentagrams. */
     SELF_CROSSING,
 
@@ -41,6 +44,12 @@ public enum class FrameKind(public val isInSpace: Boolean = false) {
 
     /** Two flat polygons over each other that change places somewhere in the middle. */
     INTERPENETRATING,
+
+    /** Two or three large polygons that a few units of depth part, and that cross. */
+    NEARLY_COPLANAR,
+
+    /** A slope, and levels at its nearest or farthest depth, or a unit before or behind it. */
+    TOUCHING,
 
     /** Two to five polygons, each of which covers the whole raster. */
     LAYERED,

@@ -94,7 +94,8 @@ public class FrameMix private constructor(
         return Combinators.combine(rasters, counted(groups), whole, Arbitraries.integers())
             .`as` { raster, list, covers, salt ->
                 // Cut to the greatest count, and put the layers anywhere between
-                val all = list.flatten().take(maxPrimitives).toMutableList()
+                val order = if (salt and 1 == 0) PieceOrder.TOGETHER else PieceOrder.APART
+                val all = order.of(list.map { it.broughtTo(raster) }).take(maxPrimitives).toMutableList()
                 for (cover in covers) all.add(Math.floorMod(salt, all.size + 1), cover)
                 screenCase(raster, all.map(::leveled))
             }
@@ -165,7 +166,7 @@ public class FrameMix private constructor(
                 when (it) {
                     FrameKind.COINCIDENT, FrameKind.COPLANAR, FrameKind.INTERPENETRATING -> 5
                     FrameKind.CONFETTI, FrameKind.SPHERES -> 4
-                    FrameKind.DEGENERATE -> 1
+                    FrameKind.DEGENERATE, FrameKind.TINY -> 1
                     else -> 2
                 }
             },

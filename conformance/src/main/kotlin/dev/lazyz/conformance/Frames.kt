@@ -31,10 +31,12 @@ public object Frames {
         val backgrounds = oneOf(Rgba.WHITE, Rgba.TRANSPARENT, Rgba(0.25f, 0.5f, 0.125f, 0.75f))
         val conventions = oneOf(DepthConvention.SMALLER_IS_NEARER, DepthConvention.LARGER_IS_NEARER)
         return Combinators
-            .combine(sides(maxWidth), sides(maxHeight), backgrounds, conventions, ints(0, 15), ints(0, 31))
+            .combine(sides(maxWidth), sides(maxHeight), backgrounds, conventions, ints(0, 15), ints(0, 127))
             .`as` { width, height, background, convention, test, depth ->
                 val depthTest = DepthTest.entries.getOrElse(test - 12) { convention.nearest }
-                val backgroundDepth = BACKGROUND_DEPTHS.getOrElse(depth - 27) { behindAll(depthTest) }
+                val behind = behindAll(depthTest)
+                val fromBehind = BACKGROUND_DEPTHS.getOrElse(depth - 112) { 0 }
+                val backgroundDepth = if (behind == 0) fromBehind else behind - fromBehind
                 Raster(width, height, background, convention, depthTest, backgroundDepth)
             }
     }
@@ -113,8 +115,13 @@ public object Frames {
         DepthTest.GREATER, DepthTest.GREATER_OR_EQUAL -> 0
     }
 
-    /** Depths that a background may have, besides the usual. */
-    private val BACKGROUND_DEPTHS = listOf(0, Int.MAX_VALUE, Int.MAX_VALUE / 2, Depth.NEAR, Depth.FAR)
+    /**
+     * How far before the usual depth of a background another may lie, in units: mostly in the middle, where it hides
+     * something; at the far plane; and where it hides nearly everything or everything.
+     */
+    private val BACKGROUND_DEPTHS =
+        List(4) { listOf(Int.MAX_VALUE / 2, Int.MAX_VALUE / 2 + 1, Int.MAX_VALUE / 4 + it) }.flatten() +
+            listOf(1, Depth.MARGIN, Int.MAX_VALUE - Depth.MARGIN, Int.MAX_VALUE)
 
     private fun sides(max: Int): Arbitrary<Int> {
         require(max in 1..Raster.MAX_SIDE) { "a side must be in 1..${Raster.MAX_SIDE}: $max" }

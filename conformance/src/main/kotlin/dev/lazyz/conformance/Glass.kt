@@ -1,22 +1,57 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.AlphaMode
+import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Material
 import dev.lazyz.Polygon
 import dev.lazyz.Primitive
+import dev.lazyz.ShadingCursor
 import dev.lazyz.Surface
 
 /**
  * A primitive made translucent: everything is as in [whole], and its colours' alpha counts (contract rule 5.5).
  *
  * The colours of [Frames.tint] have any alpha from 0 to 1. Immutable and thread safe if [whole] is.
+ *
+ * @param layers alpha is divided by this, so that about as many layers show through each other; at least 1
  */
-public class Glass(private val whole: Primitive) : Primitive by whole {
+public class Glass @JvmOverloads constructor(private val whole: Primitive, private val layers: Int = 1) :
+    Primitive by whole {
+    init {
+        require(layers >= 1) { "layers must be at least 1: $layers" }
+    }
+
     override val isTranslucent: Boolean get() = true
 
-    override fun toString(): String = "Glass($whole)"
+    override fun shade(fragment: Fragment) {
+        whole.shade(fragment)
+        thin(fragment)
+    }
+
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor? {
+        val cursor = whole.shadingCursor(x, y) ?: return null
+        return object : ShadingCursor {
+            override fun step() = cursor.step()
+
+            override fun shade(fragment: Fragment) {
+                cursor.shade(fragment)
+                thin(fragment)
+            }
+        }
+    }
+
+    private fun thin(fragment: Fragment) =
+        fragment.setColor(fragment.red, fragment.green, fragment.blue, fragment.alpha / layers)
+
+    override fun toString(): String = "Glass($whole, $layers)"
 }
+
+/** The same frame, each primitive [Glass] of so many [layers]. */
+internal fun FrameCase.thin(layers: Int): FrameCase = FrameCase(
+    Frame(frame.raster, frame.primitives.map { Glass(it, layers) }, frame.region),
+    "$code\n    .let { frame -> Frame(frame.raster, frame.primitives.map { Glass(it, $layers) }) }",
+)
 
 /** The same frame, with [Glass] for each primitive whose number, modulo 16, is that of a bit set in [choice]. */
 public fun Frame.glazed(choice: Int): Frame =

@@ -19,6 +19,9 @@ internal sealed interface Piece {
     /** This piece, made to fit a raster. */
     fun on(raster: Raster): Piece = this
 
+    /** This piece, so many pixels further. */
+    fun moved(right: Int, down: Int): Piece
+
     /** Adds this piece to a frame as its primitive [number], which chooses the colour. */
     fun addTo(builder: FrameBuilder, number: Int)
 
@@ -31,6 +34,16 @@ internal sealed interface Piece {
 
 /** A polygon as [FrameBuilder.polygon] takes it: x, y in pixels, depth from 0 to 1. */
 internal class PolygonPiece(val contours: List<DoubleArray>, val fillRule: FillRule) : Piece {
+    override fun moved(right: Int, down: Int): PolygonPiece {
+        val by = doubleArrayOf(right.toDouble(), down.toDouble(), 0.0)
+        return PolygonPiece(
+            contours.map { contour ->
+                DoubleArray(contour.size) { contour[it] + by[it % 3] }
+            },
+            fillRule
+        )
+    }
+
     override fun addTo(builder: FrameBuilder, number: Int) {
         builder.polygon(Frames.tint(number), fillRule, *contours.toTypedArray())
     }
@@ -57,13 +70,22 @@ internal class ConfettiPiece(
     val levels: Int,
     val form: LinearForm?,
 ) : Piece {
-    override fun on(raster: Raster): Piece = ConfettiPiece(
+    override fun on(raster: Raster): Piece =
+        ConfettiPiece(seed, within(columns, raster.width), within(rows, raster.height), levels, form)
+
+    override fun moved(right: Int, down: Int): Piece = ConfettiPiece(
         seed,
-        minOf(columns.first, raster.width)..minOf(columns.last, raster.width),
-        minOf(rows.first, raster.height)..minOf(rows.last, raster.height),
+        columns.first + right..columns.last + right,
+        rows.first + down..rows.last + down,
         levels,
         form,
     )
+
+    /** Begins on a side of [length] samples, and ends where that ends. */
+    private fun within(range: IntRange, length: Int): IntRange {
+        val off = range.first / length * length
+        return minOf(range.first - off, length)..minOf(range.last - off, length)
+    }
 
     private fun primitive() = Confetti(seed, columns.first, columns.last, rows.first, rows.last, levels, form)
 
@@ -74,6 +96,48 @@ internal class ConfettiPiece(
     override fun code(number: Int): String = ".add(${primitive()})"
 
     override fun surface(number: Int): Surface? = null
+}
+
+/** This group, so many pixels further; as it is where it would leave the guard band. */
+internal fun List<Piece>.moved(right: Int, down: Int): List<Piece> {
+    if (right == 0 && down == 0) return this
+    val reach = ScreenPolygons.BAND.endInclusive - maxOf(StrictMath.abs(right), StrictMath.abs(down))
+    val isFar = any { piece ->
+        piece is PolygonPiece && piece.contours.any { contour -> contour.any { !(StrictMath.abs(it) <= reach) } }
+    }
+    return if (isFar) this else map { it.moved(right, down) }
+}
+
+/** This group, moved by whole pixels until its middle is on [raster]; as it is where it reaches very far. */
+internal fun List<Piece>.broughtTo(raster: Raster): List<Piece> {
+    val contours = filterIsInstance<PolygonPiece>().flatMap { it.contours }.filter { it.isNotEmpty() }
+    if (contours.isEmpty()) return this
+    fun shift(axis: Int, length: Int): Int {
+        val values = contours.flatMap { contour -> (axis until contour.size step 3).map { contour[it] } }
+        if (values.any { !(StrictMath.abs(it) <= FAR_OFF) }) return 0
+        val middle = (values.min() + values.max()) / 2
+        return -StrictMath.floor(middle / length).toInt() * length
+    }
+    val (polygons, others) = partition { it is PolygonPiece }
+    return polygons.moved(shift(0, raster.width), shift(1, raster.height)) + others
+}
+
+/** Pixels; half of what leads to the end of the guard band. */
+private const val FAR_OFF = 262144.0
+
+/** In which order a frame has the pieces of its groups. */
+internal enum class PieceOrder {
+    /** Group by group. */
+    TOGETHER,
+
+    /** The first of each group, then the second of each: what ties is far apart. */
+    APART,
+    ;
+
+    fun of(groups: List<List<Piece>>): List<Piece> = when (this) {
+        TOGETHER -> groups.flatten()
+        APART -> (0 until (groups.maxOfOrNull { it.size } ?: 0)).flatMap { i -> groups.mapNotNull { it.getOrNull(i) } }
+    }
 }
 
 /** Makes a frame of [pieces] in this order. */
@@ -107,24 +171,37 @@ internal class ScreenFrames(private val maxWidth: Int, private val maxHeight: In
         frames(rasters, confetti().map { listOf(it) }, max)
 
     fun frames(rasters: Arbitrary<Raster>, groups: Arbitrary<List<Piece>>, max: Int): Arbitrary<FrameCase> =
-        Combinators.combine(rasters, listsOf(groups, max)).`as` { raster, list ->
-            screenCase(raster, list.flatten().take(max))
+        Combinators.combine(rasters, listsOf(groups, max), oneOf(*PieceOrder.values())).`as` { raster, list, order ->
+            screenCase(raster, order.of(list.map { it.broughtTo(raster) }).take(max))
         }
 
     fun confetti(): Arbitrary<Piece> {
-        val columns = Combinators.combine(ints(0, maxWidth), ints(0, maxWidth))
-            .`as` { a, b -> minOf(a, b)..maxOf(a, b) }
-        val ordered = Combinators.combine(ints(0, maxHeight), ints(0, maxHeight))
-            .`as` { a, b -> minOf(a, b)..maxOf(a, b) }
+        val columns = range(maxWidth)
+        val ordered = range(maxHeight)
 
         // No rows at all may also be said by an end before the start
-        val rows = mixed(9 to ordered, 1 to ordered.map { it.last..it.first })
+        val rows = mixed(29 to ordered, 1 to ordered.map { it.last..it.first })
         val levels = oneOf(1, 2, 5, 1000)
         val hashed = Combinators.combine(Arbitraries.integers(), columns, rows, levels)
             .`as` { seed, column, row, level -> ConfettiPiece(seed, column, row, level, null) }
         val longs = Arbitraries.longs()
-        val formed = Combinators.combine(Arbitraries.integers(), columns, ordered, longs, longs, longs)
+        val starts = mixed(3 to longs.map { if (it < 0) it.inv() else it }, 1 to longs)
+        val formed = Combinators.combine(Arbitraries.integers(), columns, ordered, starts, longs, longs)
             .`as` { seed, column, row, c, dx, dy -> ConfettiPiece(seed, column, row, 1, LinearForm(c, dx, dy)) }
-        return mixed(3 to hashed, 2 to formed)
+
+        // As deep as confetti of a single level, or a unit before or behind it; the bounds say so
+        val level = Combinators.combine(Arbitraries.integers(), columns, ordered, ints(-1, 1))
+            .`as` { seed, column, row, lead ->
+                ConfettiPiece(seed, column, row, 1, LinearForm.constant(Int.MAX_VALUE / 2 + lead))
+            }
+        return mixed(3 to hashed, 2 to formed, 1 to level)
     }
+
+    /** From the first half of a side on, half a side or more; seldom nothing. */
+    private fun range(side: Int): Arbitrary<IntRange> = mixed(
+        29 to Combinators.combine(ints(0, side - 1), ints(1, side)).`as` { from, length ->
+            from / 2..minOf(side, from / 2 + (side + length) / 2)
+        },
+        1 to ints(0, side).map { it..it },
+    )
 }

@@ -1,5 +1,6 @@
 package dev.lazyz.conformance
 
+import dev.lazyz.Depth
 import dev.lazyz.FillRule
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
@@ -12,13 +13,14 @@ internal class ScreenKinds(private val maxWidth: Int, private val maxHeight: Int
 
     /** One or more pieces that belong together. */
     fun of(kind: FrameKind): Arbitrary<List<Piece>> = when (kind) {
-        FrameKind.SCATTERED -> outlines(polygons.near)
+        FrameKind.SCATTERED -> mixed(2 to outlines(polygons.near), 1 to one(polygons.polygon(polygons.wide())))
         FrameKind.ON_SAMPLES -> outlines(lattice(0.5))
         FrameKind.ON_CORNERS -> outlines(lattice(0.0))
         FrameKind.SLIVERS -> one(polygons.polygon(polygons.sliver()))
         FrameKind.TINY -> one(polygons.polygon(polygons.tiny()))
         FrameKind.CONCAVE -> plates.flatMapPlate { listOf(it.notched()) }
         FrameKind.HOLES -> mixed(2 to plates.flatMapPlate { it.rings() }, 1 to one(polygons.polygon(polygons.holed())))
+        FrameKind.COMBS -> combs()
         FrameKind.SELF_CROSSING -> mixed(
             1 to plates.flatMapPlate { listOf(it.bowTie()) },
             1 to plates.flatMapPlate { listOf(it.star()) },
@@ -27,8 +29,11 @@ internal class ScreenKinds(private val maxWidth: Int, private val maxHeight: Int
         FrameKind.COPLANAR -> one(polygons.level())
         FrameKind.SHARED_EDGES -> polygons.fan()
         FrameKind.INTERPENETRATING -> plates.map { listOf(it.piece(), it.crossing().piece()) }
+        FrameKind.NEARLY_COPLANAR -> nearlyCoplanar()
+        FrameKind.TOUCHING -> touching()
         FrameKind.LAYERED -> layers(2, 5)
         FrameKind.GIANT -> mixed(
+            2 to one(polygons.polygon(polygons.giant())),
             1 to outlines(polygons.far),
             1 to outlines(mixed(1 to polygons.near, 1 to polygons.far)),
         )
@@ -41,6 +46,34 @@ internal class ScreenKinds(private val maxWidth: Int, private val maxHeight: Int
     fun layers(min: Int, max: Int): Arbitrary<List<Piece>> = Combinators.combine(depths, depths)
         .`as` { left, right -> Plate(-1.0, -1.0, maxWidth + 1.0, maxHeight + 1.0, left, right).piece() }
         .list().ofMinSize(min).ofMaxSize(max).map { it }
+
+    private fun combs(): Arbitrary<List<Piece>> = Combinators
+        .combine(plates, ints(1, MOST_TEETH), oneOf(2.0, 1.0, 3.0, 1.5)).`as` { plate, teeth, pitch ->
+            listOf(plate.comb(teeth.coerceIn(1, maxOf(1, (maxWidth / pitch).toInt())), pitch))
+        }
+        .flatMapContours()
+
+    private fun nearlyCoplanar(): Arbitrary<List<Piece>> = Combinators
+        .combine(depths, depths, ints(1, 64), ints(1, 64), ints(2, 3)).`as` { left, right, nearer, farther, count ->
+            listOf(left to right, left - units(nearer) to right + units(farther), left to right + units(farther))
+                .take(count)
+                .map { (from, to) -> Plate(-1.0, -1.0, maxWidth + 1.0, maxHeight + 1.0, from, to).piece() }
+        }
+
+    private fun touching(): Arbitrary<List<Piece>> {
+        val corners = Combinators
+            .combine(ints(0, maxWidth - 1), ints(1, maxWidth), ints(0, maxHeight), ints(1, maxHeight))
+            .`as` { x, width, y, height -> listOf(x / 2 + 0.5, y / 2 + 0.5, x / 2 + width + 0.5, y / 2 + height + 0.5) }
+        val levels = Combinators.combine(oneOf(0, 1), ints(-1, 1)).`as` { end, lead -> end to lead }
+        return Combinators.combine(corners, depths, depths, levels.list().ofMinSize(1).ofMaxSize(3))
+            .`as` { (x0, y0, x1, y1), left, right, list ->
+                val slope = Plate(x0, y0, x1, y1, left, right).piece()
+                list.map { (end, lead) ->
+                    val level = (if (end == 0) left else right) + units(lead)
+                    Plate(x0 - 0.5, y0 - 0.5, x1 + 0.5, y1 + 0.5, level, level).piece()
+                } + slope
+            }
+    }
 
     private fun one(piece: Arbitrary<Piece>): Arbitrary<List<Piece>> = piece.map { listOf(it) }
 
@@ -68,9 +101,16 @@ internal class ScreenKinds(private val maxWidth: Int, private val maxHeight: Int
         .`as` { from, length -> from..from + length }
 
     private fun Arbitrary<Plate>.flatMapPlate(contours: (Plate) -> List<DoubleArray>): Arbitrary<List<Piece>> =
-        one(polygons.polygon(map { contours(it) }))
+        map { contours(it) }.flatMapContours()
 
-    private companion object {
+    private fun Arbitrary<List<DoubleArray>>.flatMapContours(): Arbitrary<List<Piece>> = one(polygons.polygon(this))
+
+    companion object {
+        private const val MOST_TEETH = 80
+
+        /** So many units of depth, as a part of the way from near to far. */
+        private fun units(count: Int): Double = count / (Depth.FAR.toDouble() - Depth.NEAR)
+
         /** Depths that are not at the ends of the range, so that a slope has room. */
         val depths: Arbitrary<Double> = ints(1, 63).map { it / 64.0 }
     }
@@ -95,6 +135,19 @@ internal class Plate(
     }
 
     fun notched(): DoubleArray = outline(0.0 to 0.0, 1.0 to 0.0, 1.0 to 1.0, 0.5 to 0.25, 0.0 to 1.0)
+
+    /** As high as this rectangle, and as long as [teeth] and the gaps between them, each half of [pitch] pixels. */
+    fun comb(teeth: Int, pitch: Double): DoubleArray {
+        val back = y0 + (y1 - y0) / 4
+        val points = arrayListOf(x0 to y0, x0 + teeth * pitch to y0)
+        for (i in teeth - 1 downTo 0) {
+            val tooth = x0 + i * pitch
+            val gap = tooth + pitch / 2
+            points.addAll(listOf(gap to back, gap to y1, tooth to y1, tooth to back))
+        }
+        val length = teeth * pitch
+        return points.flatMap { (x, y) -> listOf(x, y, left + (x - x0) / length * (right - left)) }.toDoubleArray()
+    }
 
     /** A frame around a hole; and in it an island. */
     fun rings(): List<DoubleArray> = listOf(0.0, 0.25, 0.375).mapIndexed { i, inset ->

@@ -17,6 +17,8 @@ internal object Gallery {
     val themes: Map<String, List<Mutant>> = linkedMapOf(
         "Coverage" to CoverageGallery.mutants,
         "Depth and order" to DepthAndOrderGallery.mutants,
+        "Size" to SizeGallery.mutants,
+        "Combinations" to CombinationGallery.mutants,
         "Colour" to ColourGallery.mutants,
         "Use" to UseGallery.mutants,
         "Counters and promises" to PromisesGallery.mutants,

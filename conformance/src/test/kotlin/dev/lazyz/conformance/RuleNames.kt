@@ -15,6 +15,14 @@ internal object RuleNames {
     val many = RendererConformance::rule_9_4_indicesAreNotCut.name
     val empty = RendererConformance::rule_9_6_framesWithoutPrimitivesAreOrdinary.name
     val narrow = RendererConformance::rule_9_6_narrowRastersAreOrdinary.name
+    val tiles = RendererConformance::rule_1_1_rastersOfSeveralTilesAreOrdinary.name
+    val far = RendererConformance::rule_1_1_columnsAndRowsAreNotCut.name
+    val manySpans = RendererConformance::rule_2_3_manySpansInARowAreOrdinary.name
+    val deep = RendererConformance::rule_5_1_dozensOfLayersAreOrdinary.name
+    val thousands = RendererConformance::rule_5_1_thousandsOfLayersAreOrdinary.name
+    val thin = RendererConformance::rule_5_5_dozensOfThinLayersBlend.name
+    val floats = RendererConformance::rule_9_4_indicesAboveTwoToThe24AreExact.name
+    val together = RendererConformance::rule_7_5_combinationsAreRight.name
     val moved = RendererConformance::rule_1_3_movingByWholePixelsMovesThePicture.name
     val halves = RendererConformance::rule_2_5_primitivesInTwoPartsAreTheWhole.name
     val hidden = RendererConformance::rule_5_1_hiddenSurfacesChangeNothing.name
