@@ -32,6 +32,21 @@ internal class WorldCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> = Frames.world()
 }
 
+/** Frames of scenes with rows of dozens of samples. */
+internal class LongRowCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Frames.world(maxSide = 90, maxSurfaces = 4)
+}
+
+/** Frames of scenes whose faces are seen from both sides, with rows of dozens of samples. */
+internal class BackFaceCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = WorldFrames.turned(WorldFrames.rasters(64)).withoutEdgeCases()
+}
+
+/** Frames of scenes whose materials blend. */
+internal class BlendedCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Frames.blended(maxSide = 40, maxSurfaces = 4)
+}
+
 /** Frames of all kinds. */
 internal class MixedCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> =

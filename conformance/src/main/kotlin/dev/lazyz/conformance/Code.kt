@@ -2,6 +2,10 @@ package dev.lazyz.conformance
 
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
+import org.joml.Vector3dc
+
+/** A value and the Kotlin expression for it. */
+internal class Coded<out T>(val value: T, val code: String)
 
 /** Returns [value] as a Kotlin expression. */
 internal fun code(value: Double): String = when {
@@ -9,6 +13,21 @@ internal fun code(value: Double): String = when {
     value.isInfinite() -> if (value > 0) "Double.POSITIVE_INFINITY" else "Double.NEGATIVE_INFINITY"
     else -> value.toString()
 }
+
+/** Returns [value] as a Kotlin expression. */
+internal fun code(value: Float): String = when {
+    value.isNaN() -> "Float.NaN"
+    value.isInfinite() -> if (value > 0) "Float.POSITIVE_INFINITY" else "Float.NEGATIVE_INFINITY"
+    else -> "${value}f"
+}
+
+/** Returns [values] as a Kotlin expression. */
+internal fun code(values: FloatArray): String = values.joinToString(prefix = "floatArrayOf(", postfix = ")") {
+    code(it)
+}
+
+/** Returns [v] as a Kotlin expression. */
+internal fun code(v: Vector3dc): String = "Vector3d(${code(v.x())}, ${code(v.y())}, ${code(v.z())})"
 
 /** Returns [value] as a Kotlin expression. */
 internal fun code(value: Long): String = if (value == Long.MIN_VALUE) "Long.MIN_VALUE" else "${value}L"

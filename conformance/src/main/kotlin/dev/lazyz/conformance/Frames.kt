@@ -87,16 +87,28 @@ public object Frames {
     }
 
     /**
-     * Returns frames of scenes: polygons with and without holes, meshes, spheres, in front of the camera, behind it,
-     * and across its near and far planes, with and without perspective, of several materials, masks among them. None is
-     * translucent.
+     * Returns frames of scenes: polygons with and without holes, meshes of one to dozens of triangles, spheres, in
+     * front of the camera, behind it, and across its near and far planes, with and without perspective. Vertices have
+     * normals, texture coordinates and colours or not; materials have every [dev.lazyz.Shading], highlights, emission,
+     * textures, masks, one side or two; lights are of every kind. None is translucent.
      *
-     * @param maxSurfaces most surfaces of a scene; a mesh is one and has up to six triangles
+     * The camera looks at the surfaces, so that few frames are blank, and most samples are covered more than once.
+     *
+     * @param maxSurfaces most surfaces of a scene; a mesh is one
      */
     @JvmStatic
     @JvmOverloads
     public fun world(maxSide: Int = DEFAULT_SIDE, maxSurfaces: Int = DEFAULT_PRIMITIVES): Arbitrary<FrameCase> =
-        WorldFrames.cases(rasters(maxSide, maxSide), maxSurfaces).withoutEdgeCases()
+        WorldFrames.cases(WorldFrames.rasters(maxSide), maxSurfaces).withoutEdgeCases()
+
+    /**
+     * Returns frames of scenes as [world] does, in which most materials blend ([dev.lazyz.AlphaMode.BLEND]): with the
+     * alpha of the material, of its texture, of vertex colours. Renderers that do not blend refuse most of them.
+     */
+    @JvmStatic
+    @JvmOverloads
+    public fun blended(maxSide: Int = DEFAULT_SIDE, maxSurfaces: Int = DEFAULT_PRIMITIVES): Arbitrary<FrameCase> =
+        WorldFrames.blended(WorldFrames.rasters(maxSide), maxSurfaces).withoutEdgeCases()
 
     /** Returns frames as [mix] says: kinds, weights, sizes, counts, depth complexity, translucency. */
     @JvmStatic

@@ -20,6 +20,7 @@ internal object Gallery {
         "Size" to SizeGallery.mutants,
         "Combinations" to CombinationGallery.mutants,
         "Colour" to ColourGallery.mutants,
+        "Light, textures and materials" to ShadingGallery.mutants,
         "Use" to UseGallery.mutants,
         "Counters and promises" to PromisesGallery.mutants,
         "Memory" to MemoryGallery.mutants,

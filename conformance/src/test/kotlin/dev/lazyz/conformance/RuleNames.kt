@@ -10,6 +10,9 @@ internal object RuleNames {
     val tests = RendererConformance::rule_5_3_everyDepthTestIsObeyed.name
     val pairs = RendererConformance::rule_5_3_everyPairInASmallWorldIsRight.name
     val blend = RendererConformance::rule_5_5_translucentPrimitivesBlendInOrderOfDepth.name
+    val blended = RendererConformance::rule_5_5_translucentMaterialsBlendInOrderOfDepth.name
+    val turned = RendererConformance::rule_6_5_normalsOfBackFacesAreTurnedToTheViewer.name
+    val lit = RendererConformance::rule_6_5_litAndTexturedScenesAreShadedRight.name
     val refuse = RendererConformance::rule_5_6_whoCannotBlendRefuses.name
     val index = RendererConformance::rule_9_4_primitivesThatCoverNothingKeepTheirIndex.name
     val many = RendererConformance::rule_9_4_indicesAreNotCut.name

@@ -1,0 +1,46 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Capability
+import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.ForAll
+import net.jqwik.api.Property
+
+/** Rules about colours: scenes with light, normals, textures and blended materials. Part of [RendererConformance]. */
+@Suppress("ktlint:standard:function-naming")
+public sealed class ShadingRules : PictureRules() {
+    /** Materials that blend show what lies behind; made opaque, they are materials like any other. */
+    @Rule(
+        intent = "Alpha of materials, of textures and of vertex colours blends, whichever side of a face is seen.",
+        look = "Sort a sample's fragments by key and blend as rule 5.5 says; else render Frame.asOpaque() as it is.",
+    )
+    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_5_5_translucentMaterialsBlendInOrderOfDepth(
+        @ForAll(supplier = BlendedCases::class) case: FrameCase,
+    ) {
+        val renderer = renderer()
+        val isBlending = Capability.TRANSPARENCY in renderer.capabilities
+        Judgement(renderer, if (isBlending) case else case.asOpaque()).equalsReference()
+    }
+
+    /** Faces seen from behind are lit as the viewer sees them: shading of back faces. */
+    @Rule(
+        intent = "Shading of back faces: normals are turned to the viewer, be they equal at the vertices or not.",
+        look = "Look for a shortcut, for equal normals or for long rows of samples, that forgets to turn the normal.",
+    )
+    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_6_5_normalsOfBackFacesAreTurnedToTheViewer(
+        @ForAll(supplier = BackFaceCases::class) case: FrameCase,
+    ) {
+        Judgement(renderer(), case).equalsReference()
+    }
+
+    /** Light, highlights, emission, vertex colours and textures are right at every sample of long rows. */
+    @Rule(
+        intent = "A sample's light, texture and vertex colours are the same however many are shaded at once.",
+        look = "Compare the attributes of the sample that differs with Primitive.shade: weights, normal, u and v.",
+    )
+    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_6_5_litAndTexturedScenesAreShadedRight(@ForAll(supplier = LongRowCases::class) case: FrameCase) {
+        Judgement(renderer(), case).equalsReference()
+    }
+}
