@@ -21,7 +21,7 @@ internal object Failure {
 
     /** Returns what to tell the user if [failure] is not our bug, or null if it is. */
     fun mistake(failure: Throwable): String? = when (failure) {
-        is Mistake, is SceneFormatException -> failure.message
+        is Mistake, is SceneFormatException -> failure.message?.let { printable(it) }
         is FileSystemException -> describe(failure)
         is OutOfMemoryError -> outOfMemory(failure)
         is IOException -> failure.message ?: failure.javaClass.simpleName
@@ -59,6 +59,10 @@ internal object Failure {
         appendLine("zcli ${args.joinToString(" ") { if (' ' in it || it.isEmpty()) "'$it'" else it }}")
         append(failure.stackTraceToString())
     }
+
+    /** Replaces what a terminal would obey: messages quote files. */
+    private fun printable(message: String): String =
+        message.map { if (it.isISOControl() && it != '\n') '?' else it }.joinToString("")
 
     private fun describe(failure: FileSystemException): String = when (failure) {
         is NoSuchFileException -> "${failure.file}: no such file or folder"

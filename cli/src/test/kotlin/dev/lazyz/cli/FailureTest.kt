@@ -49,6 +49,14 @@ class FailureTest {
     }
 
     @Test
+    fun whatAFileHoldsDoesNotSteerTheTerminal() {
+        val file = folder.resolve("red.ply")
+        file.writeText("ply\nformat ascii 1.0\nelement vertex 1\nproperty \u001b[31mred x\nend_header\n0\n")
+        val run = zcli("render", file, "-o", "-").mistake("\"?[31mred\"")
+        assertTrue(run.errors.none { it.isISOControl() && it != '\n' }, run.errors)
+    }
+
+    @Test
     fun filesAreWholeOrNotThere() = withRenderers(folder, BuggyRenderer::class.java.name) {
         val old = folder.resolve("old.png").apply { writeText("old") }
         val options = arrayOf("--strategy", "buggy", "--size", "40x30", "--depth-out", folder.resolve("new.pfm"))
