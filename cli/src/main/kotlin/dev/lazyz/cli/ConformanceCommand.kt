@@ -10,12 +10,18 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.required
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.Conformance
+import dev.lazyz.conformance.ConformanceReport
+import dev.lazyz.conformance.EndedEarlyException
 import dev.lazyz.conformance.SuiteRule
 import dev.lazyz.conformance.WaiversException
 import java.nio.file.Path
+import java.time.Duration
+import java.util.concurrent.ThreadLocalRandom
+import kotlin.io.path.writeText
 
 /** `zcli conformance`: runs the conformance suite on a strategy from wherever it is. */
-internal class ConformanceCommand(private val streams: Streams) : Command("conformance") {
+internal class ConformanceCommand(private val streams: Streams, private val args: List<String>) :
+    Command("conformance") {
     private val strategy by option("--strategy", metavar = "ID", help = "The strategy to judge").required()
 
     private val classPath by classPath()
@@ -43,6 +49,14 @@ internal class ConformanceCommand(private val streams: Streams) : Command("confo
 
     private val fuzzing by FuzzingOptions()
 
+    private val deadline by option("--deadline", help = "Take a try for hanging after so many seconds; default: 20")
+        .number("S", LEAST_DEADLINE..MOST_DEADLINE, "")
+
+    private val isInProcess by option(
+        "--in-process",
+        help = "Judge in zcli's own process, for debuggers: a strategy that exits ends zcli, and no report is printed",
+    ).flag()
+
     private val isJson by option("--json", help = "Print JSON instead of the summary").flag()
 
     override fun help(context: Context): String =
@@ -58,27 +72,62 @@ internal class ConformanceCommand(private val streams: Streams) : Command("confo
 
     override fun run() {
         fuzzing.check()
-        val isGood = StrategyPath(classPath).use { path ->
-            val renderer = path.find(strategy)
-            if (fuzzing.isAsked) return@use fuzz(renderer, path)
-            val report = conformance(renderer).run()
-            streams.print(if (isJson) report.toJson() else report.toText())
-            report.isConformant
+        val process = ConformanceProcess.current()
+        val code = when {
+            fuzzing.isAsked -> fuzz()
+
+            process != null -> process.answer { output ->
+                val report = judge(process.journal)
+                output.writeText(text(report))
+                code(report)
+            }
+
+            isInProcess -> code(judge(null).also { streams.print(text(it)) })
+
+            else -> supervise()
         }
-        if (!isGood) throw ProgramResult(ExitCode.DIFFERENT)
+        if (code != ExitCode.DONE) throw ProgramResult(code)
     }
 
-    private fun fuzz(renderer: Renderer, path: StrategyPath): Boolean {
-        val report = fuzzing.run(renderer, seed, path::find)
+    private fun fuzz(): Int = StrategyPath(classPath).use { path ->
+        val report = fuzzing.run(path.find(strategy), seed, path::find)
         streams.print(report.toText())
-        return report.isEqual
+        if (report.isEqual) ExitCode.DONE else ExitCode.DIFFERENT
     }
+
+    private fun judge(journal: Path?): ConformanceReport = StrategyPath(classPath).use { path ->
+        val conformance = conformance(path.find(strategy))
+        journal?.let { conformance.journal(it) }
+        conformance.run()
+    }
+
+    private fun text(report: ConformanceReport): String = if (isJson) report.toJson() else report.toText()
+
+    private fun code(report: ConformanceReport): Int = if (report.isConformant) ExitCode.DONE else ExitCode.DIFFERENT
+
+    /** Has a process of its own judge, so that a verdict comes out whatever the strategy does to it. */
+    private fun supervise(): Int {
+        val seed = ThreadLocalRandom.current().nextLong(0, Int.MAX_VALUE.toLong())
+        val answer = try {
+            ConformanceProcess.run(args, seed, seconds(deadline ?: USUAL_DEADLINE))
+        } catch (ended: EndedEarlyException) {
+            streams.note(ended.printed)
+            streams.error("$strategy does NOT conform: ${ended.message}")
+            return ExitCode.DIFFERENT
+        }
+        answer.report?.let { streams.print(it) }
+        if (answer.messages.isNotBlank()) streams.note(answer.messages.trimEnd() + "\n")
+        return answer.code
+    }
+
+    private fun seconds(number: Double): Duration = Duration.ofMillis((number * MILLISECONDS).toLong())
 
     private fun conformance(renderer: Renderer): Conformance {
         if (seed != null && isExploring) throw Mistake("--seed and --explore exclude each other")
         val conformance = Conformance { renderer }.command(command())
         seed?.let { conformance.seed(it) }
-        if (isExploring) conformance.explore()
+        if (isExploring) ConformanceProcess.seed()?.let { conformance.seed(it) } ?: conformance.explore()
+        deadline?.let { conformance.deadline(seconds(it)) }
         tries?.let { conformance.tries(it) }
         for (rule in rules) {
             if (SuiteRule.matching(rule).isEmpty()) throw Mistake(unknown(rule))
@@ -108,5 +157,9 @@ internal class ConformanceCommand(private val streams: Streams) : Command("confo
     private companion object {
         const val LEAST_TRIES = 0.001
         const val MOST_TRIES = 1e6
+        const val LEAST_DEADLINE = 0.001
+        const val MOST_DEADLINE = 86_400.0
+        const val USUAL_DEADLINE = 20.0
+        const val MILLISECONDS = 1000.0
     }
 }

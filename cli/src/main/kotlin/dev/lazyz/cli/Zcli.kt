@@ -19,7 +19,7 @@ internal class Zcli(streams: Streams, args: List<String>) : Command("zcli") {
         val commands = mapOf(
             "render" to { RenderCommand(streams) },
             "compare" to { CompareCommand(streams, args) },
-            "conformance" to { ConformanceCommand(streams) },
+            "conformance" to { ConformanceCommand(streams, args) },
             "scenes" to { ScenesCommand(streams) },
             "strategies" to { StrategiesCommand(streams) },
         )

@@ -20,7 +20,10 @@ class ConformanceTest {
     private fun jar(vararg classes: Class<*>, name: String = "mine.jar"): Path =
         folder.rendererJar(*classes, name = name)
 
-    private fun conformance(vararg words: Any) = zcli("conformance", "--tries", "0.05", *words)
+    /** In this process, which is sooner done. */
+    private fun judge(vararg words: Any) = zcli("conformance", "--in-process", *words)
+
+    private fun conformance(vararg words: Any) = judge("--tries", "0.05", *words)
 
     @Test
     fun strangerWhoConformsIsToldSo() {
@@ -42,7 +45,7 @@ class ConformanceTest {
         val report = folder.resolve("a report")
         val rule = "rule_7_3_rowsArriveInOrderEachOnce"
         val words = listOf("--strategy", "stuttering", "--classpath", "$jar", "--rule", rule, "--seed", "3")
-        val run = zcli("conformance", *words.toTypedArray(), "--tries", "1", "--report", report)
+        val run = judge(*words.toTypedArray(), "--tries", "1", "--report", report)
         assertEquals(ExitCode.DIFFERENT, run.code, run.errors)
         assertEquals("", run.errors)
         assertTrue("\nFAILED: $rule (MUST)\n" in run.text, run.text)
@@ -53,7 +56,7 @@ class ConformanceTest {
         assertEquals(run.text, report.resolve("report.txt").readText())
 
         // The command shows the same failure
-        val again = zcli(*command.split(" ").drop(1).toTypedArray())
+        val again = judge(*command.split(" ").drop(2).toTypedArray())
         fun failure(text: String) = text.substringAfter("FAILED").substringBefore("reproduce")
         assertEquals(failure(run.text), failure(again.text))
     }
@@ -66,10 +69,10 @@ class ConformanceTest {
         val words = arrayOf("--strategy", "stuttering", "--classpath", jar, "--rule", rule, "--tries", "1")
         val block = "rule: $rule\nreason: stutters\nlink: none\nexpires: 9999-01-01\n"
         file.writeText(block)
-        val run = zcli("conformance", *words, "--waivers", file).done()
+        val run = judge(*words, "--waivers", file).done()
         assertTrue("conforms: 1 rule, 1 waived" in run.text, run.text)
         file.writeText(block.replace("link", "lnik"))
-        zcli("conformance", *words, "--waivers", file).mistake("waivers.txt:3: expected 'rule:'")
+        judge(*words, "--waivers", file).mistake("waivers.txt:3: expected 'rule:'")
     }
 
     @Test
@@ -100,7 +103,7 @@ class ConformanceTest {
     @Test
     fun numberOfTriesHasBounds() {
         val narrow = "rule_9_6_narrowRastersAreOrdinary"
-        fun tries(factor: String) = zcli("conformance", "--strategy", "zbuffer", "--rule", narrow, "--tries", factor)
+        fun tries(factor: String) = judge("--strategy", "zbuffer", "--rule", narrow, "--tries", factor)
         val least = tries("0.001").done()
         assertTrue(", tries x0.001\n" in least.text && "     1 tries" in least.text, least.text)
         for (factor in listOf("0", "0.00099", "1000001")) {
@@ -109,32 +112,55 @@ class ConformanceTest {
     }
 
     @Test
-    fun ourBugIsReportedWithAllThatAReportNeeds() {
+    fun strategyThatCannotSayWhatItIsCapableOfDoesNotConform() {
         val jar = jar(SpeechlessRenderer::class.java)
-        val report = folder.resolve("report")
-        val run = conformance("--strategy", "speechless", "--classpath", jar, "--report", report)
-        assertEquals(ExitCode.BUG, run.code)
-        val command = "zcli conformance --tries 0.05 --strategy speechless --classpath $jar --report $report\n"
-        for (
-        part in listOf(
-            "zcli: this is a bug in zcli",
-            "https://github.com/lazyz/lazyz/issues",
-            command,
-            "IllegalStateException: what can I do?",
-            "\tat dev.lazyz.cli.",
-        )
-        ) {
-            assertTrue(part in run.errors, "'$part' is missing in: ${run.errors}")
-        }
-        assertEquals("", run.text)
-        assertFalse(report.exists())
+        val run = conformance("--strategy", "speechless", "--classpath", jar, "--rule", "8.2")
+        assertEquals(ExitCode.DIFFERENT, run.code)
+        assertTrue("what can I do?" in run.text, run.text)
+        assertTrue("speechless does NOT conform" in run.text, run.text)
+    }
+
+    @Test
+    fun strategyThatExitsGetsAVerdictAndTheOtherRulesAreTried() {
+        val jar = jar(ExitingRenderer::class.java)
+        val rules = arrayOf("--rule", ties, "--rule", "rule_9_6_framesWithoutPrimitivesAreOrdinary")
+        val words = arrayOf("--strategy", "exiting", "--classpath", jar, "--tries", "0.05", "--json")
+        val run = zcli("conformance", *words, *rules)
+        assertEquals(ExitCode.DIFFERENT, run.code, run.errors)
+        assertTrue(run.text.startsWith("{") && run.text.endsWith("}\n"), run.text)
+        assertEquals("false", run.stat("conformant"))
+        assertEquals("1", run.stat("crashed"))
+        assertEquals("1", run.stat("passed"))
+        assertTrue("ended the process: exit code 0\\nin\\nFrameBuilder(" in run.text, run.text)
+        assertTrue("going on" in run.errors, run.errors)
+    }
+
+    @Test
+    fun strategyThatExitsAtOnceGetsAVerdict() {
+        val jar = jar(StillbornRenderer::class.java)
+        val run = zcli("conformance", "--strategy", "stillborn", "--classpath", jar)
+        assertEquals(ExitCode.DIFFERENT, run.code)
+        assertTrue("stillborn does NOT conform: the process ended while no rule was tried: exit code 0" in run.errors)
+    }
+
+    @Test
+    fun processOfItsOwnTellsTheSame() {
+        val jar = jar(StutteringRenderer::class.java)
+        val rule = "rule_7_3_rowsArriveInOrderEachOnce"
+        val words = arrayOf("--strategy", "stuttering", "--classpath", jar, "--rule", rule)
+        val run = zcli("conformance", *words)
+        fun timeless(text: String) = text.replace(Regex(""" +\d+ ms|; [\d.]+ s"""), "")
+        assertEquals(timeless(judge(*words).text), timeless(run.text))
+        assertEquals(ExitCode.DIFFERENT, run.code)
+        assertEquals("", run.errors)
+        zcli("conformance", "--strategy", "stutering", "--classpath", jar).mistake("did you mean 'stuttering'?")
     }
 
     @Test
     fun jarWithABlankInItsNameIsQuotedInTheCommand() {
         val jar = jar(StutteringRenderer::class.java, name = "my jar.jar")
         val rule = "rule_7_3_rowsArriveInOrderEachOnce"
-        val run = zcli("conformance", "--strategy", "stuttering", "--classpath", jar, "--rule", rule, "--seed", "3")
+        val run = judge("--strategy", "stuttering", "--classpath", jar, "--rule", rule, "--seed", "3")
         assertTrue("zcli conformance --strategy stuttering --classpath '$jar' --seed 3" in run.text, run.text)
     }
 
@@ -158,7 +184,7 @@ class ConformanceTest {
             .mistake("no rule", "; did you mean '$ties'?")
         conformance("--strategy", "zbuffer", "--seed", "x").mistake("'x' is not a whole number")
         conformance("--strategy", "zbuffer", "--seed", "1", "--explore").mistake("exclude each other")
-        zcli("conformance", "--strategy", "zbuffer", "--tries", "0").mistake("--tries: must be in 0.001..1000000")
+        judge("--strategy", "zbuffer", "--tries", "0").mistake("--tries: must be in 0.001..1000000")
         val full = folder.resolve("full").apply { writeText("a file") }
         conformance("--strategy", "zbuffer", "--rule", ties, "--report", full).mistake("full")
         assertFalse(folder.resolve("full/report.html").exists())

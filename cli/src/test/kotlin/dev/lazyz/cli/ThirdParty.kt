@@ -17,6 +17,7 @@ import java.util.jar.Manifest
 import kotlin.io.path.createDirectories
 import kotlin.io.path.outputStream
 import kotlin.io.path.writeText
+import kotlin.system.exitProcess
 
 /** A renderer that fails after half the rows in a way that its [id] names. */
 open class FailingRenderer(override val id: String, private val failure: () -> Throwable) : Renderer {
@@ -43,6 +44,26 @@ class UnbornRenderer : FailingRenderer("unborn", { IllegalStateException() }) {
 /** Does not get as far as being judged. */
 class SpeechlessRenderer : FailingRenderer("speechless", { IllegalStateException() }) {
     override val capabilities: Set<Capability> get() = error("what can I do?")
+}
+
+/** Prints, and exits as if all were well where there is something to draw. */
+class ExitingRenderer : Renderer {
+    override val id: String get() = "exiting"
+
+    override val summary: String get() = "exits"
+
+    override fun render(frame: Frame, sink: RowSink): Counters {
+        println("going on")
+        if (frame.primitives.size > 2) exitProcess(0)
+        return ZBuffer().render(frame, sink)
+    }
+}
+
+/** Exits before anybody has seen it. */
+class StillbornRenderer : FailingRenderer("stillborn", { IllegalStateException() }) {
+    init {
+        exitProcess(0)
+    }
 }
 
 /** Capable of all that flags ask for, by way of `lists`, and remembers what it was asked. */

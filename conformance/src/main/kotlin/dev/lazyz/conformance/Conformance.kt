@@ -32,6 +32,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     private var deadline: Duration? = null
     private var output: Path? = null
     private var command: String? = null
+    private var journal: Path? = null
 
     /** Chooses other frames than the usual. */
     public fun seed(seed: Long): Conformance = apply { this.seed = seed }
@@ -86,6 +87,13 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     public fun output(folder: Path): Conformance = apply { output = folder }
 
     /**
+     * Keeps a journal in the file at [path], by which a process that runs the suite again, with the same options, takes
+     * up a run whose process has ended: it tells that the rule on trial has crashed or timed out, and tries the others.
+     * [Supervision] starts such processes.
+     */
+    public fun journal(path: Path): Conformance = apply { journal = path }
+
+    /**
      * Says how a reader of the report repeats the run: [words] for a shell, to which seed, tries and rule are added.
      * By default `zcli conformance` with the renderer's id, and the class path that its class comes from.
      */
@@ -117,7 +125,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
         val chosen = SuiteRule.all.filter { rules.isEmpty() || it in rules }
         val judged = StrategyInfo(renderer.get())
         val start = System.nanoTime()
-        val results = RunUnderWay(renderer, subject, chosen, settings).execute()
+        val results = RunUnderWay(renderer, subject, chosen, settings, journal?.let { Journal(it) }).execute()
         val milliseconds = (System.nanoTime() - start) / NANOSECONDS
         val report = ConformanceReport(judged, settings, command, results, milliseconds)
         output?.let { report.writeTo(it) }

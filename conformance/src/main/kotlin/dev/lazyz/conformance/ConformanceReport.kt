@@ -116,10 +116,10 @@ public class StrategyInfo private constructor(
     private val place: String?,
 ) {
     internal constructor(renderer: Renderer) : this(
-        renderer.id,
+        answer("unknown") { renderer.id },
         renderer.javaClass.name,
         ConformanceReport.versionOf(renderer.javaClass),
-        renderer.capabilities.sorted(),
+        answer(emptyList()) { renderer.capabilities.sorted() },
         placeOf(renderer.javaClass),
     )
 
@@ -129,6 +129,13 @@ public class StrategyInfo private constructor(
     override fun toString(): String = "$id ($className, version $version)"
 
     private companion object {
+        /** A renderer that cannot say what it is has the rules to tell so. */
+        fun <T> answer(otherwise: T, question: () -> T): T = try {
+            question()
+        } catch (_: Throwable) {
+            otherwise
+        }
+
         fun placeOf(type: Class<*>): String? = when {
             Renderers.builtIn.any { it.javaClass == type } -> null
             else -> type.protectionDomain?.codeSource?.location?.takeIf { it.protocol == "file" }

@@ -49,13 +49,16 @@ internal class Effort :
         if (run != null) attributes.setShrinking(settings.shrinking.mode)
 
         // Try the rule, and judge
-        val (result, verdict) = Trial(rule, settings.waivers.of(rule.name), settings.deadline, tally.steps)
+        val journal = run?.journal
+        journal?.begins(rule)
+        val (result, verdict) = Trial(rule, settings.waivers.of(rule.name), settings.deadline, tally.steps, journal)
             .use { trial ->
                 trial.notRun = tally.whyNoFurtherRule
                 val result = tried(trial, context, property)
                 result to trial.verdict(result, LocalDate.now())
             }
         tally.add(verdict)
+        journal?.ends(verdict)
         if (run != null) {
             run.add(verdict)
             return translated(result, verdict)
@@ -70,6 +73,7 @@ internal class Effort :
         context: PropertyLifecycleContext,
         property: PropertyExecutor,
     ): PropertyExecutionResult {
+        LastWords.keep()
         Trial.current = trial
         try {
             val result = property.execute()

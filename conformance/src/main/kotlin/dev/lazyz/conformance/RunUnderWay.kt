@@ -20,6 +20,7 @@ internal class RunUnderWay(
     private val subject: Class<out RendererConformance>,
     private val rules: List<SuiteRule>,
     val settings: Settings,
+    val journal: Journal? = null,
 ) {
     private val results = LinkedHashMap<String, RuleResult>()
 

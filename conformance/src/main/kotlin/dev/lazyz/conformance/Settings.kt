@@ -67,12 +67,18 @@ internal class Tally {
 
     /** Why the next rule is not tried; null if it is. */
     val whyNoFurtherRule: String?
-        get() = if (timeOuts < MOST_TIME_OUTS) null else "$MOST_TIME_OUTS rules before it timed out"
+        get() = if (timeOuts <
+            MOST_TIME_OUTS
+        ) {
+            null
+        } else {
+            "$MOST_TIME_OUTS rules before it timed out or ended the process"
+        }
 
     fun add(verdict: RuleResult) {
         val failure = verdict.failure ?: return
         broken++
-        if (failure.cause is TimedOut) timeOuts++
+        if (failure.cause is TimedOut || failure.cause is ProcessEnded) timeOuts++
     }
 
     companion object {

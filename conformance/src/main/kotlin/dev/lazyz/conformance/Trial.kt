@@ -20,6 +20,7 @@ internal class Trial(
     private val waiver: Waiver?,
     deadline: Duration = Settings.USUAL_DEADLINE,
     private var steps: Int = Settings.MANY_STEPS,
+    private val journal: Journal? = null,
 ) : AutoCloseable {
     private val census = Census()
     private val start = System.nanoTime()
@@ -28,6 +29,8 @@ internal class Trial(
     private var shrinkingSince = 0L
     private val before = ArrayDeque<FrameCase>()
     private var isFlaky = false
+    private val processEnd = journal?.endAt(rule)
+    private var tries = 0
 
     /** Why the rule does not apply, once that is known. */
     private var notDeclared: NotDeclared? = null
@@ -64,6 +67,9 @@ internal class Trial(
     fun attempt(parameters: List<Any>, block: () -> TryExecutionResult): TryExecutionResult {
         if (notRun != null || notDeclared != null) return TryExecutionResult.satisfied(true)
         falsified?.let { return shrink(it, parameters, block) }
+        journal?.tries()
+        tries++
+        if (processEnd != null) return replay(processEnd, parameters)
         census.nextTry()
         val result = answer(parameters, block)
         val failure = result.throwable().orElse(null)
@@ -82,9 +88,22 @@ internal class Trial(
         return result
     }
 
+    /** None of the tries is made again, and the one in which the process ended is told. */
+    private fun replay(end: ProcessEnd, parameters: List<Any>): TryExecutionResult {
+        if (tries < end.tries) return TryExecutionResult.satisfied()
+        val lead = if (end.isShrinking) "failed, and when smaller frames were tried " else ""
+        val where = cases(parameters).firstOrNull()?.let { "\nin\n$it" }.orEmpty()
+        val message = "${lead}ended the process: ${end.words}$where"
+        val failure = if (end.outcome == RuleOutcome.TIMED_OUT) TimedOut(message, null) else ProcessEnded(message)
+        falsified = Falsified(parameters, failure)
+        steps = 0
+        return TryExecutionResult.falsified(failure)
+    }
+
     /** What jqwik gets to see is the first failure: it would keep a list of all that fail otherwise, and sort it. */
     private fun shrink(best: Falsified, parameters: List<Any>, block: () -> TryExecutionResult): TryExecutionResult {
         if (!isStepLeft()) throw ShrinkingEnds()
+        journal?.shrinks()
         val failure = answer(parameters, block).throwable().orElse(null)
         if (failure is TimedOut) throw ShrinkingEnds()
         if (failure == null || failure.javaClass != best.failure.javaClass) return TryExecutionResult.satisfied()
@@ -153,6 +172,7 @@ internal class Trial(
     private fun outcome(status: Status, failure: Throwable): RuleOutcome = when {
         notRun != null -> RuleOutcome.NOT_RUN
         notDeclared != null -> RuleOutcome.NOT_SUPPORTED
+        processEnd != null -> processEnd.outcome
         status == Status.SUCCESSFUL -> RuleOutcome.PASSED
         status == Status.ABORTED -> RuleOutcome.NOT_SUPPORTED
         failure is TimedOut -> RuleOutcome.TIMED_OUT
@@ -214,7 +234,8 @@ internal class Trial(
             if (failure is AssertionError) failure is Violation && failure.cause is Error else failure is Error
 
         private fun isTooDearToRepeat(failure: Throwable?): Boolean =
-            failure is TimedOut || failure is OutOfMemoryError || failure?.cause is OutOfMemoryError
+            failure is TimedOut || failure is ProcessEnded || failure is OutOfMemoryError ||
+                failure?.cause is OutOfMemoryError
     }
 }
 

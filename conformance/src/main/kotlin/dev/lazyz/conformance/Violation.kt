@@ -24,6 +24,9 @@ internal class Violation(
 /** A try was not over at its deadline; [case] is what it was rendering, if that is a frame. */
 internal class TimedOut(message: String, val case: FrameCase?) : AssertionError(message)
 
+/** A process that an earlier part of the run was made in ended during a try. */
+internal class ProcessEnded(message: String) : AssertionError(message)
+
 /** Ends a rule that does not apply, for this [reason]. Reports say so; it is no failure. */
 internal class NotDeclared(reason: String) : RuntimeException(reason)
 

@@ -1,11 +1,16 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
+import java.nio.file.Path
 import java.time.Duration
+import kotlin.io.path.readLines
+import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
 
 /** Whatever a renderer does, a run comes to its end and tells it. */
 class RunTest {
@@ -45,7 +50,7 @@ class RunTest {
         val outcomes = run.results.map { it.outcome }
         assertEquals(3, outcomes.count { it == RuleOutcome.TIMED_OUT }) { run.toText() }
         assertTrue(outcomes.takeLast(2).all { it == RuleOutcome.NOT_RUN }, run.toText())
-        assertEquals("3 rules before it timed out", run.results.last().message)
+        assertEquals("3 rules before it timed out or ended the process", run.results.last().message)
         assertEquals(0, run.results.last().tries)
     }
 
@@ -92,5 +97,28 @@ class RunTest {
         val most = Tally.MOST_SHRUNK * Settings.MANY_STEPS + (broken.size - Tally.MOST_SHRUNK) * Settings.FEW_STEPS
         assertTrue(calls <= tries + most + 4 * broken.size, "$calls calls")
         assertEquals(emptySet<Thread>(), Thread.getAllStackTraces().keys - before)
+    }
+
+    @Test
+    fun runWhoseProcessEndedIsTakenUp(@TempDir folder: Path) {
+        val journal = folder.resolve("journal")
+        assertFalse(Journal.ended(journal, "exit code 3", RuleOutcome.CRASHED))
+        journal.writeText("rule_4_3_backgroundIsWhereNothingPasses ... PASSED\n$nearest ....")
+        assertTrue(Journal.ended(journal, "exit code 3", RuleOutcome.CRASHED))
+
+        var calls = 0
+        val run = of {
+            calls++
+            PlainRenderer()
+        }.journal(journal).rule(nearest).rule(ties).run()
+        val (crashed, passed) = run.results
+        assertOutcome(RuleOutcome.CRASHED, crashed)
+        assertTrue(crashed.message.startsWith("ended the process: exit code 3\nin\nFrameBuilder("), crashed.message)
+        assertEquals(4, crashed.tries)
+        assertOutcome(RuleOutcome.PASSED, passed)
+        assertEquals(1 + passed.tries, calls, "no try of the rule that has crashed")
+        val lines = journal.readLines()
+        assertEquals("$nearest .... ! CRASHED exit code 3", lines[0])
+        assertEquals("$ties ${".".repeat(passed.tries)} PASSED", lines.last())
     }
 }
