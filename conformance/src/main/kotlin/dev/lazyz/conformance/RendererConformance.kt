@@ -16,11 +16,11 @@ import net.jqwik.api.lifecycle.PropagationMode
  * The system property [TRIES] multiplies the number of frames (`-Dlazyz.conformance.tries=100` for a night, `0.1` while
  * debugging), and [SEED] chooses others. Cost: a few seconds for a renderer, in one thread but for few rules.
  *
- * The rules are in the superclasses, by theme: [PictureRules], [ShadingRules], [SizeRules],
- * [CombinationRules], [ChangeRules], [UseRules], [CounterRules] and [PromiseRules]. Extend this class, not those.
+ * The rules are in the superclasses, by theme: [PictureRules], [ShadingRules], [SizeRules], [CombinationRules],
+ * [ChangeRules], [UseRules], [CounterRules], [PromiseRules] and [TidyRules]. Extend this class, not those.
  */
 @AddLifecycleHook(value = Effort::class, propagateTo = PropagationMode.ALL_DESCENDANTS)
-public abstract class RendererConformance : PromiseRules() {
+public abstract class RendererConformance : TidyRules() {
     /** Returns the renderer to judge, a new one or always the same. Called once for each try of each rule. */
     public abstract override fun renderer(): Renderer
 

@@ -24,6 +24,7 @@ internal object Gallery {
         "Use" to UseGallery.mutants,
         "Counters and promises" to PromisesGallery.mutants,
         "Memory" to MemoryGallery.mutants,
+        "What is left behind" to TidyGallery.mutants,
     )
 
     val all: List<Mutant> get() = themes.values.flatten()

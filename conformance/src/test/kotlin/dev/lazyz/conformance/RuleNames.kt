@@ -57,5 +57,6 @@ internal object RuleNames {
     val sums = RendererConformance::rule_8_1_countersDoNotDependOnThreads.name
     val budget = RendererConformance::rule_8_1_promiseToKeepToTheBudgetIsKept.name
     val heap = RendererConformance::rule_8_1_heapKeepsToTheBudget.name
+    val tidy = RendererConformance::rule_7_9_renderingsLeaveNothingBehind.name
     val arrivals = RendererConformance::rule_8_1_promiseToStreamPrimitivesIsKept.name
 }
