@@ -7,11 +7,13 @@ import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
-import com.github.ajalt.clikt.parameters.options.required
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.Conformance
 import dev.lazyz.conformance.ConformanceReport
 import dev.lazyz.conformance.EndedEarlyException
+import dev.lazyz.conformance.FramesException
+import dev.lazyz.conformance.RecordedReport
+import dev.lazyz.conformance.RecordedReportException
 import dev.lazyz.conformance.SuiteRule
 import dev.lazyz.conformance.WaiversException
 import java.nio.file.Path
@@ -22,7 +24,7 @@ import kotlin.io.path.writeText
 /** `zcli conformance`: runs the conformance suite on a strategy from wherever it is. */
 internal class ConformanceCommand(private val streams: Streams, private val args: List<String>) :
     Command("conformance") {
-    private val strategy by option("--strategy", metavar = "ID", help = "The strategy to judge").required()
+    private val strategy by option("--strategy", metavar = "ID", help = "The strategy to judge")
 
     private val classPath by classPath()
 
@@ -44,6 +46,17 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     private val waivers by option("--waivers", help = "Rules that the strategy is known to break")
         .convert("FILE") { Path.of(it) }
 
+    private val frames by option(
+        "--frames",
+        help = "Try the scene files and meshes there, too, and add the frames that rules fail on",
+    ).convert("FOLDER") { Path.of(it) }
+
+    private val verify by option(
+        "--verify",
+        metavar = "REPORT",
+        help = "Run again what this report.json says, with its settings, and compare what comes of each rule",
+    ).convert("REPORT") { Path.of(it) }
+
     private val report by option("--report", help = "Write the report there too, with pictures of failures")
         .convert("FOLDER") { Path.of(it) }
 
@@ -59,15 +72,27 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     private val isJson by option("--json", help = "Print JSON instead of the summary").flag()
 
+    /** What `--verify` names. */
+    private val recorded: RecordedReport? by lazy {
+        try {
+            verify?.let { RecordedReport.read(it) }
+        } catch (bad: RecordedReportException) {
+            throw Mistake(bad.message.orEmpty())
+        }
+    }
+
     override fun help(context: Context): String =
-        "Judges a strategy, ours or your own, by the rules of the contract.\n\nExit code 1: it does not conform, or " +
-            "pictures differ."
+        "Judges a strategy, ours or your own, by the rules of the contract.
+
+" +
+            "Exit code 1: it does not conform, pictures differ, or --verify finds another outcome."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli conformance --strategy my-id --classpath my.jar --report report" to "your own, and a page with pictures",
         "zcli conformance --strategy lazy --rule 5.2 --tries 10" to "what the contract says about ties, thoroughly",
         "zcli conformance --strategy my-id --classpath my.jar --explore" to "frames that nobody has seen",
         "zcli conformance --strategy tiled --against zbuffer --minutes 10 --corpus frames" to "two against each other",
+        "zcli conformance --verify report/report.json --classpath my.jar" to "whether a report says what is so",
     )
 
     override fun run() {
@@ -90,20 +115,37 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     }
 
     private fun fuzz(): Int = StrategyPath(classPath).use { path ->
-        val report = fuzzing.run(path.find(strategy), seed, path::find)
+        val report = fuzzing.run(path.find(strategy ?: throw Mistake("which strategy? Say --strategy ID")), seed, path::find)
         streams.print(report.toText())
         if (report.isEqual) ExitCode.DONE else ExitCode.DIFFERENT
     }
 
     private fun judge(journal: Path?): ConformanceReport = StrategyPath(classPath).use { path ->
-        val conformance = conformance(path.find(strategy))
+        val id = strategy ?: recorded?.strategy ?: throw Mistake("which strategy? Say --strategy ID, or --verify REPORT")
+        val conformance = conformance(id, path.find(id))
         journal?.let { conformance.journal(it) }
-        conformance.run()
+        try {
+            conformance.run()
+        } catch (bad: FramesException) {
+            throw Mistake(bad.message.orEmpty())
+        }
     }
 
-    private fun text(report: ConformanceReport): String = if (isJson) report.toJson() else report.toText()
+    private fun text(report: ConformanceReport): String =
+        if (isJson) report.toJson() else recorded?.let { comparison(it, report) } ?: report.toText()
 
-    private fun code(report: ConformanceReport): Int = if (report.isConformant) ExitCode.DONE else ExitCode.DIFFERENT
+    private fun comparison(recorded: RecordedReport, report: ConformanceReport): String {
+        val differences = recorded.differences(report)
+        val rules = "${report.results.size} rules"
+        if (differences.isEmpty()) return "verified: ${report.strategy.id}, $rules, the same outcomes\n"
+        return "NOT verified: ${report.strategy.id}, ${differences.size} of $rules have another outcome\n" +
+            differences.joinToString("") { "  $it\n" }
+    }
+
+    private fun code(report: ConformanceReport): Int {
+        val isGood = recorded?.let { it.differences(report).isEmpty() } ?: report.isConformant
+        return if (isGood) ExitCode.DONE else ExitCode.DIFFERENT
+    }
 
     /** Has a process of its own judge, so that a verdict comes out whatever the strategy does to it. */
     private fun supervise(): Int {
@@ -112,7 +154,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
             ConformanceProcess.run(args, seed, seconds(deadline ?: USUAL_DEADLINE))
         } catch (ended: EndedEarlyException) {
             streams.note(ended.printed)
-            streams.error("$strategy does NOT conform: ${ended.message}")
+            streams.error("${strategy ?: recorded?.strategy} does NOT conform: ${ended.message}")
             return ExitCode.DIFFERENT
         }
         answer.report?.let { streams.print(it) }
@@ -122,9 +164,13 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     private fun seconds(number: Double): Duration = Duration.ofMillis((number * MILLISECONDS).toLong())
 
-    private fun conformance(renderer: Renderer): Conformance {
+    private fun conformance(id: String, renderer: Renderer): Conformance {
         if (seed != null && isExploring) throw Mistake("--seed and --explore exclude each other")
-        val conformance = Conformance { renderer }.command(command())
+        if (verify != null && (seed != null || isExploring || tries != null || rules.isNotEmpty() || waivers != null)) {
+            throw Mistake("--verify takes seed, tries, rules and waivers from the report: leave out those flags")
+        }
+        val conformance = recorded?.again { renderer } ?: Conformance { renderer }
+        conformance.command(command(id))
         seed?.let { conformance.seed(it) }
         if (isExploring) ConformanceProcess.seed()?.let { conformance.seed(it) } ?: conformance.explore()
         deadline?.let { conformance.deadline(seconds(it)) }
@@ -138,15 +184,19 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         } catch (bad: WaiversException) {
             throw Mistake(bad.message.orEmpty())
         }
+        frames?.let { conformance.frames(it) }
         report?.let { conformance.output(it) }
         return conformance
     }
 
-    /** What to type to see a failure again, up to the seed. */
-    private fun command(): String = buildString {
-        append("zcli conformance --strategy $strategy")
-        for (jar in classPath) append(" --classpath ").append(if (jar.any { it.isWhitespace() }) "'$jar'" else jar)
+    /** What to type to see a failure of the strategy [id] again, up to the seed. */
+    private fun command(id: String): String = buildString {
+        append("zcli conformance --strategy $id")
+        for (jar in classPath) append(" --classpath ").append(quoted(jar))
+        frames?.let { append(" --frames ").append(quoted("$it")) }
     }
+
+    private fun quoted(word: String): String = if (word.any { it.isWhitespace() }) "'$word'" else word
 
     private fun unknown(rule: String): String {
         val names = SuiteRule.all.flatMap { listOf(it.name, it.number) }.distinct()

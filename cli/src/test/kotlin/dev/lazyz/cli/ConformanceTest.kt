@@ -76,6 +76,36 @@ class ConformanceTest {
     }
 
     @Test
+    fun reportIsVerified() {
+        val jar = jar(StutteringRenderer::class.java)
+        val report = folder.resolve("report")
+        val words = arrayOf("--strategy", "stuttering", "--classpath", jar, "--report", report, "--rule", "7.3")
+        assertEquals(ExitCode.DIFFERENT, conformance(*words).code)
+        val file = report.resolve("report.json")
+        val run = judge("--verify", file, "--classpath", jar).done()
+        assertTrue(run.text.startsWith("verified: stuttering, "), run.text)
+        val other = judge("--verify", file, "--strategy", "zbuffer")
+        assertEquals(ExitCode.DIFFERENT, other.code)
+        val rule = "rule_7_3_rowsArriveInOrderEachOnce"
+        assertTrue("NOT verified: zbuffer, " in other.text, other.text)
+        assertTrue("$rule: recorded failed, now passed" in other.text, other.text)
+        judge("--verify", file, "--seed", "1").mistake("--verify takes seed, tries, rules and waivers")
+        file.writeText("{}")
+        judge("--verify", file).mistake("report.json is no report.json of the conformance suite")
+    }
+
+    @Test
+    fun framesOfOnesOwnAreTried() {
+        val frames = folder.resolve("frames")
+        val words = arrayOf("--strategy", "zbuffer", "--rule", "rule_7_1_framesOfOnesOwnAreRight", "--frames", frames)
+        assertTrue("0 frames, of which" in conformance(*words).done().text)
+        frames.resolve("mine.obj").writeText("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        assertTrue("2 frames, of which" in conformance(*words).done().text)
+        frames.resolve("bad.json").writeText("{")
+        conformance(*words).mistake("a file of the frames folder cannot be read", "bad.json")
+    }
+
+    @Test
     fun jsonIsForScripts() {
         val run = conformance("--strategy", "zbuffer", "--rule", ties, "--json").done()
         assertEquals("true", run.stat("conformant"))

@@ -30,6 +30,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     private val rules = LinkedHashSet<SuiteRule>()
     private var waivers: Waivers? = null
     private var deadline: Duration? = null
+    private var frames: Path? = null
     private var output: Path? = null
     private var command: String? = null
     private var journal: Path? = null
@@ -83,6 +84,13 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     /** Waives these rules. */
     public fun waivers(waivers: Waivers): Conformance = apply { this.waivers = waivers }
 
+    /**
+     * Tries the scene files and meshes in [folder] too, by the rule `rule_7_1_framesOfOnesOwnAreRight`, each as a whole and
+     * in part, and adds to the folder, which is made if it is not there, each frame that a rule fails on, as a scene file
+     * where there are words for it. Files that are no scenes are left alone.
+     */
+    public fun frames(folder: Path): Conformance = apply { frames = folder }
+
     /** Writes the report to [folder] too, as [ConformanceReport.writeTo] does. */
     public fun output(folder: Path): Conformance = apply { output = folder }
 
@@ -112,6 +120,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
      *
      * @throws IllegalStateException if a run is under way in this process, or the suite itself fails
      * @throws IllegalArgumentException if a system property of the suite is not what it should be
+     * @throws FramesException if there is a folder of frames, and it or a file in it cannot be read
      * @throws java.io.IOException if there is an output folder, and it cannot be written
      */
     public fun run(): ConformanceReport {
@@ -121,7 +130,9 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
             waivers ?: Settings.waivers(),
             shrinking,
             deadline ?: Settings.deadline(),
+            (frames ?: Settings.frames())?.let { OwnFrames(it) },
         )
+        settings.frames?.cases
         val chosen = SuiteRule.all.filter { rules.isEmpty() || it in rules }
         val judged = StrategyInfo(renderer.get())
         val start = System.nanoTime()

@@ -22,8 +22,8 @@ public class ConformanceReport internal constructor(
     public val results: List<RuleResult>,
     public val milliseconds: Long,
 ) {
-    /** The suite's version, or `unknown` if it does not come from a jar. */
-    public val suiteVersion: String get() = versionOf(Conformance::class.java)
+    /** The suite's version, see [ConformanceVersions]. */
+    public val suiteVersion: String get() = ConformanceVersions.SUITE
 
     /** Java's version and the name of its machine. */
     public val jvm: String = "${System.getProperty("java.version")}, ${System.getProperty("java.vm.name")}"

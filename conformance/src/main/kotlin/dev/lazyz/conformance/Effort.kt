@@ -53,12 +53,14 @@ internal class Effort :
         journal?.begins(rule)
         val (result, verdict) = Trial(rule, settings.waivers.of(rule.name), settings.deadline, tally.steps, journal)
             .use { trial ->
+                trial.own = settings.frames
                 trial.notRun = tally.whyNoFurtherRule
                 val result = tried(trial, context, property)
                 result to trial.verdict(result, LocalDate.now())
             }
         tally.add(verdict)
         journal?.ends(verdict)
+        settings.frames?.keep(verdict)
         if (run != null) {
             run.add(verdict)
             return translated(result, verdict)

@@ -28,14 +28,19 @@ internal class Judgement(private val renderer: Renderer, private val case: Frame
     val rendering: Rendering = attempt { Rendering.of(renderer, case.frame) }
 
     /** Fails unless the frame came out as the oracle says, bit for bit. */
-    fun equalsReference(): Judgement = apply {
-        val expected = Rendering.of(ReferenceRenderer(), case.frame).image
+    fun equalsReference(): Judgement = equalsPictureOf(ReferenceRenderer())
+
+    /** Fails unless the frame came out as [oracle] has it, bit for bit. */
+    fun equalsPictureOf(oracle: Renderer): Judgement = apply {
+        val expected = Rendering.of(oracle, case.frame).image
         difference(expected, rendering.image)?.let { fail("", it) }
     }
 
     /** Fails unless the frame comes out the same when it is rendered into memory. */
     fun equalsItsImage(): Judgement = apply {
-        difference(rendering.image, attempt { renderer.render(case.frame) })?.let { fail("into memory: ", it) }
+        val image = attempt { renderer.render(case.frame) }
+        if (image.region != rendering.image.region) fail("into memory: ${differenceInWords(rendering.image, image)}")
+        difference(rendering.image, image)?.let { fail("into memory: ", it) }
     }
 
     /** Fails unless the rows of the frame's region arrived from the top to the bottom, each once. */

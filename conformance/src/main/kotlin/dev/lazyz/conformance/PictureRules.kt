@@ -18,6 +18,9 @@ public sealed class PictureRules {
     /** See [RendererConformance.renderer]. */
     public abstract fun renderer(): Renderer
 
+    /** See [RendererConformance.frames]. */
+    public open fun frames(): List<FrameCase> = emptyList()
+
     /** Frames of [Confetti]: many spans a row, loose bounds, and depth that is no linear form. */
     @Rule(
         intent = "Primitives of one's own cover what they say: many spans a row, loose bounds, depth without a form.",

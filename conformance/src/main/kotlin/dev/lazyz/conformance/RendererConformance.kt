@@ -24,6 +24,12 @@ public abstract class RendererConformance : TidyRules() {
     /** Returns the renderer to judge, a new one or always the same. Called once for each try of each rule. */
     public abstract override fun renderer(): Renderer
 
+    /**
+     * Returns frames of one's own to try besides those of the folder that [FRAMES] names, none unless overridden: each
+     * must come out right, as a whole and in part. Called once.
+     */
+    public override fun frames(): List<FrameCase> = emptyList()
+
     public companion object {
         /** System property: a positive decimal number that multiplies the number of frames each rule is tried on. */
         public const val TRIES: String = "lazyz.conformance.tries"
@@ -36,6 +42,10 @@ public abstract class RendererConformance : TidyRules() {
          * rule has timed out then, and the next one is tried.
          */
         public const val DEADLINE: String = "lazyz.conformance.deadline"
+         * System property: a folder of scene files and meshes that the suite tries too, and to which it adds the frames
+         * that rules fail on. It is made if it is not there.
+         */
+        public const val FRAMES: String = "lazyz.conformance.frames"
 
         /** System property: the folder in which frames that fail are kept, in a folder of the test class's name. */
         public const val OUTPUT: String = "lazyz.conformance.output"

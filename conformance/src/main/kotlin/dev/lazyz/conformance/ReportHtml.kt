@@ -103,7 +103,7 @@ internal class ReportHtml(private val report: ConformanceReport) {
         table {
             row("strategy", "${strategy.id}, ${strategy.className}, version ${strategy.version}")
             row("capabilities", strategy.capabilities.joinToString { it.name }.ifEmpty { "none" })
-            row("suite", report.suiteVersion)
+            row("suite", "${report.suiteVersion}, for contract ${ConformanceVersions.CONTRACT}")
             row("Java", "${report.jvm}; ${report.os}")
             row("seed", "${report.seed}")
             row("tries", "${ConformanceReport.plain(report.tries)} times the usual")

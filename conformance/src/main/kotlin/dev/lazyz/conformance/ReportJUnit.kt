@@ -23,6 +23,7 @@ internal class ReportJUnit(private val report: ConformanceReport) {
         val causes = report.diagnosis.causes.withIndex().associate { (i, it) -> "likely.cause.${i + 1}" to "$it" }
         val properties = mapOf("verdict" to ReportText(report).verdict()) + causes + mapOf(
             "suite.version" to report.suiteVersion,
+            "contract.version" to ConformanceVersions.CONTRACT,
             "strategy.class" to report.strategy.className,
             "strategy.version" to report.strategy.version,
             "capabilities" to report.strategy.capabilities.joinToString(",") { it.name },

@@ -27,6 +27,7 @@ internal class ReportJson(private val report: ConformanceReport) {
             }
         }
         put("suite", report.suiteVersion)
+        put("contract", ConformanceVersions.CONTRACT)
         putJsonObject("strategy") {
             put("id", report.strategy.id)
             put("class", report.strategy.className)
@@ -93,13 +94,14 @@ internal class ReportJson(private val report: ConformanceReport) {
     private fun JsonObjectBuilder.put(key: String, value: Double) =
         put(key, if (value % 1.0 == 0.0) JsonPrimitive(value.toLong()) else JsonPrimitive(value))
 
-    private fun key(outcome: RuleOutcome): String = camelCase(outcome.name)
+    companion object {
+        private val format = Json { prettyPrint = true }
 
-    private companion object {
-        val format = Json { prettyPrint = true }
+        /** What reports call an [outcome]. */
+        fun key(outcome: RuleOutcome): String = camelCase(outcome.name)
 
         /** `SEVERAL_VISIBLE` becomes `severalVisible`. */
-        fun camelCase(name: String): String {
+        private fun camelCase(name: String): String {
             val words = name.lowercase().split('_')
             return words.first() + words.drop(1).joinToString("") { it.replaceFirstChar(Char::uppercase) }
         }

@@ -42,7 +42,7 @@ internal class ReportText(private val report: ConformanceReport) {
     private fun StringBuilder.heading() {
         val strategy = report.strategy
         val capabilities = strategy.capabilities.joinToString { it.name }.ifEmpty { "none" }
-        appendLine("Lazy Z conformance suite ${report.suiteVersion}")
+        appendLine("Lazy Z conformance suite ${report.suiteVersion}, contract ${ConformanceVersions.CONTRACT}")
         appendLine("strategy      ${strategy.id} (${strategy.className}, version ${strategy.version})")
         appendLine("capabilities  $capabilities")
         appendLine("Java          ${report.jvm}; ${report.os}")

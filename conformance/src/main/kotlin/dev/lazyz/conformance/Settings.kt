@@ -19,6 +19,7 @@ internal class Settings(
     val waivers: Waivers,
     val shrinking: Shrinking,
     val deadline: Duration,
+    val frames: OwnFrames?,
 ) {
     companion object {
         /** A hundred times what a try takes on a slow machine. */
@@ -31,7 +32,7 @@ internal class Settings(
         const val FEW_STEPS: Int = 40
 
         /** What the system properties say. */
-        fun ofProperties(): Settings = Settings(tries(), seed(), waivers(), Shrinking.ON, deadline())
+        fun ofProperties(): Settings = Settings(tries(), seed(), waivers(), Shrinking.ON, deadline(), ownFrames())
 
         fun tries(): Double = positive(RendererConformance.TRIES) ?: 1.0
 
@@ -51,6 +52,10 @@ internal class Settings(
                 "system property ${RendererConformance.SEED} must be a whole number: $text"
             }
         }
+
+        fun frames(): Path? = System.getProperty(RendererConformance.FRAMES)?.let { Path.of(it) }
+
+        private fun ownFrames(): OwnFrames? = frames()?.let { OwnFrames(it) }
 
         fun waivers(): Waivers =
             System.getProperty(Waivers.PROPERTY)?.let { Waivers.read(Path.of(it)) } ?: Waivers.NONE

@@ -22,6 +22,9 @@ internal class Trial(
     private var steps: Int = Settings.MANY_STEPS,
     private val journal: Journal? = null,
 ) : AutoCloseable {
+    /** The user's own frames; null if there are none. */
+    var own: OwnFrames? = null
+
     private val census = Census()
     private val start = System.nanoTime()
     private val thread = TryThread(deadline)

@@ -20,6 +20,16 @@ public sealed class UseRules : ChangeRules() {
         for (case in cases + cases) Judgement(renderer, case).equalsReference().equalsItsImage()
     }
 
+    /** Frames that rules have failed on before, and those of the user's own, are right. */
+    @Rule(
+        intent = "What was wrong once stays right, and a user's own frames and meshes are as good as the suite's.",
+        look = "The message names the file: it says what the frame is like that the suite's own do not have.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_1_framesOfOnesOwnAreRight() {
+        for (case in Trial.current?.own?.cases.orEmpty() + frames()) framesAreRight(renderer(), case)
+    }
+
     /** A renderer that several threads use at once, each for another frame, gives the same bits. */
     @Rule(
         intent = "A renderer may be used from several threads at once, each with a frame of its own.",

@@ -77,6 +77,8 @@ public class Waivers private constructor(public val all: List<Waiver>) {
 
         private val KEYS = listOf("rule", "reason", "link", "expires")
 
+        internal fun listed(all: List<Waiver>): Waivers = Waivers(all)
+
         /** No waivers. */
         @JvmField
         public val NONE: Waivers = Waivers(emptyList())

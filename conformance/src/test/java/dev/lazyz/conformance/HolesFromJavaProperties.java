@@ -1,6 +1,6 @@
 package dev.lazyz.conformance;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
+import static dev.lazyz.conformance.PictureAssertions.assertSamePicture;
 
 import dev.lazyz.zbuffer.ZBuffer;
 import net.jqwik.api.Arbitrary;
@@ -13,7 +13,7 @@ class HolesFromJavaProperties {
     @Property(tries = 200, seed = "1995")
     void holesBehindHoles(@ForAll("holes") FrameCase frameCase) {
         var frame = frameCase.getFrame();
-        assertEquals(new ReferenceRenderer().render(frame), new ZBuffer().render(frame), frameCase::getCode);
+        assertSamePicture(new ReferenceRenderer().render(frame), new ZBuffer().render(frame), frameCase.getCode());
     }
 
     @Provide

@@ -19,6 +19,12 @@ object BrokenManners {
         }
     }
 
+    /** Right on all frames of the suite. */
+    fun widthOf97() = BrokenRenderer("width-of-97") { frame, sink ->
+        val renderer = if (frame.raster.width == 97) WrongColors() else ZBuffer()
+        renderer.render(frame, sink)
+    }
+
     /** Walks all primitives before it looks at the region. */
     fun looksOutsideTheRegion() = BrokenRenderer("looks-outside-the-region") { frame, sink ->
         for (it in frame.primitives) for (y in it.rowStart until it.rowEnd) it.spans(y, Spans())

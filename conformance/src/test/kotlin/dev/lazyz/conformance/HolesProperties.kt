@@ -5,13 +5,12 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import net.jqwik.api.Provide
-import org.junit.jupiter.api.Assertions.assertEquals
 
 /** A mix of one's own; docs/conformance.md shows it. */
 class HolesProperties {
     @Property(tries = 200, seed = "1995")
     fun holesBehindHoles(@ForAll("holes") case: FrameCase) =
-        assertEquals(ReferenceRenderer().render(case.frame), ZBuffer().render(case.frame)) { case.code }
+        assertSamePicture(ReferenceRenderer().render(case.frame), ZBuffer().render(case.frame), case.code)
 
     @Provide
     fun holes(): Arbitrary<FrameCase> = Frames.of(

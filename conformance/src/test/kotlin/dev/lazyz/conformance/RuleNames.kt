@@ -35,6 +35,7 @@ internal object RuleNames {
     val region = RendererConformance::rule_7_4_regionIsThatPartOfThePicture.name
     val options = RendererConformance::rule_7_5_optionsChangeNothing.name
     val again = RendererConformance::rule_7_1_sameBitsAgain.name
+    val frames = RendererConformance::rule_7_1_framesOfOnesOwnAreRight.name
     val threads = RendererConformance::rule_7_1_sameBitsFromSeveralThreads.name
     val kept = RendererConformance::rule_7_1_nothingIsKeptBetweenCalls.name
     val accidents = RendererConformance::rule_7_1_exceptionsOfPrimitivesReachTheCaller.name

@@ -1,6 +1,8 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
+import java.nio.file.Files
+import java.nio.file.Path
 import kotlin.reflect.KClass
 
 /** A run of the suite from within a test: which rules there are, and why which of them failed. */
@@ -36,8 +38,14 @@ class SuiteRun private constructor(val report: ConformanceReport) {
         fun ofRules(rules: Collection<String>, make: () -> Renderer): SuiteRun {
             val conformance = Conformance(make).tries(1.0).withoutShrinking()
             for (rule in rules) conformance.rule(rule)
+            if (RuleNames.frames in rules) conformance.frames(ownFrames)
             return SuiteRun(conformance.run())
         }
+
+        /** A folder with a frame of a width that the suite's own do not have. */
+        private val ownFrames: Path =
+            listOf("src/test/resources", "conformance/src/test/resources").map { Path.of(it) }
+                .first { Files.isDirectory(it) }.resolve("frames")
 
         /** Judges what [make] makes by one rule, and shrinks what fails. */
         fun ofRule(rule: String, tries: Double, make: () -> Renderer): SuiteRun =

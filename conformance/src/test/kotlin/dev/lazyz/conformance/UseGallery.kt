@@ -3,6 +3,7 @@ package dev.lazyz.conformance
 import dev.lazyz.conformance.RuleNames.accidents
 import dev.lazyz.conformance.RuleNames.again
 import dev.lazyz.conformance.RuleNames.empty
+import dev.lazyz.conformance.RuleNames.frames
 import dev.lazyz.conformance.RuleNames.interrupts
 import dev.lazyz.conformance.RuleNames.nearest
 import dev.lazyz.conformance.RuleNames.options
@@ -29,6 +30,7 @@ internal object UseGallery {
         Mutant(BrokenRenderers::remembersTheLastFrame, "the background shows the frame before", again, threads),
         Mutant(BrokenManners::notRestartable, "a frame can be rendered once", again),
         Mutant(BrokenRenderers::oneThreadOnly, "the frame is in a field, so that threads render each other's", threads),
+        Mutant(BrokenManners::widthOf97, "one width is wrong, which only a frame of the user's own has", frames),
         Mutant(BrokenRenderers::optionsMatter, "another picture when it is configured", options),
         Mutant(BrokenManners::racyMerge, "of two threads' results the second overwrites the first", options),
         Mutant(BrokenManners::tileSeam, "the first column of a tile is a copy of the one before", options),

@@ -1,0 +1,93 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Capability
+import dev.lazyz.Frame
+import dev.lazyz.Region
+import dev.lazyz.Renderer
+import dev.lazyz.lists.Lists
+import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.Scenes
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.name
+
+/**
+ * A folder of frames of one's own: scene files and meshes, each of which becomes a frame. The suite adds frames that
+ * rules have failed on, so that later runs try them first.
+ *
+ * @throws FramesException if the folder or a file in it cannot be read
+ */
+internal class OwnFrames(private val folder: Path) {
+    /** One for each file whose name ends as a scene's does, by name. Files of other kinds, and folders, are left alone. */
+    val cases: List<FrameCase> by lazy { files().map { case(it) } }
+
+    private fun files(): List<Path> = try {
+        Files.createDirectories(folder)
+        Files.list(folder).use { paths ->
+            paths.filter { it.isRegularFile() && SceneFormat.ofFileName(it.name) != null }.sorted().toList()
+        }
+    } catch (e: IOException) {
+        throw FramesException("the frames folder $folder cannot be read: $e", e)
+    }
+
+    private fun case(path: Path): FrameCase = try {
+        val loaded = Scenes.load(path)
+        val size = loaded.size ?: USUAL_SIZE
+        val raster = loaded.raster(size.width, size.height)
+        val code = "Scenes.load(Path.of(\"${path.toString().replace("\\", "\\\\")}\"))\n" +
+            "    .let { it.scene.frame(it.raster(${size.width}, ${size.height})) }"
+        FrameCase(loaded.scene.frame(raster), code, loaded.scene)
+    } catch (e: SceneFormatException) {
+        throw FramesException("a file of the frames folder cannot be read: ${e.message}", e)
+    }
+
+    /** Keeps the frame that [failed], if there are words for it. A frame of the folder is there already. */
+    fun keep(failed: RuleResult) {
+        val scene = failed.failure?.sceneFile ?: return
+        if (failed.rule.name == OWN_RULE) return
+        val name = "${failed.rule}-%08x.json".format(scene.hashCode())
+        try {
+            Files.writeString(folder.resolve(name), scene)
+        } catch (e: IOException) {
+            throw FramesException("the frames folder $folder cannot be written: $e", e)
+        }
+    }
+
+    companion object {
+        /** Of frames whose file does not say. */
+        private val USUAL_SIZE = ImageSize(64, 48)
+
+        private val OWN_RULE = UseRules::rule_7_1_framesOfOnesOwnAreRight.name
+    }
+}
+
+/** A frames folder that cannot be used; the message says why. */
+public class FramesException @JvmOverloads constructor(message: String, cause: Throwable? = null) :
+    IllegalArgumentException(message, cause)
+
+/** Fails unless [renderer] gives the right picture of [own], and of its inner part, row by row and into memory. */
+internal fun framesAreRight(renderer: Renderer, own: FrameCase) {
+    val case = if (Capability.TRANSPARENCY in renderer.capabilities) own else own.opaque()
+    for (part in listOf(case, case.within(inner(case.frame)))) {
+        Judgement(renderer, part).equalsPictureOf(oracle(part.frame)).equalsItsImage().rowsInOrder()
+    }
+}
+
+private fun FrameCase.opaque(): FrameCase = if (frame.hasTranslucency) asOpaque() else this
+
+/** The region without a quarter on each side, a sample at least. */
+private fun inner(frame: Frame): Region = with(frame.region) {
+    val column = columnStart + width / 4
+    val row = rowStart + height / 4
+    Region(column, row, column + (width + 1) / 2, row + (height + 1) / 2)
+}
+
+/** The reference, or, where that would take minutes, a renderer that is held to it. */
+private fun oracle(frame: Frame): Renderer =
+    if (frame.region.size * frame.primitives.size <= MOST_FRAGMENTS) ReferenceRenderer() else Lists()
+
+private const val MOST_FRAGMENTS = 20_000_000L

@@ -1,0 +1,103 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Renderer
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.time.LocalDate
+import java.util.function.Supplier
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+
+/**
+ * What a `report.json` says of a run, to do it again and compare: whoever gets a report need not believe it. Immutable
+ * and thread safe.
+ *
+ * @property strategy id of the renderer that was judged
+ * @property seed the seed of the frames
+ * @property tries how many times the usual frames were tried
+ * @property outcomes what came of each rule, by its name: a key of the report's `outcomes`, such as `passed`
+ */
+public class RecordedReport private constructor(
+    public val strategy: String,
+    public val seed: Long,
+    public val tries: Double,
+    public val outcomes: Map<String, String>,
+    private val waivers: Waivers,
+) {
+    /** Returns a run of the same rules with the same settings. */
+    public fun again(renderer: Supplier<out Renderer>): Conformance {
+        val conformance = Conformance(renderer).seed(seed).tries(tries).waivers(waivers)
+        for (rule in outcomes.keys) conformance.rule(rule)
+        return conformance
+    }
+
+    /** Returns a line for each rule whose outcome in [report] is another, by number; empty if all are the same. */
+    public fun differences(report: ConformanceReport): List<String> = report.results.mapNotNull { result ->
+        val recorded = outcomes[result.rule.name]
+        val actual = ReportJson.key(result.outcome)
+        if (recorded == actual) null else "${result.rule}: recorded ${recorded ?: "nothing"}, now $actual"
+    }
+
+    override fun toString(): String = "RecordedReport($strategy, seed $seed, tries $tries, ${outcomes.size} rules)"
+
+    public companion object {
+        /**
+         * Reads the file at [path].
+         *
+         * @throws RecordedReportException if it cannot be read, is no report, or is of another version of the suite
+         */
+        @JvmStatic
+        public fun read(path: Path): RecordedReport {
+            val text = try {
+                Files.readString(path)
+            } catch (e: IOException) {
+                throw RecordedReportException("the report $path cannot be read: $e", e)
+            }
+            return try {
+                of(Json.parseToJsonElement(text).jsonObject, path)
+            } catch (e: RecordedReportException) {
+                throw e
+            } catch (e: RuntimeException) {
+                // Broken JSON, a key that is missing, a value of another kind
+                throw RecordedReportException("$path is no report.json of the conformance suite", e)
+            }
+        }
+
+        private fun of(json: JsonObject, path: Path): RecordedReport {
+            val suite = json.text("suite")
+            if (suite != ConformanceVersions.SUITE) {
+                throw RecordedReportException(
+                    "$path is of version $suite of the suite, and this is ${ConformanceVersions.SUITE}: " +
+                        "verify it with that version",
+                )
+            }
+            val rules = json.getValue("rules").jsonArray.map { it.jsonObject }
+            val outcomes = rules.associate { it.text("rule") to it.text("outcome") }
+            val unknown = outcomes.keys.filter { SuiteRule.find(it) == null }
+            if (unknown.isNotEmpty()) {
+                throw RecordedReportException("$path has rules that are not in the suite: $unknown")
+            }
+            val waivers = json.getValue("waivers").jsonArray.map { waiver(it.jsonObject) }
+            return RecordedReport(
+                json.getValue("strategy").jsonObject.text("id"),
+                json.text("seed").toLong(),
+                json.text("tries").toDouble(),
+                outcomes,
+                Waivers.listed(waivers),
+            )
+        }
+
+        private fun waiver(json: JsonObject): Waiver =
+            Waiver(json.text("rule"), json.text("reason"), json.text("link"), LocalDate.parse(json.text("expires")))
+
+        private fun JsonObject.text(key: String): String = getValue(key).jsonPrimitive.content
+    }
+}
+
+/** A file that is no report, or of another version of the suite; the message says which. */
+public class RecordedReportException @JvmOverloads constructor(message: String, cause: Throwable? = null) :
+    IllegalArgumentException(message, cause)

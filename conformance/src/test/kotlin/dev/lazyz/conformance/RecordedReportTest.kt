@@ -1,0 +1,58 @@
+package dev.lazyz.conformance
+
+import java.nio.file.Path
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+/** A report that somebody hands over is run again. */
+class RecordedReportTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val waivers = Waivers.parse("rule: ${RuleNames.ties}\nreason: a\nlink: b\nexpires: 9999-01-01\n")
+
+    private fun recorded(): Path {
+        Conformance { BrokenRenderers.lastWinsTies() }.seed(3).tries(0.2).rule("5.2").rule("5.6").waivers(waivers)
+            .output(folder).run()
+        return folder.resolve("report.json")
+    }
+
+    private fun message(path: Path) =
+        assertThrows(RecordedReportException::class.java) { RecordedReport.read(path) }.message.orEmpty()
+
+    @Test
+    fun sameRendererComesOutTheSame() {
+        val recorded = RecordedReport.read(recorded())
+        val report = recorded.again { BrokenRenderers.lastWinsTies() }.run()
+        assertEquals(emptyList<String>(), recorded.differences(report))
+        assertEquals(listOf("last-wins-ties", 3L, 0.2), listOf(recorded.strategy, report.seed, report.tries))
+        assertEquals(3, report.results.size)
+    }
+
+    @Test
+    fun otherOutcomesAreTold() {
+        val recorded = RecordedReport.read(recorded())
+        val differences = recorded.differences(recorded.again { PlainRenderer() }.run())
+        assertTrue("${RuleNames.ties}: recorded waived, now waivedButPasses" in differences, "$differences")
+    }
+
+    @Test
+    fun whatIsNoReportOrOfAnotherVersionIsAMistake() {
+        val path = recorded()
+        val text = path.readText()
+        path.writeText(text.replace("\"suite\": \"${ConformanceVersions.SUITE}\"", "\"suite\": \"0.0\""))
+        assertTrue("is of version 0.0 of the suite, and this is ${ConformanceVersions.SUITE}" in message(path))
+        path.writeText(text.replace(RuleNames.ties, "rule_5_2_unheardOf"))
+        assertTrue("rules that are not in the suite: [rule_5_2_unheardOf]" in message(path), message(path))
+        for (other in listOf("", "[]", "{}", "{\"suite\": {}}", text.take(300))) {
+            path.writeText(other)
+            assertTrue("is no report.json of the conformance suite" in message(path), message(path))
+        }
+        assertTrue("cannot be read" in message(folder.resolve("none.json")))
+    }
+}
