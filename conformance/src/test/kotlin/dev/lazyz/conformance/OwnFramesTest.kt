@@ -33,7 +33,7 @@ class OwnFramesTest {
         folder.resolve("b.obj").writeText(mesh)
         folder.resolve("notes.txt").createFile()
         folder.resolve("more.json").createDirectories()
-        assertEquals(listOf(97 * 5, 64 * 48), OwnFrames(folder).cases.map { it.frame.raster.size })
+        assertEquals(listOf(97L * 5, 64L * 48), OwnFrames(folder).cases.map { it.frame.raster.size })
         val report = conformance { PlainRenderer() }.rule(own).run()
         assertTrue(report.isConformant, report.toText())
         assertEquals(4, report.distribution.frames)
