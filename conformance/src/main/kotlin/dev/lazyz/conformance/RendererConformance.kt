@@ -42,6 +42,8 @@ public abstract class RendererConformance : TidyRules() {
          * rule has timed out then, and the next one is tried.
          */
         public const val DEADLINE: String = "lazyz.conformance.deadline"
+
+        /**
          * System property: a folder of scene files and meshes that the suite tries too, and to which it adds the frames
          * that rules fail on. It is made if it is not there.
          */

@@ -23,7 +23,7 @@ class DiagnosisTest {
 
     /**
      * A line for each wrong renderer and, indented, for each rule that it breaks at a fifth of the usual effort: names
-     * of rules and symptoms. `-Dlazyz.update=true` writes it anew, in some minutes.
+     * of rules and symptoms. `-Dlazyz.record=true` writes it anew, in some minutes.
      */
     private fun recorded(): Map<Mutant, List<Diagnosis.Broken>> {
         val blocks = LinkedHashMap<String, MutableList<Diagnosis.Broken>>()
@@ -59,7 +59,7 @@ class DiagnosisTest {
     /** Nine of ten at least, on failures that are not made smaller, which tells less. */
     @Test
     fun oneOfTheRulesThatAWrongRendererIsAboutIsAmongTheFirstThree() {
-        if (System.getProperty("lazyz.update") == "true") record()
+        if (System.getProperty("lazyz.record") == "true") record()
         val all = recorded()
         val missed = all.filter { (mutant, broken) ->
             Diagnosis.ofBroken(broken).causes.none { it.rule.name in mutant.noticedBy }
