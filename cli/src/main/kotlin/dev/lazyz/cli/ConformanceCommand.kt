@@ -121,7 +121,8 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     }
 
     private fun judge(journal: Path?): ConformanceReport = StrategyPath(classPath).use { path ->
-        val id = strategy ?: recorded?.strategy ?: throw Mistake("which strategy? Say --strategy ID, or --verify REPORT")
+        val id =
+            strategy ?: recorded?.strategy ?: throw Mistake("which strategy? Say --strategy ID, or --verify REPORT")
         val conformance = conformance(id, path.find(id))
         journal?.let { conformance.journal(it) }
         try {
