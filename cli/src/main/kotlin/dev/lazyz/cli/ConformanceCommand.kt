@@ -74,6 +74,9 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     /** What `--verify` names. */
     private val recorded: RecordedReport? by lazy {
+        if (verify != null && (seed != null || isExploring || tries != null || rules.isNotEmpty() || waivers != null)) {
+            throw Mistake("--verify takes seed, tries, rules and waivers from the report: leave out those flags")
+        }
         try {
             verify?.let { RecordedReport.read(it) }
         } catch (bad: RecordedReportException) {
@@ -167,9 +170,6 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     private fun conformance(id: String, renderer: Renderer): Conformance {
         if (seed != null && isExploring) throw Mistake("--seed and --explore exclude each other")
-        if (verify != null && (seed != null || isExploring || tries != null || rules.isNotEmpty() || waivers != null)) {
-            throw Mistake("--verify takes seed, tries, rules and waivers from the report: leave out those flags")
-        }
         val conformance = recorded?.again { renderer } ?: Conformance { renderer }
         conformance.command(command(id))
         seed?.let { conformance.seed(it) }

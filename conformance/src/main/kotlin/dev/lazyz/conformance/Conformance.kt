@@ -132,6 +132,8 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
             deadline ?: Settings.deadline(),
             (frames ?: Settings.frames())?.let { OwnFrames(it) },
         )
+
+        // A file that cannot be read is told before any rule is tried
         settings.frames?.cases
         val chosen = SuiteRule.all.filter { rules.isEmpty() || it in rules }
         val judged = StrategyInfo(renderer.get())
