@@ -22,7 +22,11 @@ public interface Renderer {
     public fun configured(options: RenderOptions): Renderer = this
 
     /**
-     * Renders [frame] and hands every row of its region to [sink], from the top row to the bottom row, each once.
+     * Renders [frame] and hands every row of its region to [sink], from the top row to the bottom row, each once, on the
+     * calling thread.
+     *
+     * If that thread is interrupted, some renderers throw [InterruptedException]; the others go on, and its interrupt
+     * status stays set.
      *
      * @return what it took
      */
@@ -40,7 +44,8 @@ public interface Renderer {
 public fun interface RowSink {
     /**
      * Takes row [y] of the raster. The arrays belong to the renderer and are valid during this call only; each holds one
-     * element a column, beginning with the first column of the frame's region (and may be longer than the row).
+     * element a column, beginning with the first column of the frame's region (and may be longer than the row). The sink
+     * may write into these elements, which changes nothing in later rows, and into no others.
      *
      * @param argb colours, 8-bit sRGB with straight alpha, `0xAARRGGBB`
      * @param depth depths, 0..2^31-1, see [Depth]

@@ -9,7 +9,7 @@ import net.jqwik.api.Property
 
 /** Rules about counters: they count what happens, and mean the same for all. Part of [RendererConformance]. */
 @Suppress("ktlint:standard:function-naming")
-public sealed class CounterRules : UseRules() {
+public sealed class CounterRules : ThreadRules() {
     /** Primitives are counted whether they cover anything or not, and shading calls are the calls that happen. */
     @Rule(
         intent = "Primitives and shading calls are counted as they are submitted and made.",

@@ -158,7 +158,7 @@ private fun Frame.covers(index: Int, x: Int, y: Int): Boolean {
 }
 
 /** Calls [block] for each of [cases] in a thread of its own, all at the same time. Fails as the first that fails. */
-internal fun atOnce(cases: List<FrameCase>, block: (FrameCase) -> Unit) {
+internal fun <T> atOnce(cases: List<T>, block: (T) -> Unit) {
     val threads = Executors.newFixedThreadPool(cases.size) { Thread(it).apply { isDaemon = true } }
     try {
         val barrier = CyclicBarrier(cases.size)

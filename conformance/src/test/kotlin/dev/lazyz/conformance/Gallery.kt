@@ -22,6 +22,7 @@ internal object Gallery {
         "Colour" to ColourGallery.mutants,
         "Light, textures and materials" to ShadingGallery.mutants,
         "Use" to UseGallery.mutants,
+        "Threads and the sink" to ThreadGallery.mutants,
         "Counters and promises" to PromisesGallery.mutants,
         "Memory" to MemoryGallery.mutants,
         "What is left behind" to TidyGallery.mutants,

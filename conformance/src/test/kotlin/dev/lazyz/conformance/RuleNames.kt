@@ -37,6 +37,11 @@ internal object RuleNames {
     val again = RendererConformance::rule_7_1_sameBitsAgain.name
     val frames = RendererConformance::rule_7_1_framesOfOnesOwnAreRight.name
     val threads = RendererConformance::rule_7_1_sameBitsFromSeveralThreads.name
+    val meets = RendererConformance::rule_7_1_renderingsThatMeetDoNotDisturbEachOther.name
+    val lost = RendererConformance::rule_7_5_threadsThatMeetLoseNothing.name
+    val caller = RendererConformance::rule_7_8_sinkIsCalledOnTheCallersThread.name
+    val overwrites = RendererConformance::rule_7_8_sinkMayOverwriteItsRows.name
+    val status = RendererConformance::rule_7_8_interruptIsNotLost.name
     val kept = RendererConformance::rule_7_1_nothingIsKeptBetweenCalls.name
     val accidents = RendererConformance::rule_7_1_exceptionsOfPrimitivesReachTheCaller.name
     val interrupts = RendererConformance::rule_7_1_interruptedThreadsEnd.name

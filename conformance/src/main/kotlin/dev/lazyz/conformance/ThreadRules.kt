@@ -1,0 +1,109 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import java.util.Random
+import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.ForAll
+import net.jqwik.api.Property
+
+/** Rules about threads, and what the sink may rely on. Part of [RendererConformance]. */
+@Suppress("ktlint:standard:function-naming")
+public sealed class ThreadRules : UseRules() {
+    /** Renderings of several threads that ask for spans and colours at the same time do not disturb each other. */
+    @Rule(
+        intent = "A renderer may be used by several threads at once, at any moment of their renderings.",
+        look = "Look for fragments, spans and rows in fields of the renderer, or where all renderings share them.",
+    )
+    @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_1_renderingsThatMeetDoNotDisturbEachOther(@ForAll salt: Long) {
+        val renderer = renderer()
+        val meeting = Meeting()
+        atOnce(List(2) { Crowd.quiet(salt + it, Where.ANY_SAMPLE) }.withIndex().toList()) { (number, quiet) ->
+            rightInACrowd(renderer, quiet, Crowd(salt + number, Where.ANY_SAMPLE, meeting))
+        }
+    }
+
+    /** Threads of one rendering that work on the same sample, or ask at the same time, lose nothing. */
+    @Rule(
+        intent = "Any number of threads gives the same bits, at whatever moment they meet.",
+        look = "Look for keys that are read, compared and written without a lock, and for rows, spans and fragments " +
+            "that threads share.",
+    )
+    @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_5_threadsThatMeetLoseNothing(@ForAll salt: Long) {
+        val configured = renderer().configured(FOUR_THREADS)
+        for (where in Where.entries) {
+            whileTheyMeet { meeting, round ->
+                rightInACrowd(configured, Crowd.quiet(salt + round, where), Crowd(salt + round, where, meeting))
+            }
+        }
+    }
+
+    /** The sink is called on the thread that called the renderer, and never while it is at work. */
+    @Rule(
+        intent = "A sink needs no locks: it is called on the caller's thread, one row at a time.",
+        look = "Hand rows out where render was called; other threads leave finished rows to that one.",
+    )
+    @Property(tries = 20, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_8_sinkIsCalledOnTheCallersThread(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val renderer = renderer().configured(FOUR_THREADS)
+        val sink = ThreadWitness()
+        renderer.render(case.frame, sink)
+        sink.complaint?.let { Judgement(renderer, case).fail(it) }
+    }
+
+    /** Rows hold still while the sink has them, and what it writes into them changes nothing in later rows. */
+    @Rule(
+        intent = "A row is the sink's during the call: nobody else writes there, and the sink may.",
+        look = "Fill every element of a row anew, or keep what later rows build on in arrays of your own.",
+    )
+    @Property(tries = 30, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_8_sinkMayOverwriteItsRows(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val renderer = renderer()
+        val sink = OverwritingSink(case.frame)
+        val counters = renderer.render(case.frame, sink)
+        sink.complaint?.let { Judgement(renderer, case).fail(it) }
+        val expected = Rendering.of(ReferenceRenderer(), case.frame).image
+        val difference = difference(expected, sink.image(counters)) ?: return
+        Judgement(renderer, case, "a sink that overwrites its rows").fail("", difference)
+    }
+
+    /** Who is interrupted gets the picture with the interrupt status still set, or an exception with it cleared. */
+    @Rule(
+        intent = "An interrupt is never lost: the caller learns of it by the status or by the exception.",
+        look = "Where InterruptedException is caught or Thread.interrupted() called: throw it on, or set the status.",
+    )
+    @Property(tries = 15, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_8_interruptIsNotLost(@ForAll(supplier = MixedCases::class) case: FrameCase, @ForAll salt: Long) {
+        val renderer = renderer()
+        for (moment in Interruption.entries) tellsOfInterrupt(renderer, case, moment, Random(salt))
+    }
+
+    private companion object {
+        val FOUR_THREADS = RenderOptions(threads = 4, tileSize = 8)
+    }
+}
+
+/** Calls [block] some times, but once where no two threads meet: then there is nothing to lose. */
+private fun whileTheyMeet(block: (meeting: Meeting, round: Int) -> Unit) {
+    repeat(ROUNDS) { round ->
+        val meeting = Meeting()
+        block(meeting, round)
+        if (!meeting.hasMet) return
+    }
+}
+
+private const val ROUNDS = 2
+
+/** Fails unless [renderer] makes of [crowd] what the oracle makes of [quiet]. */
+private fun rightInACrowd(renderer: Renderer, quiet: FrameCase, crowd: Crowd) {
+    val expected = Rendering.of(ReferenceRenderer(), quiet.frame).image
+    val actual = try {
+        Rendering.of(renderer, crowd.frame).image
+    } catch (e: Exception) {
+        throw Violation("${renderer.id}, when threads meet: threw $e", quiet, expected, cause = e)
+    }
+    val difference = difference(expected, actual) ?: return
+    throw Violation("${renderer.id}, when threads meet: $difference\nin\n$quiet", quiet, expected, actual)
+}

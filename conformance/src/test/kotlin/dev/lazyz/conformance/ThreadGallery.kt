@@ -1,0 +1,105 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Fragment
+import dev.lazyz.RowSink
+import dev.lazyz.Spans
+import dev.lazyz.conformance.RuleNames.caller
+import dev.lazyz.conformance.RuleNames.lost
+import dev.lazyz.conformance.RuleNames.meets
+import dev.lazyz.conformance.RuleNames.overwrites
+import dev.lazyz.conformance.RuleNames.status
+import dev.lazyz.zbuffer.ZBuffer
+import kotlin.concurrent.thread
+
+/** The gallery's part about threads, and the sink. */
+internal object ThreadGallery {
+    val mutants: List<Mutant> = listOf(
+        Mutant(::sharesARow, "threads fill one row, and copy it when it is full", lost),
+        Mutant(::sharesAFragment, "threads of one rendering share a fragment", lost),
+        Mutant(::sharesSpans, "threads of one rendering share spans", lost),
+        Mutant(::keepsAFragment, "the fragment is in a field, for all renderings", meets),
+        Mutant(::keepsSpans, "the spans are in a field, for all renderings", meets),
+        Mutant(::callsFromAThread, "the sink is called by a thread of the renderer's own", caller),
+        Mutant(::callsAtOnce, "several threads call the sink, each with its row", caller),
+        Mutant(::buildsOnItsRows, "a row is written only where it is not as the one before", overwrites),
+        Mutant(::fillsRowsLater, "the next row is written into the arrays that the sink still has", overwrites),
+        Mutant(::losesTheInterrupt, "the interrupt status is cleared, and the picture is made all the same", status),
+        Mutant(::interruptsTwice, "InterruptedException is thrown with the status still set", status),
+    )
+
+    private fun crew(id: String, threads: Int, tools: () -> Tools) = BrokenRenderer(id) { frame, sink ->
+        emit(Crew(frame, threads, tools()).render(), sink)
+    }
+
+    private fun sharesARow() = crew("shares-a-row", 4) {
+        var row: IntArray? = null
+        Tools(row = { width -> synchronized(this) { row ?: IntArray(width).also { row = it } } })
+    }
+
+    private fun sharesAFragment() = crew("shares-a-fragment", 4) {
+        val fragment = Fragment()
+        Tools(fragment = { fragment })
+    }
+
+    private fun sharesSpans() = crew("shares-spans", 4) {
+        val spans = Spans()
+        Tools(spans = { spans })
+    }
+
+    private fun keepsAFragment(): BrokenRenderer {
+        val fragment = Fragment()
+        return crew("keeps-a-fragment", 1) { Tools(fragment = { fragment }) }
+    }
+
+    private fun keepsSpans(): BrokenRenderer {
+        val spans = Spans()
+        return crew("keeps-spans", 1) { Tools(spans = { spans }) }
+    }
+
+    private fun callsFromAThread() = BrokenRenderer("calls-from-a-thread") { frame, sink ->
+        val image = ZBuffer().render(frame)
+        thread { emit(image, sink) }.join()
+        image.counters
+    }
+
+    private fun callsAtOnce() = BrokenRenderer("calls-at-once") { frame, sink ->
+        val image = ZBuffer().render(frame)
+        (0 until image.height).map { row -> thread { emit(image, sink, listOf(row)) } }.forEach { it.join() }
+        image.counters
+    }
+
+    private fun buildsOnItsRows() = BrokenRenderer("builds-on-its-rows") { frame, sink ->
+        val image = ZBuffer().render(frame)
+        val rows = List(3) { IntArray(image.width) }
+        for (y in 0 until image.height) {
+            listOf(image.argb, image.depth, image.primitive).forEachIndexed { i, all ->
+                for (x in 0 until image.width) {
+                    val at = y * image.width + x
+                    if (y == 0 || all[at] != all[at - image.width]) rows[i][x] = all[at]
+                }
+            }
+            sink.row(image.region.rowStart + y, rows[0], rows[1], rows[2])
+        }
+        image.counters
+    }
+
+    private fun fillsRowsLater() = BrokenRenderer("fills-rows-later") { frame, sink ->
+        ZBuffer().render(frame) { y, argb, depth, primitive ->
+            val next = thread { depth.fill(y) }
+            sink.row(y, argb, depth, primitive)
+            next.join()
+        }
+    }
+
+    private fun losesTheInterrupt() = BrokenRenderer("loses-the-interrupt") { frame, sink ->
+        ZBuffer().render(frame, sink).also { Thread.interrupted() }
+    }
+
+    private fun interruptsTwice() = BrokenRenderer("interrupts-twice") { frame, sink ->
+        val patient = RowSink { y, argb, depth, primitive ->
+            if (Thread.currentThread().isInterrupted) throw InterruptedException("interrupted")
+            sink.row(y, argb, depth, primitive)
+        }
+        ZBuffer().render(frame, patient)
+    }
+}
