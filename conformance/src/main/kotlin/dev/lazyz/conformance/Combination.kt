@@ -2,6 +2,7 @@ package dev.lazyz.conformance
 
 import dev.lazyz.Capability
 import dev.lazyz.Coherence
+import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import net.jqwik.api.Arbitrary
@@ -42,8 +43,19 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
         /** The selector's name, or null for the usual. */
         val selection: String? = (List<String?>(USUAL) { null } + Selection.all.keys).chosen(first + 2)
 
+        /** The frame on a raster whose background is behind everything, in the middle, or before everything. */
+        private fun onItsBackground(): FrameCase {
+            val before = Int.MAX_VALUE - Frames.behindAll(case.frame.raster.depthTest)
+            val depth = (List<Int?>(USUAL) { null } + Int.MAX_VALUE / 2 + before).chosen(first + 8) ?: return case
+            return case.on(
+                with(case.frame.raster) { Raster(width, height, background, convention, depthTest, depth) },
+            )
+        }
+
         /** The frame for a renderer that has these [capabilities]. */
         fun caseFor(capabilities: Set<Capability>): FrameCase {
+            val case = onItsBackground()
+
             // Bits of glass: none, all, or a mixture
             val glaze = listOf(0, 0, 0xFFFF, choices[first + 3] * 657).chosen(first + 3)
             val glazed = if (glaze != 0 && Capability.TRANSPARENCY in capabilities) case.glazed(glaze) else case
@@ -75,7 +87,7 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
         const val MOST_FRAMES: Int = 3
 
         private const val OPTIONS = 5
-        private const val SHOT = 8
+        private const val SHOT = 9
 
         /** How many usual ones there are for each that is not. */
         private const val USUAL = 8

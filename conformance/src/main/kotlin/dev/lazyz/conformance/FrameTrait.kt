@@ -20,8 +20,20 @@ public enum class FrameTrait(internal val words: String) {
     /** Of two primitives each is before the other somewhere. */
     CROSSING("two primitives cross"),
 
+    /** In some row a primitive begins where another ends, as on a shared edge. */
+    MEETING("two primitives meet"),
+
+    /** Some sample is covered by more than eight primitives. */
+    DEEP("more than 8 primitives at a sample"),
+
+    /** Some primitive has more than six spans in a row. */
+    MANY_SPANS("more than 6 spans in a row"),
+
     /** Only a part of the raster is asked for. */
     REGION("a region"),
+
+    /** More than 64 columns or rows are asked for. */
+    SEVERAL_TILES("more than 64 columns or rows"),
 
     /** Some primitive is translucent. */
     TRANSLUCENT("translucency"),
@@ -31,40 +43,46 @@ public enum class FrameTrait(internal val words: String) {
 
     /** The raster has one row or one column. */
     NARROW("one row or one column"),
-}
 
-/**
- * How many of the frames that rules were tried on have which trait: a run that never met a tie proves nothing about
- * ties. Immutable and thread safe.
- *
- * A frame that a rule renders in several ways counts once a try. Frames too large to look at count as frames only.
- *
- * @property frames number of frames
- * @property unexamined of them, number of those that were not looked at
- */
-public class Distribution internal constructor(
-    public val frames: Long,
-    public val unexamined: Long,
-    private val counts: Map<FrameTrait, Long>,
-) {
-    /** Returns the number of frames that have [trait]. */
-    public fun count(trait: FrameTrait): Long = counts[trait] ?: 0
+    /** The depth test is `LESS`. */
+    LESS("the depth test LESS"),
 
-    internal operator fun plus(other: Distribution): Distribution = Distribution(
-        frames + other.frames,
-        unexamined + other.unexamined,
-        FrameTrait.entries.associateWith { count(it) + other.count(it) },
-    )
+    /** The depth test is `LESS_OR_EQUAL`. */
+    LESS_OR_EQUAL("the depth test LESS_OR_EQUAL"),
 
-    override fun equals(other: Any?): Boolean = other is Distribution && frames == other.frames &&
-        unexamined == other.unexamined && FrameTrait.entries.all { count(it) == other.count(it) }
+    /** The depth test is `GREATER`. */
+    GREATER("the depth test GREATER"),
 
-    override fun hashCode(): Int = frames.hashCode() * 31 + FrameTrait.entries.map { count(it) }.hashCode()
+    /** The depth test is `GREATER_OR_EQUAL`. */
+    GREATER_OR_EQUAL("the depth test GREATER_OR_EQUAL"),
 
-    override fun toString(): String =
-        "$frames frames (${FrameTrait.entries.joinToString { "${it.words}: ${count(it)}" }})"
+    /** The convention is `SMALLER_IS_NEARER`. */
+    SMALLER_IS_NEARER("smaller depth is nearer"),
 
-    internal companion object {
-        val NONE = Distribution(0, 0, emptyMap())
-    }
+    /** The convention is `LARGER_IS_NEARER`. */
+    LARGER_IS_NEARER("larger depth is nearer"),
+
+    /** The background is not behind everything. */
+    BACKGROUND_DEPTH("a background that is not behind everything"),
+
+    /** A mesh of a scene. */
+    MESH("a mesh"),
+
+    /** A sphere of a scene. */
+    SPHERE("a sphere"),
+
+    /** A scene with lights of its own. */
+    LIT("lights"),
+
+    /** A texture on a surface of a scene. */
+    TEXTURED("a texture"),
+
+    /** A mask on a surface of a scene. */
+    MASKED("a mask"),
+
+    /** A polygon or triangle of a scene has vertices on both sides of the near plane. */
+    NEAR_PLANE("something across the near plane"),
+
+    /** The renderer has been given options or a selector, or is used in another special way. */
+    CONFIGURED("a renderer with options"),
 }

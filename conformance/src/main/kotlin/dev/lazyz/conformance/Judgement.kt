@@ -19,7 +19,7 @@ import java.util.concurrent.Executors
  */
 internal class Judgement(private val renderer: Renderer, private val case: FrameCase, private val how: String = "") {
     init {
-        Trial.current?.saw(case)
+        Trial.current?.saw(case, how)
     }
 
     private val isAgain = Trial.current?.isAgain(renderer) ?: false

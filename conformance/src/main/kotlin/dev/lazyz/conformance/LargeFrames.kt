@@ -37,7 +37,7 @@ internal class FarAwayCases : ArbitrarySupplier<FrameCase> {
         )
         val farRight = LargeArea(Raster.MAX_SIDE, 64, Region(131_050, 0, 131_133, 61))
         val farDown = LargeArea(64, Raster.MAX_SIDE, Region(3, 32_750, 64, 32_790))
-        return largeCases(oneOf(across, LargeArea(70_001, 2), LargeArea(2, 70_001), lastCorner, farRight, farDown))
+        return largeCases(oneOf(across, LargeArea(70_001, 1), LargeArea(2, 70_001), lastCorner, farRight, farDown))
     }
 }
 

@@ -60,10 +60,10 @@ internal class Trial(
     var underTrial: FrameCase? = null
         private set
 
-    /** A rule renders [case]. */
-    fun saw(case: FrameCase) {
+    /** A rule renders [case]; [how] says what is special about the renderer, or nothing. */
+    fun saw(case: FrameCase, how: String = "") {
         underTrial = case
-        if (falsified == null) census.add(case.frame)
+        if (falsified == null) census.add(case.frame, case.scene, how)
     }
 
     /** Calls [block] as the next try, or as the next step to a smaller frame. */

@@ -2,6 +2,7 @@ package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
 import dev.lazyz.Renderers
+import dev.lazyz.lists.Lists
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DynamicTest
@@ -25,6 +26,16 @@ class BuiltInRenderersTest {
         val failures = run.failures - excused
         assertEquals("", failures.entries.joinToString("\n\n") { (rule, failure) -> "$rule\n${failure.message}" })
         assertEquals(SuiteRun.rules, run.rules)
+        if (renderer is Lists) assertMeetsAllPairs(run.report.distribution)
+    }
+
+    /** A renderer that blends and selects is tried on frames with any two traits that go together. */
+    private fun assertMeetsAllPairs(met: Distribution) {
+        val missing = PairsOfTraits.expected.filter { (one, other) -> met.count(one, other) == 0L }
+        assertEquals(emptyList<Pair<FrameTrait, FrameTrait>>(), missing)
+        val impossible = FrameTrait.entries.flatMap { one -> FrameTrait.entries.filter { it > one }.map { one to it } }
+            .filter { (one, other) -> PairsOfTraits.whyNever(one, other) != null && met.count(one, other) > 0 }
+        assertEquals(emptyList<Pair<FrameTrait, FrameTrait>>(), impossible)
     }
 
     @Test
