@@ -85,9 +85,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     }
 
     override fun help(context: Context): String =
-        "Judges a strategy, ours or your own, by the rules of the contract.
-
-" +
+        "Judges a strategy, ours or your own, by the rules of the contract.\n\n" +
             "Exit code 1: it does not conform, pictures differ, or --verify finds another outcome."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
@@ -118,7 +116,8 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     }
 
     private fun fuzz(): Int = StrategyPath(classPath).use { path ->
-        val report = fuzzing.run(path.find(strategy ?: throw Mistake("which strategy? Say --strategy ID")), seed, path::find)
+        val id = strategy ?: throw Mistake("which strategy? Say --strategy ID")
+        val report = fuzzing.run(path.find(id), seed, path::find)
         streams.print(report.toText())
         if (report.isEqual) ExitCode.DONE else ExitCode.DIFFERENT
     }
