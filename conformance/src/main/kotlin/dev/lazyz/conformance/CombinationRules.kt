@@ -15,7 +15,7 @@ public sealed class CombinationRules : SizeRules() {
         intent = "What works alone works together: parts, options, depth tests, blending, selectors, reuse, threads.",
         look = "The message names all that is not as usual; the smaller the frame has become, the more of it matters.",
     )
-    @Property(tries = 150, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_combinationsAreRight(
         @ForAll(supplier = Combination.Cases::class) cases: List<FrameCase>,
         @ForAll(supplier = Combination.Choices::class) choices: List<Int>,

@@ -27,7 +27,7 @@ class ConformancePageTest {
         val sources = Files.walk(root.resolve("conformance/src/test")).use { paths ->
             paths.filter { it.extension == "kt" || it.extension == "java" }.toList().map { lines(it.readText()) }
         }
-        assertEquals(7, blocks.size)
+        assertEquals(8, blocks.size)
         for (block in blocks) {
             assertTrue(sources.any { it.windowed(block.size).contains(block) }) {
                 "no test has these lines of docs/conformance.md:\n${block.joinToString("\n")}"
