@@ -96,7 +96,7 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
 
     private fun sliverAroundSamples(): Arbitrary<List<DoubleArray>> {
         val samples = points(ints(0, maxWidth - 1).map { it + 0.5 }, ints(0, maxHeight - 1).map { it + 0.5 }, depths)
-        val ways = Combinators.combine(ints(0, 3), ints(-3, 3), ints(1, maxOf(maxWidth, maxHeight)))
+        val ways = Combinators.combine(ints(0, 3), ints(-3, 3), ints(1, minOf(maxOf(maxWidth, maxHeight), LONGEST)))
             .`as` { right, down, times -> times * (if (right == 0 && down == 0) 1 else right) to times * down }
         return Combinators.combine(samples, ways, ints(1, 3), ints(-3, 3), depths).`as` { at, way, dx, dy, depth ->
             val (right, down) = way
@@ -143,6 +143,9 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
     }
 
     companion object {
+        /** Three times as far beyond the largest raster is still within the guard band. */
+        private const val LONGEST = 65_536
+
         /** The guard band. */
         val BAND = -524288.0..524288.0
 
