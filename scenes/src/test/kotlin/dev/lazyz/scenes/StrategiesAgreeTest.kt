@@ -1,9 +1,17 @@
 package dev.lazyz.scenes
 
+import dev.lazyz.AlphaMode
 import dev.lazyz.Capability
 import dev.lazyz.Frame
+import dev.lazyz.Material
 import dev.lazyz.Renderers
+import dev.lazyz.Rgba
 import dev.lazyz.Scene
+import dev.lazyz.Shading
+import dev.lazyz.Sides
+import dev.lazyz.Texture
+import dev.lazyz.TextureFilter
+import dev.lazyz.scenes.triangulation.AwkwardMesh
 import dev.lazyz.scenes.triangulation.TestSources
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -11,11 +19,26 @@ import org.junit.jupiter.api.DynamicTest
 import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.TestFactory
 
-/** Contract rule 7.1: all renderers give the same bits of every built-in scene, and of real meshes where there are some. */
+/** Contract rule 7.1: all renderers give the same bits of every built-in scene, of an awkward mesh, of real ones. */
 class StrategiesAgreeTest {
     @TestFactory
     fun rule_7_1_onEveryBuiltinScene(): List<DynamicTest> = Scenes.builtins.map { builtin ->
         dynamicTest(builtin.id) { assertAgree(builtin.scene()) }
+    }
+
+    @TestFactory
+    fun rule_7_1_onAnAwkwardMesh(): List<DynamicTest> = Shading.entries.flatMap { shading ->
+        AlphaMode.entries.map { mode ->
+            dynamicTest("$shading, $mode") {
+                val texture = Texture(2, 2, intArrayOf(-1, 0x40FF8000, 0x7F00FF00, -0xFF8001), TextureFilter.BILINEAR)
+                val sides = if (mode == AlphaMode.OPAQUE) Sides.FRONT else Sides.BOTH
+                val material = Material(
+                    Rgba(0.9f, 0.8f, 0.7f, 0.75f), texture, shading, Rgba(0.3f, 0.3f, 0.3f),
+                    alphaMode = mode, sides = sides,
+                )
+                assertAgree(Scene(listOf(AwkwardMesh.of(material))))
+            }
+        }
     }
 
     @TestFactory

@@ -3,6 +3,7 @@ package dev.lazyz.scenes.obj
 import dev.lazyz.Mesh
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.triangulation.AwkwardMesh
 import dev.lazyz.scenes.triangulation.TestSources
 import dev.lazyz.scenes.triangulation.corners
 import dev.lazyz.scenes.triangulation.meshes
@@ -168,6 +169,34 @@ class ObjParserTest {
         assertEquals(4, source.warnings.size, source.warnings.toString())
         assertTrue(source.warnings.any { "2 statements \"l\"" in it })
         assertTrue(source.warnings.any { "line 10: a face of 2 corners" in it })
+    }
+
+    @Test
+    fun anAwkwardMeshIsWhole() {
+        val count = AwkwardMesh.positions.size / 3
+        val text = buildString {
+            append("# by hand\r\no ball\r\ng all\r\ns 1\r\n")
+            for (v in AwkwardMesh.positions.toList().chunked(3)) append("v  ${v.joinToString(" ")}\r\n")
+            for (vt in AwkwardMesh.uvs.toList().chunked(2)) append("vt ${vt.joinToString(" ")} 0.0\r\n")
+            for (vn in AwkwardMesh.normals.toList().chunked(3)) append("vn ${vn.joinToString(" ")}\r\n")
+            for ((i, face) in AwkwardMesh.triangles.toList().chunked(3).withIndex()) {
+                // Counted from the first vertex or from the last
+                val numbers = face.map { if (i % 2 == 0) it + 1 else it - count }
+                append(numbers.joinToString(" ", "f ", "\r\n") { "$it/$it/$it" })
+            }
+        }
+        val (meshes, source) = parse(text)
+        assertEquals(emptyList<String>(), source.warnings)
+        val mesh = meshes.single()
+        val corners = mesh.triangles.toList()
+        assertEquals(AwkwardMesh.corners(AwkwardMesh.positions, 3), mesh.corners())
+        assertEquals(
+            AwkwardMesh.corners(AwkwardMesh.normals, 3), corners.map { mesh.normals!!.slice(3 * it until 3 * it + 3) },
+        )
+        assertEquals(
+            AwkwardMesh.corners(AwkwardMesh.uvs, 2).map { (u, v) -> listOf(u, 1 - v) },
+            corners.map { mesh.uvs!!.slice(2 * it until 2 * it + 2) },
+        )
     }
 
     @Test

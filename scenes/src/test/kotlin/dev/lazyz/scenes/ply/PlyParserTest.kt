@@ -3,6 +3,7 @@ package dev.lazyz.scenes.ply
 import dev.lazyz.Mesh
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.images.PngFile
+import dev.lazyz.scenes.triangulation.AwkwardMesh
 import dev.lazyz.scenes.triangulation.TestSources
 import dev.lazyz.scenes.triangulation.corners
 import dev.lazyz.scenes.triangulation.meshes
@@ -212,6 +213,63 @@ class PlyParserTest {
         val source = TestSources.of(ascii(header, "0 0 0\n"))
         assertEquals(0, PlyParser.parse(source).surfaces.size)
         assertEquals(1, source.warnings.size)
+    }
+
+    @Test
+    fun anAwkwardMeshIsWholeInAllForms() {
+        val header = header(
+            "element vertex ${AwkwardMesh.positions.size / 3}",
+            "property float x", "property float y", "property float z",
+            "property float nx", "property float ny", "property float nz", "property float s", "property float t",
+            "element face ${AwkwardMesh.triangles.size / 3}", "property list uchar int vertex_indices",
+        )
+        val places = AwkwardMesh.positions.toList().chunked(3)
+        val rows = places.zip(AwkwardMesh.normals.toList().chunked(3)) { place, normal -> place + normal }
+            .zip(AwkwardMesh.uvs.toList().chunked(2)) { numbers, uv -> numbers + uv }
+        val tables = listOf(
+            List(8) { "float" }.joinToString(" ") to rows,
+            "uchar/int" to AwkwardMesh.triangles.toList().chunked(3) { listOf(it.toList()) },
+        )
+        for (format in PlyFormat.entries) {
+            val mesh = mesh(PlyFiles.of(format, header, tables))
+            assertEquals(AwkwardMesh.corners(AwkwardMesh.positions, 3), mesh.corners(), "$format")
+            assertEquals(AwkwardMesh.normals.toList(), mesh.normals!!.toList(), "$format")
+            val uvs = AwkwardMesh.uvs.mapIndexed { i, number -> if (i % 2 == 0) number else 1 - number }
+            assertEquals(uvs, mesh.uvs!!.toList(), "$format")
+        }
+    }
+
+    @Test
+    fun stripsAroundABallKeepItsOutsideOutside() {
+        // Rows of vertices from one pole to the other, and a strip between each two
+        val round = 24
+        val high = 16
+        val rows = (0..high).flatMap { row ->
+            List(round) { column ->
+                val height = row * StrictMath.PI / high
+                val angle = column * 2 * StrictMath.PI / round
+                val around = StrictMath.sin(height)
+                listOf(around * StrictMath.cos(angle), around * StrictMath.sin(angle), StrictMath.cos(height))
+            }
+        }
+        val strip = (0 until high).flatMap { row ->
+            (0..round).flatMap { listOf(row * round + it % round, (row + 1) * round + it % round) } + -1
+        }
+        val header = header(
+            "element vertex ${rows.size}", "property float x", "property float y", "property float z",
+            "element tristrips 1", "property list int int vertex_indices",
+        )
+        for (format in PlyFormat.entries) {
+            val tables = listOf("float float float" to rows, "int/int" to listOf(listOf(strip)))
+            val mesh = mesh(PlyFiles.of(format, header, tables))
+            assertEquals(2 * round * high, mesh.triangleCount, "$format")
+            for ((a, b, c) in mesh.corners().chunked(3)) {
+                // Six times the volume of the triangle and the middle; at the poles some are flat
+                val volume = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                    a[2] * (b[0] * c[1] - b[1] * c[0])
+                assertTrue(volume > -1e-6f) { "$format: $a, $b, $c" }
+            }
+        }
     }
 
     @Test

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.stl
 
 import dev.lazyz.Mesh
+import dev.lazyz.scenes.triangulation.AwkwardMesh
 import dev.lazyz.scenes.triangulation.TestSources
 import dev.lazyz.scenes.triangulation.corners
 import dev.lazyz.scenes.triangulation.meshes
@@ -142,6 +143,17 @@ class StlParserTest {
         TestSources.assertSurvivesDamage(StlParser, ascii(corner, neighbour).toByteArray())
         TestSources.assertSurvivesDamage(StlParser, binary(corner, neighbour))
         TestSources.assertSurvivesDamage(StlParser, binary(corner, neighbour, header = "solid part"))
+    }
+
+    @Test
+    fun anAwkwardMeshIsTheSameInBothForms() {
+        val facets = AwkwardMesh.facets().toTypedArray()
+        val text = mesh(ascii(*facets))
+        val bytes = mesh(binary(*facets))
+        assertEquals(facets.flatMap { it.asList() }, text.corners().flatten())
+        assertEquals(text.positions.toList(), bytes.positions.toList())
+        assertEquals(text.triangles.toList(), bytes.triangles.toList())
+        assertEquals(text.normals!!.toList(), bytes.normals!!.toList())
     }
 
     @Test
