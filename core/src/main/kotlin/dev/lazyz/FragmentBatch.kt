@@ -7,7 +7,8 @@ import dev.lazyz.setup.PlanarPrimitive
  * elements count. What a [BatchShader] reads and fills in.
  *
  * A batch has room for [CAPACITY] fragments, of one material, from anywhere in the picture and from any of its primitives.
- * Attributes that a surface does not have are 0, or 1 for vertex colours. Not thread safe.
+ * Attributes that a surface does not have are 0, or 1 for vertex colours. Renderers make their own batches; make one with
+ * [of] to try a shader on its own. Not thread safe.
  */
 public class FragmentBatch internal constructor(capacity: Int) {
     /** Number of fragments, 1 to [CAPACITY]. */
@@ -173,6 +174,30 @@ public class FragmentBatch internal constructor(capacity: Int) {
     public companion object {
         /** Most fragments in a batch. */
         public const val CAPACITY: Int = 256
+
+        /**
+         * Returns a batch of [size] fragments to call a [BatchShader] with, in a test of it, say. They are at sample (0, 0) and
+         * have no attributes but for what the caller writes into the arrays: positions, normals and texture coordinates are
+         * 0, vertex colours 1. The answer is black with alpha 1 until the shader gives another.
+         *
+         * ```
+         * val batch = FragmentBatch.of(3)
+         * for (i in 0 until batch.size) batch.u[i] = i / 2f
+         * stripes.shade(batch)
+         * check(batch.red[2] == 1f)
+         * ```
+         *
+         * @throws IllegalArgumentException if [size] is not in 1..[CAPACITY]
+         */
+        @JvmStatic
+        public fun of(size: Int): FragmentBatch {
+            require(size in 1..CAPACITY) { "size must be in 1..$CAPACITY: $size" }
+            val batch = FragmentBatch(CAPACITY)
+            batch.begin(0)
+            batch.size = size
+            batch.alpha.fill(1f)
+            return batch
+        }
 
         /** Places behind the last fragment of a full batch: the most lanes that a vector has, less one. */
         internal const val SPARE: Int = 64 - 1

@@ -1,0 +1,87 @@
+package dev.lazyz;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import org.junit.jupiter.api.Test;
+
+/** How those who write a {@link BatchShader} test it, outside of any renderer. */
+class JavaBatchShaderTest {
+    private final BatchShader stripes = batch -> {
+        for (int i = 0; i < batch.getSize(); i++) {
+            batch.red[i] = batch.u[i] * batch.vertexRed[i];
+            batch.green[i] = batch.v[i];
+            batch.blue[i] = 0.5f;
+        }
+    };
+
+    @Test
+    void aShaderIsTriedOnABatchOfOnesOwn() {
+        FragmentBatch batch = FragmentBatch.of(3);
+        for (int i = 0; i < batch.getSize(); i++) {
+            batch.u[i] = i / 2f;
+            batch.v[i] = 1 - i / 2f;
+        }
+        stripes.shade(batch);
+        assertEquals(1f, batch.red[2]);
+        assertEquals(0f, batch.green[2]);
+        assertEquals(0.5f, batch.blue[2]);
+        assertEquals(1f, batch.alpha[2]);
+    }
+
+    @Test
+    void aFragmentHasTheSameColourAloneAndInABatch() {
+        FragmentBatch batch = FragmentBatch.of(FragmentBatch.CAPACITY);
+        for (int i = 0; i < batch.getSize(); i++) {
+            batch.u[i] = i / 7f;
+            batch.vertexRed[i] = 1 - i / 300f;
+        }
+        stripes.shade(batch);
+        Fragment fragment = new Fragment();
+        for (int i = 0; i < batch.getSize(); i++) {
+            fragment.u = batch.u[i];
+            fragment.vertexRed = batch.vertexRed[i];
+            stripes.shade(fragment);
+            assertEquals(fragment.getRed(), batch.red[i]);
+            assertEquals(fragment.getGreen(), batch.green[i]);
+        }
+    }
+
+    @Test
+    void fragmentsHaveNoAttributesAtFirst() {
+        FragmentBatch batch = FragmentBatch.of(2);
+        assertEquals("FragmentBatch(2 fragments)", batch.toString());
+        float[][] zeros = {
+            batch.worldX,
+            batch.worldY,
+            batch.worldZ,
+            batch.normalX,
+            batch.normalY,
+            batch.normalZ,
+            batch.u,
+            batch.v,
+            batch.red,
+            batch.green,
+            batch.blue,
+        };
+        float[][] ones = {batch.vertexRed, batch.vertexGreen, batch.vertexBlue, batch.vertexAlpha, batch.alpha};
+        for (int i = 0; i < batch.getSize(); i++) {
+            assertEquals(0, batch.x[i]);
+            assertEquals(0, batch.y[i]);
+            for (float[] numbers : zeros) {
+                assertEquals(0f, numbers[i]);
+            }
+            for (float[] numbers : ones) {
+                assertEquals(1f, numbers[i]);
+            }
+        }
+    }
+
+    @Test
+    void aBatchHasAtLeastOneFragmentAndNoMoreThanItsCapacity() {
+        for (int size : new int[] {Integer.MIN_VALUE, -1, 0, FragmentBatch.CAPACITY + 1}) {
+            IllegalArgumentException error = assertThrows(IllegalArgumentException.class, () -> FragmentBatch.of(size));
+            assertEquals("size must be in 1..256: " + size, error.getMessage());
+        }
+    }
+}
