@@ -1,0 +1,48 @@
+package dev.lazyz.conformance.strangers2
+
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+
+/**
+ * A wrong renderer.
+ *
+ * @property id short name, unique in the gallery
+ * @property what what is wrong, and when it shows
+ * @property chapters numbers of the contract's rules that the mistake is about
+ * @property make makes the renderer
+ */
+class Mistake(val id: String, val what: String, val chapters: Set<String>, val make: () -> Renderer)
+
+/** Renderers with one mistake each, by someone who has not seen the suite; and their right bases. */
+object SecondGallery {
+    /** The bases without a mistake. */
+    val correct: List<() -> Renderer> = listOf(
+        { RowByRow(RowSteps(), RenderOptions()) },
+        { Buffered(BufferSteps()) },
+        { Layers(LayerSteps(), RenderOptions()) },
+        { Tiles(TileSteps(), RenderOptions()) },
+    )
+
+    /** The wrong ones. */
+    val all: List<Mistake> =
+        rowMistakes() + rowColorMistakes() + rowFlowMistakes() + bufferMistakes() + layerMistakes() +
+            selectionMistakes() +
+            tileMistakes()
+}
+
+/** Refuses what the bases that do not blend cannot draw. */
+internal fun refuseTranslucent(frame: Frame, name: String) {
+    if (!frame.hasTranslucency) return
+    val index = frame.primitives.indexOfFirst { it.isTranslucent }
+    refuse(index, name)
+}
+
+internal fun refuse(index: Int, name: String): Nothing =
+    throw IllegalArgumentException("primitive $index is translucent; '$name' does not blend: use Frame.asOpaque()")
+
+/** Whether the bounds of [primitive] reach into a rectangle of samples. */
+internal fun overlaps(primitive: Primitive, columns: IntRange, rows: IntRange): Boolean =
+    maxOf(primitive.rowStart, rows.first) < minOf(primitive.rowEnd, rows.last + 1) &&
+        maxOf(primitive.columnStart, columns.first) < minOf(primitive.columnEnd, columns.last + 1)
