@@ -67,7 +67,7 @@ subprojects {
         useJUnitPlatform()
         jvmArgs("--add-modules", "jdk.incubator.vector")
         include("**/*Test.class", "**/*Properties.class", "**/*Example.class")
-        systemProperty("jqwik.database", layout.buildDirectory.file("jqwik.db").get().asFile.path)
+        systemProperty("jqwik.database", "")
         systemProperty("jqwik.reporting.onlyfailures", "true")
         timeout = Duration.ofMinutes(15)
     }

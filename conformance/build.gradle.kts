@@ -4,6 +4,10 @@ kotlin {
     explicitApi()
 }
 
+tasks.test {
+    maxParallelForks = 2
+}
+
 dependencies {
     api(project(":core"))
     api(project(":scenes"))

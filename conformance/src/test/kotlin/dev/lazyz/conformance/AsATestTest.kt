@@ -14,6 +14,7 @@ import org.junit.jupiter.api.io.TempDir
 import org.junit.platform.engine.TestExecutionResult
 import org.junit.platform.engine.TestExecutionResult.Status
 import org.junit.platform.engine.discovery.DiscoverySelectors.selectClass
+import org.junit.platform.engine.discovery.DiscoverySelectors.selectMethod
 import org.junit.platform.engine.support.descriptor.MethodSource
 import org.junit.platform.launcher.EngineFilter.includeEngines
 import org.junit.platform.launcher.TestExecutionListener
@@ -37,7 +38,9 @@ class AsATestTest {
         override fun renderer(): Renderer = BrokenPromises.keepsMemorySecret()
     }
 
+    /** Runs the rules called [rules], or all. */
     private fun run(
+        vararg rules: String,
         subject: KClass<out RendererConformance> = Wrong::class,
         tries: String = "0.05",
     ): Map<String, TestExecutionResult> {
@@ -48,7 +51,10 @@ class AsATestTest {
             }
         }
         val request = LauncherDiscoveryRequestBuilder.request()
-            .selectors(selectClass(subject.java))
+            .selectors(
+                rules.map { selectMethod(subject.java, SuiteRule.find(it)!!.method) }
+                    .ifEmpty { listOf(selectClass(subject.java)) },
+            )
             .filters(includeEngines("jqwik"))
             .configurationParameter("jqwik.database", "")
             .configurationParameter("jqwik.shrinking.default", "OFF")
@@ -73,7 +79,7 @@ class AsATestTest {
     fun whatFailsIsKept(@TempDir folder: Path) {
         val scenes = "rule_5_1_nearestFragmentIsVisibleInScenes"
         SuiteRun.withProperty(RendererConformance.OUTPUT, "$folder") {
-            val message = run().getValue(scenes).throwable.get().message.orEmpty()
+            val message = run(nearest, scenes).getValue(scenes).throwable.get().message.orEmpty()
             val kept = folder.resolve("Wrong")
             val files = listOf(".kt", ".json", "-expected.png", "-actual.png", "-difference.png").map { scenes + it }
             val words = "\nkept in $kept: ${files.joinToString()}\nseed 1995; again: zcli conformance "
@@ -90,8 +96,9 @@ class AsATestTest {
 
     @Test
     fun whatIsNotFollowedIsAbortedWithTheReason() {
-        val results = run(Secretive::class, "0.3")
-        val result = results.getValue("rule_8_3_workingMemoryIsReported")
+        val memory = "rule_8_3_workingMemoryIsReported"
+        val results = run(memory, nearest, counts, subject = Secretive::class, tries = "0.3")
+        val result = results.getValue(memory)
         assertEquals(Status.ABORTED, result.status)
         assertTrue("something is visible, but peakBytes is 0" in result.throwable.get().message.orEmpty())
         assertTrue(results.values.none { it.status == Status.FAILED })
@@ -104,14 +111,14 @@ class AsATestTest {
         }
         val file = folder.resolve("waivers.txt").apply { writeText(waivers) }
         SuiteRun.withProperty(Waivers.PROPERTY, "$file") {
-            val results = run()
+            val results = run(nearest, counts)
             assertEquals(Status.ABORTED, results.getValue(nearest).status)
             val reason = results.getValue(nearest).throwable.get().message
             assertEquals("waived until 9999-01-01: red (https://example.org/7)", reason)
             assertEquals(Status.FAILED, results.getValue(counts).status)
         }
         SuiteRun.withProperty(Waivers.PROPERTY, "$folder/none.txt") {
-            val results = run()
+            val results = run(nearest, counts)
             assertTrue(results.values.all { it.status == Status.FAILED })
             assertTrue("none.txt" in results.getValue(nearest).throwable.get().message.orEmpty())
         }

@@ -20,24 +20,24 @@ import net.jqwik.api.statistics.Statistics
 import org.junit.jupiter.api.Assertions.assertTrue
 
 /**
- * The library's one sentence: all its renderers give the same bits, on more than 20,000 frames, with random options and
+ * The library's one sentence: all its renderers give the same bits, on more than 10,000 frames, with random options and
  * in random regions.
  *
  * [RendererConformance] compares each with the oracle, on fewer frames; here they are compared with each other.
  */
 class StrategiesAgreeProperties {
-    @Property(tries = 8000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 4000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_onTheScreen(@ForAll(supplier = ScreenCases::class) case: FrameCase, @ForAll salt: Long) =
         agree(case, salt)
 
-    @Property(tries = 3000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 1500, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_onTies(@ForAll(supplier = TiedCases::class) case: FrameCase, @ForAll salt: Long) = agree(case, salt)
 
-    @Property(tries = 2000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 1000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_onPrimitivesOfOnesOwn(@ForAll(supplier = ConfettiCases::class) case: FrameCase, @ForAll salt: Long) =
         agree(case, salt)
 
-    @Property(tries = 7000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 3500, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_inScenes(@ForAll(supplier = WorldCases::class) case: FrameCase, @ForAll salt: Long) = agree(case, salt)
 
     /** Rasters of several tiles and subdivisions, and primitives enough to hide each other. */

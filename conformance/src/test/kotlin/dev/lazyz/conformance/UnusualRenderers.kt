@@ -46,12 +46,14 @@ internal object UnusualRenderers {
         val near = frame.primitives.indices.filter { frame.primitives[it].meets(region) }
         val spans = Spans()
         for (i in image.argb.indices.shuffled(Random(1))) {
-            cast(frame, near, region.columnStart + i % region.width, region.rowStart + i / region.width, spans, image, i)
+            cast(frame, near, spans, image, i)
         }
         return emit(image, sink)
     }
 
-    private fun cast(frame: Frame, near: List<Int>, x: Int, y: Int, spans: Spans, image: Image, sample: Int) {
+    private fun cast(frame: Frame, near: List<Int>, spans: Spans, image: Image, sample: Int) {
+        val x = image.region.columnStart + sample % image.width
+        val y = image.region.rowStart + sample / image.width
         val test = frame.raster.depthTest
         var best = test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND)
         for (index in near.shuffled(Random(sample.toLong()))) {

@@ -2,6 +2,7 @@ package dev.lazyz.conformance
 
 import dev.lazyz.Renderers
 import dev.lazyz.conformance.strangers.StrangersGallery
+import dev.lazyz.conformance.strangers2.SecondGallery
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DynamicTest
 import org.junit.jupiter.api.DynamicTest.dynamicTest
@@ -16,7 +17,7 @@ class UnusualRenderersTest {
 
     @TestFactory
     fun passes(): List<DynamicTest> {
-        val unusual = UnusualRenderers.all + StrangersGallery.correct
+        val unusual = UnusualRenderers.all + StrangersGallery.correct + SecondGallery.correct
         val chosen = if (seeds == null) unusual else unusual + Renderers.builtIn.map { { it } }
         return chosen.flatMap { make ->
             (1..(seeds ?: 1)).map { seed ->

@@ -1,43 +1,49 @@
 package dev.lazyz.conformance.strangers
 
 import dev.lazyz.conformance.Conformance
-import java.time.Duration
+import dev.lazyz.conformance.strangers2.SecondGallery
+import kotlin.system.exitProcess
 
 /**
- * Runs the suite on every mistake of [StrangersGallery], one after the other, and prints a line each: who noticed, which rules
- * the report names as likely causes, and how long it took. Arguments: the seed, then ids (all by default).
+ * Runs the suite on wrong renderers, one after the other, and prints a line each: whether it notices, how long it takes, and
+ * which rules the report names as likely causes; at the end the sums.
+ *
+ * Arguments: `first` or `second` for the gallery; the seed; `shrinking` or `quick`, which leaves frames as they are; then
+ * ids, by default all.
  */
 internal object GalleryRun {
     @JvmStatic
     fun main(args: Array<String>) {
-        val seed = args.firstOrNull()?.toLong() ?: 1995L
-        val ids = args.drop(1)
-        var noticed = 0
-        var named = 0
-        val chosen = StrangersGallery.all.filter { ids.isEmpty() || it.id in ids }
-        for (stranger in chosen) {
-            val start = System.nanoTime()
-            val report = Conformance { stranger.make() }.seed(seed).deadline(Duration.ofSeconds(10)).run()
-            val seconds = (System.nanoTime() - start) / 1e9
-            val causes = report.diagnosis.causes.map { it.rule }
-            val isNamed = causes.any { it.number in stranger.chapters }
-            if (!report.isConformant) noticed++
-            if (isNamed) named++
-            val verdict = if (report.isConformant) {
-                "MISSED"
-            } else if (isNamed) {
-                "named"
-            } else {
-                "noticed"
-            }
-            val broken = report.results.filter { it.outcome.isFailure }.size
-            println(
-                "%-8s %-34s %5.1f s %2d broken, about %s, named %s".format(
-                    verdict, stranger.id, seconds, broken, stranger.chapters, causes.joinToString { it.name },
-                ),
-            )
+        val gallery = if (args[0] == "first") StrangersGallery.all else SecondGallery.all
+        val ids = args.drop(3)
+        val chosen = gallery.filter { ids.isEmpty() || it.id in ids }
+        val verdicts = chosen.map { judge(it, seed = args[1].toLong(), isQuick = args[2] == "quick") }
+        val sums = verdicts.groupingBy { it }.eachCount()
+        println("${chosen.size} wrong renderers: $sums")
+
+        // A renderer may have left threads
+        exitProcess(0)
+    }
+
+    /** Returns `missed`, `noticed`, or `named` where a rule that the mistake is about is among the likely causes. */
+    private fun judge(stranger: Stranger, seed: Long, isQuick: Boolean): String {
+        val conformance = Conformance { stranger.make() }.seed(seed)
+        val report = (if (isQuick) conformance.withoutShrinking() else conformance).run()
+        val causes = report.diagnosis.causes.map { it.rule }
+        val verdict = when {
+            report.isConformant -> "missed"
+            causes.any { it.number in stranger.chapters } -> "named"
+            else -> "noticed"
         }
-        println("$noticed of ${chosen.size} noticed, $named named among the first three")
-        System.exit(0)
+        val broken = report.results.count { it.outcome.isFailure }
+        println(
+            "%-7s %-34s %5.1f s, %2d broken, about %s: %s".format(
+                verdict, stranger.id, report.milliseconds / 1000.0, broken, stranger.chapters,
+                causes.joinToString {
+                    it.name
+                },
+            ),
+        )
+        return verdict
     }
 }

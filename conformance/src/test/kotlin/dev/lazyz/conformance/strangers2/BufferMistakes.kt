@@ -4,13 +4,14 @@ import dev.lazyz.Depth
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
+import dev.lazyz.conformance.strangers.Stranger
 import java.util.concurrent.atomic.AtomicReference
 
-private fun wrongBuffer(id: String, what: String, vararg chapters: String, steps: () -> BufferSteps): Mistake =
-    Mistake(id, what, chapters.toSet()) { Buffered(steps()) }
+private fun wrongBuffer(id: String, what: String, vararg chapters: String, steps: () -> BufferSteps): Stranger =
+    Stranger(id, what, chapters.toSet()) { Buffered(steps()) }
 
 /** Mistakes in a renderer with a buffer of the whole picture. */
-internal fun bufferMistakes(): List<Mistake> = listOf(
+internal fun bufferMistakes(): List<Stranger> = listOf(
     wrongBuffer("float-depths", "compares depths as floats: surfaces within 64 units tie", "4.1", "5.1") {
         object : BufferSteps() {
             override fun isVisible(pass: BufferPass, key: Long, old: Long): Boolean {

@@ -3,12 +3,13 @@ package dev.lazyz.conformance.strangers2
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
 import dev.lazyz.Selector
+import dev.lazyz.conformance.strangers.Stranger
 
-private fun wrongLayers(id: String, what: String, vararg chapters: String, steps: () -> LayerSteps): Mistake =
-    Mistake(id, what, chapters.toSet()) { Layers(steps(), RenderOptions()) }
+private fun wrongLayers(id: String, what: String, vararg chapters: String, steps: () -> LayerSteps): Stranger =
+    Stranger(id, what, chapters.toSet()) { Layers(steps(), RenderOptions()) }
 
 /** Mistakes of blending. */
-internal fun layerMistakes(): List<Mistake> = listOf(
+internal fun layerMistakes(): List<Stranger> = listOf(
     wrongLayers("ties-as-submitted", "where the last wins ties, equal depths are blended as submitted", "5.5", "5.3") {
         object : LayerSteps() {
             override fun sort(pass: LayerPass, column: Column) {
@@ -92,7 +93,7 @@ internal fun layerMistakes(): List<Mistake> = listOf(
 )
 
 /** Mistakes of selectors. */
-internal fun selectionMistakes(): List<Mistake> = listOf(
+internal fun selectionMistakes(): List<Stranger> = listOf(
     wrongLayers("behind-background", "a selector of one's own gets what is behind the background", "7.6", "4.3") {
         object : LayerSteps() {
             override fun passes(pass: LayerPass, key: Long): Boolean =

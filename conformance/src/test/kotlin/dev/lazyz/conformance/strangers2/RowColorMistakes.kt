@@ -5,9 +5,10 @@ import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Fragment
 import dev.lazyz.Rgba
+import dev.lazyz.conformance.strangers.Stranger
 
 /** Mistakes of shading in a renderer that goes row by row. */
-internal fun rowColorMistakes(): List<Mistake> = listOf(
+internal fun rowColorMistakes(): List<Stranger> = listOf(
     wrongRows("keeps-the-hue", "a colour with a component above 1 is scaled until none is", "6.4") {
         object : RowSteps() {
             override fun pack(fragment: Fragment): Int {

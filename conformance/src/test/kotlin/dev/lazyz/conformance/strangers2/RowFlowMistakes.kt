@@ -4,10 +4,11 @@ import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
+import dev.lazyz.conformance.strangers.Stranger
 import java.util.concurrent.atomic.AtomicReference
 
 /** Mistakes of memory, sinks and state in a renderer that goes row by row. */
-internal fun rowFlowMistakes(): List<Mistake> = listOf(
+internal fun rowFlowMistakes(): List<Stranger> = listOf(
     wrongRows("tries-again", "a row that the sink refuses with a runtime exception is handed out once more", "7.3") {
         object : RowSteps() {
             override fun handOut(pass: RowPass, y: Int) = try {

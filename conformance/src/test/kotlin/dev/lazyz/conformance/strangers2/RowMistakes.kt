@@ -6,12 +6,13 @@ import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
+import dev.lazyz.conformance.strangers.Stranger
 
-internal fun wrongRows(id: String, what: String, vararg chapters: String, steps: () -> RowSteps): Mistake =
-    Mistake(id, what, chapters.toSet()) { RowByRow(steps(), RenderOptions()) }
+internal fun wrongRows(id: String, what: String, vararg chapters: String, steps: () -> RowSteps): Stranger =
+    Stranger(id, what, chapters.toSet()) { RowByRow(steps(), RenderOptions()) }
 
 /** Mistakes of coverage, depth and background in a renderer that goes row by row. */
-internal fun rowMistakes(): List<Mistake> = listOf(
+internal fun rowMistakes(): List<Stranger> = listOf(
     wrongRows("late-cursor", "a cursor begins at the primitive's first row, not the region's", "7.4", "2.3") {
         object : RowSteps() {
             override fun cursor(primitive: Primitive, y: Int): SpanCursor =

@@ -4,19 +4,10 @@ import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
-
-/**
- * A wrong renderer.
- *
- * @property id short name, unique in the gallery
- * @property what what is wrong, and when it shows
- * @property chapters numbers of the contract's rules that the mistake is about
- * @property make makes the renderer
- */
-class Mistake(val id: String, val what: String, val chapters: Set<String>, val make: () -> Renderer)
+import dev.lazyz.conformance.strangers.Stranger
 
 /** Renderers with one mistake each, by someone who has not seen the suite; and their right bases. */
-object SecondGallery {
+internal object SecondGallery {
     /** The bases without a mistake. */
     val correct: List<() -> Renderer> = listOf(
         { RowByRow(RowSteps(), RenderOptions()) },
@@ -26,7 +17,7 @@ object SecondGallery {
     )
 
     /** The wrong ones. */
-    val all: List<Mistake> =
+    val all: List<Stranger> =
         rowMistakes() + rowColorMistakes() + rowFlowMistakes() + bufferMistakes() + layerMistakes() +
             selectionMistakes() +
             tileMistakes()

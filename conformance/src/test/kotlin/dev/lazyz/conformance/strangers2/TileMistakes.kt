@@ -3,12 +3,13 @@ package dev.lazyz.conformance.strangers2
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.Spans
+import dev.lazyz.conformance.strangers.Stranger
 
-private fun wrongTiles(id: String, what: String, vararg chapters: String, steps: () -> TileSteps): Mistake =
-    Mistake(id, what, chapters.toSet()) { Tiles(steps(), RenderOptions()) }
+private fun wrongTiles(id: String, what: String, vararg chapters: String, steps: () -> TileSteps): Stranger =
+    Stranger(id, what, chapters.toSet()) { Tiles(steps(), RenderOptions()) }
 
 /** Mistakes of a renderer with tiles and threads. */
-internal fun tileMistakes(): List<Mistake> = listOf(
+internal fun tileMistakes(): List<Stranger> = listOf(
     wrongTiles("tiles-of-the-raster", "counts tile columns by the raster's grid, both ends rounded up", "7.4", "7.3") {
         object : TileSteps() {
             override fun tileCount(start: Int, end: Int, size: Int): Int =
