@@ -78,6 +78,38 @@ class LightingTest {
     }
 
     @Test
+    fun rule_6_5_highlightsOfOneComponentAlone() {
+        val light = Light.Directional(Vector3d(0.0, 0.0, -1.0), Rgba.WHITE)
+        for (shading in listOf(Shading.PHONG, Shading.BLINN_PHONG)) {
+            for (k in 0 until 3) {
+                val (red, green, blue) = List(3) { if (it == k) 0.5f else 0f }
+                val material = Material(Rgba.BLACK, shading = shading, specular = Rgba(red, green, blue))
+                assertColor(red.toDouble(), green.toDouble(), blue.toDouble(), seen(material, light))
+            }
+        }
+    }
+
+    @Test
+    fun rule_6_5_aLightAlongTheSurfaceAddsNothing() {
+        // Its cosine is 0, though the highlight's would be above 0
+        for (shading in Shading.entries - Shading.CONSTANT) {
+            for (direction in listOf(Vector3d(1.0, 0.0, 0.0), Vector3d(0.0, -1.0, 0.0))) {
+                val material = Material(shading = shading, specular = Rgba.WHITE, shininess = 1)
+                assertColor(0.0, 0.0, 0.0, seen(material, Light.Directional(direction, Rgba.WHITE)))
+            }
+        }
+    }
+
+    @Test
+    fun rule_6_5_aNormalWithoutLengthPointsToTheViewer() {
+        val light = Light.Directional(Vector3d(StrictMath.sqrt(3.0), 0.0, -1.0), Rgba.WHITE)
+        for (shading in listOf(Shading.PHONG, Shading.BLINN_PHONG)) {
+            val fragment = shaded(Material(shading = shading), Vector3d(), listOf(light))
+            assertColor(0.5, 0.5, 0.5, color(fragment))
+        }
+    }
+
+    @Test
     fun rule_6_5_theFormulaInDoublePrecision() {
         val random = Random(4)
         repeat(300) {

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Contract rules 3.6 and 6.5 in other words, to the bit: light at vertices, and the colours between them. */
+/** Contract rules 3.6 and 6.5 in other words, to the bit: light at vertices, colours between them, light at samples. */
 class VertexLightingTest {
     private class Vector(val x: Float, val y: Float, val z: Float) {
         val length: Float get() = sqrt(dot(this))
@@ -66,7 +66,11 @@ class VertexLightingTest {
             val cosine = n.dot(toLight)
             if (cosine <= 0f) continue
             val halfway = toLight + toViewer
-            val highlight = n.dot(halfway) / halfway.length
+            val highlight = if (material.shading == Shading.PHONG) {
+                2f * cosine * n.dot(toViewer) - toLight.dot(toViewer)
+            } else {
+                n.dot(halfway) / halfway.length
+            }
             for (k in 0 until 3) {
                 val color = components(light.color)[k]
                 diffuse[k] += color * cosine
@@ -137,6 +141,39 @@ class VertexLightingTest {
             }
         }
         assertTrue(samples > 3000) { "$samples" }
+    }
+
+    @Test
+    fun rule_6_5_shadingAtSamplesToTheBit() {
+        val random = Random(1975)
+        val fragment = Fragment()
+        var samples = 0
+        repeat(40) { round ->
+            val positions = FloatArray(9) { (random.nextFloat() * 2 - 1) * if (it % 3 == 2) 0.5f else 1.2f }
+            val normals = FloatArray(9) { random.nextFloat() * 2 - 1 }
+            val colors = FloatArray(12) { random.nextFloat() }
+            val material = material(if (round / 2 % 2 == 0) Shading.PHONG else Shading.BLINN_PHONG, random)
+            val camera = cameras[round % 2]
+            val mesh = Mesh(positions, intArrayOf(0, 1, 2), material, normals, colors = colors)
+            val frame = Scene(listOf(mesh), lights, camera).frame(24, 24)
+            val primitive = frame.primitives.single()
+            val covered = primitive.samples(frame.raster)
+            for (place in 0 until 24 * 24) {
+                if (!covered[place % 24, place / 24]) continue
+                samples++
+                fragment.moveTo(place % 24, place / 24)
+                primitive.shade(fragment)
+                val at = Vector(fragment.worldX, fragment.worldY, fragment.worldZ)
+                val normal = Vector(fragment.normalX, fragment.normalY, fragment.normalZ)
+                val surface = floatArrayOf(fragment.vertexRed, fragment.vertexGreen, fragment.vertexBlue)
+                assertEquals(
+                    lit(material, camera, at, normal, surface).toList(),
+                    listOf(fragment.red, fragment.green, fragment.blue),
+                )
+                assertEquals(fragment.vertexAlpha * material.baseColor.alpha, fragment.alpha)
+            }
+        }
+        assertTrue(samples > 500) { "$samples" }
     }
 
     @Test
