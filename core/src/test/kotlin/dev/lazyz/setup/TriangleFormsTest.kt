@@ -19,8 +19,8 @@ import org.junit.jupiter.params.provider.EnumSource
 /** The edge functions and depths of a batch's triangles are those of its primitives, from any first sample on. */
 class TriangleFormsTest {
     /**
-     * Triangles with vertices on samples, so that samples lie on edges, on horizontal ones too; some anywhere, and some too
-     * steep for a linear form.
+     * Triangles with vertices on samples, so that samples lie on edges, on horizontal ones too; some anywhere, and some
+     * too steep for a linear form.
      */
     private fun frame(test: DepthTest): Frame {
         val random = Random(1988)

@@ -1,0 +1,148 @@
+package dev.lazyz.setup
+
+import java.util.Random
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Cutting at each plane of the guard band, beside the half spaces written out. */
+class ClipperTest {
+    private val clipper = Clipper(3.0, 2.0, -0.5)
+
+    /** What x, y, z and w are multiplied by for the distance from each plane: near, far, left, right, bottom, top. */
+    private val planes = listOf(
+        listOf(0.0, 0.0, 1.0, 0.5), listOf(0.0, 0.0, -1.0, 1.0), listOf(1.0, 0.0, 0.0, 3.0),
+        listOf(-1.0, 0.0, 0.0, 3.0), listOf(0.0, 1.0, 0.0, 2.0), listOf(0.0, -1.0, 0.0, 2.0),
+    )
+
+    private fun distance(plane: Int, point: List<Double>): Double =
+        planes[plane].zip(point) { factor, component -> factor * component }.sum()
+
+    private fun vertices(points: List<List<Double>>): Vertices {
+        val vertices = Vertices(points.size)
+        for ((i, point) in points.withIndex()) for (k in 0 until 4) vertices.set(i, Vertices.X + k, point[k])
+        return vertices
+    }
+
+    private fun point(vertices: Vertices, vertex: Int) = List(4) { vertices.get(vertex, Vertices.X + it) }
+
+    private fun isInside(point: List<Double>) = clipper.isInside(point[0], point[1], point[2], point[3])
+
+    @Test
+    fun rule_9_1_aPointOnAPlaneIsInside() {
+        val random = Random(1)
+        val onPlanes = IntArray(6)
+        repeat(20_000) {
+            // Quarters are exact
+            val w = listOf(0.25, 0.5, 1.0, 2.0)[random.nextInt(4)]
+            val point = List(3) { (random.nextInt(33) - 16) / 4.0 * w } + w
+            val outside = planes.indices.filter { distance(it, point) < 0.0 }
+            for (plane in planes.indices) if (distance(plane, point) == 0.0 && outside.isEmpty()) onPlanes[plane]++
+            assertEquals(outside.sumOf { 1 shl it }, clipper.outcode(vertices(listOf(point)), 0)) { "$point" }
+            assertEquals(outside.isEmpty(), isInside(point)) { "$point" }
+        }
+        assertTrue(onPlanes.all { it > 50 }) { "${onPlanes.toList()}" }
+    }
+
+    @Test
+    fun rule_9_1_whatIsNowhereOrBehindTheEyeIsNotInside() {
+        val inside = listOf(0.5, 0.25, 0.0, 1.0)
+        assertTrue(isInside(inside))
+        for (k in 0 until 4) {
+            for (nowhere in listOf(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY)) {
+                assertFalse(isInside(inside.toMutableList().also { it[k] = nowhere }))
+            }
+        }
+        assertFalse(isInside(listOf(0.0, 0.0, 0.0, 0.0)))
+        assertFalse(isInside(listOf(0.0, 0.0, 0.0, -1.0)))
+        assertFalse(Clipper(-1.0, -1.0, 1.0).isInside(0.0, 0.0, -1.0, -1.0))
+    }
+
+    @Test
+    fun rule_9_1_aContourIsCutWhereItCrossesAPlane() {
+        val random = Random(2)
+        for (plane in planes.indices) {
+            var cuts = 0
+            repeat(100) {
+                val points = List(3 + random.nextInt(2)) {
+                    List(3) { random.nextInt(33) / 4.0 - 4.0 } + (1.0 + random.nextInt(3))
+                }
+                val expected = ArrayList<List<Double>>()
+                for ((i, to) in points.withIndex()) {
+                    val from = points[(i + points.size - 1) % points.size]
+                    val before = distance(plane, from)
+                    val after = distance(plane, to)
+                    if ((before < 0) != (after < 0)) {
+                        expected += List(4) { from[it] + before / (before - after) * (to[it] - from[it]) }
+                        cuts++
+                    }
+                    if (after >= 0) expected += to
+                }
+                val vertices = vertices(points)
+                val contours = clipper.clip(vertices, listOf(IntArray(points.size) { it }), 1 shl plane)
+                assertEquals(if (expected.isEmpty()) 0 else 1, contours.size)
+                val actual = contours.flatMap { it.asIterable() }.map { point(vertices, it) }
+                // A contour of four may cross itself: then the runs along the plane are split besides
+                if (expected.size == actual.size || points.size == 3) assertNear(expected, actual)
+            }
+            assertTrue(cuts > 20) { "plane $plane: $cuts" }
+        }
+    }
+
+    @Test
+    fun rule_9_2_runsAlongAPlaneAreSplitWhereOthersEnd() {
+        // A comb whose back is outside of the plane: 1 is on it, and the other number along it
+        val comb = listOf(
+            0.5 to 0.0, 1.5 to 0.0, 1.5 to 1.5, 0.5 to 1.5, 0.5 to 1.0, 1.25 to 1.0, 1.25 to 0.5, 0.5 to 0.5,
+        )
+        val cut = listOf(
+            0.5 to 0.0, 1.0 to 0.0, 1.0 to 0.5, 1.0 to 1.0, 1.0 to 1.5, 0.5 to 1.5, 0.5 to 1.0, 1.0 to 1.0,
+            1.0 to 0.5, 0.5 to 0.5,
+        )
+        for (plane in planes.indices) {
+            for (sign in listOf(1.0, -1.0)) {
+                // The vertices' w differ; places are compared on the screen
+                val points = comb.mapIndexed { i, (across, along) ->
+                    place(plane, across, sign * along).map { it * (1 + i % 3) }
+                }
+                val expected = cut.map { (across, along) -> place(plane, across, sign * along) }
+                val vertices = vertices(points)
+                val contour = clipper.clip(vertices, listOf(IntArray(comb.size) { it }), 1 shl plane).single()
+                val actual = contour.map { point(vertices, it) }.map { point -> point.map { it / point[3] } }
+                assertNear(expected, actual)
+            }
+        }
+    }
+
+    /** The point [across] of the way from the middle to a plane, and [along] it. */
+    private fun place(plane: Int, across: Double, along: Double): List<Double> = when (plane) {
+        0 -> listOf(along, along / 2, -0.5 * across, 1.0)
+        1 -> listOf(along / 4, along, across, 1.0)
+        2 -> listOf(-3.0 * across, along, 0.0, 1.0)
+        3 -> listOf(3.0 * across, along, 0.0, 1.0)
+        4 -> listOf(along, -2.0 * across, 0.0, 1.0)
+        else -> listOf(along, 2.0 * across, 0.0, 1.0)
+    }
+
+    @Test
+    fun rule_9_1_contoursAreCutAtThePlanesAskedFor() {
+        val points = listOf(listOf(9.0, 9.0, 0.0, 1.0), listOf(-9.0, 9.0, 0.0, 1.0), listOf(0.0, -9.0, 0.0, 1.0))
+        for (mask in 0 until 64) {
+            val vertices = vertices(points)
+            val corners = clipper.clip(vertices, listOf(intArrayOf(0, 1, 2)), mask).single()
+            for (plane in planes.indices) {
+                val least = corners.minOf { distance(plane, point(vertices, it)) }
+                if (mask shr plane and 1 == 1) assertTrue(least > -1e-9) { "planes $mask, $plane" }
+                if (mask == 0 && plane > 1) assertTrue(least < 0.0)
+            }
+        }
+        val outside = vertices(points.map { (x, y, z, w) -> listOf(x + 99, y, z, w) })
+        assertEquals(0, clipper.clip(outside, listOf(intArrayOf(0, 1, 2)), 1 shl 3).size)
+    }
+
+    private fun assertNear(expected: List<List<Double>>, actual: List<List<Double>>) {
+        assertEquals(expected.size, actual.size) { "$expected, $actual" }
+        for ((a, b) in expected.flatten().zip(actual.flatten())) assertEquals(a, b, 1e-12) { "$expected, $actual" }
+    }
+}
