@@ -114,6 +114,14 @@ class TextureTest {
     }
 
     @Test
+    fun rule_6_6_theGreatestCoordinateIsAtTheEnd() {
+        val clamped = Texture(3, 3, numbered(3, 3), TextureFilter.NEAREST, TextureWrap.CLAMP, TextureWrap.CLAMP)
+        for (far in listOf(Float.MAX_VALUE, -Float.MAX_VALUE)) {
+            assertArrayEquals(read(clamped, Math.signum(far), 0f), read(clamped, far, 0f))
+        }
+    }
+
+    @Test
     fun opacityIsFound() {
         assertEquals(false, Texture(1, 2, intArrayOf(-1, 0xFF000000.toInt())).hasAlpha)
         assertEquals(true, Texture(1, 2, intArrayOf(-1, 0x7F000000)).hasAlpha)
@@ -121,8 +129,11 @@ class TextureTest {
 
     @Test
     fun wrongSizesAreRefused() {
-        assertThrows(IllegalArgumentException::class.java) { Texture(0, 1, IntArray(0)) }
-        assertThrows(IllegalArgumentException::class.java) { Texture(2, 2, IntArray(3)) }
+        fun message(width: Int, height: Int, texels: Int): String? =
+            assertThrows(IllegalArgumentException::class.java) { Texture(width, height, IntArray(texels)) }.message
+        assertEquals("texture must have at least one texel: 0 x 1", message(0, 1, 0))
+        assertEquals("texture must have at least one texel: 1 x 0", message(1, 0, 0))
+        assertEquals("texture of 2 x 3 needs 6 texels: 5", message(2, 3, 5))
         assertThrows(IllegalArgumentException::class.java) { Texture(65536, 65536, IntArray(0)) }
     }
 }

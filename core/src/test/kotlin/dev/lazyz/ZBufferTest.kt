@@ -19,6 +19,15 @@ class ZBufferTest {
     }
 
     @Test
+    fun itSaysWhatItIs() {
+        val renderer = ZBuffer()
+        assertEquals("zbuffer", renderer.id)
+        assertEquals("ZBuffer()", renderer.toString())
+        assertEquals(setOf(Capability.STREAMS_PRIMITIVES), renderer.capabilities)
+        assertTrue("one primitive at a time" in renderer.summary)
+    }
+
+    @Test
     fun rule_8_1_countersMeanWhatTheyMean() {
         for (frame in frames()) {
             val image = ZBuffer().render(frame)

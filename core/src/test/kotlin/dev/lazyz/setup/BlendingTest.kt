@@ -84,6 +84,17 @@ class BlendingTest {
     }
 
     @Test
+    fun rule_5_5_whatHasNoOpacityIsPassedOverWhateverItsColour() {
+        val bright = fragment(Float.POSITIVE_INFINITY, Float.NaN, Float.NEGATIVE_INFINITY, 0f)
+        blending.clear()
+        blending.add(fragment(0.25f, 0.5f, 0.75f, 0.5f))
+        blending.add(bright)
+        blending.end(bright)
+        val color = listOf(blending.red, blending.green, blending.blue, blending.alpha)
+        assertEquals(listOf(0.25f, 0.5f, 0.75f, 0.5f), color)
+    }
+
+    @Test
     fun rule_5_5_theBackgroundIsABackdropToo() {
         blending.clear()
         blending.add(fragment(0.5f, 0.25f, 1f, 0.5f))

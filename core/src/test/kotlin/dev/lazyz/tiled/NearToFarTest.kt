@@ -47,6 +47,15 @@ class NearToFarTest {
     }
 
     @Test
+    fun bytesAreThoseOfTheKeysTwiceAndOfTheBuckets() {
+        val order = NearToFar()
+        assertEquals(8L * 2 * 64 + 4 * 257, order.bytes)
+        order.begin(1000)
+        order.sort()
+        assertEquals(8L * 2 * 1250 + 4 * 257, order.bytes)
+    }
+
+    @Test
     fun listsAreJoinedAndUsedAgain() {
         val random = Random(3)
         val all = NearToFar()
