@@ -94,23 +94,41 @@ class ClipperTest {
     fun rule_9_2_runsAlongAPlaneAreSplitWhereOthersEnd() {
         // A comb whose back is outside of the plane: 1 is on it, and the other number along it
         val comb = listOf(
-            0.5 to 0.0, 1.5 to 0.0, 1.5 to 1.5, 0.5 to 1.5, 0.5 to 1.0, 1.25 to 1.0, 1.25 to 0.5, 0.5 to 0.5,
+            0.5 to -0.75, 1.5 to -0.75, 1.5 to 0.75, 0.5 to 0.75, 0.5 to 0.25, 1.25 to 0.25, 1.25 to -0.25,
+            0.5 to -0.25,
         )
         val cut = listOf(
-            0.5 to 0.0, 1.0 to 0.0, 1.0 to 0.5, 1.0 to 1.0, 1.0 to 1.5, 0.5 to 1.5, 0.5 to 1.0, 1.0 to 1.0,
-            1.0 to 0.5, 0.5 to 0.5,
+            0.5 to -0.75, 1.0 to -0.75, 1.0 to -0.25, 1.0 to 0.25, 1.0 to 0.75, 0.5 to 0.75, 0.5 to 0.25, 1.0 to 0.25,
+            1.0 to -0.25, 0.5 to -0.25,
         )
         for (plane in planes.indices) {
             for (sign in listOf(1.0, -1.0)) {
-                // The vertices' w differ; places are compared on the screen
-                val points = comb.mapIndexed { i, (across, along) ->
-                    place(plane, across, sign * along).map { it * (1 + i % 3) }
+                for (first in comb.indices) {
+                    // The vertices' w differ; places are compared on the screen, wherever the contour begins
+                    val points = List(comb.size) { i ->
+                        val (across, along) = comb[(first + i) % comb.size]
+                        place(plane, across, sign * along).map { it * W[(first + 3 * i) % W.size] }
+                    }
+                    val vertices = vertices(points)
+                    val contour = clipper.clip(vertices, listOf(IntArray(comb.size) { it }), 1 shl plane).single()
+                    val actual = contour.map { point(vertices, it) }.map { point -> point.map { it / point[3] } }
+                    val expected = cut.map { (across, along) -> place(plane, across, sign * along) }
+                    val start = actual.indexOfFirst { it.zip(expected[0]).all { (a, b) -> Math.abs(a - b) < 1e-12 } }
+                    assertNear(expected, actual.drop(start) + actual.take(start))
                 }
-                val expected = cut.map { (across, along) -> place(plane, across, sign * along) }
-                val vertices = vertices(points)
-                val contour = clipper.clip(vertices, listOf(IntArray(comb.size) { it }), 1 shl plane).single()
-                val actual = contour.map { point(vertices, it) }.map { point -> point.map { it / point[3] } }
-                assertNear(expected, actual)
+            }
+        }
+    }
+
+    @Test
+    fun rule_9_1_aCutIsReachedFromTheNearerEnd() {
+        for (far in listOf(1e6, 1e20, 1e200)) {
+            for ((near, other) in listOf(0.0 to far, 4.0 to -far)) {
+                val vertices = vertices(listOf(near, other).map { listOf(it, 0.5, 0.0, 1.0) })
+                val contour = clipper.clip(vertices, listOf(intArrayOf(0, 1)), 1 shl 3).single()
+                val cuts = contour.filter { it > 1 }
+                assertEquals(2, cuts.size)
+                for (cut in cuts) assertEquals(3.0, vertices.get(cut, Vertices.X), 1e-12)
             }
         }
     }
@@ -144,5 +162,9 @@ class ClipperTest {
     private fun assertNear(expected: List<List<Double>>, actual: List<List<Double>>) {
         assertEquals(expected.size, actual.size) { "$expected, $actual" }
         for ((a, b) in expected.flatten().zip(actual.flatten())) assertEquals(a, b, 1e-12) { "$expected, $actual" }
+    }
+
+    private companion object {
+        val W = listOf(1.0, 0.125, 8.0, 0.5, 32.0)
     }
 }

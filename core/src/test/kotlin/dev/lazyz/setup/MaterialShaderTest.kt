@@ -89,6 +89,17 @@ class MaterialShaderTest {
     }
 
     @Test
+    fun aShaderOfOnesOwnSeesTextureCoordinatesWithoutATexture() {
+        val material = Material(shader = { it.setColor(it.u, it.v, it.vertexRed) })
+        val positions = floatArrayOf(-9f, -9f, 0f, 9f, -9f, 0f, 0f, 12f, 0f)
+        val uvs = FloatArray(6) { if (it % 2 == 0) 0.75f else -3f }
+        val mesh = Mesh(positions, intArrayOf(0, 1, 2), material, uvs = uvs)
+        val fragment = Fragment()
+        Scene(listOf(mesh), lights, camera).frame(1, 1).primitives.single().shade(fragment)
+        assertEquals(listOf(0.75f, -3f, 1f), listOf(fragment.red, fragment.green, fragment.blue))
+    }
+
+    @Test
     fun rule_6_1_aPolygonIsColouredAsATriangleOfAMesh() {
         val random = Random(7)
         var samples = 0

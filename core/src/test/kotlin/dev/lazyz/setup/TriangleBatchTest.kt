@@ -18,6 +18,10 @@ class TriangleBatchTest {
     private val flat =
         Camera.orthographic(Vector3d(0.3, 0.4, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 4.0, 1.0, 20.0)
 
+    /** Tilted, and looking beside the origin: no number of its matrix is 0. */
+    private val tilted =
+        Camera.perspective(Vector3d(0.9, 0.7, 5.0), Vector3d(0.2, -0.1, 0.3), Vector3d(0.3, 1.0, 0.1), 40.0, 1.0, 20.0)
+
     /** Asserts it of a mesh, and returns how many of its triangles are drawn from the batch, cut, and left out. */
     private fun assertSame(mesh: Mesh, camera: Camera): List<Int> {
         val frame = Scene(listOf(mesh), emptyList(), camera).frame(32, 24)
@@ -54,7 +58,7 @@ class TriangleBatchTest {
     @Test
     fun rule_9_1_trianglesAreDrawnCutOrLeftOut() {
         val random = Random(9)
-        for (camera in listOf(SampleScenes.camera, flat)) {
+        for (camera in listOf(SampleScenes.camera, flat, tilted)) {
             val sums = IntArray(3)
             for (sides in Sides.entries) {
                 for (reach in listOf(1.0, 6.0, 30.0)) {
@@ -80,6 +84,10 @@ class TriangleBatchTest {
 
     @Test
     fun aMeshWithAllInsideHasNoExceptions() {
+        for (camera in listOf(flat, tilted)) {
+            val oneSided = SampleScenes.soup(Random(11), 64, Material(sides = Sides.FRONT), 0.5)
+            assertEquals(0, assertSame(oneSided, camera)[1])
+        }
         val mesh = SampleScenes.soup(Random(11), 64, Material(), 0.5)
         val frame = Scene(listOf(mesh, mesh), emptyList(), flat).frame(8, 8)
         val batches = frame.content.batches
