@@ -102,17 +102,17 @@ class ClipperTest {
             1.0 to -0.25, 0.5 to -0.25,
         )
         for (plane in planes.indices) {
-            for (sign in listOf(1.0, -1.0)) {
+            for ((sign, offset) in listOf(1.0 to 0.0, -1.0 to 0.0, 1.0 to 1.0, -1.0 to 1.0)) {
                 for (first in comb.indices) {
                     // The vertices' w differ; places are compared on the screen, wherever the contour begins
                     val points = List(comb.size) { i ->
                         val (across, along) = comb[(first + i) % comb.size]
-                        place(plane, across, sign * along).map { it * W[(first + 3 * i) % W.size] }
+                        place(plane, across, sign * along + offset).map { it * W[(first + 3 * i) % W.size] }
                     }
                     val vertices = vertices(points)
                     val contour = clipper.clip(vertices, listOf(IntArray(comb.size) { it }), 1 shl plane).single()
                     val actual = contour.map { point(vertices, it) }.map { point -> point.map { it / point[3] } }
-                    val expected = cut.map { (across, along) -> place(plane, across, sign * along) }
+                    val expected = cut.map { (across, along) -> place(plane, across, sign * along + offset) }
                     val start = actual.indexOfFirst { it.zip(expected[0]).all { (a, b) -> Math.abs(a - b) < 1e-12 } }
                     assertNear(expected, actual.drop(start) + actual.take(start))
                 }
