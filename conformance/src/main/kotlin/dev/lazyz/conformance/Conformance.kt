@@ -52,7 +52,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     }
 
     /**
-     * Gives each try so much time, by default 20 seconds. A rule of which a try takes longer has timed out; when three
+     * Gives each rendering so much time, by default 20 seconds. A rule of which one takes longer has timed out; when three
      * have, no others are tried.
      *
      * @throws IllegalArgumentException if it is not positive

@@ -4,6 +4,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption.APPEND
 import java.nio.file.StandardOpenOption.CREATE
+import java.nio.file.attribute.FileTime
 import kotlin.io.path.readLines
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
@@ -21,6 +22,9 @@ internal class Journal(private val path: Path) {
     private val ends: Map<String, ProcessEnd> = (if (Files.exists(path)) path.readLines() else listOf())
         .mapNotNull { ProcessEnd.of(it) }.associateBy { it.rule }
 
+    @Volatile
+    private var touched = 0L
+
     init {
         path.writeText(ends.values.joinToString("") { "$it\n" })
     }
@@ -36,6 +40,14 @@ internal class Journal(private val path: Path) {
 
     fun ends(result: RuleResult): Unit = append(" ${result.outcome}\n")
 
+    /** The try under way is not stuck: the file's time says so, once a second at most. */
+    fun goesOn() {
+        val now = System.currentTimeMillis()
+        if (now - touched < SECOND) return
+        touched = now
+        Files.setLastModifiedTime(path, FileTime.fromMillis(now))
+    }
+
     @Synchronized
     private fun append(text: String) {
         Files.writeString(path, text, CREATE, APPEND)
@@ -44,6 +56,7 @@ internal class Journal(private val path: Path) {
     companion object {
         const val TRY: String = "."
         const val STEP: String = ","
+        private const val SECOND = 1000L
 
         /** Writes to the journal at [path] why the process of its run has ended; false if no rule was on trial. */
         fun ended(path: Path, words: String, outcome: RuleOutcome): Boolean {

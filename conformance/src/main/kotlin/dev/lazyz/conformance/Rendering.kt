@@ -15,6 +15,7 @@ internal class Rendering private constructor(val image: Image, val counters: Cou
 
         /** Renders [frame] row by row; whatever the renderer throws is thrown. */
         fun of(renderer: Renderer, frame: Frame): Rendering {
+            Trial.current?.goesOn()
             val recorder = Recorder(frame)
             val counters = renderer.render(frame, recorder)
             return Rendering(recorder.image(counters), counters, recorder.rows)

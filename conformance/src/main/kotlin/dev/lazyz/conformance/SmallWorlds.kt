@@ -56,6 +56,7 @@ internal class SmallWorld(private val raster: Raster) {
             for (second in shapes) {
                 val frame = FrameBuilder(raster).add(first.primitive).add(second.primitive).build()
                 val picture = try {
+                    Trial.current?.goesOn()
                     renderer.render(frame)
                 } catch (e: Exception) {
                     fail(renderer, first, second, "threw $e", e)

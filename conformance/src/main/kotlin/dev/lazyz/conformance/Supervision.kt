@@ -3,6 +3,7 @@ package dev.lazyz.conformance
 import java.io.InputStream
 import java.nio.file.Files
 import java.nio.file.Path
+import java.nio.file.attribute.FileTime
 import java.time.Duration
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
@@ -55,14 +56,14 @@ public class Supervision @JvmOverloads constructor(
         }
     }
 
-    /** Whether the process ends by itself: it may be slow, as long as its journal grows. */
+    /** Whether the process ends by itself: it may be slow, as long as its journal changes. */
     private fun awaitEnd(process: Process): Boolean {
-        var size = -1L
+        var state: Pair<Long, FileTime>? = null
         var since = System.nanoTime()
         while (!process.waitFor(MOMENT, TimeUnit.MILLISECONDS)) {
-            val now = if (Files.exists(journal)) Files.size(journal) else 0
-            if (now != size) since = System.nanoTime()
-            size = now
+            val now = if (Files.exists(journal)) Files.size(journal) to Files.getLastModifiedTime(journal) else null
+            if (now != state) since = System.nanoTime()
+            state = now
             if (System.nanoTime() - since > patience.toNanos()) return false
         }
         return true

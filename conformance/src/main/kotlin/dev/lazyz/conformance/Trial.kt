@@ -12,7 +12,7 @@ import net.jqwik.api.lifecycle.TryExecutionResult
 /**
  * One rule on trial, from the first try to the verdict.
  *
- * Each try runs in a thread of its own and has [deadline]. After the first that fails, at most [steps] smaller frames
+ * Each try runs in a thread of its own, and each of its renderings has [deadline]. After the first that fails, at most [steps] smaller frames
  * are tried, the same ones at every run.
  */
 internal class Trial(
@@ -64,6 +64,12 @@ internal class Trial(
     fun saw(case: FrameCase, how: String = "") {
         underTrial = case
         if (falsified == null) census.add(case.frame, case.scene, how)
+    }
+
+    /** The try under way begins another rendering: each has its deadline. */
+    fun goesOn() {
+        thread.goesOn()
+        journal?.goesOn()
     }
 
     /** Calls [block] as the next try, or as the next step to a smaller frame. */

@@ -8,7 +8,7 @@ import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
-/** A call was not over at its deadline; the message says where its threads are. */
+/** A call did not go on within its deadline; the message says where its threads are. */
 internal class Late(message: String) : RuntimeException(message)
 
 /**
@@ -19,15 +19,30 @@ internal class TryThread(private val deadline: Duration) : AutoCloseable {
     private var group = ThreadGroup(NAME)
     private var executor: ExecutorService? = null
 
+    @Volatile
+    private var since = 0L
+
+    /** The call under way has done a part of what it does: from here on, its deadline begins anew. */
+    fun goesOn() {
+        since = System.nanoTime()
+    }
+
     /**
      * Returns what [block] returns, or throws what it throws.
      *
-     * @throws Late if it is not over in time
+     * @throws Late if it is not over in time, nor goes on
      */
     fun <T> call(block: () -> T): T {
+        goesOn()
         val future = executor().submit(Callable { block() })
         try {
-            return future.get(deadline.toMillis(), TimeUnit.MILLISECONDS)
+            while (true) {
+                try {
+                    return future.get(left(), TimeUnit.NANOSECONDS)
+                } catch (late: TimeoutException) {
+                    if (left() <= 0) throw late
+                }
+            }
         } catch (e: ExecutionException) {
             throw e.cause ?: e
         } catch (_: TimeoutException) {
@@ -39,6 +54,9 @@ internal class TryThread(private val deadline: Duration) : AutoCloseable {
             throw e
         }
     }
+
+    /** Nanoseconds until the deadline. */
+    private fun left(): Long = deadline.toNanos() - (System.nanoTime() - since)
 
     private fun executor(): ExecutorService = executor ?: Executors.newSingleThreadExecutor { task ->
         Thread(group, task, NAME).apply { isDaemon = true }

@@ -1,6 +1,9 @@
 package dev.lazyz.conformance
 
+import dev.lazyz.Counters
+import dev.lazyz.Frame
 import dev.lazyz.Renderer
+import dev.lazyz.RowSink
 import java.nio.file.Path
 import java.time.Duration
 import kotlin.io.path.readLines
@@ -40,6 +43,20 @@ class RunTest {
             assertTrue("\nin\nFrameBuilder(Raster(" in result.message, result.message)
             assertTrue(result.failure?.code.orEmpty() in result.message)
         }
+    }
+
+    @Test
+    fun slowRendererIsNotTakenForHanging() {
+        val result = of {
+            object : PlainRenderer() {
+                override fun render(frame: Frame, sink: RowSink): Counters {
+                    Thread.sleep(100)
+                    return super.render(frame, sink)
+                }
+            }
+        }.tries(0.01).rule("rule_5_3_everyDepthTestIsObeyed").run().results.single()
+        assertTrue(result.milliseconds > 300)
+        assertOutcome(RuleOutcome.PASSED, result)
     }
 
     @Test
