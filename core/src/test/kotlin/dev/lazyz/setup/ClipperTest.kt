@@ -123,7 +123,7 @@ class ClipperTest {
     @Test
     fun rule_9_1_aCutIsReachedFromTheNearerEnd() {
         for (far in listOf(1e6, 1e20, 1e200)) {
-            for ((near, other) in listOf(0.0 to far, 4.0 to -far)) {
+            for ((near, other) in listOf(0.0 to far, 3.0 to far, 4.0 to -far)) {
                 val vertices = vertices(listOf(near, other).map { listOf(it, 0.5, 0.0, 1.0) })
                 val contour = clipper.clip(vertices, listOf(intArrayOf(0, 1)), 1 shl 3).single()
                 val cuts = contour.filter { it > 1 }
