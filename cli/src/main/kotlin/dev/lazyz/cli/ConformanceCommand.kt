@@ -62,7 +62,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     private val fuzzing by FuzzingOptions()
 
-    private val deadline by option("--deadline", help = "Take a rendering for hanging after so many seconds; default: 20")
+    private val deadline by option("--deadline", help = "Seconds after which a rendering has timed out; default: 20")
         .number("S", LEAST_DEADLINE..MOST_DEADLINE, "")
 
     private val isInProcess by option(

@@ -5,6 +5,7 @@ import java.time.Duration
 import java.time.LocalDate
 import java.util.Collections
 import java.util.IdentityHashMap
+import java.util.concurrent.atomic.AtomicInteger
 import net.jqwik.api.lifecycle.PropertyExecutionResult
 import net.jqwik.api.lifecycle.PropertyExecutionResult.Status
 import net.jqwik.api.lifecycle.TryExecutionResult
@@ -12,19 +13,20 @@ import net.jqwik.api.lifecycle.TryExecutionResult
 /**
  * One rule on trial, from the first try to the verdict.
  *
- * Each try runs in a thread of its own, and each of its renderings has [deadline]. After the first that fails, at most [steps] smaller frames
- * are tried, the same ones at every run.
+ * Each try runs in a thread of its own, and each of its renderings has [deadline]. After the first that fails, at most
+ * [steps] smaller frames are tried, the same ones at every run.
  */
 internal class Trial(
     val rule: SuiteRule,
     private val waiver: Waiver?,
     deadline: Duration = Settings.USUAL_DEADLINE,
-    private var steps: Int = Settings.MANY_STEPS,
+    steps: Int = Settings.MANY_STEPS,
     private val journal: Journal? = null,
 ) : AutoCloseable {
     /** The user's own frames; null if there are none. */
     var own: OwnFrames? = null
 
+    private val stepsLeft = AtomicInteger(steps)
     private val census = Census()
     private val start = System.nanoTime()
     private val thread = TryThread(deadline)
@@ -63,7 +65,11 @@ internal class Trial(
     /** A rule renders [case]; [how] says what is special about the renderer, or nothing. */
     fun saw(case: FrameCase, how: String = "") {
         underTrial = case
-        if (falsified == null) census.add(case.frame, case.scene, how)
+        if (falsified == null) {
+            census.add(case.frame, case.scene, how)
+        } else {
+            stepsLeft.addAndGet(-case.frame.primitives.size / PRIMITIVES_OF_A_STEP)
+        }
     }
 
     /** The try under way begins another rendering: each has its deadline. */
@@ -90,7 +96,7 @@ internal class Trial(
             firstFailure = failure
             falsified = Falsified(parameters, failure ?: AssertionError("failed without a word"))
             shrinkingSince = System.nanoTime()
-            if (isTooDearToRepeat(failure)) steps = 0
+            if (isTooDearToRepeat(failure)) stepsLeft.set(0)
         } else {
             remember(parameters)
         }
@@ -105,7 +111,7 @@ internal class Trial(
         val message = "${lead}ended the process: ${end.words}$where"
         val failure = if (end.outcome == RuleOutcome.TIMED_OUT) TimedOut(message, null) else ProcessEnded(message)
         falsified = Falsified(parameters, failure)
-        steps = 0
+        stepsLeft.set(0)
         return TryExecutionResult.falsified(failure)
     }
 
@@ -121,7 +127,7 @@ internal class Trial(
     }
 
     private fun isStepLeft(): Boolean =
-        steps-- > 0 && System.nanoTime() - shrinkingSince < patience.toNanos()
+        stepsLeft.getAndDecrement() > 0 && System.nanoTime() - shrinkingSince < patience.toNanos()
 
     /** No throwable gets past here, and none of jqwik's business is done in the other thread but the call itself. */
     private fun answer(parameters: List<Any>, block: () -> TryExecutionResult): TryExecutionResult {
@@ -224,6 +230,9 @@ internal class Trial(
 
         /** A frame that comes out wrong once in ten times comes out wrong so many times more once in a thousand. */
         private const val REPETITIONS = 3
+
+        /** A frame of so many primitives counts as one more step: of large frames few smaller ones are tried. */
+        private const val PRIMITIVES_OF_A_STEP = 1000
 
         /** Steps are what bounds shrinking, but for tries that take seconds each. */
         private const val DEADLINES_TO_SHRINK = 3L
