@@ -1,15 +1,52 @@
 package dev.lazyz.conformance
 
+import java.lang.ref.Reference
 import java.lang.ref.WeakReference
+import kotlin.math.abs
 
 /** What the heap holds: what is left when the garbage has been collected. */
 internal object Heap {
     private const val ATTEMPTS = 5
+    private const val BLOCK = 1024
+    private const val HEADER = 16
+
+    /** A quarter of the least that a rule forgives. */
+    private const val TOLERANCE = 32 * BLOCK
+
+    /** Bytes whose measurement is tried: collectors that count in regions get some of them right by chance, not all. */
+    private val KNOWN = listOf(128 * BLOCK, 512 * BLOCK, 1024 * BLOCK)
+
+    @Volatile
+    private var isKnownToBeExact = false
 
     /** Ends the rule where the garbage collector has been told not to work when it is asked to. */
-    fun requireMeasurable() {
+    fun requireCollection() {
         val garbage = WeakReference(ByteArray(1))
         if (!isSoon { garbage.get() == null }) notMeasured("this JVM ignores System.gc()")
+    }
+
+    /** Ends the rule where that is so, or where bytes that are known to be held are not what is measured. */
+    private fun requireMeasurable() {
+        requireCollection()
+        if (!isExact()) notMeasured("this JVM's garbage collector counts memory in large regions, not in objects")
+    }
+
+    /** Whether the heap grows by what is allocated. ZGC and Shenandoah count regions of some megabytes. */
+    fun isExact(): Boolean {
+        if (!isKnownToBeExact) isKnownToBeExact = KNOWN.all { isExact(it) }
+        return isKnownToBeExact
+    }
+
+    private fun isExact(bytes: Int): Boolean {
+        repeat(ATTEMPTS) {
+            val held = most { measure ->
+                val blocks = List(bytes / BLOCK) { ByteArray(BLOCK - HEADER) }
+                measure()
+                Reference.reachabilityFence(blocks)
+            }
+            if (abs(held - bytes) <= TOLERANCE) return true
+        }
+        return false
     }
 
     /** Whether [isSo] becomes true after some collections. */

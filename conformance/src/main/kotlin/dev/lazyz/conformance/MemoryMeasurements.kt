@@ -130,7 +130,7 @@ private fun heldForColours(renderer: Renderer, places: List<Pair<IntProgression,
 
 /** Fails if a renderer that is still in use holds a frame that it has rendered, or given up. */
 internal fun keepsNothing(renderer: Renderer) {
-    Heap.requireMeasurable()
+    Heap.requireCollection()
     for (end in End.entries) {
         val left = rendered(renderer, end)
         if (Heap.isSoon { left.all { it.get() == null } }) continue
