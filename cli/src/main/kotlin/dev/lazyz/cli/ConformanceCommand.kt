@@ -12,12 +12,15 @@ import dev.lazyz.conformance.Conformance
 import dev.lazyz.conformance.ConformanceReport
 import dev.lazyz.conformance.EndedEarlyException
 import dev.lazyz.conformance.FramesException
+import dev.lazyz.conformance.NotMadeException
 import dev.lazyz.conformance.RecordedReport
 import dev.lazyz.conformance.RecordedReportException
+import dev.lazyz.conformance.RuleListener
 import dev.lazyz.conformance.SuiteRule
 import dev.lazyz.conformance.WaiversException
 import java.nio.file.Path
 import java.time.Duration
+import java.util.Locale
 import java.util.concurrent.ThreadLocalRandom
 import kotlin.io.path.writeText
 
@@ -70,6 +73,11 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         help = "Judge in zcli's own process, for debuggers: a strategy that exits ends zcli, and no report is printed",
     ).flag()
 
+    private val isQuiet by option(
+        "--quiet",
+        help = "Do not say on standard error what came of each rule as soon as it is known",
+    ).flag()
+
     private val isJson by option("--json", help = "Print JSON instead of the summary").flag()
 
     /** What `--verify` names. */
@@ -103,16 +111,28 @@ internal class ConformanceCommand(private val streams: Streams, private val args
             fuzzing.isAsked -> fuzz()
 
             process != null -> process.answer { output ->
-                val report = judge(process.journal)
-                output.writeText(text(report))
-                code(report)
+                judged(process.journal) { output.writeText(it) }
             }
 
-            isInProcess -> code(judge(null).also { streams.print(text(it)) })
+            isInProcess -> judged(null) { streams.print(it) }
 
             else -> supervise()
         }
         if (code != ExitCode.DONE) throw ProgramResult(code)
+    }
+
+    /** Judges, hands the report over to [print], and returns the exit code. */
+    private fun judged(journal: Path?, print: (String) -> Unit): Int = try {
+        val report = judge(journal)
+        print(text(report))
+        code(report)
+    } catch (hanging: NotMadeException) {
+        doesNotConform(hanging)
+    }
+
+    private fun doesNotConform(why: Exception): Int {
+        streams.error("${strategy ?: recorded?.strategy} does NOT conform: ${why.message}")
+        return ExitCode.DIFFERENT
     }
 
     private fun fuzz(): Int = StrategyPath(classPath).use { path ->
@@ -125,8 +145,9 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     private fun judge(journal: Path?): ConformanceReport = StrategyPath(classPath).use { path ->
         val id =
             strategy ?: recorded?.strategy ?: throw Mistake("which strategy? Say --strategy ID, or --verify REPORT")
-        val conformance = conformance(id, path.find(id))
-        journal?.let { conformance.journal(it) }
+        val renderer by lazy { path.find(id) }
+        val conformance = conformance(id) { renderer }
+        if (journal == null) conformance.listener(told) else conformance.journal(journal)
         try {
             conformance.run()
         } catch (bad: FramesException) {
@@ -154,11 +175,10 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     private fun supervise(): Int {
         val seed = ThreadLocalRandom.current().nextLong(0, Int.MAX_VALUE.toLong())
         val answer = try {
-            ConformanceProcess.run(args, seed, seconds(deadline ?: USUAL_DEADLINE))
+            ConformanceProcess.run(args, seed, seconds(deadline ?: USUAL_DEADLINE), told)
         } catch (ended: EndedEarlyException) {
             streams.note(ended.printed)
-            streams.error("${strategy ?: recorded?.strategy} does NOT conform: ${ended.message}")
-            return ExitCode.DIFFERENT
+            return doesNotConform(ended)
         }
         answer.report?.let { streams.print(it) }
         if (answer.messages.isNotBlank()) streams.note(answer.messages.trimEnd() + "\n")
@@ -167,9 +187,16 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     private fun seconds(number: Double): Duration = Duration.ofMillis((number * MILLISECONDS).toLong())
 
-    private fun conformance(id: String, renderer: Renderer): Conformance {
+    /** Says what came of each rule as soon as it is known, unless it is to be quiet. */
+    private val told = RuleListener { rule, outcome, milliseconds ->
+        if (isQuiet) return@RuleListener
+        val words = "$outcome".lowercase().replace('_', ' ').padEnd(OUTCOME)
+        streams.note("%s  %s  %.1f s\n".format(Locale.ROOT, words, rule, milliseconds / MILLISECONDS))
+    }
+
+    private fun conformance(id: String, renderer: () -> Renderer): Conformance {
         if (seed != null && isExploring) throw Mistake("--seed and --explore exclude each other")
-        val conformance = recorded?.again { renderer } ?: Conformance { renderer }
+        val conformance = recorded?.again(renderer) ?: Conformance(renderer)
         conformance.command(command(id))
         seed?.let { conformance.seed(it) }
         if (isExploring) ConformanceProcess.seed()?.let { conformance.seed(it) } ?: conformance.explore()
@@ -211,5 +238,8 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         const val MOST_DEADLINE = 86_400.0
         const val USUAL_DEADLINE = 20.0
         const val MILLISECONDS = 1000.0
+
+        /** Columns of an outcome's words. */
+        const val OUTCOME = 13
     }
 }

@@ -1,6 +1,7 @@
 package dev.lazyz.cli
 
 import dev.lazyz.conformance.EndedEarlyException
+import dev.lazyz.conformance.RuleListener
 import dev.lazyz.conformance.Supervision
 import java.lang.management.ManagementFactory
 import java.nio.file.Files
@@ -66,15 +67,17 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
         fun seed(): Long? = System.getProperty(SEED)?.toLongOrNull()
 
         /**
-         * Runs zcli with [args] in a process of its own, and again where a strategy has ended it.
+         * Runs zcli with [args] in a process of its own, and again where a strategy has ended it; tells [listener] of
+         * each rule.
          *
          * @throws EndedEarlyException if the process ends before the strategy is tried
          */
-        fun run(args: List<String>, seed: Long, deadline: Duration): Answer {
+        fun run(args: List<String>, seed: Long, deadline: Duration, listener: RuleListener): Answer {
             val folder = Files.createTempDirectory("zcli-conformance")
             val process = ConformanceProcess(folder)
             try {
                 val outcome = Supervision(process.command(args, seed), process.journal, deadline)
+                    .listener(listener)
                     .run { process.done.exists() }
                 val report = if (process.output.exists()) process.output.readText() else null
                 val messages = outcome.printed.lines().filterNot { it.startsWith(INCUBATOR) }.joinToString("\n")

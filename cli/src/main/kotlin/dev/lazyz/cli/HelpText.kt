@@ -31,9 +31,11 @@ internal object HelpText : HelpFormatter {
         section("", arguments.map { it.name to it.help })
         section("Commands:", commands.map { it.name to it.help })
 
-        // Options of groups in the order of the groups, those of none last
-        val options = parameters.filterIsInstance<ParameterHelp.Option>()
-        for ((group, members) in options.groupBy { it.groupName }.entries.sortedBy { it.key == null }) {
+        // Options of groups in the order of the groups; those of none come first, or last if there is but --help
+        val groups = parameters.filterIsInstance<ParameterHelp.Option>().groupBy { it.groupName }
+        val plain = groups[null].orEmpty()
+        val named = groups - null
+        for ((group, members) in if (plain.size > 1) mapOf(null to plain) + named else named + (null to plain)) {
             section("${group ?: "Options"}:", members.map { term(it) to it.help })
         }
         if (epilog.isNotEmpty()) append("\n").append(epilog)

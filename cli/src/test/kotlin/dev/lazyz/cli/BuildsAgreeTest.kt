@@ -107,6 +107,16 @@ class BuildsAgreeTest {
     }
 
     @Test
+    fun processesOfTests() {
+        val usual = pom.child("properties").value("test.processes")
+        for (module in modules) {
+            val maven = xml("$module/pom.xml").childOrNull("properties")?.valueOrNull("test.processes") ?: usual
+            val gradle = Regex("""maxParallelForks = (\d+)""").find(gradleFile(module))?.groupValues?.get(1) ?: "1"
+            assertEquals(maven, gradle, "processes that run the tests of $module")
+        }
+    }
+
+    @Test
     fun javaSources() {
         // Gradle compiles src/main/java wherever it is, Maven only where the POM names it
         for (module in modules) {

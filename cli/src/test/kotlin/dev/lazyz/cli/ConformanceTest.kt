@@ -21,7 +21,7 @@ class ConformanceTest {
         folder.rendererJar(*classes, name = name)
 
     /** In this process, which is sooner done. */
-    private fun judge(vararg words: Any) = zcli("conformance", "--in-process", *words)
+    private fun judge(vararg words: Any) = zcli("conformance", "--in-process", "--quiet", *words)
 
     private fun conformance(vararg words: Any) = judge("--tries", "0.05", *words)
 
@@ -166,11 +166,62 @@ class ConformanceTest {
     }
 
     @Test
-    fun strategyThatExitsAtOnceGetsAVerdict() {
-        val jar = jar(StillbornRenderer::class.java)
-        val run = zcli("conformance", "--strategy", "stillborn", "--classpath", jar)
-        assertEquals(ExitCode.DIFFERENT, run.code)
-        assertTrue("stillborn does NOT conform: the process ended while no rule was tried: exit code 0" in run.errors)
+    fun strategyThatHaltsGetsAVerdictAndTheOtherRulesAreTried() {
+        val jar = jar(HaltingRenderer::class.java)
+        val empty = "rule_9_6_framesWithoutPrimitivesAreOrdinary"
+        val words = arrayOf("--strategy", "halting", "--classpath", jar, "--tries", "0.05", "--json")
+        val run = zcli("conformance", *words, "--rule", ties, "--rule", empty)
+        assertEquals(ExitCode.DIFFERENT, run.code, run.errors)
+        assertEquals("1", run.stat("crashed"))
+        assertEquals("1", run.stat("passed"))
+        val lines = run.errors.lines().filter { it.isNotEmpty() }.map { it.replace(Regex("""\d+\.\d s$"""), "TIME") }
+        assertEquals(listOf("crashed        $ties  TIME", "passed         $empty  TIME"), lines)
+    }
+
+    @Test
+    fun eachRuleIsToldAsSoonAsItHasEnded() {
+        val rules = arrayOf("--rule", "4.3", "--rule", "rule_5_5_dozensOfThinLayersBlend")
+        for (where in listOf(arrayOf("--in-process"), arrayOf())) {
+            val words = arrayOf("--strategy", "zbuffer", "--tries", "0.05", *rules)
+            val run = zcli("conformance", *where, *words)
+            val told = listOf("passed         rule_4_3_back", "not supported  rule_5_5_dozens")
+            assertTrue(told.all { it in run.errors }, run.errors)
+            assertTrue(run.errors.lines().filter { it.isNotEmpty() }.all { it.endsWith(" s") }, run.errors)
+            assertTrue(run.text.startsWith("zbuffer conforms: 2 rules, "), run.text)
+            assertEquals("", zcli("conformance", *where, *words, "--quiet").errors)
+        }
+    }
+
+    @Test
+    fun strategyThatEndsTheProcessAtOnceGetsAVerdict() {
+        val strategies = mapOf("stillborn" to StillbornRenderer::class, "halted" to HaltedRenderer::class)
+        for ((id, renderer) in strategies) {
+            val run = zcli("conformance", "--strategy", id, "--classpath", jar(renderer.java, name = "$id.jar"))
+            assertEquals(ExitCode.DIFFERENT, run.code)
+            val words = "$id does NOT conform: the process ended while no rule was tried: exit code 0"
+            assertTrue(words in run.errors, run.errors)
+        }
+    }
+
+    @Test
+    fun strategyThatIsNeverMadeGetsAVerdict() {
+        val jar = jar(EternalRenderer::class.java)
+        val words = arrayOf("--strategy", "eternal", "--classpath", jar, "--deadline", "0.5")
+        for (where in listOf(arrayOf("--in-process"), arrayOf())) {
+            val run = zcli("conformance", *where, *words)
+            assertEquals(ExitCode.DIFFERENT, run.code, run.errors)
+            val told = "eternal does NOT conform: making the renderer was not over after 0.5 s; it is at"
+            assertTrue(told in run.errors && "EternalRenderer.<init>" in run.errors, run.errors)
+            assertEquals("", run.text)
+        }
+    }
+
+    @Test
+    fun usualOptionsComeFirstInTheHelp() {
+        val help = zcli("conformance", "--help").text
+        val order = listOf("\nOptions:\n", "--strategy ID", "--json", "\nTwo strategies:\n", "--against ID")
+        assertEquals(order, order.sortedBy { help.indexOf(it) }, help)
+        assertTrue(order.all { it in help }, help)
     }
 
     @Test
@@ -178,7 +229,7 @@ class ConformanceTest {
         val jar = jar(StutteringRenderer::class.java)
         val rule = "rule_7_3_rowsArriveInOrderEachOnce"
         val words = arrayOf("--strategy", "stuttering", "--classpath", jar, "--rule", rule)
-        val run = zcli("conformance", *words)
+        val run = zcli("conformance", "--quiet", *words)
         fun timeless(text: String) = text.replace(Regex(""" +\d+ ms|; [\d.]+ s"""), "")
         assertEquals(timeless(judge(*words).text), timeless(run.text))
         assertEquals(ExitCode.DIFFERENT, run.code)

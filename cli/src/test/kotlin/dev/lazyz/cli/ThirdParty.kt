@@ -66,6 +66,32 @@ class StillbornRenderer : FailingRenderer("stillborn", { IllegalStateException()
     }
 }
 
+/** Ends the process without a word where there is something to draw. */
+class HaltingRenderer : Renderer {
+    override val id: String get() = "halting"
+
+    override val summary: String get() = "halts"
+
+    override fun render(frame: Frame, sink: RowSink): Counters {
+        if (frame.primitives.size > 2) Runtime.getRuntime().halt(0)
+        return ZBuffer().render(frame, sink)
+    }
+}
+
+/** Halts before anybody has seen it. */
+class HaltedRenderer : FailingRenderer("halted", { IllegalStateException() }) {
+    init {
+        Runtime.getRuntime().halt(0)
+    }
+}
+
+/** Is never made. */
+class EternalRenderer : FailingRenderer("eternal", { IllegalStateException() }) {
+    init {
+        while (true) Thread.sleep(Long.MAX_VALUE)
+    }
+}
+
 /** Capable of all that flags ask for, by way of `lists`, and remembers what it was asked. */
 class CapableRenderer(private val options: RenderOptions = RenderOptions()) : Renderer {
     override val id: String get() = "capable"

@@ -79,27 +79,3 @@ internal fun failsAsPlanned(renderer: Renderer, case: FrameCase, trap: Trap) {
         Judgement(renderer, case).fail("", it)
     }
 }
-
-/** Fails unless [renderer], called by a thread that is interrupted, ends within [PATIENCE] as it should. */
-internal fun endsInterrupted(renderer: Renderer, case: FrameCase) {
-    var rendering: Rendering? = null
-    var thrown: Throwable? = null
-    val thread = Thread({
-        Thread.currentThread().interrupt()
-        thrown = answer { rendering = Rendering.of(renderer, case.frame) }
-    }, "lazyz-interrupted")
-    thread.isDaemon = true
-    thread.start()
-    thread.join(PATIENCE)
-    val image = rendering?.image
-    val what = when {
-        thread.isAlive -> "hangs"
-        thrown is InterruptedException -> return
-        image == null -> "threw $thrown"
-        else -> difference(Rendering.of(ReferenceRenderer(), case.frame).image, image)?.toString() ?: return
-    }
-    Judgement(renderer, case, "an interrupted thread").fail(what, thrown)
-}
-
-/** Milliseconds after which a small frame counts as hanging. */
-private const val PATIENCE = 10_000L

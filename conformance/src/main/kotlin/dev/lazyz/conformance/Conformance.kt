@@ -34,6 +34,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     private var output: Path? = null
     private var command: String? = null
     private var journal: Path? = null
+    private var listener = RuleListener { _, _, _ -> }
 
     /** Chooses other frames than the usual. */
     public fun seed(seed: Long): Conformance = apply { this.seed = seed }
@@ -87,7 +88,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     /**
      * Tries the scene files and meshes in [folder] too, by the rule `rule_7_1_framesOfOnesOwnAreRight`, each as a whole and
      * in part, and adds to the folder, which is made if it is not there, each frame that a rule fails on, as a scene file
-     * where there are words for it. Files that are no scenes are left alone.
+     * where there are words for it. That rule is tried before all others. Files that are no scenes are left alone.
      */
     public fun frames(folder: Path): Conformance = apply { frames = folder }
 
@@ -107,6 +108,9 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
      */
     public fun command(words: String): Conformance = apply { command = words }
 
+    /** Tells [listener] what came of each rule as soon as it has been tried. */
+    public fun listener(listener: RuleListener): Conformance = apply { this.listener = listener }
+
     /** Judges by this class, which says itself which renderer. */
     internal fun subject(subject: Class<out RendererConformance>): Conformance = apply { this.subject = subject }
 
@@ -120,6 +124,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
      *
      * @throws IllegalStateException if a run is under way in this process, or the suite itself fails
      * @throws IllegalArgumentException if a system property of the suite is not what it should be
+     * @throws NotMadeException if the first renderer is not made, and has not said what it is, within the deadline
      * @throws FramesException if there is a folder of frames, and it or a file in it cannot be read
      * @throws java.io.IOException if there is an output folder, and it cannot be written
      */
@@ -133,16 +138,31 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
             (frames ?: Settings.frames())?.let { OwnFrames(it) },
         )
 
+        Supervisor.follow()
+
         // A file that cannot be read is told before any rule is tried
         settings.frames?.cases
         val chosen = SuiteRule.all.filter { rules.isEmpty() || it in rules }
-        val judged = StrategyInfo(renderer.get())
+        val judged = judged(settings.deadline)
         val start = System.nanoTime()
-        val results = RunUnderWay(renderer, subject, chosen, settings, journal?.let { Journal(it) }).execute()
+        val results = RunUnderWay(renderer, subject, chosen, settings, journal?.let { Journal(it) }, listener).execute()
         val milliseconds = (System.nanoTime() - start) / NANOSECONDS
         val report = ConformanceReport(judged, settings, command, results, milliseconds)
         output?.let { report.writeTo(it) }
         return report
+    }
+
+    /** Makes the first renderer and asks it what it is. Who ends the process there, or hangs, is told of. */
+    private fun judged(deadline: Duration): StrategyInfo = TryThread(deadline).use { thread ->
+        LastWords.keep()
+        LastWords.isMaking = true
+        try {
+            thread.call { StrategyInfo(renderer.get()) }
+        } catch (late: Late) {
+            throw NotMadeException("making the renderer ${late.message}")
+        } finally {
+            LastWords.isMaking = false
+        }
     }
 
     private companion object {

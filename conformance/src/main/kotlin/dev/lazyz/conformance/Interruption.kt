@@ -23,19 +23,32 @@ internal enum class Interruption(private val words: String) {
     override fun toString(): String = words
 }
 
-/** Fails unless [renderer], whose thread is interrupted at some [moment], says so in one of the two ways. */
-internal fun tellsOfInterrupt(renderer: Renderer, case: FrameCase, moment: Interruption, random: Random) {
+/** Fails unless [renderer], called by an interrupted thread, soon gives the whole picture or InterruptedException. */
+internal fun endsInterrupted(renderer: Renderer, case: FrameCase): Unit =
+    interrupt(renderer, case, Interruption.BEFORE, Random(0)) { it.lostPicture(case) }
+
+/** Fails unless [renderer], whose thread is interrupted at some [moment], besides says so in one of the two ways. */
+internal fun tellsOfInterrupt(renderer: Renderer, case: FrameCase, moment: Interruption, random: Random): Unit =
+    interrupt(renderer, case, moment, random) { it.lostInterrupt() ?: it.lostPicture(case) }
+
+private fun interrupt(
+    renderer: Renderer,
+    case: FrameCase,
+    moment: Interruption,
+    random: Random,
+    complaint: (InterruptedRendering) -> String?,
+) {
     val rendering = InterruptedRendering(renderer, case.frame, moment, random)
     val thread = Thread(rendering, "lazyz-interrupted")
     thread.isDaemon = true
     thread.start()
     thread.join(PATIENCE)
-    val what = if (thread.isAlive) "hangs" else rendering.complaint(case) ?: return
+    val what = if (thread.isAlive) "hangs" else complaint(rendering) ?: return
     Judgement(renderer, case, "a thread that is interrupted $moment").fail(what, rendering.thrown)
 }
 
 /** Milliseconds after which a small frame counts as hanging. */
-private const val PATIENCE = 20_000L
+private const val PATIENCE = 10_000L
 
 private class InterruptedRendering(
     private val renderer: Renderer,
@@ -76,21 +89,21 @@ private class InterruptedRendering(
         caller.interrupt()
     }
 
-    /** What is wrong, or null. */
-    fun complaint(case: FrameCase): String? {
-        val counters = counters
-        return when {
-            thrown is InterruptedException && !isSent -> "threw InterruptedException, though nobody had interrupted it"
-            thrown is InterruptedException && isSet -> "threw InterruptedException, and left the interrupt status set"
-            thrown is InterruptedException -> null
-            counters == null -> "threw $thrown"
-            isSent && !isSet -> "returned, and the interrupt status is not set any longer"
-            !isSent && isSet -> "set the interrupt status, though nobody had interrupted it"
-            else -> {
-                val expected = Rendering.of(ReferenceRenderer(), case.frame).image
-                difference(expected, collector.toImage(counters))?.toString()
-            }
-        }
+    /** How the caller is left in the dark, or null. */
+    fun lostInterrupt(): String? = when {
+        thrown is InterruptedException && !isSent -> "threw InterruptedException, though nobody had interrupted it"
+        thrown is InterruptedException && isSet -> "threw InterruptedException, and left the interrupt status set"
+        thrown != null -> null
+        isSent && !isSet -> "returned, and the interrupt status is not set any longer"
+        !isSent && isSet -> "set the interrupt status, though nobody had interrupted it"
+        else -> null
+    }
+
+    /** What is wrong with the picture, or null; there need not be any if there is an InterruptedException. */
+    fun lostPicture(case: FrameCase): String? {
+        if (thrown is InterruptedException) return null
+        val image = collector.toImage(counters ?: return "threw $thrown")
+        return difference(Rendering.of(ReferenceRenderer(), case.frame).image, image)?.toString()
     }
 
     /** Interrupts the caller when some questions have been asked, all primitives together. */

@@ -7,13 +7,12 @@ import java.nio.file.StandardOpenOption.CREATE
 import java.nio.file.attribute.FileTime
 import kotlin.io.path.readLines
 import kotlin.io.path.readText
-import kotlin.io.path.writeText
 
 /**
  * A file that tells at every moment how far a run of the suite has come, so that one whose process has ended can be
  * taken up by another process. Each rule has a line: its name, a dot for each try, a comma for each step to a smaller
- * frame, and the outcome. A line without an outcome is of the rule that was on trial when the process ended; who notices
- * writes the reason there, by [ended]. Thread safe.
+ * frame, the outcome, and how many milliseconds it took. A line without an outcome is of the rule that was on trial
+ * when the process ended; who notices writes the reason there, by [ended]. Lines are added and never changed. Thread safe.
  *
  * @property path the file; if it is there, its run is taken up
  */
@@ -26,7 +25,9 @@ internal class Journal(private val path: Path) {
     private var touched = 0L
 
     init {
-        path.writeText(ends.values.joinToString("") { "$it\n" })
+        // All lines stay: who follows the file reads on from where it was
+        val isUnfinished = Files.exists(path) && path.readText().let { it.isNotEmpty() && !it.endsWith("\n") }
+        append(if (isUnfinished) "\n" else "")
     }
 
     /** Returns how an earlier run ended when [rule] was on trial, or null if none did. */
@@ -38,7 +39,7 @@ internal class Journal(private val path: Path) {
 
     fun shrinks(): Unit = append(STEP)
 
-    fun ends(result: RuleResult): Unit = append(" ${result.outcome}\n")
+    fun ends(result: RuleResult): Unit = append(" ${result.outcome} ${result.milliseconds}\n")
 
     /** The try under way is not stuck: the file's time says so, once a second at most. */
     fun goesOn() {

@@ -17,7 +17,7 @@ import kotlin.io.path.name
 
 /**
  * A folder of frames of one's own: scene files and meshes, each of which becomes a frame. The suite adds frames that
- * rules have failed on, so that later runs try them first.
+ * rules have failed on, and later runs of [Conformance] try them before all else.
  *
  * @throws FramesException if the folder or a file in it cannot be read
  */
@@ -48,7 +48,7 @@ internal class OwnFrames(private val folder: Path) {
     /** Keeps the frame that [failed], if there are words for it. A frame of the folder is there already. */
     fun keep(failed: RuleResult) {
         val scene = failed.failure?.sceneFile ?: return
-        if (failed.rule.name == OWN_RULE) return
+        if (failed.rule.name == RULE) return
         val name = "${failed.rule}-%08x.json".format(scene.hashCode())
         try {
             Files.writeString(folder.resolve(name), scene)
@@ -61,7 +61,8 @@ internal class OwnFrames(private val folder: Path) {
         /** Of frames whose file does not say. */
         private val USUAL_SIZE = ImageSize(64, 48)
 
-        private val OWN_RULE = UseRules::rule_7_1_framesOfOnesOwnAreRight.name
+        /** The name of the rule that tries them. */
+        val RULE: String = UseRules::rule_7_1_framesOfOnesOwnAreRight.name
     }
 }
 

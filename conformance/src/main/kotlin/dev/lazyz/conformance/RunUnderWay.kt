@@ -21,12 +21,14 @@ internal class RunUnderWay(
     private val rules: List<SuiteRule>,
     val settings: Settings,
     val journal: Journal? = null,
+    private val listener: RuleListener = RuleListener { _, _, _ -> },
 ) {
     private val results = LinkedHashMap<String, RuleResult>()
 
     /** Takes what came of a rule. */
     fun add(result: RuleResult) {
         results[result.rule.name] = result
+        listener.ended(result.rule, result.outcome, result.milliseconds)
     }
 
     /** Runs the rules and returns what came of each, in their order. */
@@ -58,8 +60,11 @@ internal class RunUnderWay(
             .build(),
     )
 
+    /** Frames of one's own come first: what was wrong once is the likeliest to be so again. */
+    private fun inOrder() = rules.sortedByDescending { settings.frames != null && it.name == OwnFrames.RULE }
+
     private fun request() = LauncherDiscoveryRequestBuilder.request()
-        .selectors(rules.map { selectMethod(subject, it.method) })
+        .selectors(inOrder().map { selectMethod(subject, it.method) })
         .filters(includeEngines("jqwik"))
         .enableImplicitConfigurationParameters(false)
         .configurationParameter("jqwik.database", "")

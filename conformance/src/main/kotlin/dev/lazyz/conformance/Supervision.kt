@@ -14,7 +14,7 @@ import kotlin.concurrent.thread
  * come after. After three such ends the remaining rules are not run.
  *
  * The process is any program that runs [Conformance] with [Conformance.journal]. What it prints is its own business; a
- * report is best written to a file. Not thread safe.
+ * report is best written to a file. It ends when this process does, killed or not. Not thread safe.
  *
  * @param command starts the process: a program, and its arguments
  * @param journal the file that the process is told to keep its journal in; it is deleted first
@@ -27,6 +27,10 @@ public class Supervision @JvmOverloads constructor(
     deadline: Duration = Settings.USUAL_DEADLINE,
 ) {
     private val patience = deadline.multipliedBy(2) + GRACE
+    private var listener = RuleListener { _, _, _ -> }
+
+    /** Tells [listener] what came of each rule, some moments after it has ended. */
+    public fun listener(listener: RuleListener): Supervision = apply { this.listener = listener }
 
     /**
      * Runs processes until one has come to its end by itself: until [isDone] says so after a process has ended.
@@ -36,34 +40,45 @@ public class Supervision @JvmOverloads constructor(
      */
     public fun run(isDone: () -> Boolean): Outcome {
         Files.deleteIfExists(journal)
+        val follower = JournalFollower(journal, listener)
         val printed = StringBuilder()
         while (true) {
-            val process = ProcessBuilder(command).redirectErrorStream(true).start()
+            val process = started()
             process.outputStream.close()
             val reader = thread(isDaemon = true, name = "lazyz-supervision") { keep(process.inputStream, printed) }
             val isInTime = try {
-                awaitEnd(process)
+                awaitEnd(process, follower)
             } finally {
                 process.destroyForcibly()
             }
             val code = process.waitFor()
             reader.join(MOMENT)
             val text = synchronized(printed) { printed.toString() }
+            follower.goOn()
             if (isDone()) return Outcome(code, text)
-            val words = if (isInTime) "exit code $code" else "the process did not answer for $patience"
+            val silence = TryThread.seconds(patience)
+            val words = if (isInTime) "exit code $code" else "the process did not answer for $silence"
             val outcome = if (isInTime) RuleOutcome.CRASHED else RuleOutcome.TIMED_OUT
             if (!Journal.ended(journal, words, outcome)) throw EndedEarlyException(words, text)
+            follower.goOn()
         }
     }
 
+    private fun started(): Process {
+        val builder = ProcessBuilder(command).redirectErrorStream(true)
+        builder.environment()[Supervisor.VARIABLE] = "${ProcessHandle.current().pid()}"
+        return builder.start()
+    }
+
     /** Whether the process ends by itself: it may be slow, as long as its journal changes. */
-    private fun awaitEnd(process: Process): Boolean {
+    private fun awaitEnd(process: Process, follower: JournalFollower): Boolean {
         var state: Pair<Long, FileTime>? = null
         var since = System.nanoTime()
         while (!process.waitFor(MOMENT, TimeUnit.MILLISECONDS)) {
             val now = if (Files.exists(journal)) Files.size(journal) to Files.getLastModifiedTime(journal) else null
             if (now != state) since = System.nanoTime()
             state = now
+            follower.goOn()
             if (System.nanoTime() - since > patience.toNanos()) return false
         }
         return true

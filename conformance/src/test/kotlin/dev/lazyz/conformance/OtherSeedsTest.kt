@@ -1,6 +1,9 @@
 package dev.lazyz.conformance
 
+import dev.lazyz.Renderer
 import dev.lazyz.Renderers
+import dev.lazyz.conformance.strangers.StrangersGallery
+import dev.lazyz.conformance.strangers2.SecondGallery
 import dev.lazyz.tiled.Tiled
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.DynamicTest
@@ -8,31 +11,37 @@ import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.TestFactory
 
 /**
- * The suite on built-in renderers with other frames: `-Dlazyz.seeds=20` tries all of them on as many seeds, the build `tiled` on
- * one, and a tenth of the frames.
+ * Right renderers pass on other frames, however they work. `-Dlazyz.seeds=20` tries all of them, those of strangers too, on as
+ * many seeds and at the usual effort; the build tries a few, on one seed and a tenth of the frames.
  */
 class OtherSeedsTest {
+    private val seeds: Int? = Integer.getInteger("lazyz.seeds")
+
     @TestFactory
-    fun passes(): List<DynamicTest> {
-        val seeds = Integer.getInteger("lazyz.seeds", 0)
-        val tries = if (seeds == 0) 0.1 else 1.0
-        val renderers = if (seeds == 0) listOf(Tiled()) else Renderers.builtIn + ReferenceRenderer()
-        return (1..maxOf(seeds, 1)).flatMap { seed ->
-            renderers.map { renderer ->
-                dynamicTest("${renderer.id} at seed $seed") {
-                    SuiteRun.withProperty(RendererConformance.SEED, "$seed") {
-                        val run = SuiteRun.of(tries) { renderer }
-                        val excused = if (renderer is ReferenceRenderer) setOf(LEFT_ALONE) else emptySet()
-                        assertEquals(emptyMap<String, Throwable>(), run.failures - excused)
-                        assertEquals(SuiteRun.rules, run.rules)
-                    }
+    fun builtInRenderersPass(): List<DynamicTest> {
+        val all = if (seeds == null) listOf(Tiled()) else Renderers.builtIn
+        return passing(all.map { { it } }, setOf(RuleOutcome.PASSED, RuleOutcome.NOT_SUPPORTED))
+    }
+
+    @TestFactory
+    fun unusualRenderersPass(): List<DynamicTest> {
+        val oracle = { ReferenceRenderer() }
+        val all = UnusualRenderers.all + StrangersGallery.correct + SecondGallery.correct + oracle
+        val good = RuleOutcome.entries.filterNot { it.isFailure }.toSet()
+        return passing(if (seeds == null) UnusualRenderers.quick else all, good)
+    }
+
+    private fun passing(renderers: List<() -> Renderer>, good: Set<RuleOutcome>): List<DynamicTest> {
+        val tries = if (seeds == null) 0.1 else 1.0
+        return renderers.flatMap { make ->
+            (1L..(seeds ?: 1)).map { seed ->
+                dynamicTest("${make().id} at seed $seed") {
+                    val report = Conformance { make() }.seed(seed).tries(tries).run()
+                    val broken = report.results.filterNot { it.outcome in good }.map { it.rule }
+                    assertEquals(emptyList<SuiteRule>(), broken) { report.toText() }
+                    assertEquals(SuiteRule.all, report.results.map { it.rule })
                 }
             }
         }
-    }
-
-    private companion object {
-        /** The oracle asks every primitive at every sample, and so does what it SHOULD not. */
-        val LEFT_ALONE = RendererConformance::rule_7_7_whatIsOutsideTheRegionIsLeftAlone.name
     }
 }

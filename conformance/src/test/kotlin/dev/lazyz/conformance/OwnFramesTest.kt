@@ -40,6 +40,14 @@ class OwnFramesTest {
     }
 
     @Test
+    fun theyAreTriedBeforeAllElse() {
+        val order = ArrayList<String>()
+        val report = conformance { PlainRenderer() }.tries(0.001).listener { rule, _, _ -> order.add(rule.name) }.run()
+        assertEquals(own, order.first())
+        assertEquals(SuiteRule.all, report.results.map { it.rule })
+    }
+
+    @Test
     fun frameThatIsWrongIsTold() {
         folder.resolve("a.json").writeText(triangle)
         val result = conformance { BrokenManners.widthOf97() }.rule(own).run().results.single()

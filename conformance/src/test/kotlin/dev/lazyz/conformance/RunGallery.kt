@@ -18,6 +18,14 @@ object RunGallery {
         never.await()
     }
 
+    /** Ends the process without a word. */
+    fun halts() = whereThereIsSomething("halts") { Runtime.getRuntime().halt(7) }
+
+    /** Never returns what it is asked for. */
+    fun never(): Nothing {
+        while (true) Thread.sleep(Long.MAX_VALUE)
+    }
+
     fun exhausts() = whereThereIsSomething("exhausts") { List(8) { LongArray(Int.MAX_VALUE) } }
 
     fun recurses() = whereThereIsSomething("recurses") { depthOf(0) }

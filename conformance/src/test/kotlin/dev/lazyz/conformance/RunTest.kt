@@ -1,5 +1,6 @@
 package dev.lazyz.conformance
 
+import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Renderer
@@ -11,6 +12,7 @@ import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
@@ -43,6 +45,32 @@ class RunTest {
             assertTrue("\nin\nFrameBuilder(Raster(" in result.message, result.message)
             assertTrue(result.failure?.code.orEmpty() in result.message)
         }
+    }
+
+    @Test
+    fun rendererThatIsNeverMadeIsToldWithThePlace() {
+        val hanging = listOf(
+            { RunGallery.never() },
+            {
+                object : PlainRenderer() {
+                    override val capabilities: Set<Capability> get() = RunGallery.never()
+                }
+            },
+        )
+        for (make in hanging) {
+            val told = assertThrows(NotMadeException::class.java) { of(make).run() }.message.orEmpty()
+            assertTrue(told.startsWith("making the renderer was not over after 0.3 s; it is at"), told)
+            assertTrue("RunGallery.never" in told, told)
+        }
+    }
+
+    @Test
+    fun listenerLearnsWhatCameOfEachRule() {
+        val heard = ArrayList<String>()
+        val run = of { WrongColors() }.rule("9.6").rule("5.2")
+            .listener { rule, outcome, milliseconds -> heard.add("$rule $outcome $milliseconds") }.run()
+        assertEquals(run.results.map { "${it.rule} ${it.outcome} ${it.milliseconds}" }.sorted(), heard.sorted())
+        assertTrue(run.results.size > 2)
     }
 
     @Test
@@ -80,7 +108,8 @@ class RunTest {
             RunGallery.dies() to "java.lang.ThreadDeath",
         )
         for ((renderer, error) in renderers) {
-            val run = of { renderer }.rule(nearest).rule("rule_9_6_framesWithoutPrimitivesAreOrdinary").run()
+            val run = of { renderer }.deadline(Duration.ofSeconds(20)).rule(nearest)
+                .rule("rule_9_6_framesWithoutPrimitivesAreOrdinary").run()
             assertOutcome(RuleOutcome.CRASHED, run.results.first())
             assertOutcome(RuleOutcome.PASSED, run.results.last())
             assertTrue("threw $error" in run.results.first().message, run.results.first().message)
@@ -135,7 +164,7 @@ class RunTest {
         assertOutcome(RuleOutcome.PASSED, passed)
         assertEquals(1 + passed.tries, calls, "no try of the rule that has crashed")
         val lines = journal.readLines()
-        assertEquals("$nearest .... ! CRASHED exit code 3", lines[0])
-        assertEquals("$ties ${".".repeat(passed.tries)} PASSED", lines.last())
+        assertEquals("$nearest .... ! CRASHED exit code 3", lines[1])
+        assertEquals("$ties ${".".repeat(passed.tries)} PASSED ${passed.milliseconds}", lines.last())
     }
 }

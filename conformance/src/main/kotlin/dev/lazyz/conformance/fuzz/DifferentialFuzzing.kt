@@ -63,13 +63,7 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
         ) {
             val old = known.removeFirstOrNull()
             val recipe = old ?: next()
-            val message = try {
-                JqwikSession.run { tryOne(recipe, isNew = old == null) }
-                null
-            } catch (e: Differs) {
-                e.message
-            }
-            message?.let { differences.add(it) }
+            JqwikSession.run { difference(recipe, isNew = old == null)?.let { differences.add(it) } }
             frames++
         }
         val milliseconds = (System.nanoTime() - start) / NANOSECONDS
@@ -90,19 +84,20 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
     private fun rare(): Recipe =
         List(CANDIDATES) { pool[random.nextInt(pool.size)] }.maxBy { pairs.rarity(it.traits) }.recipe
 
-    private fun tryOne(recipe: Recipe, isNew: Boolean) {
+    /** Tries the frame of [recipe]; returns how the smallest like it differs, or null if it does not. */
+    private fun difference(recipe: Recipe, isNew: Boolean): String? {
         val frame = recipe.frame()
         val traits = traits(recipe, frame.value())
         if (pairs.add(traits) > 0) {
             pool.add(Known(recipe, traits))
             if (isNew) corpus.add(recipe)
         }
-        val first = disagreement(recipe, frame.value()) ?: return
+        val first = disagreement(recipe, frame.value()) ?: return null
         val (case, disagreement) = smaller(recipe, frame, first)
         val who = "${expected.id} and ${actual.id} with ${recipe.options()}"
         val message = "$who: $disagreement\nin\n$case\nrecipe $recipe"
         corpus.addDifference(recipe, case, message)
-        throw Differs(message)
+        return message
     }
 
     private fun traits(recipe: Recipe, case: FrameCase): Set<String> {
@@ -151,8 +146,6 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
     }
 
     private class Known(val recipe: Recipe, val traits: Set<String>)
-
-    private class Differs(message: String) : RuntimeException(message)
 
     public companion object {
         /** After as many frames that differ, a run ends. */

@@ -1,0 +1,59 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Renderer
+import java.nio.file.Path
+import java.time.Duration
+import kotlin.io.path.exists
+import kotlin.io.path.writeText
+import kotlin.system.exitProcess
+
+/** A program that judges a renderer of a name: in a file it keeps a journal, in another it leaves its report. */
+internal object SupervisedRun {
+    private val makers: Map<String, () -> Renderer> = mapOf(
+        "right" to { PlainRenderer() },
+        "wrong" to { BrokenRenderers.lastWinsTies() },
+        "sleeps" to { RunGallery.sleeps() },
+        "halts" to { RunGallery.halts() },
+        "exits when made" to { exitProcess(0) },
+        "halts when made" to {
+            Runtime.getRuntime().halt(0)
+            error("it goes on")
+        },
+        "never made" to { RunGallery.never() },
+    )
+
+    fun conformance(name: String): Conformance = Conformance(makers.getValue(name)).tries(0.05)
+
+    @JvmStatic
+    fun main(args: Array<String>) {
+        val (name, journal, report) = args
+        val conformance = conformance(name).journal(Path.of(journal))
+        if (name != "right" && name != "wrong") for (rule in RULES) conformance.rule(rule)
+        Path.of(report).writeText(conformance.run().toJson())
+    }
+
+    /** Two that have primitives to draw, and one that has none. */
+    val RULES: List<String> =
+        listOf("rule_4_3_backgroundIsWhereNothingPasses", RuleNames.ties, "rule_9_6_framesWithoutPrimitivesAreOrdinary")
+}
+
+/** Files of a [SupervisedRun] in [folder]. */
+internal class SupervisedFiles(folder: Path) {
+    val journal: Path = folder.resolve("journal")
+    val report: Path = folder.resolve("report.json")
+
+    fun command(renderer: String): List<String> =
+        ChildJvm.command(listOf("-Xmx512m"), SupervisedRun::class, renderer, "$journal", "$report")
+
+    fun supervision(renderer: String, deadline: Duration): Supervision =
+        Supervision(command(renderer), journal, deadline)
+}
+
+/** A program that supervises a [SupervisedRun] in the folder that it is given. */
+internal object Supervising {
+    @JvmStatic
+    fun main(args: Array<String>) {
+        val files = SupervisedFiles(Path.of(args[0]))
+        files.supervision("sleeps", Duration.ofMinutes(1)).run { files.report.exists() }
+    }
+}

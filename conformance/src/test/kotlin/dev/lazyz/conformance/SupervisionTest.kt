@@ -1,0 +1,64 @@
+package dev.lazyz.conformance
+
+import java.nio.file.Path
+import java.time.Duration
+import java.util.concurrent.TimeUnit
+import kotlin.io.path.exists
+import kotlin.io.path.readText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+/** A renderer in a process of its own: there is always a verdict, and never a process that is left behind. */
+class SupervisionTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val files by lazy { SupervisedFiles(folder) }
+
+    @Test
+    fun rendererThatHaltsHasCrashedAndTheOtherRulesAreTried() {
+        val heard = ArrayList<String>()
+        val outcome = files.supervision("halts", Duration.ofSeconds(20))
+            .listener { rule, outcome, _ -> heard.add("$rule $outcome") }
+            .run { files.report.exists() }
+        assertEquals(0, outcome.code)
+        val (background, ties, empty) = SupervisedRun.RULES
+        assertEquals(listOf("$background CRASHED", "$ties CRASHED", "$empty PASSED"), heard)
+        assertTrue("ended the process: exit code 7\\nin\\nFrameBuilder(" in files.report.readText())
+        assertEquals(setOf("crashed", "passed"), RecordedReport.read(files.report).outcomes.values.toSet())
+    }
+
+    @Test
+    fun rendererThatEndsTheProcessWhenItIsMadeIsTold() {
+        for (name in listOf("exits when made", "halts when made")) {
+            val told = assertThrows(EndedEarlyException::class.java) {
+                files.supervision(name, Duration.ofSeconds(20)).run { files.report.exists() }
+            }
+            assertEquals("the process ended while no rule was tried: exit code 0", told.message)
+            val words = "The process ends while the renderer is made; no rule is on trial yet"
+            assertEquals(name.startsWith("exits"), words in told.printed) { told.printed }
+        }
+    }
+
+    @Test
+    fun processEndsWhenTheOneThatSupervisesItIsKilled() {
+        val supervising = ChildJvm.start(listOf("-Xmx128m"), Supervising::class, "$folder")
+        try {
+            val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(30)
+            while (!files.journal.exists() || "." !in files.journal.readText()) {
+                assertTrue(System.nanoTime() < deadline, "no rule is on trial")
+                Thread.sleep(50)
+            }
+            val judging = supervising.children().toList().single()
+            assertTrue(judging.isAlive)
+            supervising.destroyForcibly().waitFor()
+            judging.onExit().get(20, TimeUnit.SECONDS)
+        } finally {
+            supervising.descendants().forEach { it.destroyForcibly() }
+            supervising.destroyForcibly()
+        }
+    }
+}
