@@ -42,9 +42,10 @@ class OwnFramesTest {
     @Test
     fun theyAreTriedBeforeAllElse() {
         val order = ArrayList<String>()
-        val report = conformance { PlainRenderer() }.tries(0.001).listener { rule, _, _ -> order.add(rule.name) }.run()
+        val conformance = conformance { PlainRenderer() }.rule("4.3").rule(own).rule("9.6")
+        val report = conformance.listener { rule, _, _ -> order.add(rule.name) }.run()
         assertEquals(own, order.first())
-        assertEquals(SuiteRule.all, report.results.map { it.rule })
+        assertEquals(report.results.map { it.rule }, SuiteRule.all.filter { it.name in order })
     }
 
     @Test
