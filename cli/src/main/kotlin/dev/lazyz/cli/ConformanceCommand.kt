@@ -20,7 +20,6 @@ import dev.lazyz.conformance.SuiteRule
 import dev.lazyz.conformance.WaiversException
 import java.nio.file.Path
 import java.time.Duration
-import java.util.Locale
 import java.util.concurrent.ThreadLocalRandom
 import kotlin.io.path.writeText
 
@@ -124,11 +123,14 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     /** Judges, hands the report over to [print], and returns the exit code. */
     private fun judged(journal: Path?, print: (String) -> Unit): Int = try {
         val report = judge(journal)
-        print(text(report))
-        code(report)
+        val words = ConformanceWords(recorded, isJson)
+        print(words.text(report))
+        words.code(report)
     } catch (hanging: NotMadeException) {
         doesNotConform(hanging)
     }
+
+    private fun told() = if (isQuiet) RuleListener { _, _, _ -> } else ConformanceWords.told(streams)
 
     private fun doesNotConform(why: Exception): Int {
         streams.error("${strategy ?: recorded?.strategy} does NOT conform: ${why.message}")
@@ -147,7 +149,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
             strategy ?: recorded?.strategy ?: throw Mistake("which strategy? Say --strategy ID, or --verify REPORT")
         val renderer by lazy { path.find(id) }
         val conformance = conformance(id) { renderer }
-        if (journal == null) conformance.listener(told) else conformance.journal(journal)
+        if (journal == null) conformance.listener(told()) else conformance.journal(journal)
         try {
             conformance.run()
         } catch (bad: FramesException) {
@@ -155,27 +157,11 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         }
     }
 
-    private fun text(report: ConformanceReport): String =
-        if (isJson) report.toJson() else recorded?.let { comparison(it, report) } ?: report.toText()
-
-    private fun comparison(recorded: RecordedReport, report: ConformanceReport): String {
-        val differences = recorded.differences(report)
-        val rules = "${report.results.size} rules"
-        if (differences.isEmpty()) return "verified: ${report.strategy.id}, $rules, the same outcomes\n"
-        return "NOT verified: ${report.strategy.id}, ${differences.size} of $rules have another outcome\n" +
-            differences.joinToString("") { "  $it\n" }
-    }
-
-    private fun code(report: ConformanceReport): Int {
-        val isGood = recorded?.let { it.differences(report).isEmpty() } ?: report.isConformant
-        return if (isGood) ExitCode.DONE else ExitCode.DIFFERENT
-    }
-
     /** Has a process of its own judge, so that a verdict comes out whatever the strategy does to it. */
     private fun supervise(): Int {
         val seed = ThreadLocalRandom.current().nextLong(0, Int.MAX_VALUE.toLong())
         val answer = try {
-            ConformanceProcess.run(args, seed, seconds(deadline ?: USUAL_DEADLINE), told)
+            ConformanceProcess.run(args, seed, seconds(deadline ?: USUAL_DEADLINE), told())
         } catch (ended: EndedEarlyException) {
             streams.note(ended.printed)
             return doesNotConform(ended)
@@ -186,13 +172,6 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     }
 
     private fun seconds(number: Double): Duration = Duration.ofMillis((number * MILLISECONDS).toLong())
-
-    /** Says what came of each rule as soon as it is known, unless it is to be quiet. */
-    private val told = RuleListener { rule, outcome, milliseconds ->
-        if (isQuiet) return@RuleListener
-        val words = "$outcome".lowercase().replace('_', ' ').padEnd(OUTCOME)
-        streams.note("%s  %s  %.1f s\n".format(Locale.ROOT, words, rule, milliseconds / MILLISECONDS))
-    }
 
     private fun conformance(id: String, renderer: () -> Renderer): Conformance {
         if (seed != null && isExploring) throw Mistake("--seed and --explore exclude each other")
@@ -238,8 +217,5 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         const val MOST_DEADLINE = 86_400.0
         const val USUAL_DEADLINE = 20.0
         const val MILLISECONDS = 1000.0
-
-        /** Columns of an outcome's words. */
-        const val OUTCOME = 13
     }
 }

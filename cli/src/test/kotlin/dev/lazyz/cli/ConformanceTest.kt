@@ -281,7 +281,7 @@ class ConformanceTest {
         assertTrue(corpus.resolve("recipes.txt").exists())
         val other = conformance("--strategy", "fickle", "--classpath", jar, *words)
         assertEquals(1, other.code)
-        assertTrue("against zbuffer: " in other.text && "differ; " in other.text, other.text)
+        assertTrue(Regex("against zbuffer: .* differs?; ") in other.text, other.text)
     }
 
     @Test
