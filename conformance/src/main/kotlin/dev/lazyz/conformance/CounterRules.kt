@@ -87,7 +87,7 @@ public sealed class CounterRules : ThreadRules() {
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_startsAndStepsAreCounted(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
-        if (Capability.COHERENCE !in renderer.capabilities) notDeclared(Capability.COHERENCE)
+        requireDeclared(renderer, Capability.COHERENCE)
         for (coherence in Coherence.entries) {
             val witness = ShadingWitness(case.frame)
             val configured = renderer.configured(RenderOptions(coherence, threads = 1))
@@ -141,7 +141,7 @@ public sealed class CounterRules : ThreadRules() {
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_2_promiseToShadeOnlyTheVisibleIsKept(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
-        if (Capability.SHADES_ONLY_VISIBLE !in renderer.capabilities) notDeclared(Capability.SHADES_ONLY_VISIBLE)
+        requireDeclared(renderer, Capability.SHADES_ONLY_VISIBLE)
         val witness = ShadingWitness(case.frame)
         val judgement = Judgement(renderer, case.watched(witness.frame))
         val visible = judgement.rendering.image.visible.toLong()

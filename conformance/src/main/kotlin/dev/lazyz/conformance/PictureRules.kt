@@ -120,7 +120,7 @@ public sealed class PictureRules {
         @ForAll(supplier = TranslucentCases::class) case: FrameCase,
     ) {
         val renderer = renderer()
-        if (Capability.TRANSPARENCY !in renderer.capabilities) notDeclared(Capability.TRANSPARENCY)
+        requireDeclared(renderer, Capability.TRANSPARENCY)
         Judgement(renderer, case).equalsReference().rowsInOrder()
     }
 
