@@ -7,17 +7,35 @@ import dev.lazyz.Primitive
 import dev.lazyz.Renderer
 import dev.lazyz.ShadingCursor
 import dev.lazyz.Spans
+import java.io.IOException
 import java.util.concurrent.atomic.AtomicInteger
+
+/** What code of the caller's may throw: checked exceptions, too, since Kotlin and lambdas let them pass. */
+internal enum class Planted(private val throwable: (String) -> Throwable) {
+    EXCEPTION({ IllegalStateException(it) }),
+    ERROR({ Error(it) }),
+    CHECKED({ IOException(it) }),
+    ;
+
+    /** Returns a new one. */
+    fun make(): Throwable = throwable("planted")
+}
 
 /** What a renderer asks a primitive. */
 internal enum class Question { SPANS, DEPTH, COLOUR }
 
-/** The primitives of [frame], which throw when they have answered a question [patience] times, all together. */
-internal class Trap(frame: Frame, private val question: Question, patience: Int) {
+/**
+ * The primitives of [frame], which throw when they have answered a question [patience] times, all together.
+ *
+ * @property planted what is thrown: always the same
+ */
+internal class Trap(
+    frame: Frame,
+    private val question: Question,
+    patience: Int,
+    val planted: Throwable = Planted.EXCEPTION.make(),
+) {
     private val left = AtomicInteger(patience)
-
-    /** What is thrown: always the same. */
-    val planted: RuntimeException = PlantedException(question)
 
     /** The frame whose primitives throw. */
     val frame: Frame = Frame(frame.raster, frame.primitives.map { Trapped(it) }, frame.region)
@@ -53,8 +71,6 @@ internal class Trap(frame: Frame, private val question: Question, patience: Int)
 
         override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
     }
-
-    private class PlantedException(question: Question) : RuntimeException("planted in $question")
 }
 
 /** Calls [block] and returns what it throws, or null. */

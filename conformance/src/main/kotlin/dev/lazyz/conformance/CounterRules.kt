@@ -9,7 +9,7 @@ import net.jqwik.api.Property
 
 /** Rules about counters: they count what happens, and mean the same for all. Part of [RendererConformance]. */
 @Suppress("ktlint:standard:function-naming")
-public sealed class CounterRules : ThreadRules() {
+public sealed class CounterRules : WorkerRules() {
     /** Primitives are counted whether they cover anything or not, and shading calls are the calls that happen. */
     @Rule(
         intent = "Primitives and shading calls are counted as they are submitted and made.",
@@ -82,12 +82,13 @@ public sealed class CounterRules : ThreadRules() {
     /** Starts and steps are counted as they happen, and direct shading never steps. */
     @Rule(
         intent = "Who shades late says how often it starts and how often it steps; DIRECT never steps.",
-        look = "A start is Primitive.shade or a new ShadingCursor; each ShadingCursor.step is a step, over gaps too.",
+        look = "A start is Primitive.shade or a new ShadingCursor; each ShadingCursor.step is a step, over gaps too. " +
+            "The longest chain is the most steps from one call of a cursor to its next.",
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_startsAndStepsAreCounted(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
-        if (Capability.COHERENCE !in renderer.capabilities) notDeclared(Capability.COHERENCE)
+        requireDeclared(renderer, Capability.COHERENCE)
         for (coherence in Coherence.entries) {
             val witness = ShadingWitness(case.frame)
             val configured = renderer.configured(RenderOptions(coherence, threads = 1))
@@ -99,7 +100,9 @@ public sealed class CounterRules : ThreadRules() {
             if (coherence == Coherence.DIRECT && witness.steps + counters.longestChain > 0) {
                 judgement.fail("direct shading steps: $counters")
             }
-            if (counters.longestChain > counters.shadingSteps) judgement.fail("chains exceed the steps: $counters")
+            if (counters.longestChain != witness.longestChain) {
+                judgement.fail("a call needs ${witness.longestChain} steps at most, the counters are $counters")
+            }
         }
     }
 
@@ -141,13 +144,36 @@ public sealed class CounterRules : ThreadRules() {
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_2_promiseToShadeOnlyTheVisibleIsKept(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
-        if (Capability.SHADES_ONLY_VISIBLE !in renderer.capabilities) notDeclared(Capability.SHADES_ONLY_VISIBLE)
+        requireDeclared(renderer, Capability.SHADES_ONLY_VISIBLE)
         val witness = ShadingWitness(case.frame)
         val judgement = Judgement(renderer, case.watched(witness.frame))
         val visible = judgement.rendering.image.visible.toLong()
         val calls = judgement.rendering.counters.shadingCalls
         if (calls != visible) judgement.fail("$visible samples are visible, but $calls are shaded")
         if (witness.count > visible) judgement.fail("$visible samples are visible, but ${witness.count} were shaded")
+    }
+
+    /** Where something is blended, a renderer with the promise shades what shows through, and nothing else. */
+    @Rule(
+        intent = "Who promises SHADES_ONLY_VISIBLE shades, of what it blends, the fragments that show through.",
+        look = "Stop at the first opaque fragment and at transmittance 0, and shade a fragment when it is its turn.",
+        about = [Symptom.COUNTERS],
+    )
+    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_8_2_whatIsBlendedIsShadedOnlyIfItShows(
+        @ForAll(supplier = TranslucentCases::class) case: FrameCase,
+    ) {
+        val renderer = renderer()
+        requireDeclared(renderer, Capability.TRANSPARENCY)
+        requireDeclared(renderer, Capability.SHADES_ONLY_VISIBLE)
+        for (each in listOf(case, case.dazzling())) {
+            val showing = Rendering.of(ReferenceRenderer(), each.frame).counters.shadingCalls
+            val witness = ShadingWitness(each.frame)
+            val judgement = Judgement(renderer, each.watched(witness.frame))
+            val calls = judgement.rendering.counters.shadingCalls
+            if (calls != showing) judgement.fail("$showing fragments show, but $calls are shaded")
+            if (witness.count > showing) judgement.fail("$showing fragments show, but ${witness.count} were shaded")
+        }
     }
 
     private companion object {

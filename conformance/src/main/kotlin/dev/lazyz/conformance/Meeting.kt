@@ -2,39 +2,88 @@ package dev.lazyz.conformance
 
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicReference
+import java.util.concurrent.locks.LockSupport
 
 /**
  * Makes threads do the same at the same time: who comes waits for another thread that comes for the same, then both
- * go on at once. Waits a little only, and no longer at all when nobody has come for a while. Thread safe.
+ * go on at once, and both are known to be running.
+ *
+ * Two threads at a time meet, since more than there are processors would not run at the same time; others sleep as long as
+ * these two go on meeting. All wait a little only, and no longer at all when nobody has come for a while, or when
+ * two have met [Where.enough] times. Thread safe.
  */
-internal class Meeting {
+internal class Meeting(private val where: Where) {
     private val waiting = AtomicReference<Arrival?>()
     private val missed = AtomicInteger()
+    private val close = AtomicInteger()
+    private val members = arrayOfNulls<Thread>(2)
+
+    @Volatile
+    private var lastMet = System.nanoTime()
 
     /** Whether two threads have met. */
     @Volatile
     var hasMet: Boolean = false
         private set
 
-    /** Waits until another thread comes for [what]; goes on if somebody waits for something else. */
-    fun meet(what: Int) {
-        if (missed.get() > MOST_MISSED) return
-        val other = waiting.get()
-        if (other == null) {
-            val own = Arrival(what)
-            if (waiting.compareAndSet(null, own)) await(own)
-        } else if (other.what == what && waiting.compareAndSet(other, null)) {
-            missed.set(0)
-            hasMet = true
-            val start = System.nanoTime() + HEAD_START
-            other.start = start
-            pause(start)
+    /** How often two threads have gone on at the same time; the system may have stopped one of them in between. */
+    val closeMeetings: Int get() = close.get()
+
+    /** Waits until another thread comes for [step]; who is at an earlier step goes on alone. */
+    fun meet(step: Int) {
+        if (isOver() || !isMember()) return
+        while (true) {
+            val other = waiting.get()
+            when {
+                other == null -> {
+                    val own = Arrival(step)
+                    if (waiting.compareAndSet(null, own)) return await(own)
+                }
+
+                other.step > step -> return
+
+                waiting.compareAndSet(other, null) -> {
+                    if (other.step == step) return join(other)
+                    other.start = AT_ONCE
+                }
+            }
         }
+    }
+
+    private fun isOver(): Boolean = missed.get() > MOST_MISSED || close.get() >= where.enough
+
+    /** Whether this thread is one of the two; if not, it waits for its turn. */
+    private fun isMember(): Boolean {
+        val thread = Thread.currentThread()
+        if (members[0] === thread || members[1] === thread) return true
+        while (!isAdmitted(thread)) {
+            if (isOver()) return false
+            LockSupport.parkNanos(NAP)
+        }
+        return true
+    }
+
+    @Synchronized
+    private fun isAdmitted(thread: Thread): Boolean {
+        val free = members.indexOf(null)
+        if (free >= 0) {
+            members[free] = thread
+            return true
+        }
+        if (System.nanoTime() - lastMet < IDLE) return false
+
+        // The two have gone separate ways
+        members[0] = thread
+        members[1] = null
+        lastMet = System.nanoTime()
+        return true
     }
 
     private fun await(own: Arrival) {
         val begin = System.nanoTime()
         while (own.start == NEVER) {
+            // Only who runs says when to go on; the other is awake, and waits for this
+            if (own.isJoined) own.start = System.nanoTime() + HEAD_START
             val waited = System.nanoTime() - begin
             if (waited > PATIENCE && waiting.compareAndSet(own, null)) {
                 missed.incrementAndGet()
@@ -42,7 +91,17 @@ internal class Meeting {
             }
             if (waited > AWAKE) Thread.yield() else Thread.onSpinWait()
         }
-        pause(own.start)
+        if (own.start != AT_ONCE) pause(own.start)
+    }
+
+    private fun join(other: Arrival) {
+        other.isJoined = true
+        while (other.start == NEVER) Thread.onSpinWait()
+        missed.set(0)
+        hasMet = true
+        lastMet = other.start
+        if (System.nanoTime() < other.start) close.incrementAndGet()
+        pause(other.start)
     }
 
     /** Both look at the same clock, since one hears of the other late. */
@@ -50,24 +109,34 @@ internal class Meeting {
         while (System.nanoTime() < start) Thread.onSpinWait()
     }
 
-    private class Arrival(val what: Int) {
+    private class Arrival(val step: Int) {
+        @Volatile
+        var isJoined: Boolean = false
+
         @Volatile
         var start: Long = NEVER
     }
 
     private companion object {
         const val NEVER = Long.MIN_VALUE
+        const val AT_ONCE = Long.MIN_VALUE + 1
 
         /** Nanoseconds from the moment at which two have met to the one at which they go on. */
-        const val HEAD_START = 2_000L
+        const val HEAD_START = 1_000L
 
         /** Nanoseconds that one waits without making room for others. */
-        const val AWAKE = 30_000L
+        const val AWAKE = 100_000L
 
-        /** Nanoseconds that one waits. */
-        const val PATIENCE = 250_000L
+        /** Nanoseconds that one waits: more than a busy system lets the other sleep. */
+        const val PATIENCE = 5_000_000L
 
         /** So often in a row one waits for nobody: 50 milliseconds in all. */
-        const val MOST_MISSED = 200
+        const val MOST_MISSED = 10
+
+        /** Nanoseconds without a meeting after which others have their turn. */
+        const val IDLE = 10_000_000L
+
+        /** Nanoseconds that the others sleep. */
+        const val NAP = 200_000L
     }
 }

@@ -5,6 +5,7 @@ import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Raster
 import dev.lazyz.Renderer
+import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
@@ -120,7 +121,7 @@ public sealed class PictureRules {
         @ForAll(supplier = TranslucentCases::class) case: FrameCase,
     ) {
         val renderer = renderer()
-        if (Capability.TRANSPARENCY !in renderer.capabilities) notDeclared(Capability.TRANSPARENCY)
+        requireDeclared(renderer, Capability.TRANSPARENCY)
         Judgement(renderer, case).equalsReference().rowsInOrder()
     }
 
@@ -135,6 +136,23 @@ public sealed class PictureRules {
         val renderer = renderer()
         if (Capability.TRANSPARENCY !in renderer.capabilities && case.frame.hasTranslucency) refused(renderer, case)
         Judgement(renderer, case.asOpaque()).equalsReference()
+    }
+
+    /** A translucent primitive is refused whether anything of it can be seen or not. */
+    @Rule(
+        intent = "Which frames a renderer takes does not depend on the region, nor on what hides what.",
+        look = "Ask all primitives of the frame, before those are left out that the region or others hide.",
+        about = [Symptom.TRANSLUCENT],
+    )
+    @Property(tries = 20, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_5_6_hiddenTranslucencyIsRefused(
+        @ForAll(supplier = MixedCases::class) case: FrameCase,
+        @ForAll salt: Long,
+    ) {
+        val renderer = renderer()
+        if (Capability.TRANSPARENCY in renderer.capabilities) throw NotDeclared("TRANSPARENCY is declared")
+        val random = Random(salt)
+        for (hiding in case.withinAny(random).withHiddenGlass(random)) refused(renderer, hiding)
     }
 
     /** Primitives that cover nothing, submitted between the others, change indices and nothing else. */

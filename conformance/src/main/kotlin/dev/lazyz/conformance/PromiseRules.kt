@@ -19,7 +19,7 @@ public sealed class PromiseRules : CounterRules() {
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_3_promiseOfConstantMemoryIsKept() {
         val renderer = renderer()
-        if (Capability.CONSTANT_MEMORY !in renderer.capabilities) notDeclared(Capability.CONSTANT_MEMORY)
+        requireDeclared(renderer, Capability.CONSTANT_MEMORY)
         constantMemory(renderer)
     }
 
@@ -31,7 +31,7 @@ public sealed class PromiseRules : CounterRules() {
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_3_promiseToStreamRowsIsKept(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
-        if (Capability.STREAMS_ROWS !in renderer.capabilities) notDeclared(Capability.STREAMS_ROWS)
+        requireDeclared(renderer, Capability.STREAMS_ROWS)
         val witness = RowWitness(case.frame)
         var early: String? = null
         renderer.render(witness.frame) { y, _, _, _ ->
@@ -51,7 +51,7 @@ public sealed class PromiseRules : CounterRules() {
         @ForAll salt: Int,
     ) {
         val renderer = renderer()
-        if (Capability.STREAMS_ROWS !in renderer.capabilities) notDeclared(Capability.STREAMS_ROWS)
+        requireDeclared(renderer, Capability.STREAMS_ROWS)
         val witness = RowWitness(case.frame)
         val last = Math.floorMod(salt, case.frame.height)
         answer { renderer.render(witness.frame) { y, _, _, _ -> check(y < last) { "enough" } } }
@@ -67,7 +67,7 @@ public sealed class PromiseRules : CounterRules() {
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_selectorsChooseAmongAllFragments(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
-        if (Capability.SELECTION !in renderer.capabilities) notDeclared(Capability.SELECTION)
+        requireDeclared(renderer, Capability.SELECTION)
         for ((name, selection) in Selection.all) {
             val options = RenderOptions(threads = 2, tileSize = 8, selector = selection.selector)
             val configured = renderer.configured(options)
@@ -84,7 +84,7 @@ public sealed class PromiseRules : CounterRules() {
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_promiseToWorkInParallelIsKept() {
         val renderer = renderer()
-        if (Capability.PARALLEL !in renderer.capabilities) notDeclared(Capability.PARALLEL)
+        requireDeclared(renderer, Capability.PARALLEL)
         severalThreads(renderer)
     }
 
@@ -96,7 +96,7 @@ public sealed class PromiseRules : CounterRules() {
     @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_countersDoNotDependOnThreads(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
-        if (Capability.PARALLEL !in renderer.capabilities) notDeclared(Capability.PARALLEL)
+        requireDeclared(renderer, Capability.PARALLEL)
         val judgements = listOf(1, 2, 5).map { threads ->
             val options = RenderOptions(Coherence.INCREMENTAL, threads = threads, tileSize = 8)
             Judgement(renderer.configured(options), case, "$options").equalsReference()
@@ -116,7 +116,7 @@ public sealed class PromiseRules : CounterRules() {
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_promiseToKeepToTheBudgetIsKept(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
-        if (Capability.MEMORY_BUDGET !in renderer.capabilities) notDeclared(Capability.MEMORY_BUDGET)
+        requireDeclared(renderer, Capability.MEMORY_BUDGET)
         for (budget in listOf(0L, 100L, 400L, 1000L, 10_000L)) {
             val configured = renderer.configured(RenderOptions(memoryBudget = budget, threads = 1))
             val judgement = Judgement(configured, case, "a budget of $budget").equalsReference()
@@ -136,7 +136,7 @@ public sealed class PromiseRules : CounterRules() {
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_heapKeepsToTheBudget() {
         val renderer = renderer()
-        if (Capability.MEMORY_BUDGET !in renderer.capabilities) notDeclared(Capability.MEMORY_BUDGET)
+        requireDeclared(renderer, Capability.MEMORY_BUDGET)
         budgetOnTheHeap(renderer)
     }
 
@@ -148,7 +148,7 @@ public sealed class PromiseRules : CounterRules() {
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_promiseToStreamPrimitivesIsKept() {
         val renderer = renderer()
-        if (Capability.STREAMS_PRIMITIVES !in renderer.capabilities) notDeclared(Capability.STREAMS_PRIMITIVES)
+        requireDeclared(renderer, Capability.STREAMS_PRIMITIVES)
         constantMemoryInPrimitives(renderer)
     }
 }

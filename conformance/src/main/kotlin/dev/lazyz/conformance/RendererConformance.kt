@@ -17,7 +17,7 @@ import net.jqwik.api.lifecycle.PropagationMode
  * debugging), and [SEED] chooses others. Cost: a few seconds for a renderer, in one thread but for few rules.
  *
  * The rules are in the superclasses, by theme: [PictureRules], [ShadingRules], [SizeRules], [CombinationRules],
- * [ChangeRules], [UseRules], [ThreadRules], [CounterRules], [PromiseRules] and [TidyRules]. Extend this class, not
+ * [ChangeRules], [UseRules], [ThreadRules], [WorkerRules], [CounterRules], [PromiseRules] and [TidyRules]. Extend this class, not
  * those.
  */
 @AddLifecycleHook(value = Effort::class, propagateTo = PropagationMode.ALL_DESCENDANTS)

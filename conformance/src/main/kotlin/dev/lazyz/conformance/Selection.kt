@@ -84,6 +84,8 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
             "count" to Selection(Selector.count()) { it.first() to heat(it.size) },
             "the last if it is red" to lastIfRed(),
             "every other one as a mean" to mean(),
+            "the last of several calls" to lastCall(),
+            "the last of several calls, in a colour" to lastCallInColor(),
         )
 
         private fun Seen.plain() = this to color.toArgb()
@@ -103,6 +105,22 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
                 (if (seen.last().color.red > 0.5f) seen.last() else seen.first()).plain()
             }
         }
+
+        /** Shows one fragment after the other, also in colours, and at last the one in the middle. */
+        private fun lastCall() = Selection(
+            { cell ->
+                for (i in 0 until cell.size) if (i % 2 == 0) cell.show(i) else cell.show(i, 1f, 0f, 1f, 1f)
+                cell.show(cell.size / 2)
+            },
+        ) { seen -> seen[seen.size / 2].plain() }
+
+        /** Shows the fragments from the back, and at last the nearest in green. */
+        private fun lastCallInColor() = Selection(
+            { cell ->
+                for (i in cell.size - 1 downTo 0) cell.show(i)
+                cell.show(0, 0f, 1f, 0f, 0.5f)
+            },
+        ) { seen -> seen.first() to Rgba(0f, 1f, 0f, 0.5f).toArgb() }
 
         /** Mixes colours of several fragments, and shows the depth of the farthest. */
         private fun mean() = Selection(

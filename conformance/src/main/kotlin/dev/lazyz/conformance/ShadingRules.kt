@@ -22,6 +22,30 @@ public sealed class ShadingRules : PictureRules() {
         Judgement(renderer, if (isBlending) case else case.asOpaque()).equalsReference()
     }
 
+    /** Alpha of exactly 0 and exactly 1, and light without bounds, blend as they are defined. */
+    @Rule(
+        intent = "What has alpha 0 is passed over, whatever its light; where all has, the backdrop is shown as it is.",
+        look = "Skip alpha 0 before multiplying, stop at transmittance 0, and do not divide by a sum of weights of 0.",
+        about = [Symptom.TRANSLUCENT],
+    )
+    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_5_5_extremesOfLightAndAlphaBlend(@ForAll(supplier = TranslucentCases::class) case: FrameCase) {
+        val renderer = renderer()
+        requireDeclared(renderer, Capability.TRANSPARENCY)
+        Judgement(renderer, case.dazzling()).equalsReference()
+    }
+
+    /** Light that is infinite, negative or no number is packed as any other. */
+    @Rule(
+        intent = "A component is clamped to 0..1 and NaN is 0, whatever a shader computes.",
+        look = "Pack by Fragment.toArgb, or compare so that NaN fails: neither casts nor tables know what it is.",
+        about = [Symptom.COLOR],
+    )
+    @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_6_4_lightOfAnyStrengthIsPacked(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        Judgement(renderer(), case.dazzling()).equalsReference()
+    }
+
     /** Faces seen from behind are lit as the viewer sees them: shading of back faces. */
     @Rule(
         intent = "Shading of back faces: normals are turned to the viewer, be they equal at the vertices or not.",

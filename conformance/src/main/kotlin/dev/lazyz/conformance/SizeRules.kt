@@ -70,7 +70,7 @@ public sealed class SizeRules : ShadingRules() {
     @Property(tries = 12, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_dozensOfThinLayersBlend(@ForAll(supplier = DozensOfLayersCases::class) case: FrameCase) {
         val renderer = renderer()
-        if (Capability.TRANSPARENCY !in renderer.capabilities) notDeclared(Capability.TRANSPARENCY)
+        requireDeclared(renderer, Capability.TRANSPARENCY)
         Judgement(renderer, case.thin(case.frame.primitives.size)).equalsReference()
     }
 

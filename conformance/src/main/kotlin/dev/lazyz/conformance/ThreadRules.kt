@@ -18,25 +18,9 @@ public sealed class ThreadRules : UseRules() {
     @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_renderingsThatMeetDoNotDisturbEachOther(@ForAll salt: Long) {
         val renderer = renderer()
-        val meeting = Meeting()
+        val meeting = Meeting(Where.ANY_SAMPLE)
         atOnce(List(2) { Crowd.quiet(salt + it, Where.ANY_SAMPLE) }.withIndex().toList()) { (number, quiet) ->
             rightInACrowd(renderer, quiet, Crowd(salt + number, Where.ANY_SAMPLE, meeting))
-        }
-    }
-
-    /** Threads of one rendering that work on the same sample, or ask at the same time, lose nothing. */
-    @Rule(
-        intent = "Any number of threads gives the same bits, at whatever moment they meet.",
-        look = "Look for keys that are read, compared and written without a lock, and for rows, spans and fragments " +
-            "that threads share.",
-    )
-    @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_7_5_threadsThatMeetLoseNothing(@ForAll salt: Long) {
-        val configured = renderer().configured(FOUR_THREADS)
-        for (where in Where.entries) {
-            whileTheyMeet { meeting, round ->
-                rightInACrowd(configured, Crowd.quiet(salt + round, where), Crowd(salt + round, where, meeting))
-            }
         }
     }
 
@@ -83,27 +67,4 @@ public sealed class ThreadRules : UseRules() {
     private companion object {
         val FOUR_THREADS = RenderOptions(threads = 4, tileSize = 8)
     }
-}
-
-/** Calls [block] some times, but once where no two threads meet: then there is nothing to lose. */
-private fun whileTheyMeet(block: (meeting: Meeting, round: Int) -> Unit) {
-    repeat(ROUNDS) { round ->
-        val meeting = Meeting()
-        block(meeting, round)
-        if (!meeting.hasMet) return
-    }
-}
-
-private const val ROUNDS = 2
-
-/** Fails unless [renderer] makes of [crowd] what the oracle makes of [quiet]. */
-private fun rightInACrowd(renderer: Renderer, quiet: FrameCase, crowd: Crowd) {
-    val expected = Rendering.of(ReferenceRenderer(), quiet.frame).image
-    val actual = try {
-        Rendering.of(renderer, crowd.frame).image
-    } catch (e: Exception) {
-        throw Violation("${renderer.id}, when threads meet: threw $e", quiet, expected, cause = e)
-    }
-    val difference = difference(expected, actual) ?: return
-    throw Violation("${renderer.id}, when threads meet: $difference\nin\n$quiet", quiet, expected, actual)
 }

@@ -64,7 +64,8 @@ public sealed class UseRules : ChangeRules() {
         val renderer = renderer()
         val random = Random(salt)
         for (question in Question.entries) {
-            val trap = Trap(case.frame, question, random.nextInt(MOST_CALLS))
+            val planted = Planted.entries[random.nextInt(Planted.entries.size)].make()
+            val trap = Trap(case.frame, question, random.nextInt(MOST_CALLS), planted)
             failsAsPlanned(renderer, case, trap)
         }
         Judgement(renderer, case).equalsReference()
@@ -93,14 +94,15 @@ public sealed class UseRules : ChangeRules() {
         @ForAll salt: Long,
     ) {
         val renderer = renderer()
-        val trap = Trap(case.frame, Question.SPANS, Int.MAX_VALUE)
-        val last = Random(salt).nextInt(case.frame.height)
+        val random = Random(salt)
+        val planted = Planted.entries[random.nextInt(Planted.entries.size)].make()
+        val last = random.nextInt(case.frame.height)
         var rows = 0
         val answer = answer {
-            renderer.render(case.frame) { _, _, _, _ -> if (rows++ >= last) throw trap.planted }
+            renderer.render(case.frame) { _, _, _, _ -> if (rows++ >= last) throw planted }
         }
         val judgement = Judgement(renderer, case)
-        if (answer !== trap.planted) judgement.fail("the sink threw ${trap.planted}, the caller got $answer", answer)
+        if (answer !== planted) judgement.fail("the sink threw $planted, the caller got $answer", answer)
         if (rows != last + 1) judgement.fail("the sink threw at row number ${last + 1}, and was called $rows times")
         judgement.equalsReference()
     }

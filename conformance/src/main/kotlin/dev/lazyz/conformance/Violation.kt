@@ -2,6 +2,7 @@ package dev.lazyz.conformance
 
 import dev.lazyz.Capability
 import dev.lazyz.Image
+import dev.lazyz.Renderer
 
 /**
  * A renderer breaks a rule on [case], with what a report shows of it.
@@ -30,8 +31,10 @@ internal class ProcessEnded(message: String) : AssertionError(message)
 /** Ends a rule that does not apply, for this [reason]. Reports say so; it is no failure. */
 internal class NotDeclared(reason: String) : RuntimeException(reason)
 
-/** The rule does not apply: the renderer does not declare [capability]. */
-internal fun notDeclared(capability: Capability): Nothing = throw NotDeclared("$capability is not declared")
+/** The rule applies to those that declare [capability]: it ends here if [renderer] does not. */
+internal fun requireDeclared(renderer: Renderer, capability: Capability) {
+    if (capability !in renderer.capabilities) throw NotDeclared("$capability is not declared")
+}
 
 /** The rule does not apply: this JVM cannot measure what it is about, for this [reason]. */
 internal fun notMeasured(reason: String): Nothing = throw NotDeclared("not measured: $reason")

@@ -17,6 +17,7 @@ internal class ShadingWitness(frame: Frame) {
     private val direct = AtomicLong()
     private val cursors = AtomicLong()
     private val stepped = AtomicLong()
+    private val longest = AtomicLong()
 
     /** The frame whose primitives are watched. */
     val frame: Frame = Frame(frame.raster, frame.primitives.map { Watched(it) }, frame.region)
@@ -29,6 +30,9 @@ internal class ShadingWitness(frame: Frame) {
 
     /** Steps of cursors so far. */
     val steps: Long get() = stepped.get()
+
+    /** Most steps from one colour of a cursor to the next so far, or to the first. */
+    val longestChain: Long get() = longest.get()
 
     private inner class Watched(private val primitive: Primitive) : Primitive by primitive {
         override fun shade(fragment: Fragment) {
@@ -45,13 +49,18 @@ internal class ShadingWitness(frame: Frame) {
     }
 
     private inner class WatchedCursor(private val cursor: ShadingCursor) : ShadingCursor {
+        private var chain = 0L
+
         override fun step() {
+            chain++
             stepped.incrementAndGet()
             cursor.step()
         }
 
         override fun shade(fragment: Fragment) {
             calls.incrementAndGet()
+            longest.accumulateAndGet(chain, ::maxOf)
+            chain = 0
             cursor.shade(fragment)
         }
     }

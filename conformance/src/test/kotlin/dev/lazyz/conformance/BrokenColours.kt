@@ -63,6 +63,10 @@ object BrokenColours {
         LazyZBuffer(options).render(frame, sink).apply { shadingSteps = 0 }
     }
 
+    fun countsWholeChains() = coherent("counts-whole-chains") { frame, options, sink ->
+        LazyZBuffer(options).render(frame, sink).apply { longestChain = shadingSteps }
+    }
+
     private class TwiceShaded(private val whole: Primitive) : Primitive by whole {
         override fun shade(fragment: Fragment) {
             val (x, y) = fragment.x to fragment.y

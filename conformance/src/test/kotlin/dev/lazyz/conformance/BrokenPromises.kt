@@ -82,6 +82,24 @@ object BrokenPromises {
 
     fun cellsFromTheBack() = selecting("cells-from-the-back") { selector -> Selector { selector.select(Reversed(it)) } }
 
+    fun firstShowDecides() = selecting("first-show-decides") { selector ->
+        Selector { cell -> selector.select(ShownOnce(cell)) }
+    }
+
+    private class ShownOnce(private val cell: Cell) : Cell by cell {
+        private var isShown = false
+
+        override fun show(i: Int) {
+            if (!isShown) cell.show(i)
+            isShown = true
+        }
+
+        override fun show(i: Int, red: Float, green: Float, blue: Float, alpha: Float) {
+            if (!isShown) cell.show(i, red, green, blue, alpha)
+            isShown = true
+        }
+    }
+
     private class Behind(private val cell: Cell) : Cell by cell {
         override val size: Int get() = cell.size - 1
 

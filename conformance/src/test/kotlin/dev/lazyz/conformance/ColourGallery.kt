@@ -1,11 +1,15 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.conformance.RuleNames.blend
+import dev.lazyz.conformance.RuleNames.extremes
 import dev.lazyz.conformance.RuleNames.nearest
 import dev.lazyz.conformance.RuleNames.options
 import dev.lazyz.conformance.RuleNames.own
+import dev.lazyz.conformance.RuleNames.packed
 import dev.lazyz.conformance.RuleNames.refuse
+import dev.lazyz.conformance.RuleNames.refuseHidden
 import dev.lazyz.conformance.RuleNames.scenes
+import dev.lazyz.conformance.RuleNames.showing
 import dev.lazyz.conformance.RuleNames.tests
 import dev.lazyz.conformance.RuleNames.ties
 
@@ -29,6 +33,11 @@ internal object ColourGallery {
         Mutant(BrokenRenderers::blendsInEightBits, "blends into 8 bits a component, over and over", blend),
         Mutant(BrokenRenderers::blendsBehindTheBackdrop, "blends what lies behind an opaque fragment, too", blend),
         Mutant(BrokenRenderers::depthOfTheBackdrop, "blends right, and tells the depth of what is farthest", blend),
+        Mutant(BrokenGlass::zeroTimesInfinity, "adds what has alpha 0, so that infinite light is NaN", extremes),
+        Mutant(BrokenGlass::nothingIsBlack, "where all alphas are 0 the backdrop's light is lost", extremes),
+        Mutant(BrokenGlass::nanIsWhite, "what is no number is packed as white", packed),
+        Mutant(BrokenGlass::shadesAhead, "shades all translucent fragments before it blends", showing),
+        Mutant(BrokenGlass::refusesInSight, "refuses what is translucent only within the region", refuseHidden),
         Mutant(BrokenRenderers::takesGlassForOpaque, "takes what is translucent for opaque, without a word", refuse),
     )
 }

@@ -9,8 +9,16 @@ import dev.lazyz.Spans
 
 /**
  * What the threads of a [Crew] have: each its own, as long as these functions make new ones.
+ *
+ * @property isLocked whether samples are compared and written under a lock
+ * @property isPatient whether the caller waits for its threads though it is interrupted
+ * @property isTold which failures of the threads reach the caller
  */
 internal class Tools(
+    val isLocked: Boolean = true,
+    val isPatient: Boolean = true,
+    val isTold: (Throwable) -> Boolean = { true },
+    val counters: () -> Counters = { Counters() },
     val spans: () -> Spans = { Spans() },
     val fragment: () -> Fragment = { Fragment() },
     val row: (width: Int) -> IntArray = { IntArray(it) },
@@ -26,7 +34,7 @@ internal class Crew(private val frame: Frame, private val threads: Int, private 
 
     fun render(): Image {
         require(!frame.hasTranslucency) { "does not blend: make it opaque" }
-        val counters = List(threads) { Counters() }
+        val counters = List(threads) { tools.counters() }
         together { number ->
             val spans = tools.spans()
             for (index in number until frame.primitives.size step threads) draw(index, spans, counters[number])
@@ -36,7 +44,7 @@ internal class Crew(private val frame: Frame, private val threads: Int, private 
             val row = tools.row(region.width)
             for (y in number until region.height step threads) shade(y, row, fragment, counters[number])
         }
-        val sum = counters.reduce { a, b -> a.plus(b) }
+        val sum = counters.distinct().fold(Counters()) { a, b -> a.plus(b) }
         sum.primitives = frame.primitives.size.toLong()
         sum.peakBytes = 12 * region.size
         return Image(region, argb, IntArray(keys.size) { test.depthOf(keys[it]) }, indices(), sum)
@@ -57,7 +65,7 @@ internal class Crew(private val frame: Frame, private val threads: Int, private 
                     counters.fragments++
                     counters.depthEvaluations++
                     val at = (y - region.rowStart) * region.width + x - region.columnStart
-                    synchronized(keys) { merge(at, key, counters) }
+                    if (tools.isLocked) synchronized(keys) { merge(at, key, counters) } else merge(at, key, counters)
                 }
             }
         }
@@ -85,7 +93,9 @@ internal class Crew(private val frame: Frame, private val threads: Int, private 
     /** Runs [work] in all threads, and passes on what one of them throws, and an interrupt. */
     private fun together(work: (Int) -> Unit) {
         val thrown = arrayOfNulls<Throwable>(threads)
-        val workers = List(threads) { number -> Thread { thrown[number] = answer { work(number) } } }
+        val workers = List(threads) { number ->
+            Thread { thrown[number] = answer { work(number) }?.takeIf(tools.isTold) }
+        }
         workers.forEach { it.start() }
         var isInterrupted = false
         for (worker in workers) {
@@ -94,6 +104,7 @@ internal class Crew(private val frame: Frame, private val threads: Int, private 
                     worker.join()
                 } catch (_: InterruptedException) {
                     isInterrupted = true
+                    if (!tools.isPatient) break
                 }
             }
         }

@@ -38,6 +38,7 @@ internal object PromisesGallery {
         Mutant(BrokenColours::shadesTwice, "shades each visible sample twice, and counts one", counts, promise),
         Mutant(BrokenColours::alwaysSteps, "steps from colour to colour whatever it was told", steps),
         Mutant(BrokenColours::countsNoSteps, "does not count steps", steps),
+        Mutant(BrokenColours::countsWholeChains, "counts the steps of a row as one chain", steps),
         Mutant(BrokenPromises::memoryGrows, "promises constant memory, and says that it is not", memory),
         Mutant(BrokenPromises::keepsRows, "promises constant memory, and keeps the rows without saying so", memory),
         Mutant(BrokenPromises::buffersRows, "promises to stream rows, and buffers the picture", streams, unpulled),
@@ -67,6 +68,7 @@ internal object PromisesGallery {
             "the selector does not get the nearest of several fragments",
             selects,
         ),
+        Mutant(BrokenPromises::firstShowDecides, "of several calls of show the first decides", selects),
         Mutant(BrokenPromises::cellsFromTheBack, "the selector gets fragments from the back", selects),
     )
 }

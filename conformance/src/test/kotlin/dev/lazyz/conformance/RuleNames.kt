@@ -14,6 +14,12 @@ internal object RuleNames {
     val turned = RendererConformance::rule_6_5_normalsOfBackFacesAreTurnedToTheViewer.name
     val lit = RendererConformance::rule_6_5_litAndTexturedScenesAreShadedRight.name
     val refuse = RendererConformance::rule_5_6_whoCannotBlendRefuses.name
+    val refuseHidden = RendererConformance::rule_5_6_hiddenTranslucencyIsRefused.name
+    val extremes = RendererConformance::rule_5_5_extremesOfLightAndAlphaBlend.name
+    val packed = RendererConformance::rule_6_4_lightOfAnyStrengthIsPacked.name
+    val workers = RendererConformance::rule_7_1_failuresOfItsThreadsReachTheCaller.name
+    val halfDone = RendererConformance::rule_7_1_interruptedCallersGetNoHalfPicture.name
+    val showing = RendererConformance::rule_8_2_whatIsBlendedIsShadedOnlyIfItShows.name
     val index = RendererConformance::rule_9_4_primitivesThatCoverNothingKeepTheirIndex.name
     val many = RendererConformance::rule_9_4_indicesAreNotCut.name
     val empty = RendererConformance::rule_9_6_framesWithoutPrimitivesAreOrdinary.name
@@ -39,6 +45,7 @@ internal object RuleNames {
     val threads = RendererConformance::rule_7_1_sameBitsFromSeveralThreads.name
     val meets = RendererConformance::rule_7_1_renderingsThatMeetDoNotDisturbEachOther.name
     val lost = RendererConformance::rule_7_5_threadsThatMeetLoseNothing.name
+    val lostCounts = RendererConformance::rule_8_1_threadsThatMeetLoseNoCounts.name
     val caller = RendererConformance::rule_7_8_sinkIsCalledOnTheCallersThread.name
     val overwrites = RendererConformance::rule_7_8_sinkMayOverwriteItsRows.name
     val status = RendererConformance::rule_7_8_interruptIsNotLost.name

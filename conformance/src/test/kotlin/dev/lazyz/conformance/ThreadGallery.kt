@@ -1,13 +1,17 @@
 package dev.lazyz.conformance
 
+import dev.lazyz.Counters
 import dev.lazyz.Fragment
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
 import dev.lazyz.conformance.RuleNames.caller
+import dev.lazyz.conformance.RuleNames.halfDone
 import dev.lazyz.conformance.RuleNames.lost
+import dev.lazyz.conformance.RuleNames.lostCounts
 import dev.lazyz.conformance.RuleNames.meets
 import dev.lazyz.conformance.RuleNames.overwrites
 import dev.lazyz.conformance.RuleNames.status
+import dev.lazyz.conformance.RuleNames.workers
 import dev.lazyz.zbuffer.ZBuffer
 import kotlin.concurrent.thread
 
@@ -17,6 +21,10 @@ internal object ThreadGallery {
         Mutant(::sharesARow, "threads fill one row, and copy it when it is full", lost),
         Mutant(::sharesAFragment, "threads of one rendering share a fragment", lost),
         Mutant(::sharesSpans, "threads of one rendering share spans", lost),
+        Mutant(::losesUpdates, "threads compare and write the key of a sample without a lock", lost),
+        Mutant(::sharesCounters, "threads count in the same counters without a lock", lostCounts),
+        Mutant(::losesErrors, "an error, which is no exception, ends its thread without a word", workers),
+        Mutant(::handsOutHalf, "a caller that is interrupted hands out what its threads have done so far", halfDone),
         Mutant(::keepsAFragment, "the fragment is in a field, for all renderings", meets),
         Mutant(::keepsSpans, "the spans are in a field, for all renderings", meets),
         Mutant(::callsFromAThread, "the sink is called by a thread of the renderer's own", caller),
@@ -45,6 +53,17 @@ internal object ThreadGallery {
         val spans = Spans()
         Tools(spans = { spans })
     }
+
+    private fun losesUpdates() = crew("loses-updates", 4) { Tools(isLocked = false) }
+
+    private fun sharesCounters() = crew("shares-counters", 4) {
+        val counters = Counters()
+        Tools(counters = { counters })
+    }
+
+    private fun losesErrors() = crew("loses-errors", 4) { Tools(isTold = { it !is Error }) }
+
+    private fun handsOutHalf() = crew("hands-out-half", 4) { Tools(isPatient = false) }
 
     private fun keepsAFragment(): BrokenRenderer {
         val fragment = Fragment()
