@@ -54,8 +54,15 @@ internal class Trial(
 
     private val rendered = Collections.synchronizedSet(Collections.newSetFromMap(IdentityHashMap<Renderer, Boolean>()))
 
-    /** Whether this try has asked [renderer] for a picture before. */
-    fun isAgain(renderer: Renderer): Boolean = !rendered.add(renderer)
+    /** Where the try under way runs. */
+    @Volatile
+    private var tryThread: Thread? = null
+
+    /**
+     * Whether this try has asked [renderer] for a picture before. Of several threads that ask at the same time none does so
+     * again, whichever is first.
+     */
+    fun isAgain(renderer: Renderer): Boolean = !rendered.add(renderer) && Thread.currentThread() === tryThread
 
     /** What the try under way renders, or rendered last; null if that is no frame, or none yet. */
     @Volatile
@@ -134,7 +141,10 @@ internal class Trial(
         underTrial = cases(parameters).firstOrNull()
         rendered.clear()
         return try {
-            thread.call(block)
+            thread.call {
+                tryThread = Thread.currentThread()
+                block()
+            }
         } catch (late: Late) {
             val where = underTrial?.let { "\nin\n$it" }.orEmpty()
             TryExecutionResult.falsified(TimedOut("${late.message}$where", underTrial))
