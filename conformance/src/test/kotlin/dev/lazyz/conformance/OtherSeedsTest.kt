@@ -4,6 +4,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.Renderers
 import dev.lazyz.conformance.strangers.StrangersGallery
 import dev.lazyz.conformance.strangers2.SecondGallery
+import dev.lazyz.conformance.strangers3.ThirdGallery
 import dev.lazyz.tiled.Tiled
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.DynamicTest
@@ -26,7 +27,8 @@ class OtherSeedsTest {
     @TestFactory
     fun unusualRenderersPass(): List<DynamicTest> {
         val oracle = { ReferenceRenderer() }
-        val all = UnusualRenderers.all + StrangersGallery.correct + SecondGallery.correct + oracle
+        val all =
+            UnusualRenderers.all + StrangersGallery.correct + SecondGallery.correct + ThirdGallery.correct + oracle
         val good = RuleOutcome.entries.filterNot { it.isFailure }.toSet()
         return passing(if (seeds == null) UnusualRenderers.quick else all, good)
     }
