@@ -8,11 +8,19 @@ import dev.lazyz.Renderer
 import dev.lazyz.ShadingCursor
 import dev.lazyz.Spans
 import java.io.IOException
+import java.util.concurrent.CancellationException
 import java.util.concurrent.atomic.AtomicInteger
 
-/** What code of the caller's may throw: checked exceptions, too, since Kotlin and lambdas let them pass. */
+/**
+ * What code of the caller's may throw: what renderers catch for reasons of their own, such as the end of an array or of a
+ * coroutine; and checked exceptions, too, since Kotlin and lambdas let them pass.
+ */
 internal enum class Planted(private val throwable: (String) -> Throwable) {
     EXCEPTION({ IllegalStateException(it) }),
+    INDEX({ IndexOutOfBoundsException(it) }),
+    NULL({ NullPointerException(it) }),
+    END({ NoSuchElementException(it) }),
+    CANCELLATION({ CancellationException(it) }),
     ERROR({ Error(it) }),
     CHECKED({ IOException(it) }),
     ;

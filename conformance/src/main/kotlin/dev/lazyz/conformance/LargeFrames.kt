@@ -102,10 +102,13 @@ internal class DozensOfLayersCases : ArbitrarySupplier<FrameCase> {
     }
 }
 
-/** Frames of up to some thousand primitives, all of which cover most of the few samples. */
+/** Frames of up to nine thousand primitives, all of which cover most of the few samples. */
 internal class ThousandsOfLayersCases : ArbitrarySupplier<FrameCase> {
+    /** Most are more than 12 bits can number. */
+    private val counts = mixed(1 to ints(1, 3000), 2 to ints(4200, 9000))
+
     override fun get(): Arbitrary<FrameCase> =
-        Combinators.combine(ints(1, 3000), ints(0, 1000), oneOf(1, 5, 1000)).`as` { count, seed, levels ->
+        Combinators.combine(counts, ints(0, 1000), oneOf(1, 5, 1000)).`as` { count, seed, levels ->
             FrameCase(
                 Frame(Raster(3, 2), List(count) { Confetti(seed + it, 0, 3, 0, 2, levels) }),
                 "Frame(Raster(3, 2), List($count) { Confetti($seed + it, 0, 3, 0, 2, $levels) })",

@@ -13,18 +13,19 @@ import java.io.PrintStream
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Locale
+import java.util.Properties
 import java.util.TimeZone
+import java.util.concurrent.ConcurrentLinkedQueue
 
 // What a rendering leaves behind. Other threads of the process may print, and other processes make files: what is told
 // is what the renderer's own threads print, and files that come with each rendering.
 
-/** Fails if renderings of a small frame leave output, changed global state, threads or files. */
+/** Fails if renderings of a few frames, of which one has many layers, leave output, changed global state, threads or files. */
 internal fun leavesNothingBehind(renderer: Renderer) {
     val isParallel = Capability.PARALLEL in renderer.capabilities
     val configured = if (isParallel) renderer.configured(RenderOptions(threads = 2, tileSize = 8)) else renderer
-    val frame = smallFrame()
     fun render() {
-        configured.render(frame) { _, _, _, _ -> }
+        for (frame in frames) configured.render(frame) { _, _, _, _ -> }
     }
     fun failIf(words: String?) {
         if (words != null) throw AssertionError("${renderer.id} leaves behind $words")
@@ -33,7 +34,7 @@ internal fun leavesNothingBehind(renderer: Renderer) {
     // Once, for what is seen at once
     val here = names(Path.of(""))
     val before = GlobalState()
-    val printed = printedBy { render() }
+    val printed = printedBy { failIf(propertySetBy { render() }) }
     failIf(before.changedTo(GlobalState()))
     failIf(if (printed.isEmpty()) null else "output: ${printed.take(MOST_PRINTED)}")
     failIf(threadsBeyond(threads()))
@@ -54,10 +55,15 @@ private const val ENOUGH = 16
 private const val WATCHED = 10
 private const val MOST_PRINTED = 80
 
-private fun smallFrame(): Frame = FrameBuilder(Raster(24, 16))
-    .polygon(Frames.tint(0), FillRule.NON_ZERO, doubleArrayOf(1.0, 1.0, 0.5, 23.0, 2.0, 0.5, 4.0, 15.0, 0.5))
-    .polygon(Frames.tint(1), FillRule.NON_ZERO, doubleArrayOf(2.0, 14.0, 0.2, 20.0, 15.0, 0.8, 12.0, 1.0, 0.5))
-    .build()
+/** Two polygons; many primitives at each sample; and none at all. */
+private val frames: List<Frame> = listOf(
+    FrameBuilder(Raster(24, 16))
+        .polygon(Frames.tint(0), FillRule.NON_ZERO, doubleArrayOf(1.0, 1.0, 0.5, 23.0, 2.0, 0.5, 4.0, 15.0, 0.5))
+        .polygon(Frames.tint(1), FillRule.NON_ZERO, doubleArrayOf(2.0, 14.0, 0.2, 20.0, 15.0, 0.8, 12.0, 1.0, 0.5))
+        .build(),
+    Frame(Raster(5, 3), List(300) { Confetti(it, 0, 5, 0, 3, 20) }),
+    Frame(Raster(3, 5), emptyList()),
+)
 
 private fun names(folder: Path): Set<String> = Files.newDirectoryStream(folder).use { paths ->
     paths.mapTo(HashSet()) { "${it.fileName}" }
@@ -101,6 +107,33 @@ private class GlobalState {
 
     fun changedTo(after: GlobalState): String? =
         (parts.keys + after.parts.keys).firstOrNull { parts[it] != after.parts[it] }?.let { "another $it" }
+}
+
+/** Returns which system property this thread's group sets while [block] runs, be it to what it was; null if none. */
+private fun propertySetBy(block: () -> Unit): String? {
+    val group = Thread.currentThread().threadGroup
+    val usual = System.getProperties()
+    val set = ConcurrentLinkedQueue<Any>()
+    val watched = object : Properties() {
+        override fun put(key: Any?, value: Any?): Any? {
+            if (group.parentOf(Thread.currentThread().threadGroup)) set.add(key ?: "null")
+            return super.put(key, value)
+        }
+
+        override fun remove(key: Any?): Any? {
+            if (group.parentOf(Thread.currentThread().threadGroup)) set.add(key ?: "null")
+            return super.remove(key)
+        }
+    }
+    synchronized(usual) { for ((key, value) in usual) watched[key] = value }
+    set.clear()
+    System.setProperties(watched)
+    try {
+        block()
+    } finally {
+        if (System.getProperties() === watched) System.setProperties(usual)
+    }
+    return set.firstOrNull()?.let { "another system property $it" }
 }
 
 /** Returns what this thread's group prints while [block] runs. */

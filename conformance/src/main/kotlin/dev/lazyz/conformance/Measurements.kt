@@ -6,6 +6,7 @@ import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.atomic.AtomicInteger
 
 // Threads are watched, not compared.
 
@@ -17,6 +18,23 @@ internal fun Counters.withoutMemory(): String = toString().substringBefore(", pe
 
 private const val SIDE = 128
 private const val ATTEMPTS = 5
+
+/** Fails if more threads ask primitives at the same time than the options allow. */
+internal fun notTooManyThreads(renderer: Renderer) {
+    for (allowed in 1..2) {
+        val configured = renderer.configured(RenderOptions(threads = allowed, tileSize = 8))
+        val seen = ConcurrentHashMap.newKeySet<Int>()
+        val asking = AtomicInteger()
+        val most = AtomicInteger()
+        val stripe = Stripe(0..<SIDE, 0..<SIDE, 1000) { y ->
+            most.accumulateAndGet(asking.incrementAndGet(), ::maxOf)
+            if (seen.add(y)) Thread.sleep(1)
+            asking.decrementAndGet()
+        }
+        configured.render(Frame(Raster(SIDE, SIDE), listOf(stripe))) { _, _, _, _ -> }
+        if (most.get() > allowed) fail(configured, "${most.get()} threads asked at the same time, $allowed are allowed")
+    }
+}
 
 /** Fails if a picture that takes a while is made by one thread alone. */
 internal fun severalThreads(renderer: Renderer) {

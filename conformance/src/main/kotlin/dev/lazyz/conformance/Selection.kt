@@ -76,7 +76,7 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
         private fun heat(count: Int): Int =
             ramp[listOf(1, 2, 3, 4, 8, 16, 32).indexOfFirst { count <= it }.let { if (it < 0) 7 else it }]
 
-        /** Selectors by name: those of the library, and two of one's own. */
+        /** Selectors by name: those of the library, and some of one's own. */
         val all: Map<String, Selection> = mapOf(
             "nearest" to Selection(Selector.nearest()) { it.first().plain() },
             "farthest" to Selection(Selector.farthest()) { it.last().plain() },
@@ -84,6 +84,7 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
             "count" to Selection(Selector.count()) { it.first() to heat(it.size) },
             "the last if it is red" to lastIfRed(),
             "every other one as a mean" to mean(),
+            "one chosen by place, in a colour by depth" to byPlace(),
             "the last of several calls" to lastCall(),
             "the last of several calls, in a colour" to lastCallInColor(),
         )
@@ -104,6 +105,19 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
             } else {
                 (if (seen.last().color.red > 0.5f) seen.last() else seen.first()).plain()
             }
+        }
+
+        /** Asks the cell where it is, and for depth and primitive of whichever fragment. */
+        private fun byPlace() = Selection(
+            { cell ->
+                val i = (cell.x + 3 * cell.y) % cell.size
+                val other = cell.size - 1 - i
+                cell.show(i, cell.depth(other) % 256 / 255f, cell.primitive(other) % 8 / 7f, 0f, 1f)
+            },
+        ) { seen ->
+            val i = (seen[0].x + 3 * seen[0].y) % seen.size
+            val other = seen[seen.size - 1 - i]
+            seen[i] to Rgba(other.depth % 256 / 255f, other.index % 8 / 7f, 0f, 1f).toArgb()
         }
 
         /** Shows one fragment after the other, also in colours, and at last the one in the middle. */

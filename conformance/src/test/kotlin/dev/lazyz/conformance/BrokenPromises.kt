@@ -50,6 +50,13 @@ object BrokenPromises {
         }
     }
 
+    /** As many threads as the machine has, or two, whatever the options say. */
+    fun takesMoreThreads() = BrokenRenderer(
+        "takes-more-threads",
+        setOf(Capability.PARALLEL),
+        options = { Tiled().configured(RenderOptions(threads = 4, tileSize = 8)) },
+    ) { frame, sink -> Tiled().render(frame, sink) }
+
     fun parallelInName() = claiming("parallel-in-name", Capability.PARALLEL, ZBuffer())
 
     fun countsByThread() = threaded("counts-by-thread") { counters, threads -> counters.depthEvaluations += threads }

@@ -54,6 +54,7 @@ internal object PromisesGallery {
         ),
         Mutant(BrokenPromises::keepsPrimitives, "promises to stream primitives, and sorts them all", arrivals),
         Mutant(BrokenPromises::parallelInName, "promises to be parallel, and is not", parallel),
+        Mutant(BrokenPromises::takesMoreThreads, "takes more threads than the options allow", parallel),
         Mutant(BrokenPromises::countsByThread, "counts work of its own for each thread", sums),
         Mutant(BrokenPromises::losesCounts, "loses the counts of all threads but one", sums),
         Mutant(BrokenPromises::budgetIgnored, "promises to keep to a budget, and ignores it", budget),
