@@ -17,13 +17,25 @@ internal object SceneReading {
     private val maxBytes: Long get() = minOf(Int.MAX_VALUE - 16L, Runtime.getRuntime().maxMemory() / 4)
 
     /** Reads a file of the given format, or of the one that its content looks like. */
-    fun read(path: Path, format: SceneFormat?): LoadedScene {
+    fun read(path: Path, format: SceneFormat?, limits: LoadLimits): LoadedScene {
+        val folder = path.toAbsolutePath().parent
+        return read(path, format, Loading(limits), folder)
+    }
+
+    /** Reads a file as a part of a larger reading, whose references must not lead out of [root]. */
+    fun read(path: Path, format: SceneFormat?, loading: Loading, root: Path?): LoadedScene {
         val name = path.toString()
-        val source = Source(bytes(path, name), name, path.toAbsolutePath().parent)
+        val source = Source(bytes(path, name), name, path.toAbsolutePath().parent, loading, root)
         return parse(source, format ?: sniffed(source))
     }
 
-    fun read(input: InputStream, format: SceneFormat, name: String, folder: Path?): LoadedScene {
+    fun read(
+        input: InputStream,
+        format: SceneFormat,
+        name: String,
+        folder: Path?,
+        limits: LoadLimits,
+    ): LoadedScene {
         val limit = maxBytes.toInt()
         val bytes = try {
             input.readNBytes(limit)
@@ -31,7 +43,7 @@ internal object SceneReading {
             throw SceneFormatException(name, null, "cannot be read: ${e.message ?: e}", cause = e)
         }
         if (bytes.size == limit) throw tooLarge(name, "$limit bytes or more")
-        return parse(Source(bytes, name, folder), format)
+        return parse(Source(bytes, name, folder, Loading(limits)), format)
     }
 
     private fun parse(source: Source, format: SceneFormat): LoadedScene {
@@ -49,14 +61,13 @@ internal object SceneReading {
     private fun bytes(path: Path, name: String): ByteArray {
         if (!Files.exists(path)) throw SceneFormatException(name, null, "there is no such file", "check the name")
         if (Files.isDirectory(path)) throw SceneFormatException(name, null, "is a folder", "name a file in it")
+        if (!Files.isRegularFile(path)) {
+            throw SceneFormatException(name, null, "is a pipe or a device, not a file", "send its bytes as a stream")
+        }
         try {
             val size = Files.size(path)
             if (size > maxBytes) throw tooLarge(name, "$size bytes")
-
-            // A device or a pipe has no size: stop before it fills the memory
-            val bytes = Files.newInputStream(path).use { it.readNBytes(maxBytes.toInt()) }
-            if (bytes.size > size && bytes.size.toLong() == maxBytes) throw tooLarge(name, "it does not end")
-            return bytes
+            return Files.readAllBytes(path)
         } catch (e: AccessDeniedException) {
             throw SceneFormatException(name, null, "cannot be read: permission denied", "ask for permission", e)
         } catch (e: IOException) {

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes
 
 import dev.lazyz.Scene
+import dev.lazyz.scenes.images.FileReferences
 import java.nio.file.Path
 
 /**
@@ -9,13 +10,28 @@ import java.nio.file.Path
  * @property bytes the whole file
  * @property name the file's name as the caller gave it
  * @property folder where relative references are looked up, or null for a stream that has no place
+ * @property loading the call of [Scenes.load] that reads it
+ * @param root the folder that references must not lead out of
  */
-internal class Source(val bytes: ByteArray, val name: String, val folder: Path?) {
+internal class Source(
+    val bytes: ByteArray,
+    val name: String,
+    val folder: Path?,
+    val loading: Loading = Loading(),
+    root: Path? = folder,
+) {
+    /** Finds files that the scene refers to. */
+    val references = FileReferences(folder, root, loading.limits.references)
+
+    init {
+        loading.read(bytes.size)
+    }
+
     /** What had to be passed over so far; reported by [LoadedScene.warnings]. */
     val warnings = ArrayList<String>()
 
     fun warn(sentence: String) {
-        warnings.add("$name: $sentence")
+        warnings.add(printable("$name: $sentence"))
     }
 
     fun fail(location: String?, problem: String, remedy: String? = null, cause: Throwable? = null): Nothing =

@@ -48,6 +48,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
             document.fail("$here.componentType", "$where needs whole numbers")
         }
         if (accessor.sparse != null) document.fail("$here.sparse", "vertex numbers must not be sparse")
+        document.source.loading.triangles(document.source, count(accessor, here) / 3L)
         val data = dense(accessor, index, ElementType.SCALAR) ?: return IntArray(count(accessor, here))
         return IntArray(data.numElements) { whole(data, it) }
     }
@@ -57,6 +58,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
         val isNormalized = accessor.isNormalized == true
         val data = dense(accessor, index, type)
         val count = count(accessor, "accessors[$index]")
+        document.source.loading.vertices(document.source, count.toLong())
         val result = FloatArray(count * width)
         if (data != null) {
             for (i in result.indices) result[i] = number(data, i / width, i % width, isNormalized)
