@@ -6,13 +6,22 @@ import java.nio.file.Path
 /**
  * Bytes to read a scene from, with what a reader needs to complain about them and to find what they refer to.
  *
- * @property bytes the whole file
+ * @param bytes the whole file
  * @property name the file's name as the caller gave it
  * @property folder where relative references are looked up, or null for a stream that has no place
  */
-internal class Source(val bytes: ByteArray, val name: String, val folder: Path?) {
+internal class Source(bytes: ByteArray, val name: String, val folder: Path?) {
+    private var content: ByteArray? = bytes
+
+    val bytes: ByteArray get() = checkNotNull(content) { "the bytes were released" }
+
     /** What had to be passed over so far; reported by [LoadedScene.warnings]. */
     val warnings = ArrayList<String>()
+
+    /** Lets go of the bytes, which have been read, to leave memory for what becomes of them. */
+    fun release() {
+        content = null
+    }
 
     fun warn(sentence: String) {
         warnings.add("$name: $sentence")
