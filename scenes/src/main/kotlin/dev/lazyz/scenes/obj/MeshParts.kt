@@ -27,23 +27,24 @@ internal class MeshParts(private val whole: Mesh, groupOf: Ints, groupCount: Int
     fun mesh(group: Int, material: MtlMaterial, isTextured: Boolean): Mesh {
         // Number the vertices anew in the order in which they are used
         val used = Ints()
-        val triangles = IntArray(3 * members[group].size) {
-            val vertex = whole.triangles[3 * members[group][it / 3] + it % 3]
+        val triangles = IntArray(3 * members[group].size)
+        for (i in triangles.indices) {
+            val vertex = whole.triangles[3 * members[group][i / 3] + i % 3]
             if (newNumber[vertex] < 0) {
                 newNumber[vertex] = used.size
                 used.add(vertex)
             }
-            newNumber[vertex]
+            triangles[i] = newNumber[vertex]
         }
         for (i in 0 until used.size) newNumber[used[i]] = -1
 
         return Mesh(
-            checkNotNull(gather(whole.positions, used, 3)),
+            gather(whole.positions, used, 3),
             triangles,
             if (isTextured) material.material else material.material.withoutTexture(),
-            gather(whole.normals, used, 3),
-            if (isTextured) gather(whole.uvs, used, 2)?.also { place(it, material) } else null,
-            gather(whole.colors, used, 4),
+            whole.normals?.let { gather(it, used, 3) },
+            if (isTextured) whole.uvs?.let { uvs -> gather(uvs, used, 2).also { place(it, material) } } else null,
+            whole.colors?.let { gather(it, used, 4) },
         )
     }
 
@@ -54,6 +55,11 @@ internal class MeshParts(private val whole: Mesh, groupOf: Ints, groupCount: Int
         }
     }
 
-    private fun gather(array: FloatArray?, vertices: Ints, width: Int): FloatArray? =
-        array?.let { FloatArray(width * vertices.size) { i -> it[width * vertices[i / width] + i % width] } }
+    private fun gather(array: FloatArray, vertices: Ints, width: Int): FloatArray {
+        val result = FloatArray(width * vertices.size)
+        for (i in 0 until vertices.size) {
+            array.copyInto(result, width * i, width * vertices[i], width * (vertices[i] + 1))
+        }
+        return result
+    }
 }

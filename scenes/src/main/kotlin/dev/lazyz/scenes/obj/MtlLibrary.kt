@@ -44,7 +44,7 @@ internal class MtlLibrary(private val source: Source) {
             source.warn("material library $file cannot be read; its materials are plain white")
             return
         }
-        val statements = MtlStatements(StatementReader.decode(bytes))
+        val statements = MtlStatements(bytes)
         val entries = try {
             MtlReader.read(statements)
         } catch (e: IOException) {
