@@ -92,6 +92,8 @@ internal class GltfMeshes(private val document: GltfDocument) {
         if (mode == GltfTriangles.TRIANGLES && indices.size % 3 != 0) {
             document.warn("$where: vertex numbers are not triples; the last ${indices.size % 3} are left out")
         }
+        val triangles = if (mode == GltfTriangles.TRIANGLES) indices.size / 3 else maxOf(indices.size - 2, 0)
+        document.source.loading.triangles(document.source, triangles.toLong())
         return GltfTriangles.of(mode, indices)
     }
 }
