@@ -60,7 +60,7 @@ internal class Input(
             throw Mistake("there is no built-in scene and no file '$word'$hint\nSee 'zcli scenes'.")
         }
         if (!Files.isRegularFile(path)) {
-            throw Mistake("$word is a pipe or a device; send it to standard input: zcli ... - --format $FORMATS < $word")
+            throw Mistake("$word is a pipe or a device; send it to standard input, with --format: zcli ... - < $word")
         }
         if (!Files.isReadable(path)) throw Mistake("$word: permission denied")
     }

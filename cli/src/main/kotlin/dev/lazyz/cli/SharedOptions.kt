@@ -57,13 +57,15 @@ internal class ReadingOptions : OptionGroup("Reading") {
 
     private val areOthersAllowed by option(
         "--allow-outside",
-        help = "Follow references (textures, material libraries, buffers, meshes) that lead out of the input's folder; " +
+        help =
+        "Follow references (textures, material libraries, buffers, meshes) that lead out of the input's folder; " +
             "default: they count as missing",
     ).flag()
 
     private val decoded by option(
         "--max-decoded",
-        help = "Most memory for what is read from the input, in bytes, or with k, m, g; default: 128m and 512 times the " +
+        help =
+        "Most memory for what is read from the input, in bytes, or with k, m, g; default: 128m and 512 times the " +
             "size of the files, at most half of Java's memory",
     ).bytes()
 
@@ -75,7 +77,8 @@ internal class ReadingOptions : OptionGroup("Reading") {
 
     private val nesting by option(
         "--max-nesting",
-        help = "Most lists and objects within each other in a scene file, 1..1000; default: ${LoadLimits.DEFAULT_NESTING}",
+        help = "Most lists and objects within each other in a scene file, 1..1000; default: " +
+            "${LoadLimits.DEFAULT_NESTING}",
     ).count(1..1000)
 
     private val seconds by option("--max-seconds", help = "Most seconds for reading, 0..1000000; default: no limit")

@@ -55,7 +55,9 @@ internal object Builtins {
             if (key !in known) value.fail("\"$id\" has no parameter \"$key\"", "remove it")
         }
         val size = parameters[known.firstOrNull()]?.integer()
-        source.loading.triangles(source, triangles(id, size))
+        val triangles = triangles(id, size)
+        source.loading.triangles(source, triangles)
+        source.loading.vertices(source, triangles)
         if (parameters.isEmpty()) return builtin.scene().surfaces
         return node.checked {
             when (id) {
