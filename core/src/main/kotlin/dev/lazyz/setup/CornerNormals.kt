@@ -8,7 +8,7 @@ import kotlin.math.sqrt
  *
  * @param vertices the vertex of each corner
  * @param faces see [FaceNormals]
- * @param cosine of the angle from which on an edge is a crease
+ * @param creaseAngle from which on an edge is a crease, degrees
  * @param firstCopy by vertex: the copy to begin its chain with, or -1; an array for all instances, which do different
  * vertices
  * @param copyOf by corner: where its copy is written; an array for all instances
@@ -16,10 +16,15 @@ import kotlin.math.sqrt
 internal class CornerNormals(
     private val vertices: IntArray,
     private val faces: DoubleArray,
-    private val cosine: Double,
+    creaseAngle: Double,
     private val firstCopy: IntArray,
     private val copyOf: IntArray,
 ) {
+    private val cosine = StrictMath.cos(radians(creaseAngle))
+
+    /** Of an angle safely below half the crease's: no two faces that lean from one direction by less make a crease. */
+    private val narrowCosine = if (creaseAngle > 1.0) StrictMath.cos(radians(creaseAngle) / 2 - MARGIN) else NEVER
+
     /** How many copies there are so far. */
     var size = 0
         private set
@@ -38,6 +43,11 @@ internal class CornerNormals(
     /** Whether a corner of the position at hand has a crease around it. */
     private val isCreased = BooleanArray(CROWD)
     private val normal = FloatArray(3)
+
+    // The sum of all faces at the position at hand
+    private var sumX = 0.0
+    private var sumY = 0.0
+    private var sumZ = 0.0
 
     /** Does the [corners] from place [from] until [until], which are at one position. */
     fun add(corners: IntArray, from: Int, until: Int) {
@@ -64,9 +74,9 @@ internal class CornerNormals(
 
     /** Makes [normal] the sum of all the corners' faces, at unit length. */
     private fun mean(corners: IntArray, from: Int, until: Int) {
-        var sumX = 0.0
-        var sumY = 0.0
-        var sumZ = 0.0
+        sumX = 0.0
+        sumY = 0.0
+        sumZ = 0.0
         for (i in from until until) {
             val at = corners[i] / 3 * 3
             sumX += faces[at]
@@ -76,10 +86,9 @@ internal class CornerNormals(
         MeshGeometry.unit(sumX, sumY, sumZ, normal, 0)
     }
 
-    /** Looks at each pair of faces; false if none is a crease. */
+    /** Looks for creases; false if there is none. */
     private fun findCreases(corners: IntArray, from: Int, until: Int): Boolean {
         val count = until - from
-        var isAny = false
         for (i in 0 until count) {
             val at = corners[from + i] / 3 * 3
             face[i] = at
@@ -87,19 +96,32 @@ internal class CornerNormals(
             y[i] = faces[at + 1]
             z[i] = faces[at + 2]
             length[i] = sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i])
+        }
+        return !areNarrow(count) && findCreasedPairs(count)
+    }
+
+    /** Whether all faces lean from their sum by so little that no two make a crease; false if that is not certain. */
+    private fun areNarrow(count: Int): Boolean {
+        val sumLength = sqrt(sumX * sumX + sumY * sumY + sumZ * sumZ)
+        if (sumLength !in SHORTEST..LONGEST) return false
+        for (i in 0 until count) {
+            if (length[i] !in SHORTEST..LONGEST) return false
+            if (x[i] * sumX + y[i] * sumY + z[i] * sumZ <= narrowCosine * sumLength * length[i]) return false
+        }
+        return true
+    }
+
+    /** Looks at each pair of faces; false if none makes a crease. */
+    private fun findCreasedPairs(count: Int): Boolean {
+        for (i in 0 until count) {
             isCreased[i] = false
             for (j in 0 until i) {
-                if (isCrease(i, j)) {
-                    isCreased[i] = true
-                    isAny = true
-                }
-                if (isCrease(j, i)) {
-                    isCreased[j] = true
-                    isAny = true
-                }
+                if (isCrease(i, j)) isCreased[i] = true
+                if (isCrease(j, i)) isCreased[j] = true
             }
         }
-        return isAny
+        for (i in 0 until count) if (isCreased[i]) return true
+        return false
     }
 
     private fun isCrease(i: Int, j: Int): Boolean {
@@ -109,16 +131,16 @@ internal class CornerNormals(
 
     /** Makes [normal] the sum of the faces that make no crease with face [i], at unit length. */
     private fun sumOfSmooth(i: Int, count: Int) {
-        var sumX = 0.0
-        var sumY = 0.0
-        var sumZ = 0.0
+        var smoothX = 0.0
+        var smoothY = 0.0
+        var smoothZ = 0.0
         for (j in 0 until count) {
             if (isCrease(i, j)) continue
-            sumX += x[j]
-            sumY += y[j]
-            sumZ += z[j]
+            smoothX += x[j]
+            smoothY += y[j]
+            smoothZ += z[j]
         }
-        MeshGeometry.unit(sumX, sumY, sumZ, normal, 0)
+        MeshGeometry.unit(smoothX, smoothY, smoothZ, normal, 0)
     }
 
     /** Gives [corner] the copy of its vertex that has [normal], a new one if there is none. */
@@ -148,5 +170,15 @@ internal class CornerNormals(
 
         /** Where more corners than this meet, creases are not looked for: it would cost the square of their number. */
         const val CROWD = 1024
+
+        /** Radians, far more than roundings turn a vector by where its length is in [SHORTEST]..[LONGEST]. */
+        const val MARGIN = 1e-6
+        const val SHORTEST = 1e-140
+        const val LONGEST = 1e140
+
+        /** More than any cosine. */
+        const val NEVER = 2.0
+
+        fun radians(degrees: Double) = degrees * (StrictMath.PI / 180.0)
     }
 }

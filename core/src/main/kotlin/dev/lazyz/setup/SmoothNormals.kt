@@ -8,12 +8,10 @@ import dev.lazyz.Mesh
  * Faces are added up in the order of the triangles, and vertices are numbered in the order of their first corner, so
  * that the result is the same bits whatever is done in parallel.
  */
-internal class SmoothNormals(private val mesh: Mesh, creaseAngle: Double) {
+internal class SmoothNormals(private val mesh: Mesh, private val creaseAngle: Double) {
     init {
         require(creaseAngle in 0.0..180.0) { "creaseAngle must be in 0..180 degrees: $creaseAngle" }
     }
-
-    private val cosine = StrictMath.cos(creaseAngle * (StrictMath.PI / 180.0))
 
     /** By corner: the copy of its vertex, first within its chunk of positions, then within the new mesh. */
     private val triangles = IntArray(mesh.triangles.size)
@@ -29,7 +27,7 @@ internal class SmoothNormals(private val mesh: Mesh, creaseAngle: Double) {
         val faces = FaceNormals.of(mesh)
         val firstCopy = IntArray(mesh.vertexCount) { -1 }
         val chunks = List((byPosition.count + CHUNK - 1) / CHUNK) {
-            CornerNormals(mesh.triangles, faces, cosine, firstCopy, triangles)
+            CornerNormals(mesh.triangles, faces, creaseAngle, firstCopy, triangles)
         }
         inParallel(chunks.size) { chunk ->
             for (position in chunk * CHUNK until minOf((chunk + 1) * CHUNK, byPosition.count)) {

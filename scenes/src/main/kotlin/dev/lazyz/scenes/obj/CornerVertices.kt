@@ -5,9 +5,11 @@ import dev.lazyz.DistinctTriples
 /**
  * Numbers the different corners of faces: two corners with the same position, texture coordinate and normal are one
  * vertex. Not thread safe.
+ *
+ * @param expected how many vertices to make room for
  */
-internal class CornerVertices {
-    private val corners = DistinctTriples()
+internal class CornerVertices(expected: Int) {
+    private val corners = DistinctTriples(expected)
 
     /** How many vertices there are. */
     val size: Int get() = corners.size

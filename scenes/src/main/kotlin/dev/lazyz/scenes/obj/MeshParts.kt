@@ -7,24 +7,39 @@ import dev.lazyz.scenes.triangulation.Ints
 /**
  * Takes a mesh apart into groups of its triangles, each with the vertices that it uses. Not thread safe.
  *
+ * @param whole its vertices are numbered in the order of their first use, and all are used
  * @param groupOf number of each triangle's group, 0 until [groupCount]
  */
-internal class MeshParts(private val whole: Mesh, groupOf: Ints, groupCount: Int) {
+internal class MeshParts(private val whole: Mesh, groupOf: Ints, private val groupCount: Int) {
     private val members = List(groupCount) { Ints() }
 
     /** By vertex of the whole: its number in the part at hand, or -1. */
-    private val newNumber = IntArray(whole.vertexCount) { -1 }
+    private val newNumber = IntArray(if (groupCount == 1) 0 else whole.vertexCount) { -1 }
 
     init {
-        for (triangle in 0 until whole.triangleCount) members[groupOf[triangle]].add(triangle)
+        if (groupCount > 1) {
+            for (triangle in 0 until whole.triangleCount) members[groupOf[triangle]].add(triangle)
+        }
     }
 
     /**
-     * Returns the triangles of [group], in order, with a material of their own. Texture coordinates, v upward so far,
-     * are scaled and moved as the material says and turned to v downward; unless [isTextured] they and the texture fall
-     * away.
+     * Returns the triangles of [group], in order, with a material of their own; call it once a group. Texture
+     * coordinates, v upward so far, are scaled and moved as the material says and turned to v downward; unless
+     * [isTextured] they and the texture fall away.
      */
     fun mesh(group: Int, material: MtlMaterial, isTextured: Boolean): Mesh {
+        val part = if (groupCount == 1) whole else part(group)
+        return Mesh(
+            part.positions,
+            part.triangles,
+            if (isTextured) material.material else material.material.withoutTexture(),
+            part.normals,
+            if (isTextured) part.uvs?.also { place(it, material) } else null,
+            part.colors,
+        )
+    }
+
+    private fun part(group: Int): Mesh {
         // Number the vertices anew in the order in which they are used
         val used = Ints()
         val triangles = IntArray(3 * members[group].size)
@@ -41,10 +56,9 @@ internal class MeshParts(private val whole: Mesh, groupOf: Ints, groupCount: Int
         return Mesh(
             gather(whole.positions, used, 3),
             triangles,
-            if (isTextured) material.material else material.material.withoutTexture(),
-            whole.normals?.let { gather(it, used, 3) },
-            if (isTextured) whole.uvs?.let { uvs -> gather(uvs, used, 2).also { place(it, material) } } else null,
-            whole.colors?.let { gather(it, used, 4) },
+            normals = whole.normals?.let { gather(it, used, 3) },
+            uvs = whole.uvs?.let { gather(it, used, 2) },
+            colors = whole.colors?.let { gather(it, used, 4) },
         )
     }
 

@@ -59,7 +59,7 @@ internal class ObjMeshes(
 
     private fun meshes(batch: Batch): List<Placed> {
         // Cut all faces into triangles, and remember which group each triangle belongs to
-        val vertices = CornerVertices()
+        val vertices = CornerVertices(minOf(batch.faces.size, positions.size / 3))
         val groups = LinkedHashMap<Group, Int>()
         val firstFaces = ArrayList<Int>()
         val triangles = Ints()
