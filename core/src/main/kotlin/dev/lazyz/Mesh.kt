@@ -1,6 +1,7 @@
 package dev.lazyz
 
 import dev.lazyz.setup.MeshGeometry
+import dev.lazyz.setup.SmoothNormals
 import org.joml.Matrix4dc
 
 /**
@@ -71,7 +72,7 @@ public class Mesh @JvmOverloads constructor(
      * @throws IllegalArgumentException unless [creaseAngle] is in 0..180
      */
     @JvmOverloads
-    public fun withSmoothNormals(creaseAngle: Double = 45.0): Mesh = MeshGeometry.smoothed(this, creaseAngle)
+    public fun withSmoothNormals(creaseAngle: Double = 45.0): Mesh = SmoothNormals(this, creaseAngle).mesh()
 
     override fun toString(): String = "Mesh($vertexCount vertices, $triangleCount triangles, $material)"
 }

@@ -1,6 +1,8 @@
 package dev.lazyz
 
+import com.sun.management.ThreadMXBean
 import dev.lazyz.zbuffer.ZBuffer
+import java.lang.management.ManagementFactory
 import java.time.Duration
 import java.util.Random
 import org.joml.Matrix4d
@@ -45,6 +47,16 @@ class DegenerateTest {
         assertEmpty(polygon(doubleArrayOf(1.6, 1.6, 0.5, 2.4, 1.6, 0.5, 2.0, 2.4, 0.5)))
         assertEmpty(polygon(doubleArrayOf(-5.0, -5.0, 0.5, -1.0, -5.0, 0.5, -1.0, -1.0, 0.5)))
         assertEmpty(polygon(doubleArrayOf(9.0, 1.0, 0.5, 15.0, 1.0, 0.5, 9.0, 7.0, 0.5)))
+    }
+
+    @Test
+    fun meshWithoutTrianglesTakesNoMemory() {
+        val mesh = Mesh(floatArrayOf(0f, 0f, 0f), IntArray(0), Material(sides = Sides.FRONT))
+        val scene = Scene(listOf(mesh), viewpoint = SampleScenes.camera)
+        val threads = ManagementFactory.getThreadMXBean() as ThreadMXBean
+        val before = threads.getThreadAllocatedBytes(Thread.currentThread().id)
+        assertEquals(0, scene.frame(16, 16).primitives.size)
+        assertTrue(threads.getThreadAllocatedBytes(Thread.currentThread().id) - before < 10_000_000)
     }
 
     @Test

@@ -1,5 +1,6 @@
 package dev.lazyz.cli
 
+import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
@@ -12,7 +13,11 @@ import java.nio.file.Path
  * A word that is a built-in's name is the built-in, whatever files there are; `./teapot`, or `--format`, makes it a
  * file's name.
  */
-internal class Input(private val word: String, private val format: SceneFormat?) {
+internal class Input(
+    private val word: String,
+    private val format: SceneFormat?,
+    private val limits: LoadLimits = LoadLimits(),
+) {
     private val isStandardInput = word == "-"
     private val builtin = if (format == null) Scenes.builtins.firstOrNull { it.id == word } else null
 
@@ -33,16 +38,16 @@ internal class Input(private val word: String, private val format: SceneFormat?)
     fun load(streams: Streams): LoadedScene {
         if (isStandardInput) {
             val known = format ?: throw Mistake("say what standard input is with --format $FORMATS")
-            return Scenes.load(streams.input, known, name)
+            return Scenes.load(streams.input, known, name, limits = limits)
         }
         if (builtin != null) return LoadedScene(builtin.scene(), emptyList(), builtin.size)
         val path = Path.of(word)
         requireFile(path)
-        if (format != null) return Scenes.load(path, format)
+        if (format != null) return Scenes.load(path, format, limits)
 
-        // What has no ending, such as a pipe, is told by its first bytes; an ending that says nothing is a mistake
+        // What has no ending is told by its first bytes; an ending that says nothing is a mistake
         val ending = path.fileName.toString().substringAfterLast('.', "")
-        if (ending.isEmpty() || SceneFormat.ofFileName(word) != null) return Scenes.load(path)
+        if (ending.isEmpty() || SceneFormat.ofFileName(word) != null) return Scenes.load(path, limits)
         throw Mistake("cannot tell from '.$ending' what $word is; say it with --format $FORMATS")
     }
 
@@ -53,6 +58,9 @@ internal class Input(private val word: String, private val format: SceneFormat?)
             if (format != null || SceneFormat.ofFileName(word) != null) throw Mistake("$word: no such file")
             val hint = Nearest.hint(word, Scenes.builtins.map { it.id })
             throw Mistake("there is no built-in scene and no file '$word'$hint\nSee 'zcli scenes'.")
+        }
+        if (!Files.isRegularFile(path)) {
+            throw Mistake("$word is a pipe or a device; send it to standard input, with --format: zcli ... - < $word")
         }
         if (!Files.isReadable(path)) throw Mistake("$word: permission denied")
     }

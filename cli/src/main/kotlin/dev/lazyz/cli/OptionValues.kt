@@ -78,6 +78,11 @@ internal fun RawOption.count(range: IntRange): NullableOption<Int, Int> = conver
     number
 }
 
+/** Takes a whole number, 0 or more. */
+internal fun RawOption.count(): NullableOption<Long, Long> = convert("N") { text ->
+    text.toLongOrNull()?.takeIf { it >= 0 } ?: fail("'$text' is not a whole number, 0 or more")
+}
+
 /** Takes a decimal number in [range], which [unit] follows in messages. */
 internal fun RawOption.number(
     metavar: String,

@@ -1,7 +1,9 @@
 package dev.lazyz.cli
 
+import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.RowSink
+import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.ImageFiles
 import dev.lazyz.scenes.writers.PngSink
 import java.io.IOException
@@ -31,31 +33,33 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
     }
 
     /**
-     * Lets [render] write rows of [region] to all outputs and to [tally] at once. When it returns, the files are there;
-     * else they are not.
+     * Lets [render] write the rows of [frame] to all outputs and to [tally] at once. When it returns, the files are
+     * there; else they are not.
      */
-    fun <T> write(region: Region, tally: Tally, render: (RowSink) -> T): T = try {
+    fun <T> write(frame: Frame, tally: Tally, render: (RowSink) -> T): T = try {
         // Outermost is what is finished last: a file of depth appears only when the picture is out
-        writeDepth(region) { depth ->
-            writePicture(region) { picture -> render(FanOut(listOfNotNull(picture, depth, tally))) }
+        writeDepth(frame.region) { depth ->
+            writePicture(frame) { picture -> render(FanOut(listOfNotNull(picture, depth, tally))) }
         }
     } catch (closed: OutputClosed) {
         val file = request.depthOutput ?: throw closed
         throw Mistake("standard output was closed before the end, and $file was not written")
     }
 
-    private fun <T> writePicture(region: Region, render: (RowSink) -> T): T {
-        if (picture != null) return writeFile(picture, region, render)
-        return PngSink(streams.output, region.width, region.height).use(render)
+    private fun <T> writePicture(frame: Frame, render: (RowSink) -> T): T {
+        // Before an opaque background every sample of a scene is opaque
+        val alpha = if (frame.raster.background.alpha >= 1f) AlphaChannel.DROP else AlphaChannel.KEEP
+        if (picture != null) return writeFile(picture, frame.region, alpha, render)
+        return PngSink(streams.output, frame.width, frame.height, alpha).use(render)
     }
 
     private fun <T> writeDepth(region: Region, render: (RowSink?) -> T): T {
         val path = request.depthOutput ?: return render(null)
-        return writeFile(path, region, render)
+        return writeFile(path, region, AlphaChannel.DROP, render)
     }
 
-    private fun <T> writeFile(path: Path, region: Region, render: (RowSink) -> T): T =
-        ImageFiles.write(path, region.width, region.height) { sink -> render(Blaming(path, sink)) }
+    private fun <T> writeFile(path: Path, region: Region, alpha: AlphaChannel, render: (RowSink) -> T): T =
+        ImageFiles.write(path, region.width, region.height, alpha = alpha) { sink -> render(Blaming(path, sink)) }
 
     /** Tells a person what was written. */
     fun describe(region: Region) {

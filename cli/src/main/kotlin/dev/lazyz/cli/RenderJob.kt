@@ -19,7 +19,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         // Render to all outputs at once
         streams.progress("rendering ${frame.primitives.size} primitives with ${strategy.id} ...")
         val tally = Tally(frame.width, request.stats != null)
-        val counters = outputs.write(frame.region, tally) { sink -> strategy.render(frame, sink) }
+        val counters = outputs.write(frame, tally) { sink -> strategy.render(frame, sink) }
         val nanoseconds = System.nanoTime() - start
 
         // Tell

@@ -36,7 +36,7 @@ internal class PlanarSetUp(camera: Camera, viewport: Viewport, private val light
         val exceptions = ArrayList<IndexedValue<Primitive>>()
         val isOneSided = mesh.material.sides == Sides.FRONT
         if (snapped.isOutside != null || isOneSided) {
-            val bits = LongArray((mesh.triangleCount - 1 ushr TriangleBatch.WORD_SHIFT) + 1)
+            val bits = LongArray(mesh.triangleCount + Long.SIZE_BITS - 1 ushr TriangleBatch.WORD_SHIFT)
             val face = face(mesh)
             val vertices = Vertices(3)
             for (triangle in 0 until mesh.triangleCount) {

@@ -3,6 +3,7 @@ package dev.lazyz.jmh;
 import dev.lazyz.Image;
 import dev.lazyz.PixelHash;
 import dev.lazyz.jmh.workload.Workloads;
+import dev.lazyz.scenes.writers.BufferedImages;
 import dev.lazyz.scenes.writers.Images;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -23,7 +24,7 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** What it costs to write a finished picture to a PNG file. */
+/** What it costs to write a finished picture to a PNG file, beside what Java's own writer takes for the same pixels. */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
 @Fork(1)
@@ -40,12 +41,14 @@ public class PngBenchmark {
     public int side;
 
     private Image image;
+    private BufferedImage picture;
     private Path file;
 
     /** Renders the picture, and refuses to measure a writer whose file holds another one. */
     @Setup
     public void setUp() throws IOException {
         image = PictureCheck.renderer("zbuffer").render(Workloads.scene(scene).frame(side, side));
+        picture = opaque(image);
         file = Files.createTempFile("lazyz-", ".png");
         PictureCheck.verify(hash(write()), image.pixelHash(), "the file");
     }
@@ -61,6 +64,20 @@ public class PngBenchmark {
     public Path write() throws IOException {
         Images.writePng(image, file);
         return file;
+    }
+
+    /** Writes the same file with javax.imageio. */
+    @Benchmark
+    public Path imageIo() throws IOException {
+        ImageIO.write(picture, "png", file.toFile());
+        return file;
+    }
+
+    /** As few channels as the project's writer needs. */
+    private static BufferedImage opaque(Image image) {
+        BufferedImage picture = new BufferedImage(image.getWidth(), image.getHeight(), BufferedImage.TYPE_3BYTE_BGR);
+        picture.createGraphics().drawImage(BufferedImages.toBufferedImage(image), 0, 0, null);
+        return picture;
     }
 
     private static String hash(Path file) throws IOException {

@@ -13,25 +13,35 @@ import java.nio.file.Path
 
 /** From a file or a stream to the parser of its format. */
 internal object SceneReading {
-    /** An array cannot be longer, nor can a file be read that leaves no memory for what is in it. */
-    private val maxBytes: Long get() = minOf(Int.MAX_VALUE - 16L, Runtime.getRuntime().maxMemory() / 4)
+    /** Bytes that the system is asked for at a time. */
+    private const val PIECE = 1 shl 20
 
     /** Reads a file of the given format, or of the one that its content looks like. */
-    fun read(path: Path, format: SceneFormat?): LoadedScene {
+    fun read(path: Path, format: SceneFormat?, limits: LoadLimits): LoadedScene {
+        val folder = path.toAbsolutePath().parent
+        return read(path, format, Loading(limits), folder)
+    }
+
+    /** Reads a file as a part of a larger reading, whose references must not lead out of [root]. */
+    fun read(path: Path, format: SceneFormat?, loading: Loading, root: Path?): LoadedScene {
         val name = path.toString()
-        val source = Source(bytes(path, name), name, path.toAbsolutePath().parent)
+        val source = Source(bytes(path, name, format), name, path.toAbsolutePath().parent, loading, root)
         return parse(source, format ?: sniffed(source))
     }
 
-    fun read(input: InputStream, format: SceneFormat, name: String, folder: Path?): LoadedScene {
-        val limit = maxBytes.toInt()
+    fun read(
+        input: InputStream,
+        format: SceneFormat,
+        name: String,
+        folder: Path?,
+        limits: LoadLimits,
+    ): LoadedScene {
         val bytes = try {
-            input.readNBytes(limit)
+            bytes(input, 0, name, format)
         } catch (e: IOException) {
             throw SceneFormatException(name, null, "cannot be read: ${e.message ?: e}", cause = e)
         }
-        if (bytes.size == limit) throw tooLarge(name, "$limit bytes or more")
-        return parse(Source(bytes, name, folder), format)
+        return parse(Source(bytes, name, folder, Loading(limits)), format)
     }
 
     private fun parse(source: Source, format: SceneFormat): LoadedScene {
@@ -46,17 +56,16 @@ internal object SceneReading {
         return LoadedScene(parser.parse(source), source.warnings.toList())
     }
 
-    private fun bytes(path: Path, name: String): ByteArray {
+    private fun bytes(path: Path, name: String, format: SceneFormat?): ByteArray {
         if (!Files.exists(path)) throw SceneFormatException(name, null, "there is no such file", "check the name")
         if (Files.isDirectory(path)) throw SceneFormatException(name, null, "is a folder", "name a file in it")
+        if (!Files.isRegularFile(path)) {
+            throw SceneFormatException(name, null, "is a pipe or a device, not a file", "send its bytes as a stream")
+        }
         try {
             val size = Files.size(path)
-            if (size > maxBytes) throw tooLarge(name, "$size bytes")
-
-            // A device or a pipe has no size: stop before it fills the memory
-            val bytes = Files.newInputStream(path).use { it.readNBytes(maxBytes.toInt()) }
-            if (bytes.size > size && bytes.size.toLong() == maxBytes) throw tooLarge(name, "it does not end")
-            return bytes
+            if (size > mostBytes(format)) throw tooLarge(name, size, format)
+            return Files.newInputStream(path).use { bytes(it, size.toInt(), name, format) }
         } catch (e: AccessDeniedException) {
             throw SceneFormatException(name, null, "cannot be read: permission denied", "ask for permission", e)
         } catch (e: IOException) {
@@ -64,12 +73,36 @@ internal object SceneReading {
         }
     }
 
-    private fun tooLarge(name: String, size: String): SceneFormatException =
-        SceneFormatException(name, null, "is too large: $size, at most $maxBytes fit", "raise -Xmx, or split it")
+    /** Reads all of [input]: the [expected] bytes straight into their array, and what a stream has besides. */
+    private fun bytes(input: InputStream, expected: Int, name: String, format: SceneFormat?): ByteArray {
+        val bytes = ByteArray(expected)
+        var count = 0
+        while (count < expected) {
+            val read = input.read(bytes, count, minOf(PIECE, expected - count))
+            if (read < 0) return bytes.copyOf(count)
+            count += read
+        }
+        val room = mostBytes(format) - expected
+        val rest = input.readNBytes(room.toInt() + 1)
+        if (rest.size > room) throw tooLarge(name, expected + rest.size.toLong(), format)
+        return if (rest.isEmpty()) bytes else bytes + rest
+    }
 
-    private fun sniffed(source: Source): SceneFormat = FormatSniffer.format(source.bytes) ?: run {
+    /** Most bytes of a file of [format]: an array must hold them, and the memory what becomes of them. */
+    private fun mostBytes(format: SceneFormat?): Long =
+        minOf(Int.MAX_VALUE - 16L, Runtime.getRuntime().maxMemory() / LoadingMemory.perByte(format))
+
+    private fun tooLarge(name: String, size: Long, format: SceneFormat?): SceneFormatException {
+        val problem = "is too large: $size bytes, at most ${mostBytes(format)} fit"
+        return SceneFormatException(name, null, problem, "raise -Xmx, or split it")
+    }
+
+    private fun sniffed(source: Source): SceneFormat {
         if (source.bytes.isEmpty()) source.fail(null, "is empty", "check that it was written completely")
         val known = SceneFormat.entries.flatMap { it.extensions }.joinToString { ".$it" }
-        source.fail(null, "is of no known format", "known are $known")
+        val format =
+            FormatSniffer.format(source.bytes) ?: source.fail(null, "is of no known format", "known are $known")
+        if (source.bytes.size > mostBytes(format)) throw tooLarge(source.name, source.bytes.size.toLong(), format)
+        return format
     }
 }

@@ -28,11 +28,16 @@ public object Scenes {
      * The ending of the name decides on the format; a name with no ending, or an unknown one, is decided by the first
      * bytes. Cost: linear in the size of the file, which must fit into memory and be below 2 GB.
      *
-     * @throws SceneFormatException if the file is missing, empty, a folder, too large, unreadable, of no known format,
-     * or not what its format says
+     * Files that it refers to are read with it, as [LoadLimits.references] of [limits] allows.
+     *
+     * @param limits how much the file may ask for
+     * @throws SceneFormatException if the file is missing, empty, a folder, a pipe, too large, unreadable, of no known
+     * format, not what its format says, or beyond one of the [limits]
      */
     @JvmStatic
-    public fun load(path: Path): LoadedScene = SceneReading.read(path, SceneFormat.ofFileName(path.toString()))
+    @JvmOverloads
+    public fun load(path: Path, limits: LoadLimits = LoadLimits()): LoadedScene =
+        SceneReading.read(path, SceneFormat.ofFileName(path.toString()), limits)
 
     /**
      * Reads the scene in a file of the given format, whatever its name.
@@ -40,7 +45,9 @@ public object Scenes {
      * @throws SceneFormatException as above
      */
     @JvmStatic
-    public fun load(path: Path, format: SceneFormat): LoadedScene = SceneReading.read(path, format)
+    @JvmOverloads
+    public fun load(path: Path, format: SceneFormat, limits: LoadLimits = LoadLimits()): LoadedScene =
+        SceneReading.read(path, format, limits)
 
     /**
      * Reads the scene in a stream, up to its end; does not close it.
@@ -48,7 +55,9 @@ public object Scenes {
      * @param name what messages call it
      * @param folder where the files that it refers to are, or null if there are none; references to others are
      * reported as missing
-     * @throws SceneFormatException if the stream fails, is empty, too large, or not what [format] says
+     * @param limits how much the stream may ask for
+     * @throws SceneFormatException if the stream fails, is empty, too large, not what [format] says, or beyond one of the
+     * [limits]
      */
     @JvmStatic
     @JvmOverloads
@@ -57,7 +66,8 @@ public object Scenes {
         format: SceneFormat,
         name: String = "<stream>",
         folder: Path? = null,
-    ): LoadedScene = SceneReading.read(input, format, name, folder)
+        limits: LoadLimits = LoadLimits(),
+    ): LoadedScene = SceneReading.read(input, format, name, folder, limits)
 
     /**
      * Returns the Utah teapot; see [Builtin].

@@ -60,7 +60,10 @@ class ScenesTest {
     fun aSceneFileNamesItsMeshesRelativeToItself() {
         val inner = Files.createDirectory(folder.resolve("inner"))
         val missing = Files.writeString(inner.resolve("a.json"), sceneWith("b.obj"))
-        assertEquals("${inner.resolve("b.obj")}: there is no such file; check the name", message(missing))
+        assertEquals(
+            "$missing, surfaces[0].mesh: the file b.obj is missing; put it into $inner",
+            message(missing),
+        )
         val absolute = Files.writeString(inner.resolve("c.json"), sceneWith("/b.obj"))
         assertEquals(
             "$absolute, surfaces[0].mesh: must be relative to the scene file: /b.obj",

@@ -15,7 +15,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** A hilly landscape, written as a file of any of the formats OBJ, binary STL and GLB. */
+/** A hilly landscape, written as a file of any of the formats OBJ, binary STL, binary PLY and GLB. */
 public final class MeshFiles {
     private static final int JSON_CHUNK = 0x4E4F534A;
     private static final int BINARY_CHUNK = 0x004E4942;
@@ -69,15 +69,16 @@ public final class MeshFiles {
     /**
      * Writes the landscape in the format that the file's name ends in.
      *
-     * @throws IllegalArgumentException if the name ends in none of {@code .obj}, {@code .stl} and {@code .glb}
+     * @throws IllegalArgumentException if the name ends in none of {@code .obj}, {@code .stl}, {@code .ply} and {@code .glb}
      */
     public void write(Path file) throws IOException {
         String name = file.toString();
         switch (name.substring(name.lastIndexOf('.') + 1)) {
             case "obj" -> Files.writeString(file, obj());
             case "stl" -> Files.write(file, stl());
+            case "ply" -> Files.write(file, ply());
             case "glb" -> Files.write(file, glb());
-            default -> throw new IllegalArgumentException("neither .obj, .stl nor .glb: " + file);
+            default -> throw new IllegalArgumentException("neither .obj, .stl, .ply nor .glb: " + file);
         }
     }
 
@@ -105,6 +106,34 @@ public final class MeshFiles {
                 }
             }
             bytes.putShort((short) 0);
+        }
+        return bytes.array();
+    }
+
+    private byte[] ply() {
+        String header = """
+                ply
+                format binary_little_endian 1.0
+                element vertex %d
+                property float x
+                property float y
+                property float z
+                element face %d
+                property list uchar int vertex_indices
+                end_header
+                """.formatted(positions.length / 3, triangles.length / 3);
+        byte[] text = header.getBytes(StandardCharsets.US_ASCII);
+        int faceBytes = 1 + 3 * Integer.BYTES;
+        ByteBuffer bytes = littleEndian(text.length + Float.BYTES * positions.length + faceBytes * triangles.length / 3);
+        bytes.put(text);
+        for (float position : positions) {
+            bytes.putFloat(position);
+        }
+        for (int i = 0; i < triangles.length; i++) {
+            if (i % 3 == 0) {
+                bytes.put((byte) 3);
+            }
+            bytes.putInt(triangles[i]);
         }
         return bytes.array();
     }

@@ -4,6 +4,7 @@ import dev.lazyz.Scene
 import dev.lazyz.Surface
 import dev.lazyz.scenes.Builtin
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.scenefile.JsonNode
 
 /** The list of the built-in scenes, and how scene files ask for them. */
@@ -37,8 +38,11 @@ internal object Builtins {
 
     fun layers(count: Int): Scene = LayersScene.scene(count)
 
-    /** Returns the surfaces of the scene called [id], with the parameters that a scene file gives it. */
-    fun surfaces(node: JsonNode, id: String, parameters: Map<String, JsonNode>): List<Surface> {
+    /**
+     * Returns the surfaces of the scene called [id], with the parameters that a scene file gives it; [source] is that
+     * file.
+     */
+    fun surfaces(source: Source, node: JsonNode, id: String, parameters: Map<String, JsonNode>): List<Surface> {
         val builtin = all.firstOrNull { it.id == id }
             ?: node.fail("there is no built-in scene \"$id\"", "known: ${all.joinToString { it.id }}")
         val known = when (id) {
@@ -50,15 +54,27 @@ internal object Builtins {
         for ((key, value) in parameters) {
             if (key !in known) value.fail("\"$id\" has no parameter \"$key\"", "remove it")
         }
+        val size = parameters[known.firstOrNull()]?.integer()
+        val triangles = triangles(id, size)
+        source.loading.triangles(source, triangles)
+        source.loading.vertices(source, triangles)
         if (parameters.isEmpty()) return builtin.scene().surfaces
         return node.checked {
             when (id) {
-                "teapot" -> teapot(parameters["segments"]?.integer() ?: TEAPOT_SEGMENTS)
-                "city" -> city(parameters["blocks"]?.integer() ?: CITY_BLOCKS, parameters["seed"]?.long() ?: 1)
-                else -> layers(parameters["count"]?.integer() ?: LAYERS)
+                "teapot" -> teapot(size ?: TEAPOT_SEGMENTS)
+                "city" -> city(size ?: CITY_BLOCKS, parameters["seed"]?.long() ?: 1)
+                else -> layers(size ?: LAYERS)
             }.surfaces
         }
     }
+
+    /** How many triangles a scene of a [size] has; none are counted of those that have few. */
+    private fun triangles(id: String, size: Int?): Long = when (id) {
+        "teapot" -> (size ?: TEAPOT_SEGMENTS).toLong().let { 64 * it * it - 8 * it }
+        "city" -> (size ?: CITY_BLOCKS).toLong().let { 40 * it * it }
+        "layers" -> 2L * (size ?: LAYERS)
+        else -> 0
+    }.coerceAtLeast(0)
 
     private const val TEAPOT_SEGMENTS = 16
     private const val CITY_BLOCKS = 12

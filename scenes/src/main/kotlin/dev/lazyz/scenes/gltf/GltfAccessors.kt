@@ -2,21 +2,14 @@ package dev.lazyz.scenes.gltf
 
 import de.javagl.jgltf.impl.v2.Accessor
 import de.javagl.jgltf.impl.v2.AccessorSparse
-import de.javagl.jgltf.model.AccessorByteData
-import de.javagl.jgltf.model.AccessorData
-import de.javagl.jgltf.model.AccessorDatas
-import de.javagl.jgltf.model.AccessorFloatData
-import de.javagl.jgltf.model.AccessorIntData
-import de.javagl.jgltf.model.AccessorShortData
-import de.javagl.jgltf.model.Accessors
 import de.javagl.jgltf.model.ElementType
 import de.javagl.jgltf.model.GltfConstants
 
 /**
  * Reads accessors (section 3.6.2) into arrays, each once.
  *
- * jgltf finds and decodes the numbers; that they lie within their buffer view is checked here before anything is
- * allocated. Sparse accessors (3.6.2.3) are put together here, because jgltf passes over the base's offset and stride.
+ * That the numbers lie within their buffer view is checked before anything is allocated. Sparse accessors (3.6.2.3) are
+ * put together here.
  */
 internal class GltfAccessors(private val document: GltfDocument) {
     private val floats = HashMap<Int, FloatArray>()
@@ -49,7 +42,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
         }
         if (accessor.sparse != null) document.fail("$here.sparse", "vertex numbers must not be sparse")
         val data = dense(accessor, index, ElementType.SCALAR) ?: return IntArray(count(accessor, here))
-        return IntArray(data.numElements) { whole(data, it) }
+        return IntArray(count(accessor, here), data::whole)
     }
 
     private fun read(accessor: Accessor, index: Int, type: ElementType): FloatArray {
@@ -57,9 +50,12 @@ internal class GltfAccessors(private val document: GltfDocument) {
         val isNormalized = accessor.isNormalized == true
         val data = dense(accessor, index, type)
         val count = count(accessor, "accessors[$index]")
+        document.source.loading.vertices(document.source, count.toLong())
         val result = FloatArray(count * width)
         if (data != null) {
-            for (i in result.indices) result[i] = number(data, i / width, i % width, isNormalized)
+            for (element in 0 until count) {
+                for (i in 0 until width) result[element * width + i] = data.number(element, i, isNormalized)
+            }
         }
         accessor.sparse?.let { substitute(it, accessor, index, type, result) }
         return result
@@ -86,16 +82,16 @@ internal class GltfAccessors(private val document: GltfDocument) {
         val from = data(places.bufferView, places.byteOffset, placeType, changes, ElementType.SCALAR, "$here.indices")
         val to = data(values.bufferView, values.byteOffset, componentType, changes, type, "$here.values")
         for (change in 0 until changes) {
-            val place = whole(from, change)
+            val place = from.whole(change)
             if (place !in 0 until count) {
                 document.fail("$here.indices", "element $change is $place, but there are $count elements")
             }
-            for (i in 0 until width) result[place * width + i] = number(to, change, i, isNormalized)
+            for (i in 0 until width) result[place * width + i] = to.number(change, i, isNormalized)
         }
     }
 
     /** Returns the numbers in the buffer view, or null if there is none and all are 0. */
-    private fun dense(accessor: Accessor, index: Int, type: ElementType): AccessorData? {
+    private fun dense(accessor: Accessor, index: Int, type: ElementType): GltfNumbers? {
         val here = "accessors[$index]"
         val count = count(accessor, here)
         if (accessor.bufferView == null) {
@@ -116,19 +112,18 @@ internal class GltfAccessors(private val document: GltfDocument) {
         type: ElementType,
         where: String,
         byteStride: Int? = null,
-    ): AccessorData {
+    ): GltfNumbers {
         val bytes = document.view(view, "$where.bufferView")
-        if (componentType !in COMPONENT_TYPES) {
-            document.fail("$where.componentType", "$componentType is no type of numbers")
-        }
+        val componentSize = GltfNumbers.sizeOf(componentType)
+            ?: document.fail("$where.componentType", "$componentType is no type of numbers")
         val offset = byteOffset ?: 0
-        val size = type.numComponents * Accessors.getNumBytesForAccessorComponentType(componentType)
+        val size = type.numComponents * componentSize
         val stride = byteStride?.takeIf { it != 0 } ?: size
         val end = if (count == 0) 0L else offset + (count - 1L) * stride + size
         if (offset < 0 || stride < size || end > bytes.capacity()) {
             document.fail(where, "$count elements end at byte $end of a buffer view of ${bytes.capacity()} bytes")
         }
-        return AccessorDatas.create(componentType, bytes, offset, count, type, stride)
+        return GltfNumbers(bytes, componentType, componentSize, offset, stride)
     }
 
     private fun count(accessor: Accessor, here: String): Int =
@@ -141,38 +136,8 @@ internal class GltfAccessors(private val document: GltfDocument) {
         ElementType.forString(accessor.type)
             ?: document.fail("accessors[$index].type", "${accessor.type} is no type of elements")
 
-    private fun whole(data: AccessorData, element: Int): Int = when (data) {
-        is AccessorByteData -> data.getInt(element, 0)
-        is AccessorShortData -> data.getInt(element, 0)
-        is AccessorIntData -> data.get(element, 0).let { if (it < 0) -1 else it }
-        else -> -1
-    }
-
-    private fun number(data: AccessorData, element: Int, component: Int, isNormalized: Boolean): Float = when (data) {
-        is AccessorFloatData -> data.get(element, component)
-        is AccessorByteData -> {
-            fraction(data.getInt(element, component), if (data.isUnsigned) 255f else 127f, isNormalized)
-        }
-        is AccessorShortData -> {
-            fraction(data.getInt(element, component), if (data.isUnsigned) 65535f else 32767f, isNormalized)
-        }
-        is AccessorIntData -> data.getLong(element, component).toFloat()
-        else -> 0f
-    }
-
-    private fun fraction(number: Int, most: Float, isNormalized: Boolean): Float =
-        if (isNormalized) maxOf(number / most, -1f) else number.toFloat()
-
     private companion object {
         /** Most elements of an accessor that only says how many zeros there are: a few bytes could ask for much. */
         const val MAX_ZEROS = 1 shl 20
-        val COMPONENT_TYPES = setOf(
-            GltfConstants.GL_BYTE,
-            GltfConstants.GL_UNSIGNED_BYTE,
-            GltfConstants.GL_SHORT,
-            GltfConstants.GL_UNSIGNED_SHORT,
-            GltfConstants.GL_UNSIGNED_INT,
-            GltfConstants.GL_FLOAT,
-        )
     }
 }

@@ -6,7 +6,6 @@ import dev.lazyz.scenes.images.FileReferences
 import java.net.URLDecoder
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
-import java.nio.file.Path
 import java.util.Base64
 
 /**
@@ -62,16 +61,18 @@ internal class GltfDocument(val source: Source, val json: GlTF, private val bina
 
     private fun resolve(uri: String, where: String): ByteArray {
         if (isData(uri)) return data(uri) ?: fail(where, "the data URI is not in Base64")
-        if (source.folder == null) {
-            source.fail(where, "the file $uri cannot be looked up for a stream", "load from a file, or export as GLB")
-        }
-        return file(uri)?.let { FileReferences.read(it) }
-            ?: source.fail(where, "the file $uri is missing or cannot be read", "put it into ${source.folder}")
+        val found = find(uri)
+        val file = found.file ?: source.fail(where, "the file $uri ${found.problem}", found.remedy)
+        val bytes = FileReferences.read(file) ?: source.fail(where, "the file $uri cannot be read", "check permissions")
+        source.loading.read(bytes.size)
+        return bytes
     }
 
-    /** Returns the file that [uri] stands for, with `%20` and the like decoded, or null if it is missing. */
-    fun file(uri: String): Path? =
-        FileReferences.find(source.folder, decoded(uri)) ?: FileReferences.find(source.folder, uri)
+    /** Returns the file that [uri] stands for, with `%20` and the like decoded. */
+    fun find(uri: String): FileReferences.Found {
+        val found = source.references.find(decoded(uri))
+        return if (found.file != null) found else source.references.find(uri)
+    }
 
     private fun decoded(uri: String): String = try {
         URLDecoder.decode(uri.replace("+", "%2B"), Charsets.UTF_8)

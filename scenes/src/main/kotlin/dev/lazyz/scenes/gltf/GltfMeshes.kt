@@ -25,7 +25,13 @@ internal class GltfMeshes(private val document: GltfDocument) {
                 primitive(document.element(primitives, i, "meshes[$index].primitives", where), where)
             }
         }
-        return if (NodeTransforms.isIdentity(placed.toWorld)) own else own.map { it.transformed(placed.toWorld) }
+        return if (NodeTransforms.isIdentity(placed.toWorld)) own else own.map { moved(it, placed) }
+    }
+
+    /** A mesh takes memory again wherever it is placed. */
+    private fun moved(mesh: Mesh, placed: PlacedNode): Mesh {
+        document.source.loading.vertices(document.source, mesh.positions.size / 3L)
+        return mesh.transformed(placed.toWorld)
     }
 
     private fun primitive(primitive: MeshPrimitive, where: String): Mesh? {
@@ -86,6 +92,8 @@ internal class GltfMeshes(private val document: GltfDocument) {
         if (mode == GltfTriangles.TRIANGLES && indices.size % 3 != 0) {
             document.warn("$where: vertex numbers are not triples; the last ${indices.size % 3} are left out")
         }
+        val triangles = if (mode == GltfTriangles.TRIANGLES) indices.size / 3 else maxOf(indices.size - 2, 0)
+        document.source.loading.triangles(document.source, triangles.toLong())
         return GltfTriangles.of(mode, indices)
     }
 }

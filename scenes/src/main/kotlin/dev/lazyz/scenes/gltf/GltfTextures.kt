@@ -5,7 +5,6 @@ import de.javagl.jgltf.model.GltfConstants
 import dev.lazyz.Texture
 import dev.lazyz.TextureFilter
 import dev.lazyz.TextureWrap
-import dev.lazyz.scenes.images.FileReferences
 import dev.lazyz.scenes.images.TextureFiles
 
 /**
@@ -15,7 +14,8 @@ import dev.lazyz.scenes.images.TextureFiles
  * warning. An image that is missing or cannot be decoded gives a warning and no texture.
  */
 internal class GltfTextures(private val document: GltfDocument) {
-    private val images = HashMap<Int, Texture?>()
+    /** By the place of their bytes, which images may share: the number of a buffer view, or a URI. */
+    private val images = HashMap<Any, Texture?>()
 
     /** Returns texture number [index], which [where] refers to. */
     fun texture(index: Int?, where: String): Texture? {
@@ -26,7 +26,7 @@ internal class GltfTextures(private val document: GltfDocument) {
             return null
         }
         val image = document.element(document.json.images, source, "images", "textures[$index].source")
-        val decoded = images.getOrPut(source) { decode(image, source) } ?: return null
+        val decoded = images.getOrPut(image.bufferView ?: image.uri ?: image) { decode(image, source) } ?: return null
         if (texture.sampler == null) return decoded
         val sampler = document.element(document.json.samplers, texture.sampler, "samplers", "textures[$index].sampler")
         val isNearest = sampler.magFilter == GltfConstants.GL_NEAREST
@@ -47,28 +47,37 @@ internal class GltfTextures(private val document: GltfDocument) {
     }
 
     private fun decode(image: Image, index: Int): Texture? {
-        val name = image.name ?: image.uri?.takeUnless(document::isData) ?: "images[$index]"
-        val bytes = bytes(image, index) ?: return null
-        val texture = TextureFiles.decode(bytes, name)
-        if (texture == null) document.warn("images[$index] cannot be decoded and is left out; save it as PNG or JPEG")
+        val uri = image.uri
+        if (image.bufferView == null && uri != null && !document.isData(uri)) return file(uri, index)
+        val bytes = bytes(image, index)
+        if (bytes == null) {
+            document.warn("images[$index] is missing and is left out")
+            return null
+        }
+        val texture = TextureFiles.decode(document.source, bytes, image.name ?: "images[$index]")
+        if (texture == null) document.warn("images[$index] $NOT_DECODED")
         return texture
     }
 
+    private fun file(uri: String, index: Int): Texture? {
+        val found = document.find(uri)
+        if (found.file == null) {
+            document.warn("images[$index] ($uri) ${found.warning}")
+            return null
+        }
+        val texture = TextureFiles.ofFile(document.source, found.file)
+        if (texture == null) document.warn("images[$index] ($uri) $NOT_DECODED")
+        return texture
+    }
+
+    /** The bytes that are in the model itself. */
     private fun bytes(image: Image, index: Int): ByteArray? {
-        val uri = image.uri
-        if (image.bufferView != null) {
-            val view = document.view(image.bufferView, "images[$index].bufferView")
-            return ByteArray(view.capacity()).also { view.get(it) }
-        }
-        val bytes = when {
-            uri == null -> null
-            document.isData(uri) -> document.data(uri)
-            else -> document.file(uri)?.let { FileReferences.read(it) }
-        }
-        if (bytes == null) {
-            val shown = if (uri == null || document.isData(uri)) "" else " ($uri)"
-            document.warn("images[$index]$shown is missing and left out")
-        }
-        return bytes
+        if (image.bufferView == null) return image.uri?.let { document.data(it) }
+        val view = document.view(image.bufferView, "images[$index].bufferView")
+        return ByteArray(view.capacity()).also { view.get(it) }
+    }
+
+    private companion object {
+        const val NOT_DECODED = "cannot be decoded and is left out; save it as PNG or JPEG"
     }
 }

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.images
 
 import dev.lazyz.Texture
+import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Source
 import java.io.ByteArrayInputStream
 import java.io.IOException
@@ -15,8 +16,8 @@ import javax.imageio.stream.MemoryCacheImageInputStream
  * makes of it, which need not be the same on every JDK.
  */
 internal object TextureFiles {
-    /** Most texels of a texture: 16384 x 16384, a gigabyte. */
-    private const val MAX_TEXELS = 1L shl 28
+    /** An array cannot be longer. */
+    private const val MAX_TEXELS = Int.MAX_VALUE - 8L
 
     /**
      * Most texels a byte of a file can stand for. Compression ends near 1032:1 for PNG (RFC 1951), 8 texels of 1 bit a
@@ -24,9 +25,14 @@ internal object TextureFiles {
      */
     private const val MAX_TEXELS_PER_BYTE = 16384L
 
-    /** Returns the picture in [bytes] as a texture called [name], or null if it cannot be decoded. */
-    fun decode(bytes: ByteArray, name: String): Texture? = try {
-        read(JpegProfile.remove(bytes), name)
+    /**
+     * Returns the picture in [bytes], which [source] holds or refers to, as a texture called [name]; null if it cannot be
+     * decoded.
+     */
+    fun decode(source: Source, bytes: ByteArray, name: String): Texture? = try {
+        read(source, JpegProfile.remove(bytes), name)
+    } catch (tooLarge: SceneFormatException) {
+        throw tooLarge
     } catch (_: IOException) {
         null
     } catch (_: RuntimeException) {
@@ -38,28 +44,33 @@ internal object TextureFiles {
     }
 
     /**
-     * Returns the texture in the file that [reference] stands for, see [FileReferences]; null, with a warning, if the
-     * file is missing or cannot be decoded.
+     * Returns the texture in the file that [reference] stands for, looked for in [folders]; null, with a warning, if there
+     * is no such file or it cannot be decoded. A file is decoded once, however it is spelt.
      */
-    fun find(source: Source, reference: String): Texture? = find(source, listOfNotNull(source.folder), reference)
-
-    /** As the other, but looks through [folders] in order. */
-    fun find(source: Source, folders: List<Path>, reference: String): Texture? {
-        if (folders.isEmpty()) {
-            source.warn("texture $reference is left out, for a stream has no folder; load from a file instead")
+    fun find(source: Source, reference: String, folders: List<Path> = listOfNotNull(source.folder)): Texture? {
+        val found = source.references.find(reference, folders)
+        if (found.file == null) {
+            source.warn("texture $reference ${found.warning}")
             return null
         }
-        val file = folders.firstNotNullOfOrNull { FileReferences.find(it, reference) }
-        if (file == null) {
-            source.warn("texture $reference is missing and left out; put it into ${folders.last()}")
-            return null
-        }
-        val texture = FileReferences.read(file)?.let { decode(it, file.fileName.toString()) }
+        val texture = ofFile(source, found.file)
         if (texture == null) source.warn("texture $reference cannot be decoded and is left out; save it as PNG or JPEG")
         return texture
     }
 
-    private fun read(bytes: ByteArray, name: String): Texture? =
+    /** Returns the texture in [file], or null if it cannot be read or decoded. */
+    fun ofFile(source: Source, file: Path): Texture? {
+        val textures = source.loading.textures
+        val key = file.toRealPath()
+        if (key !in textures) {
+            val bytes = FileReferences.read(file)
+            bytes?.let { source.loading.read(it.size) }
+            textures[key] = bytes?.let { decode(source, it, file.fileName.toString()) }
+        }
+        return textures[key]
+    }
+
+    private fun read(source: Source, bytes: ByteArray, name: String): Texture? =
         MemoryCacheImageInputStream(ByteArrayInputStream(bytes)).use { stream ->
             val readers = ImageIO.getImageReaders(stream)
             if (!readers.hasNext()) return null
@@ -70,6 +81,7 @@ internal object TextureFiles {
                 val height = reader.getHeight(0)
                 val texels = width.toLong() * height
                 if (texels > MAX_TEXELS || texels > bytes.size * MAX_TEXELS_PER_BYTE) return null
+                source.loading.texels(source, texels)
                 Texture(width, height, Texels.of(reader.read(0)), name = name)
             } finally {
                 reader.dispose()

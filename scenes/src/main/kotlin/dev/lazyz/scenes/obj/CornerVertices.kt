@@ -1,43 +1,39 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.scenes.triangulation.Ints
+import dev.lazyz.DistinctTriples
 
 /**
  * Numbers the different corners of faces: two corners with the same position, texture coordinate and normal are one
- * vertex. A chain of vertices hangs on each position. Not thread safe.
+ * vertex. Not thread safe.
  *
- * @param positionCount how many positions the file has
+ * @param expected how many vertices to make room for
  */
-internal class CornerVertices(positionCount: Int) {
-    private val firstAt = IntArray(positionCount) { -1 }
-    private val next = Ints()
+internal class CornerVertices(expected: Int) {
+    private val corners = DistinctTriples(expected)
 
-    /** By vertex: numbers of its position, texture coordinate and normal; -1 for none. */
-    val positions = Ints()
-    val textures = Ints()
-    val normals = Ints()
+    /** How many vertices there are. */
+    val size: Int get() = corners.size
 
-    /** Returns the number of the vertex of this corner, a new one if there is none yet. */
-    fun vertex(position: Int, texture: Int, normal: Int): Int {
-        var vertex = firstAt[position]
-        while (vertex >= 0) {
-            if (textures[vertex] == texture && normals[vertex] == normal) return vertex
-            vertex = next[vertex]
+    /** Returns the number of the vertex of this corner, a new one if there is none yet; -1 stands for what it has not. */
+    fun vertex(position: Int, texture: Int, normal: Int): Int = corners.add(position, texture, normal)
+
+    fun position(vertex: Int): Int = corners.get(vertex, 0)
+
+    /** Returns x, y, z of each vertex out of those of all positions. */
+    fun positions(from: FloatArray): FloatArray = gather(from, 0, 3)
+
+    /** Returns u, v of each vertex out of those of all texture coordinates; 0 where it has none. */
+    fun textures(from: FloatArray): FloatArray = gather(from, 1, 2)
+
+    /** Returns x, y, z of each vertex out of those of all normals. */
+    fun normals(from: FloatArray): FloatArray = gather(from, 2, 3)
+
+    private fun gather(from: FloatArray, place: Int, width: Int): FloatArray {
+        val result = FloatArray(width * size)
+        for (vertex in 0 until size) {
+            val number = corners.get(vertex, place)
+            if (number >= 0) from.copyInto(result, width * vertex, width * number, width * (number + 1))
         }
-        next.add(firstAt[position])
-        positions.add(position)
-        textures.add(texture)
-        normals.add(normal)
-        firstAt[position] = positions.size - 1
-        return positions.size - 1
-    }
-
-    /** Forgets all vertices. Cost: linear in their number. */
-    fun clear() {
-        for (vertex in 0 until positions.size) firstAt[positions[vertex]] = -1
-        next.clear()
-        positions.clear()
-        textures.clear()
-        normals.clear()
+        return result
     }
 }

@@ -13,7 +13,7 @@ internal data class Part(val objectNumber: Int, val material: String?, val isSmo
 
 /** The faces of an OBJ file in order, as plain arrays. Numbers count from 0, and -1 stands for none. */
 internal class FaceTable {
-    /** The different parts in the order of their first face. */
+    /** The different parts, in the order of the file. */
     val parts = ArrayList<Part>()
     private val partNumbers = HashMap<Part, Int>()
     private val starts = Ints()
@@ -28,16 +28,17 @@ internal class FaceTable {
     /** Number of faces. */
     val size: Int get() = starts.size
 
+    /** Returns the number of [part], a new one if it is not there yet. */
+    fun partNumber(part: Part): Int = partNumbers.getOrPut(part) {
+        parts.add(part)
+        parts.size - 1
+    }
+
     /** Begins a face that the file has on [line]; its corners are those that are added next. */
-    fun begin(part: Part, line: Int) {
+    fun begin(part: Int, line: Int) {
         starts.add(positions.size)
         lines.add(line)
-        partOfFace.add(
-            partNumbers.getOrPut(part) {
-                parts.add(part)
-                parts.size - 1
-            },
-        )
+        partOfFace.add(part)
     }
 
     fun addCorner(position: Int, texture: Int, normal: Int) {
@@ -46,10 +47,14 @@ internal class FaceTable {
         normals.add(normal)
     }
 
-    /** Returns the numbers of the corners of a face. */
-    fun corners(face: Int): IntRange = starts[face] until if (face + 1 < size) starts[face + 1] else positions.size
+    /** Returns the number of a face's first corner. */
+    fun start(face: Int): Int = starts[face]
 
-    fun part(face: Int): Part = parts[partOfFace[face]]
+    /** Returns the number behind that of a face's last corner. */
+    fun end(face: Int): Int = if (face + 1 < size) starts[face + 1] else positions.size
+
+    /** Returns the number of a face's part. */
+    fun part(face: Int): Int = partOfFace[face]
 
     fun line(face: Int): Int = lines[face]
 }

@@ -7,43 +7,58 @@ import dev.lazyz.scenes.triangulation.Ints
 /**
  * Takes a mesh apart into groups of its triangles, each with the vertices that it uses. Not thread safe.
  *
+ * @param whole its vertices are numbered in the order of their first use, and all are used
  * @param groupOf number of each triangle's group, 0 until [groupCount]
  */
-internal class MeshParts(private val whole: Mesh, groupOf: Ints, groupCount: Int) {
+internal class MeshParts(private val whole: Mesh, groupOf: Ints, private val groupCount: Int) {
     private val members = List(groupCount) { Ints() }
 
     /** By vertex of the whole: its number in the part at hand, or -1. */
-    private val newNumber = IntArray(whole.vertexCount) { -1 }
+    private val newNumber = IntArray(if (groupCount == 1) 0 else whole.vertexCount) { -1 }
 
     init {
-        for (triangle in 0 until whole.triangleCount) members[groupOf[triangle]].add(triangle)
+        if (groupCount > 1) {
+            for (triangle in 0 until whole.triangleCount) members[groupOf[triangle]].add(triangle)
+        }
     }
 
     /**
-     * Returns the triangles of [group], in order, with a material of their own. Texture coordinates, v upward so far,
-     * are scaled and moved as the material says and turned to v downward; unless [isTextured] they and the texture fall
-     * away.
+     * Returns the triangles of [group], in order, with a material of their own; call it once a group. Texture
+     * coordinates, v upward so far, are scaled and moved as the material says and turned to v downward; unless
+     * [isTextured] they and the texture fall away.
      */
     fun mesh(group: Int, material: MtlMaterial, isTextured: Boolean): Mesh {
+        val part = if (groupCount == 1) whole else part(group)
+        return Mesh(
+            part.positions,
+            part.triangles,
+            if (isTextured) material.material else material.material.withoutTexture(),
+            part.normals,
+            if (isTextured) part.uvs?.also { place(it, material) } else null,
+            part.colors,
+        )
+    }
+
+    private fun part(group: Int): Mesh {
         // Number the vertices anew in the order in which they are used
         val used = Ints()
-        val triangles = IntArray(3 * members[group].size) {
-            val vertex = whole.triangles[3 * members[group][it / 3] + it % 3]
+        val triangles = IntArray(3 * members[group].size)
+        for (i in triangles.indices) {
+            val vertex = whole.triangles[3 * members[group][i / 3] + i % 3]
             if (newNumber[vertex] < 0) {
                 newNumber[vertex] = used.size
                 used.add(vertex)
             }
-            newNumber[vertex]
+            triangles[i] = newNumber[vertex]
         }
         for (i in 0 until used.size) newNumber[used[i]] = -1
 
         return Mesh(
-            checkNotNull(gather(whole.positions, used, 3)),
+            gather(whole.positions, used, 3),
             triangles,
-            if (isTextured) material.material else material.material.withoutTexture(),
-            gather(whole.normals, used, 3),
-            if (isTextured) gather(whole.uvs, used, 2)?.also { place(it, material) } else null,
-            gather(whole.colors, used, 4),
+            normals = whole.normals?.let { gather(it, used, 3) },
+            uvs = whole.uvs?.let { gather(it, used, 2) },
+            colors = whole.colors?.let { gather(it, used, 4) },
         )
     }
 
@@ -54,6 +69,11 @@ internal class MeshParts(private val whole: Mesh, groupOf: Ints, groupCount: Int
         }
     }
 
-    private fun gather(array: FloatArray?, vertices: Ints, width: Int): FloatArray? =
-        array?.let { FloatArray(width * vertices.size) { i -> it[width * vertices[i / width] + i % width] } }
+    private fun gather(array: FloatArray, vertices: Ints, width: Int): FloatArray {
+        val result = FloatArray(width * vertices.size)
+        for (i in 0 until vertices.size) {
+            array.copyInto(result, width * i, width * vertices[i], width * (vertices[i] + 1))
+        }
+        return result
+    }
 }

@@ -22,21 +22,13 @@ internal class MtlLibrary(private val source: Source) {
 
     /** Reads the library that an `mtllib` statement names: one file whose name may contain spaces, or several. */
     fun add(reference: String) {
-        if (source.folder == null) {
-            source.warn("material library $reference is left out, for a stream has no folder; load from a file instead")
-            return
-        }
-        val whole = FileReferences.find(source.folder, reference)
-        if (whole != null) return read(whole)
+        val whole = source.references.find(reference)
+        if (whole.file != null) return read(whole.file)
         val words = TextLines.words(reference)
-        val areSeveral = words.size > 1 && words.any { FileReferences.find(source.folder, it) != null }
+        val areSeveral = words.size > 1 && words.any { source.references.find(it).file != null }
         for (word in if (areSeveral) words else listOf(reference)) {
-            val file = FileReferences.find(source.folder, word)
-            if (file == null) {
-                source.warn("material library $word is missing and left out; put it into ${source.folder}")
-            } else {
-                read(file)
-            }
+            val found = source.references.find(word)
+            if (found.file == null) source.warn("material library $word ${found.warning}") else read(found.file)
         }
     }
 
@@ -52,7 +44,7 @@ internal class MtlLibrary(private val source: Source) {
             source.warn("material library $file cannot be read; its materials are plain white")
             return
         }
-        val statements = MtlStatements(StatementReader.decode(bytes))
+        val statements = MtlStatements(bytes)
         val entries = try {
             MtlReader.read(statements)
         } catch (e: IOException) {

@@ -89,7 +89,7 @@ internal class MtlMaterials(private val source: Source, private val folders: Lis
     }
 
     private fun texture(map: MtlMap): Texture? {
-        val texture = textures.getOrPut(map.file) { TextureFiles.find(source, folders, map.file) }
+        val texture = textures.getOrPut(map.file) { TextureFiles.find(source, map.file, folders) }
         if (!map.isClamped) return texture
         return texture?.withSampling(TextureFilter.BILINEAR, TextureWrap.CLAMP, TextureWrap.CLAMP)
     }

@@ -1,12 +1,18 @@
 package dev.lazyz.scenes.obj
 
+import java.io.BufferedReader
+import java.io.Reader
+
 /**
- * The statements of a material library that say colours and numbers, for `MtlReader`; texture statements are kept here
- * instead, because that parser takes the last word for the file's name.
+ * The statements of a material library that say colours and numbers, one at each [readLine], for `MtlReader`; texture
+ * statements are kept here instead, because that parser takes the last word for the file's name.
  *
- * Where both `d` (opacity) and `Tr` (its opposite, not in the specification) are given, `d` counts.
+ * Where both `d` (opacity) and `Tr` (its opposite, not in the specification) are given, `d` counts. The parser behind
+ * knows no line numbers; [number] tells which line it is at, also while it fails.
  */
-internal class MtlStatements(text: String) : StatementReader(text) {
+internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader()) {
+    private val statements = Statements(text)
+
     /** For each `newmtl` so far, its texture statements by keyword. */
     val maps = ArrayList<Map<String, MtlMap>>()
 
@@ -14,10 +20,23 @@ internal class MtlStatements(text: String) : StatementReader(text) {
     var statement = ""
         private set
 
+    /** Number of the line on which the statement that was read last begins; lines count from 1. */
+    val number: Int get() = statements.number
+
     private var current = HashMap<String, MtlMap>()
     private var hasOpacity = false
 
-    override fun prepare(keyword: String, statement: String): String? {
+    override fun readLine(): String? {
+        while (statements.next()) {
+            val statement = statements.statement()
+            val keyword = statement.substringBefore(' ').lowercase()
+            return prepared(keyword, statement) ?: continue
+        }
+        return null
+    }
+
+    /** Returns [statement], which begins with [keyword] in any case, as the parser should see it; null drops it. */
+    private fun prepared(keyword: String, statement: String): String? {
         if (keyword == "newmtl") {
             current = HashMap()
             maps.add(current)
@@ -29,9 +48,9 @@ internal class MtlStatements(text: String) : StatementReader(text) {
         return when (keyword) {
             // The parser knows the keyword in lower case only
             "newmtl" -> "newmtl" + statement.substring(keyword.length)
-            "d" -> withoutComment(statement).also { hasOpacity = true }
-            "tr" -> withoutComment(statement).takeUnless { hasOpacity }
-            "kd", "ks", "ke", "ns", "illum" -> withoutComment(statement)
+            "d" -> statements.withoutComment().also { hasOpacity = true }
+            "tr" -> statements.withoutComment().takeUnless { hasOpacity }
+            "kd", "ks", "ke", "ns", "illum" -> statements.withoutComment()
             "map_kd", "map_d" -> null.also { current[keyword] = MtlMap.parse(statement.substring(keyword.length)) }
             else -> null
         }

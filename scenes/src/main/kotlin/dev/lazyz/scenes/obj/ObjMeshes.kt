@@ -13,10 +13,15 @@ import dev.lazyz.scenes.triangulation.Triangulation
  */
 internal class ObjMeshes(
     private val source: Source,
-    private val model: ObjCollector,
+    private val model: ObjModel,
     private val materialOf: (String?) -> MtlMaterial,
 ) {
     private enum class Normals { GIVEN, SMOOTH, FLAT }
+
+    /** Faces of one object with one kind of normals. */
+    private class Batch(val normals: Normals) {
+        val faces = Ints()
+    }
 
     private data class Group(val material: String?, val isTextured: Boolean)
 
@@ -26,83 +31,98 @@ internal class ObjMeshes(
     private val positions = model.positions.toArray()
     private val textures = model.textures.toArray()
     private val normals = model.normals.toArray()
-    private val vertices = CornerVertices(positions.size / 3)
 
-    fun build(): List<Mesh> {
-        val byObject = (0 until faces.size).groupBy { faces.part(it).objectNumber }
-        return byObject.values.flatMap { ofObject ->
-            val byNormals = ofObject.groupBy(::normals)
-            byNormals.flatMap { (kind, some) -> meshes(kind, some) }.sortedBy { it.firstFace }.map { it.mesh }
+    fun build(): List<Mesh> = batchesByObject().flatMap { batches ->
+        batches.flatMap(::meshes).sortedBy { it.firstFace }.map { it.mesh }
+    }
+
+    private fun batchesByObject(): List<Collection<Batch>> {
+        val objects = LinkedHashMap<Int, LinkedHashMap<Normals, Batch>>()
+
+        // Faces of one part with or without normals are of one batch, which is looked up once
+        val batchOf = arrayOfNulls<Batch>(2 * faces.parts.size)
+        for (face in 0 until faces.size) {
+            val hasNormals = faces.normals[faces.start(face)] >= 0
+            val key = 2 * faces.part(face) + (if (hasNormals) 1 else 0)
+            val batch = batchOf[key] ?: run {
+                val part = faces.parts[faces.part(face)]
+                val kind = if (hasNormals) Normals.GIVEN else without(part)
+                objects.getOrPut(part.objectNumber) { LinkedHashMap() }.getOrPut(kind) { Batch(kind) }
+            }
+            batchOf[key] = batch
+            batch.faces.add(face)
         }
+        return objects.values.map { it.values }
     }
 
-    private fun normals(face: Int): Normals = when {
-        faces.normals[faces.corners(face).first] >= 0 -> Normals.GIVEN
-        faces.part(face).isSmooth -> Normals.SMOOTH
-        else -> Normals.FLAT
-    }
+    private fun without(part: Part): Normals = if (part.isSmooth) Normals.SMOOTH else Normals.FLAT
 
-    private fun group(face: Int) = Group(faces.part(face).material, faces.textures[faces.corners(face).first] >= 0)
-
-    private fun meshes(kind: Normals, some: List<Int>): List<Placed> {
+    private fun meshes(batch: Batch): List<Placed> {
         // Cut all faces into triangles, and remember which group each triangle belongs to
-        vertices.clear()
+        val vertices = CornerVertices(minOf(batch.faces.size, positions.size / 3))
         val groups = LinkedHashMap<Group, Int>()
         val firstFaces = ArrayList<Int>()
         val triangles = Ints()
         val groupOf = Ints()
-        for (face in some) {
-            val group = groups.getOrPut(group(face)) {
-                firstFaces.add(face)
-                groups.size
+        var lastPart = -1
+        var isTextured = false
+        var group = -1
+        for (i in 0 until batch.faces.size) {
+            val face = batch.faces[i]
+            val hasTextures = faces.textures[faces.start(face)] >= 0
+            if (faces.part(face) != lastPart || hasTextures != isTextured) {
+                lastPart = faces.part(face)
+                isTextured = hasTextures
+                group = groups.getOrPut(Group(faces.parts[lastPart].material, hasTextures)) {
+                    firstFaces.add(face)
+                    groups.size
+                }
             }
-            addTriangles(face, triangles)
+            addTriangles(face, vertices, triangles)
             while (3 * groupOf.size < triangles.size) groupOf.add(group)
         }
 
         // Normals first, then the groups, for normals do not end where a material does
         val whole = Mesh(
-            gather(vertices.positions, positions, 3),
+            vertices.positions(positions),
             triangles.toArray(),
-            normals = if (kind == Normals.GIVEN) gather(vertices.normals, normals, 3) else null,
-            uvs = if (textures.isEmpty()) null else gather(vertices.textures, textures, 2),
-            colors = colors(),
+            normals = if (batch.normals == Normals.GIVEN) vertices.normals(normals) else null,
+            uvs = if (textures.isEmpty()) null else vertices.textures(textures),
+            colors = colors(vertices),
         )
-        val shaded = if (kind == Normals.SMOOTH) whole.withSmoothNormals(ObjParser.CREASE_ANGLE) else whole
+        val shaded = if (batch.normals == Normals.SMOOTH) whole.withSmoothNormals(ObjParser.CREASE_ANGLE) else whole
         val parts = MeshParts(shaded, groupOf, groups.size)
         return groups.map { (group, number) ->
             Placed(firstFaces[number], parts.mesh(number, materialOf(group.material), group.isTextured))
         }
     }
 
-    private fun addTriangles(face: Int, triangles: Ints) {
-        val corners = faces.corners(face)
-        val count = corners.last - corners.first + 1
+    private fun addTriangles(face: Int, vertices: CornerVertices, triangles: Ints) {
+        val start = faces.start(face)
+        val count = faces.end(face) - start
+        if (count == 3) {
+            for (corner in start until start + 3) triangles.add(vertex(corner, vertices))
+            return
+        }
         val local = Triangulation.triangles(
-            DoubleArray(3 * count) { positions[3 * faces.positions[corners.first + it / 3] + it % 3].toDouble() },
+            DoubleArray(3 * count) { positions[3 * faces.positions[start + it / 3] + it % 3].toDouble() },
         )
         if (local == null) {
             val most = Triangulation.MAX_CONCAVE_CORNERS
             source.warn("line ${faces.line(face)}: a concave face of $count corners, more than $most, is left out")
             return
         }
-        for (number in local) {
-            val corner = corners.first + number
-            triangles.add(vertices.vertex(faces.positions[corner], faces.textures[corner], faces.normals[corner]))
-        }
+        for (number in local) triangles.add(vertex(start + number, vertices))
     }
 
-    private fun colors(): FloatArray? {
+    private fun vertex(corner: Int, vertices: CornerVertices): Int =
+        vertices.vertex(faces.positions[corner], faces.textures[corner], faces.normals[corner])
+
+    private fun colors(vertices: CornerVertices): FloatArray? {
         if (model.colors.size == 0) return null
-        return FloatArray(4 * vertices.positions.size) {
-            val at = 3 * vertices.positions[it / 4] + it % 4
+        return FloatArray(4 * vertices.size) {
+            val at = 3 * vertices.position(it / 4) + it % 4
             if (it % 4 < 3 && at < model.colors.size) model.colors[at] else 1f
         }
-    }
-
-    /** Gives each vertex its [width] numbers out of [from]; 0 where it has none. */
-    private fun gather(numbers: Ints, from: FloatArray, width: Int): FloatArray = FloatArray(width * numbers.size) {
-        val number = numbers[it / width]
-        if (number < 0) 0f else from[width * number + it % width]
     }
 }

@@ -1,11 +1,8 @@
 package dev.lazyz.scenes.obj
 
-import de.javagl.obj.ObjReader
 import dev.lazyz.Scene
-import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
-import java.io.IOException
 
 /**
  * Reads Wavefront OBJ files with their material libraries (Wavefront Technologies, "Advanced Visualizer" manual,
@@ -23,23 +20,16 @@ internal object ObjParser : SceneParser {
 
     override fun parse(source: Source): Scene {
         if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
-        val statements = ObjStatements(source)
-        val model = ObjCollector(source, statements)
-        try {
-            ObjReader.read(statements, model)
-        } catch (e: SceneFormatException) {
-            throw e
-        } catch (e: IOException) {
-            statements.fail("the line cannot be understood", "correct the line or export the model again", e)
-        } catch (e: RuntimeException) {
-            statements.fail("the line cannot be understood", "correct the line or export the model again", e)
-        }
+        val model = ObjModel(source)
+        ObjReader(source, model).read()
         if (model.positions.size == 0) {
             source.fail(null, "there is no vertex in the file", "check what kind of file it is")
         }
         model.checkReferences()
-        statements.warnOfDropped()
-        if (model.faces.size == 0) source.warn("there are no faces, so there is nothing to see")
+        val faces = model.faces
+        source.loading.vertices(source, model.positions.size / 3L)
+        source.loading.triangles(source, faces.positions.size - 2L * faces.size)
+        if (faces.size == 0) source.warn("there are no faces, so there is nothing to see")
 
         val library = MtlLibrary(source)
         for (reference in model.libraries.distinct()) library.add(reference)

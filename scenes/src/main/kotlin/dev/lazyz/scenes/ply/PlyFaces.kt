@@ -28,7 +28,7 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
                 tooSmall++
             } else {
                 polygons.add(corners.size)
-                for (corner in corners) polygons.add(vertex(corner, body))
+                for (i in 0 until corners.size) polygons.add(vertex(corners.numbers[i], body))
             }
         }
         if (tooSmall > 0) source.warn("$tooSmall faces of fewer than 3 corners are left out")
@@ -45,9 +45,11 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
         }
     }
 
-    private fun strip(corners: DoubleArray, body: PlyBody) {
+    private fun strip(list: PlyList, body: PlyBody) {
+        val corners = list.numbers
         var start = 0
-        for ((i, corner) in corners.withIndex()) {
+        for (i in 0 until list.size) {
+            val corner = corners[i]
             if (corner == RESTART) {
                 start = i + 1
                 continue
@@ -69,27 +71,34 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
 
     /** Returns three vertex numbers a triangle, in the order of the file. */
     fun triangles(positions: FloatArray): IntArray {
-        val triangles = Ints()
+        val triangles = Ints(polygons.size - polygons.size / 4)
         var at = 0
         while (at < polygons.size) {
             val count = polygons[at++]
-            val start = at
-            val corners = Triangulation.triangles(
-                DoubleArray(3 * count) { positions[3 * polygons[start + it / 3] + it % 3].toDouble() },
-            )
-            if (corners == null) {
-                val most = Triangulation.MAX_CONCAVE_CORNERS
-                source.warn("a concave face of $count corners, more than $most, is left out")
+            if (count == 3) {
+                for (corner in at until at + 3) triangles.add(polygons[corner])
             } else {
-                for (corner in corners) triangles.add(polygons[at + corner])
+                addPolygon(at, count, positions, triangles)
             }
             at += count
         }
         return triangles.toArray()
     }
 
+    private fun addPolygon(at: Int, count: Int, positions: FloatArray, triangles: Ints) {
+        val corners = Triangulation.triangles(
+            DoubleArray(3 * count) { positions[3 * polygons[at + it / 3] + it % 3].toDouble() },
+        )
+        if (corners == null) {
+            val most = Triangulation.MAX_CONCAVE_CORNERS
+            source.warn("a concave face of $count corners, more than $most, is left out")
+            return
+        }
+        for (corner in corners) triangles.add(polygons[at + corner])
+    }
+
     private fun vertex(number: Double, body: PlyBody): Int {
-        if (!(number >= 0.0 && number < vertexCount) || number != StrictMath.floor(number)) {
+        if (!(number >= 0.0 && number < vertexCount) || number != number.toInt().toDouble()) {
             val shown = if (number == StrictMath.rint(number)) number.toLong().toString() else number.toString()
             source.fail(
                 body.location,

@@ -44,6 +44,8 @@ internal class PlyProperty(val name: String, val type: PlyType, val countType: P
  * @property properties the columns
  */
 internal class PlyElement(val name: String, val count: Int, val properties: List<PlyProperty>) {
+    val hasLists: Boolean = properties.any { it.countType != null }
+
     /** Returns the number of the column that has one of [names], or null. */
     fun column(names: List<String>, isList: Boolean = false): Int? =
         properties.indexOfFirst { it.name in names && (it.countType != null) == isList }.takeIf { it >= 0 }

@@ -39,6 +39,7 @@ internal object PlyParser : SceneParser {
         }
         val found = checkNotNull(vertices) { "the header reader lets no file without vertices pass" }
         val triangles = faces.triangles(found.positions)
+        source.loading.triangles(source, triangles.size / 3L)
         if (triangles.isEmpty()) {
             source.warn("there are no faces, so there is nothing to see; points alone are not drawn")
             return Scene(emptyList())

@@ -15,22 +15,21 @@ internal class PlyVertices private constructor(
 
     companion object {
         private val texturePairs =
-            listOf("s" to "t", "u" to "v", "texture_u" to "texture_v", "texture_s" to "texture_t")
+            listOf("s", "t", "u", "v", "texture_u", "texture_v", "texture_s", "texture_t").chunked(2)
 
         /** Reads all rows of [element] from [body]. */
         fun read(source: Source, element: PlyElement, body: PlyBody): PlyVertices {
             val position = listOf("x", "y", "z").map { name ->
                 element.column(listOf(name)) ?: source.fail("header", "element vertex has no property $name", "add it")
-            }
-            val normal = listOf("nx", "ny", "nz").mapNotNull { element.column(listOf(it)) }.takeIf { it.size == 3 }
-            val texture = texturePairs.firstNotNullOfOrNull { (u, v) ->
-                listOf(u, v).mapNotNull { element.column(listOf(it)) }.takeIf { it.size == 2 }
-            }
-            val color = listOf("red", "green", "blue").mapNotNull { colorColumn(element, it) }.takeIf { it.size == 3 }
+            }.toIntArray()
+            val normal = columns(listOf("nx", "ny", "nz")) { element.column(listOf(it)) }
+            val texture = texturePairs.firstNotNullOfOrNull { pair -> columns(pair) { element.column(listOf(it)) } }
+            val color = columns(listOf("red", "green", "blue")) { colorColumn(element, it) }
             val alpha = colorColumn(element, "alpha")
 
             body.announce(element)
             val count = element.count
+            source.loading.vertices(source, count.toLong())
             val vertices = PlyVertices(
                 FloatArray(3 * count),
                 normal?.let { FloatArray(3 * count) },
@@ -46,11 +45,15 @@ internal class PlyVertices private constructor(
             return vertices
         }
 
+        /** Returns the numbers of the columns with all of [names], or null. */
+        private fun columns(names: List<String>, find: (String) -> Int?): IntArray? =
+            names.mapNotNull(find).takeIf { it.size == names.size }?.toIntArray()
+
         private fun colorColumn(element: PlyElement, name: String): Int? =
             element.column(listOf(name, "diffuse_$name", name.substring(0, 1)))
     }
 
-    private fun set(vertex: Int, row: PlyRow, position: List<Int>, normal: List<Int>?, texture: List<Int>?) {
+    private fun set(vertex: Int, row: PlyRow, position: IntArray, normal: IntArray?, texture: IntArray?) {
         for (axis in 0 until 3) positions[3 * vertex + axis] = row.numbers[position[axis]].toFloat()
         if (normals != null && normal != null) {
             for (axis in 0 until 3) normals[3 * vertex + axis] = row.numbers[normal[axis]].toFloat()
@@ -61,7 +64,7 @@ internal class PlyVertices private constructor(
         }
     }
 
-    private fun setColor(vertex: Int, row: PlyRow, color: List<Int>, alpha: Int?) {
+    private fun setColor(vertex: Int, row: PlyRow, color: IntArray, alpha: Int?) {
         if (colors == null) return
         for (channel in 0 until 3) colors[4 * vertex + channel] = decoded(row, color[channel])
         colors[4 * vertex + 3] = if (alpha == null) 1f else (row.numbers[alpha] / most(row, alpha)).toFloat()

@@ -3,6 +3,7 @@ package dev.lazyz.scenes.scenefile
 import dev.lazyz.Texture
 import dev.lazyz.TextureFilter
 import dev.lazyz.TextureWrap
+import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.writers.PngSink
 import java.io.ByteArrayOutputStream
@@ -26,7 +27,7 @@ internal object EmbeddedImage {
         return PREFIX + Base64.getEncoder().encodeToString(bytes.toByteArray())
     }
 
-    fun read(node: JsonNode): Texture {
+    fun read(source: Source, node: JsonNode): Texture {
         val reference = node.text()
         if (!reference.startsWith(PREFIX)) {
             node.fail("embedded picture is not a PNG in base64: ${reference.take(40)}", "begin it with $PREFIX")
@@ -36,7 +37,7 @@ internal object EmbeddedImage {
         } catch (e: IllegalArgumentException) {
             node.fail("embedded picture is not base64: ${e.message}", "embed it anew")
         }
-        return TextureFiles.decode(bytes, "") ?: node.fail("embedded picture is not a PNG", "embed it anew")
+        return TextureFiles.decode(source, bytes, "") ?: node.fail("embedded picture is not a PNG", "embed it anew")
     }
 
     /** Returns [picture] with other sampling rules and another name. */

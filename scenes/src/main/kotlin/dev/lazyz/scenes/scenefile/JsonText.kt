@@ -70,8 +70,10 @@ private class NestingCheck(private val source: Source, private val text: String)
     }
 
     private fun open(keys: HashSet<String>?, offset: Int) {
-        if (around.size == MAX_DEPTH) {
-            source.fail(JsonText.place(text, offset), "is nested more than $MAX_DEPTH deep")
+        val most = source.loading.limits.nesting
+        if (around.size == most) {
+            val remedy = "if it can be trusted, raise LoadLimits.nesting (zcli: --max-nesting)"
+            source.fail(JsonText.place(text, offset), "is nested more than $most deep", remedy)
         }
         around.add(keys)
     }
@@ -89,9 +91,5 @@ private class NestingCheck(private val source: Source, private val text: String)
             }
         }
         return end
-    }
-
-    private companion object {
-        const val MAX_DEPTH = 64
     }
 }

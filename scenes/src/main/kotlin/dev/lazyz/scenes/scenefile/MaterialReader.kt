@@ -73,7 +73,8 @@ internal class MaterialReader(private val source: Source) {
         val reference = node.text()
         if (reference !in pictures) {
             val isEmbedded = EmbeddedImage.isEmbedded(reference)
-            pictures[reference] = if (isEmbedded) EmbeddedImage.read(node) else TextureFiles.find(source, reference)
+            pictures[reference] =
+                if (isEmbedded) EmbeddedImage.read(source, node) else TextureFiles.find(source, reference)
         }
         return pictures[reference]
     }

@@ -8,7 +8,9 @@ import dev.lazyz.Scene
 import dev.lazyz.Sphere
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.Loading
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.SceneReading
@@ -36,22 +38,30 @@ public object SceneFile {
      *
      * Cost: linear in the size of the file; memory about ten times its size while it is read.
      *
+     * @param limits how much the file may ask for
      * @throws SceneFormatException if a file is missing, cannot be read, or is not what it should be
      */
     @JvmStatic
-    public fun read(path: Path): LoadedScene = SceneReading.read(path, SceneFormat.SCENE)
+    @JvmOverloads
+    public fun read(path: Path, limits: LoadLimits = LoadLimits()): LoadedScene =
+        SceneReading.read(path, SceneFormat.SCENE, limits)
 
     /**
      * Reads a scene file's text.
      *
      * @param name what messages call it
      * @param folder where the files that it refers to are, or null if it must not refer to any
+     * @param limits how much it may ask for
      * @throws SceneFormatException if it, or a file that it refers to, is not what it should be
      */
     @JvmStatic
     @JvmOverloads
-    public fun parse(text: String, name: String = "<text>", folder: Path? = null): LoadedScene =
-        SceneFileReader(Source(text.toByteArray(), name, folder)).read()
+    public fun parse(
+        text: String,
+        name: String = "<text>",
+        folder: Path? = null,
+        limits: LoadLimits = LoadLimits(),
+    ): LoadedScene = SceneFileReader(Source(text.toByteArray(), name, folder, Loading(limits))).read()
 
     /**
      * Writes [scene] to a file, whole or not at all.

@@ -63,31 +63,39 @@ internal class SurfaceReader(
             if (format == SceneFormat.SCENE) {
                 node.fail("a scene file cannot contain another: $reference", "copy its surfaces")
             }
-            val folder = source.folder
-                ?: node.fail("there is no folder to look for $reference in", "read the scene from a file")
-            val path = node.checked { folder.resolve(reference) }
-            if (Path.of(reference).isAbsolute) node.fail("must be relative to the scene file: $reference")
-            val loaded = SceneReading.read(path, format)
+            if (source.folder == null) {
+                node.fail("there is no folder to look for $reference in", "read the scene from a file")
+            }
+            if (node.checked { Path.of(reference) }.isAbsolute) {
+                node.fail("must be relative to the scene file: $reference")
+            }
+            val found = source.references.find(reference)
+            val file = found.file ?: node.fail("the file $reference ${found.problem}", found.remedy)
+            val loaded = SceneReading.read(file, format, source.loading, source.folder)
             source.warnings.addAll(loaded.warnings)
             loaded.scene.surfaces
         }
     }
 
     private fun builtin(node: JsonNode): List<Surface> {
-        if (node.isText) return Builtins.surfaces(node, node.text(), emptyMap())
+        if (node.isText) return Builtins.surfaces(source, node, node.text(), emptyMap())
         val members = node.members("name", "segments", "count", "blocks", "seed")
         val numbers = listOf("segments", "count", "blocks", "seed").mapNotNull { key ->
             members[key]?.let { key to it }
         }
-        return Builtins.surfaces(node, members.required("name").text(), numbers.toMap())
+        return Builtins.surfaces(source, node, members.required("name").text(), numbers.toMap())
     }
 
     private fun mesh(node: JsonNode): Mesh {
         val members = node.members("positions", "triangles", "normals", "uvs", "colors")
+        val positions = members.required("positions").floats()
+        val triangles = members.required("triangles").integers()
+        source.loading.vertices(source, positions.size / 3L)
+        source.loading.triangles(source, triangles.size / 3L)
         return node.checked {
             Mesh(
-                members.required("positions").floats(),
-                members.required("triangles").integers(),
+                positions,
+                triangles,
                 Material(),
                 members["normals"]?.floats(),
                 members["uvs"]?.floats(),

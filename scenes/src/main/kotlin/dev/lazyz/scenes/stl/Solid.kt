@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.stl
 
+import dev.lazyz.DistinctTriples
 import dev.lazyz.Material
 import dev.lazyz.Mesh
-import dev.lazyz.scenes.triangulation.Floats
 import dev.lazyz.scenes.triangulation.Ints
 
 /**
@@ -12,30 +12,31 @@ import dev.lazyz.scenes.triangulation.Ints
  * Not thread safe.
  *
  * @property name what the file calls it
+ * @param expectedTriangles how many to make room for
  */
-internal class Solid(val name: String) {
-    private val vertexOf = HashMap<Position, Int>()
-    private val positions = Floats()
-    private val triangles = Ints()
+internal class Solid(val name: String, expectedTriangles: Int = 0) {
+    /** Bits of x, y, z; in a closed mesh there are half as many vertices as triangles. */
+    private val positions = DistinctTriples(expectedTriangles / 2)
+    private val triangles = Ints(3 * expectedTriangles)
 
     /** Number of triangles so far. */
     val triangleCount: Int get() = triangles.size / 3
 
+    /** Number of vertices so far. */
+    val vertexCount: Int get() = positions.size
+
     /** Adds the next corner; three make a triangle. */
     fun add(x: Float, y: Float, z: Float) {
-        triangles.add(
-            vertexOf.getOrPut(Position(x + 0f, y + 0f, z + 0f)) {
-                positions.add(x)
-                positions.add(y)
-                positions.add(z)
-                positions.size / 3 - 1
-            },
-        )
+        // Adding 0 makes -0 into 0, and toBits all NaN into one
+        triangles.add(positions.add((x + 0f).toBits(), (y + 0f).toBits(), (z + 0f).toBits()))
     }
 
-    /** Returns the solid so far as a mesh without normals. */
-    fun mesh(): Mesh = Mesh(positions.toArray(), triangles.toArray(), Material(name = name))
-
-    /** Floats compare by their bits here, as boxed numbers do; adding 0 has made -0 into 0. */
-    private data class Position(val x: Float, val y: Float, val z: Float)
+    /** Returns the solid as a mesh without normals; add no more corners then. */
+    fun mesh(): Mesh {
+        val coordinates = FloatArray(3 * positions.size)
+        for (i in 0 until positions.size) {
+            for (axis in 0 until 3) coordinates[3 * i + axis] = Float.fromBits(positions.get(i, axis))
+        }
+        return Mesh(coordinates, triangles.toArray(), Material(name = name))
+    }
 }

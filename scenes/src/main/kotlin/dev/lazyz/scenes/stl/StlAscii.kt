@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.stl
 
 import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.triangulation.Decimal
 import dev.lazyz.scenes.triangulation.Floats
 import dev.lazyz.scenes.triangulation.TextLines
 import dev.lazyz.scenes.triangulation.TextNumbers
@@ -11,9 +12,14 @@ import dev.lazyz.scenes.triangulation.Triangulation
  * of more than three vertices, which the format does not know but some programs write, is cut into triangles.
  */
 internal class StlAscii(private val source: Source) {
-    private val lines = TextLines(source.bytes.let { if (hasMark(it)) it.copyOfRange(3, it.size) else it })
-    private var words = emptyList<String>()
-    private var at = 0
+    private val lines = TextLines(source.bytes, if (hasMark(source.bytes)) 3 else 0)
+    private val decimal = Decimal()
+
+    /** Of the facet at hand. */
+    private val corners = Floats()
+
+    /** Whether the word that [lines] read last is yet to be handed out. */
+    private var isPeeked = false
 
     /** Reads all solids. */
     fun read(): List<Solid> {
@@ -21,56 +27,59 @@ internal class StlAscii(private val source: Source) {
         while (true) {
             if (!advance()) break
             expect("solid")
-            solids.add(solid(Solid(restOfLine())))
+            solids.add(solid(Solid(lines.restOfLine())))
         }
         return solids
     }
 
     private fun solid(solid: Solid): Solid {
         while (true) {
-            when (val word = word("facet or endsolid")) {
-                "facet" -> facet(solid)
-                "endsolid" -> {
-                    restOfLine()
-                    return solid
-                }
-                else -> fail("\"$word\" stands where facet or endsolid should")
+            take("facet or endsolid")
+            if (lines.isWord("facet")) {
+                facet(solid)
+            } else if (lines.isWord("endsolid")) {
+                lines.restOfLine()
+                return solid
+            } else {
+                fail("\"${word()}\" stands where facet or endsolid should")
             }
         }
     }
 
     private fun facet(solid: Solid) {
         // The normal's three numbers are passed over, whatever they are
-        if (peek() == "normal") repeat(4) { word("the facet's normal") }
+        if (advance() && lines.isWord("normal")) repeat(4) { take("the facet's normal") }
         expect("outer")
         expect("loop")
-        val corners = Floats()
+        corners.clear()
         while (true) {
-            when (val word = word("vertex or endloop")) {
-                "vertex" -> repeat(3) { corners.add(number()) }
-                "endloop" -> break
-                else -> fail("\"$word\" stands where vertex or endloop should")
-            }
+            take("vertex or endloop")
+            if (lines.isWord("endloop")) break
+            if (!lines.isWord("vertex")) fail("\"${word()}\" stands where vertex or endloop should")
+            repeat(3) { corners.add(number()) }
         }
         if (corners.size < 9) fail("the loop has ${corners.size / 3} vertices, not 3")
         expect("endfacet")
 
+        if (corners.size == 9) {
+            for (corner in 0 until 3) add(corner, solid)
+            return
+        }
         val triangles = Triangulation.triangles(DoubleArray(corners.size) { corners[it].toDouble() })
             ?: fail("the loop has ${corners.size / 3} vertices, which is more than a concave facet may have")
-        for (corner in triangles) solid.add(corners[3 * corner], corners[3 * corner + 1], corners[3 * corner + 2])
+        for (corner in triangles) add(corner, solid)
     }
 
-    /** Moves to the next word; false at the end of the file. */
+    private fun add(corner: Int, solid: Solid) =
+        solid.add(corners[3 * corner], corners[3 * corner + 1], corners[3 * corner + 2])
+
+    /** Moves to the next word unless there is one to be handed out; false at the end of the file. */
     private fun advance(): Boolean {
-        if (at < words.size) return true
-        words = lines.nextWords() ?: return false
-        at = 0
-        return true
+        if (!isPeeked) isPeeked = lines.nextWordOfText()
+        return isPeeked
     }
 
-    private fun peek(): String? = if (advance()) words[at].lowercase() else null
-
-    private fun word(expected: String): String {
+    private fun take(expected: String) {
         if (!advance()) {
             source.fail(
                 "line ${lines.number}",
@@ -78,21 +87,23 @@ internal class StlAscii(private val source: Source) {
                 "export or copy the model again",
             )
         }
-        return words[at++].lowercase()
+        isPeeked = false
     }
 
+    private fun word(): String = lines.word().lowercase()
+
     private fun expect(keyword: String) {
-        val word = word(keyword)
-        if (word != keyword) fail("\"$word\" stands where $keyword should")
+        take(keyword)
+        if (!lines.isWord(keyword)) fail("\"${word()}\" stands where $keyword should")
     }
 
     private fun number(): Float {
-        val word = word("a coordinate")
-        val number = TextNumbers.parse(word) ?: fail("\"$word\" is not a number", TextNumbers.remedy(word))
-        return number.toFloat()
+        take("a coordinate")
+        val number = decimal.float(lines.bytes, lines.wordStart, lines.wordEnd)
+        if (!number.isNaN()) return number
+        val word = word()
+        return TextNumbers.parseFloat(word) ?: fail("\"$word\" is not a number", TextNumbers.remedy(word))
     }
-
-    private fun restOfLine(): String = words.drop(at).joinToString(" ").also { at = words.size }
 
     private fun fail(problem: String, remedy: String? = null): Nothing =
         source.fail("line ${lines.number}", problem, remedy ?: "correct the line or export the model again")

@@ -47,7 +47,7 @@ internal object StlBinary {
         if (end < bytes.size) source.warn("${bytes.size - end} bytes after the last of $count facets are passed over")
 
         val buffer = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN)
-        val solid = Solid("")
+        val solid = Solid("", count.toInt())
         for (facet in FACETS until end step FACET) {
             for (corner in 0 until 3) {
                 val at = facet + NORMAL + corner * 12

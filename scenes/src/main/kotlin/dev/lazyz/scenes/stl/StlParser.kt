@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.stl
 
+import dev.lazyz.Mesh
 import dev.lazyz.Scene
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
@@ -18,9 +19,18 @@ internal object StlParser : SceneParser {
 
     override fun parse(source: Source): Scene {
         if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
+        val meshes = meshes(source)
+        if (meshes.isEmpty()) source.warn("there are no facets, so there is nothing to see")
+        return Scene(meshes.map { it.withSmoothNormals(CREASE_ANGLE) })
+    }
+
+    private fun meshes(source: Source): List<Mesh> {
         val solids = if (StlBinary.isBinary(source.bytes)) listOf(StlBinary.read(source)) else StlAscii(source).read()
-        val filled = solids.filter { it.triangleCount > 0 }
-        if (filled.isEmpty()) source.warn("there are no facets, so there is nothing to see")
-        return Scene(filled.map { it.mesh().withSmoothNormals(CREASE_ANGLE) })
+        source.release()
+        for (solid in solids) {
+            source.loading.triangles(source, solid.triangleCount.toLong())
+            source.loading.vertices(source, solid.vertexCount.toLong())
+        }
+        return solids.filter { it.triangleCount > 0 }.map { it.mesh() }
     }
 }

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.triangulation
 
 /** Numbers that grow in number at the end, unboxed. Not thread safe. */
-internal class Floats {
-    private var values = FloatArray(INITIAL_CAPACITY)
+internal class Floats(capacity: Int = INITIAL_CAPACITY) {
+    private var values = FloatArray(capacity)
 
     var size = 0
         private set
@@ -14,7 +14,14 @@ internal class Floats {
         values[size++] = value
     }
 
-    fun toArray(): FloatArray = values.copyOf(size)
-}
+    fun clear() {
+        size = 0
+    }
 
-private const val INITIAL_CAPACITY = 16
+    /** Returns the numbers; the array itself where it is full, so add no more. */
+    fun toArray(): FloatArray = if (size == values.size) values else values.copyOf(size)
+
+    private companion object {
+        const val INITIAL_CAPACITY = 16
+    }
+}

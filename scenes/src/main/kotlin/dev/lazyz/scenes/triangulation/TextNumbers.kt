@@ -1,13 +1,17 @@
 package dev.lazyz.scenes.triangulation
 
-/** Numbers as programs of many kinds write them into mesh files. */
+/**
+ * Numbers as programs of many kinds write them into mesh files. "Not a number" and infinity are read in C's spellings
+ * (`nan`, `-nan(ind)`, `inf`) and in Microsoft's (`1.#QNAN`, `1.#INF`), in any case.
+ */
 internal object TextNumbers {
-    /**
-     * Returns the number that [word] spells, or null if it is none. "Not a number" and infinity are read in C's
-     * spellings (`nan`, `-nan(ind)`, `inf`) and in Microsoft's (`1.#QNAN`, `1.#INF`), in any case.
-     */
-    fun parse(word: String): Double? {
-        word.toDoubleOrNull()?.let { return it }
+    /** Returns the number that [word] spells, or null if it is none. */
+    fun parse(word: String): Double? = word.toDoubleOrNull() ?: named(word)
+
+    /** Returns the float nearest to the number that [word] spells, or null if it is none. */
+    fun parseFloat(word: String): Float? = word.toFloatOrNull() ?: named(word)?.toFloat()
+
+    private fun named(word: String): Double? {
         val isNegative = word.startsWith("-")
         val name = word.removePrefix("-").removePrefix("+").lowercase()
         return when {

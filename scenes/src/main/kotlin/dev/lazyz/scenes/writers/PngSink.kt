@@ -1,12 +1,12 @@
 package dev.lazyz.scenes.writers
 
 import dev.lazyz.RowSink
+import java.io.ByteArrayOutputStream
 import java.io.Closeable
 import java.io.IOException
 import java.io.OutputStream
 import java.nio.ByteBuffer
 import java.util.zip.CRC32
-import java.util.zip.Deflater
 
 /** What an image file does with alpha. */
 public enum class AlphaChannel {
@@ -20,9 +20,10 @@ public enum class AlphaChannel {
 /**
  * Writes rows to a PNG stream as they come: 8 bits a channel, sRGB.
  *
- * Holds two rows and the compressor, whatever the height, so a picture may be larger than memory; each row is filtered
- * by the heuristic of the specification (section 12.8: least sum of absolute differences of the five filters). Needs no
- * `java.desktop`. [close] after the last row, or the file is cut off; it closes the stream too. Not thread safe.
+ * Blocks of rows are filtered and compressed at the same time, by the threads of the common pool; the bytes are the same
+ * for any number of threads. Holds at most 17 blocks of 65,536 pixels, or of one row, whatever the height, so a picture
+ * may be larger than memory. Each row gets the filter that should compress it best (section 12.8 of the specification).
+ * Needs no `java.desktop`. [close] after the last row, or the file is cut off; it closes the stream too. Not thread safe.
  *
  * Source: "Portable Network Graphics (PNG) Specification", third edition, W3C.
  *
@@ -39,23 +40,20 @@ public class PngSink @JvmOverloads constructor(
     private val alpha: AlphaChannel = AlphaChannel.KEEP,
 ) : RowSink,
     Closeable {
-    private val channels = if (alpha == AlphaChannel.KEEP) 4 else 3
-    private val filter: PngFilter
-    private val deflater = Deflater()
-    private val compressed = ByteArray(CHUNK_SIZE)
-    private var filled = 0
+    private val blocks: PngBlocks
+    private val compressed = ByteArrayOutputStream()
     private val order = RowOrder(height)
     private var isClosed = false
 
     init {
         require(width > 0 && height > 0) { "an image must have at least one pixel: $width x $height" }
         require(width <= MAX_WIDTH) { "width must be at most $MAX_WIDTH: $width" }
-        filter = PngFilter(width, channels)
+        val hasAlpha = alpha == AlphaChannel.KEEP
         output.write(SIGNATURE)
-        val colorType = if (alpha == AlphaChannel.KEEP) COLOR_TYPE_RGBA else COLOR_TYPE_RGB
-        val header = ByteBuffer.allocate(13).putInt(width).putInt(height).put(8).put(colorType)
-        chunk("IHDR", header.array(), 13)
-        chunk("sRGB", byteArrayOf(PERCEPTUAL), 1)
+        val colorType = if (hasAlpha) COLOR_TYPE_RGBA else COLOR_TYPE_RGB
+        chunk("IHDR", ByteBuffer.allocate(13).putInt(width).putInt(height).put(8).put(colorType).array())
+        chunk("sRGB", byteArrayOf(PERCEPTUAL))
+        blocks = PngBlocks(width, height, if (hasAlpha) 4 else 3) { take(it) }
     }
 
     /**
@@ -66,9 +64,7 @@ public class PngSink @JvmOverloads constructor(
      */
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         order.take(y)
-        filter.load(argb)
-        deflater.setInput(filter.best())
-        while (!deflater.needsInput()) compress()
+        blocks.add(argb)
     }
 
     /**
@@ -80,41 +76,35 @@ public class PngSink @JvmOverloads constructor(
         if (isClosed) return
         isClosed = true
         output.use {
-            try {
-                order.requireComplete()
-                deflater.finish()
-                while (!deflater.finished()) compress()
-                if (filled > 0) flush()
-                chunk("IEND", compressed, 0)
-                output.flush()
-            } finally {
-                deflater.end()
-            }
+            order.requireComplete()
+            writeCompressed()
+            chunk("IEND", ByteArray(0))
+            output.flush()
         }
     }
 
     override fun toString(): String = "PngSink($width x $height, $alpha, $order)"
 
-    private fun compress() {
-        filled += deflater.deflate(compressed, filled, compressed.size - filled)
-        if (filled == compressed.size) flush()
+    private fun take(data: ByteArray) {
+        compressed.writeBytes(data)
+        if (compressed.size() >= CHUNK_SIZE) writeCompressed()
     }
 
-    private fun flush() {
-        chunk("IDAT", compressed, filled)
-        filled = 0
+    private fun writeCompressed() {
+        chunk("IDAT", compressed.toByteArray())
+        compressed.reset()
     }
 
     /** Writes length, type, data, and the check sum of type and data. */
-    private fun chunk(type: String, data: ByteArray, size: Int) {
+    private fun chunk(type: String, data: ByteArray) {
         val name = type.toByteArray(Charsets.US_ASCII)
         val crc = CRC32().apply {
             update(name)
-            update(data, 0, size)
+            update(data)
         }
-        output.write(bigEndian(size))
+        output.write(bigEndian(data.size))
         output.write(name)
-        output.write(data, 0, size)
+        output.write(data)
         output.write(bigEndian(crc.value.toInt()))
     }
 

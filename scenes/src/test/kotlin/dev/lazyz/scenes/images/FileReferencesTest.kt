@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.images
 
+import dev.lazyz.scenes.ReferencePolicy
 import java.nio.file.Files
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -19,7 +20,11 @@ class FileReferencesTest {
         return Files.write(file, byteArrayOf(1)).toRealPath()
     }
 
-    private fun find(reference: String): Path? = FileReferences.find(folder, reference)?.toRealPath()
+    private fun find(reference: String, policy: ReferencePolicy = ReferencePolicy.WITHIN_FOLDER): Path? =
+        FileReferences(folder, folder, policy).find(reference).file?.toRealPath()
+
+    private fun warning(reference: String): String =
+        FileReferences(folder, folder, ReferencePolicy.WITHIN_FOLDER).find(reference).warning
 
     @Test
     fun partsMayBeDividedEitherWay() {
@@ -46,10 +51,34 @@ class FileReferencesTest {
     }
 
     @Test
-    fun referenceMayLeadUpward() {
+    fun referenceMayLeadUpwardWhereThatIsAllowed() {
         val wood = file("tex/wood.png")
-        assertEquals(wood, find("../tex/wood.png"))
-        assertNull(find("../../../../../../../../../../../../nothing"))
+        assertEquals(wood, find("../tex/wood.png", ReferencePolicy.ANYWHERE))
+        assertNull(find("../tex/wood.png"))
+        assertEquals(
+            "lies outside $folder and is left out; copy it there, or if the model can be trusted set " +
+                "LoadLimits.references (zcli: --allow-outside)",
+            warning("../tex/wood.png"),
+        )
+        assertNull(find("../../../../../../../../../../../../nothing", ReferencePolicy.ANYWHERE))
+        assertEquals("is missing and is left out; put it into $folder", warning("../nothing"))
+
+        // Up and down again is within the folder
+        val inside = file("scene/tex/wood.png")
+        assertEquals(inside, find("../scene/tex/wood.png"))
+    }
+
+    @Test
+    fun linksAreResolved() {
+        val secret = file("secret.png")
+        val inside = file("scene/tex/wood.png")
+        Files.createSymbolicLink(folder.resolve("out.png"), secret)
+        Files.createSymbolicLink(folder.resolve("up"), root)
+        Files.createSymbolicLink(folder.resolve("in.png"), inside)
+        assertNull(find("out.png"))
+        assertNull(find("up/secret.png"))
+        assertEquals(inside, find("in.png"))
+        assertEquals(secret, find("out.png", ReferencePolicy.ANYWHERE))
     }
 
     @Test
@@ -70,6 +99,8 @@ class FileReferencesTest {
         for (reference in listOf("directory.png", "", ".", "..", "/", "/dev/zero", "a\u0000b", "wood.png/x")) {
             assertNull(find(reference), reference)
         }
-        assertNull(FileReferences.find(null, "wood.png"))
+        val nowhere = FileReferences(null, null, ReferencePolicy.ANYWHERE).find("wood.png")
+        assertNull(nowhere.file)
+        assertEquals("cannot be looked up for a stream and is left out; load from a file instead", nowhere.warning)
     }
 }

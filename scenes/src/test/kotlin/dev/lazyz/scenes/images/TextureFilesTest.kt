@@ -2,6 +2,7 @@ package dev.lazyz.scenes.images
 
 import com.sun.management.ThreadMXBean
 import dev.lazyz.Texture
+import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.images.PngFile.bytes
 import dev.lazyz.scenes.triangulation.TestSources
 import java.awt.color.ColorSpace
@@ -20,8 +21,10 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
 class TextureFilesTest {
+    private val source get() = TestSources.of("")
+
     private fun texels(bytes: ByteArray): List<String> {
-        val texture = checkNotNull(TextureFiles.decode(bytes, "test")) { "not decoded" }
+        val texture = checkNotNull(TextureFiles.decode(source, bytes, "test")) { "not decoded" }
         return (0 until texture.height).flatMap { y -> (0 until texture.width).map { x -> hex(texture, x, y) } }
     }
 
@@ -111,13 +114,13 @@ class TextureFilesTest {
     @Test
     fun damageGivesNoTextureAndNoException() {
         val png = PngFile.of(5, 4, 8, PngFile.RGBA, List(4) { ByteArray(20) { 77 } })
-        for (length in png.indices) TextureFiles.decode(png.copyOf(length), "test")
+        for (length in png.indices) TextureFiles.decode(source, png.copyOf(length), "test")
         for (at in png.indices) {
-            TextureFiles.decode(png.copyOf().also { it[at] = (it[at].toInt() xor 0x55).toByte() }, "test")
+            TextureFiles.decode(source, png.copyOf().also { it[at] = (it[at].toInt() xor 0x55).toByte() }, "test")
         }
-        assertNull(TextureFiles.decode(png.copyOf(50), "test"))
-        assertNull(TextureFiles.decode(ByteArray(0), "test"))
-        assertNull(TextureFiles.decode("not a picture".toByteArray(), "test"))
+        assertNull(TextureFiles.decode(source, png.copyOf(50), "test"))
+        assertNull(TextureFiles.decode(source, ByteArray(0), "test"))
+        assertNull(TextureFiles.decode(source, "not a picture".toByteArray(), "test"))
     }
 
     @Test
@@ -126,7 +129,11 @@ class TextureFilesTest {
         for ((side, padding) in listOf(60_000 to 0, 16_000 to 0, 20_000 to 40_000)) {
             val png = PngFile.of(side, side, 8, PngFile.RGBA, listOf(ByteArray(4)), "paDd" to ByteArray(padding))
             val before = allocated()
-            assertNull(TextureFiles.decode(png, "test"), "$side")
+            try {
+                assertNull(TextureFiles.decode(source, png, "test"), "$side")
+            } catch (refused: SceneFormatException) {
+                assertTrue("LoadLimits.decodedBytes" in refused.message.orEmpty(), "$side: $refused")
+            }
             assertTrue(allocated() - before < 10_000_000, "$side took ${allocated() - before} bytes")
         }
     }

@@ -25,11 +25,16 @@ internal object TestSources {
     }
 
     /** Finds one of the real meshes that stand beside the project, or skips the test. */
-    fun modelPath(name: String): Path {
+    fun modelPath(name: String): Path = sharedPath("models", name)
+
+    /** Finds one of the malicious files that stand beside the project, or skips the test. */
+    fun casePath(name: String): Path = sharedPath("cases", name)
+
+    private fun sharedPath(folderName: String, name: String): Path {
         val folder = generateSequence(Path.of(System.getProperty("user.dir")).toAbsolutePath()) { it.parent }
-            .map { it.resolve("shared/models") }
+            .map { it.resolve("shared").resolve(folderName) }
             .firstOrNull { Files.isDirectory(it) }
-        assumeTrue(folder != null && Files.exists(folder.resolve(name)), "no real mesh $name")
+        assumeTrue(folder != null && Files.exists(folder.resolve(name)), "no file $name")
         return folder!!.resolve(name)
     }
 

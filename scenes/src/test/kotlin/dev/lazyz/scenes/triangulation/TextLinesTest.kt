@@ -1,7 +1,9 @@
 package dev.lazyz.scenes.triangulation
 
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class TextLinesTest {
@@ -25,9 +27,14 @@ class TextLinesTest {
 
     @Test
     fun wordsPassOverEmptyLines() {
-        val lines = TextLines("\n \t\n a \t b\n".toByteArray())
-        assertEquals(listOf("a", "b"), lines.nextWords())
-        assertEquals(3, lines.number)
-        assertNull(lines.nextWords())
+        val lines = TextLines("\n \t\n a \t B\n".toByteArray())
+        assertTrue(lines.nextWordOfText() && lines.isWord("a") && lines.number == 3)
+        assertEquals(1, lines.countWords())
+        assertFalse(lines.isBlank())
+        assertTrue(lines.nextWord() && lines.isWord("b"))
+        assertEquals("B", lines.word())
+        assertTrue(lines.isBlank())
+        assertFalse(lines.nextWord())
+        assertFalse(lines.nextWordOfText())
     }
 }

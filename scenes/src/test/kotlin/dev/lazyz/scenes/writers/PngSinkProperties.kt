@@ -38,7 +38,7 @@ class PngSinkProperties {
         assertArrayEquals(image.argb, picture.getRGB(0, 0, image.width, image.height, null, 0, image.width))
     }
 
-    /** Noise, gradients and flat areas, so that every filter is the best of some row; the largest fill many chunks. */
+    /** Noise, gradients and flat areas, so that every filter is the best of some row. */
     @Provide
     fun images(): Arbitrary<Image> = Combinators.combine(
         Arbitraries.integers().between(1, 300),

@@ -1,0 +1,66 @@
+package dev.lazyz.scenes.gltf
+
+import de.javagl.jgltf.model.GltfConstants
+import java.nio.ByteBuffer
+
+/**
+ * The numbers of an accessor (section 3.6.2), elements of several components; the caller has made sure that they are all
+ * within [bytes].
+ *
+ * @param bytes little endian
+ * @param componentSize see [sizeOf]
+ * @param offset where the first element is
+ * @param stride from one element to the next, bytes
+ */
+internal class GltfNumbers(
+    private val bytes: ByteBuffer,
+    private val componentType: Int,
+    private val componentSize: Int,
+    private val offset: Int,
+    private val stride: Int,
+) {
+    /** Returns the whole number of a scalar element; -1 for one beyond 31 bits. */
+    fun whole(element: Int): Int {
+        val at = offset + element * stride
+        return when (componentType) {
+            GltfConstants.GL_UNSIGNED_INT -> bytes.getInt(at).let { if (it < 0) -1 else it }
+            GltfConstants.GL_FLOAT -> -1
+            else -> small(at)
+        }
+    }
+
+    /** Returns a number, or if [isNormalized] the fraction that a small whole number stands for (3.11). */
+    fun number(element: Int, component: Int, isNormalized: Boolean): Float {
+        val at = offset + element * stride + component * componentSize
+        return when (componentType) {
+            GltfConstants.GL_FLOAT -> bytes.getFloat(at)
+            GltfConstants.GL_UNSIGNED_INT -> (bytes.getInt(at).toLong() and 0xFFFFFFFFL).toFloat()
+            else -> if (isNormalized) maxOf(small(at) / most(), -1f) else small(at).toFloat()
+        }
+    }
+
+    private fun small(at: Int): Int = when (componentType) {
+        GltfConstants.GL_BYTE -> bytes.get(at).toInt()
+        GltfConstants.GL_UNSIGNED_BYTE -> bytes.get(at).toInt() and 0xFF
+        GltfConstants.GL_SHORT -> bytes.getShort(at).toInt()
+        else -> bytes.getShort(at).toInt() and 0xFFFF
+    }
+
+    /** What stands for 1. */
+    private fun most(): Float = when (componentType) {
+        GltfConstants.GL_BYTE -> 127f
+        GltfConstants.GL_UNSIGNED_BYTE -> 255f
+        GltfConstants.GL_SHORT -> 32767f
+        else -> 65535f
+    }
+
+    companion object {
+        /** Returns the bytes of a number of this type, or null if there is no such type. */
+        fun sizeOf(componentType: Int): Int? = when (componentType) {
+            GltfConstants.GL_BYTE, GltfConstants.GL_UNSIGNED_BYTE -> 1
+            GltfConstants.GL_SHORT, GltfConstants.GL_UNSIGNED_SHORT -> 2
+            GltfConstants.GL_UNSIGNED_INT, GltfConstants.GL_FLOAT -> 4
+            else -> null
+        }
+    }
+}

@@ -1,0 +1,104 @@
+package dev.lazyz.scenes.obj
+
+import dev.lazyz.scenes.Source
+
+/**
+ * Reads faces, whose corners are `v`, `v/vt`, `v//vn` or `v/vt/vn`. What only some corners of a face have is left out
+ * of all.
+ */
+internal class ObjFaceReader(
+    private val source: Source,
+    private val statements: Statements,
+    private val model: ObjModel,
+) {
+    /** Number of the part that faces belong to. */
+    var part = 0
+
+    private var hasTextures = false
+    private var hasNormals = false
+
+    /** Reads the statement at hand. */
+    fun read() {
+        val count = survey()
+        if (count < 3) {
+            source.warn("line ${statements.number}: a face of $count corners is left out")
+            return
+        }
+        model.faces.begin(part, statements.number)
+        statements.restart()
+        while (statements.nextWord()) corner()
+    }
+
+    /** Returns the number of corners, and finds out what all of them have. */
+    private fun survey(): Int {
+        statements.nextWord()
+        hasTextures = true
+        hasNormals = true
+        var count = 0
+        while (statements.nextWord()) {
+            val first = slash(statements.wordStart)
+            val second = slash(first + 1)
+            if (second <= first + 1) hasTextures = false
+            if (slash(second + 1) <= second + 1) hasNormals = false
+            count++
+        }
+        return count
+    }
+
+    private fun corner() {
+        val first = slash(statements.wordStart)
+        val second = slash(first + 1)
+        val third = slash(second + 1)
+        if (third < statements.wordEnd) fail("\"${statements.word()}\" is more than three numbers")
+        model.faces.addCorner(
+            number(statements.wordStart, first, model.positions.size / 3, "vertices"),
+            if (hasTextures) number(first + 1, second, model.textures.size / 2, "texture coordinates") else -1,
+            if (hasNormals) number(second + 1, third, model.normals.size / 3, "normals") else -1,
+        )
+    }
+
+    /** Returns where the word has its next slash from [from] on, or where it ends. */
+    private fun slash(from: Int): Int {
+        var at = from
+        while (at < statements.wordEnd && statements.bytes[at] != SLASH) at++
+        return minOf(at, statements.wordEnd)
+    }
+
+    /** Returns the number that stands from [from] until [until], counted from 0; [count] of [what] stand before. */
+    private fun number(from: Int, until: Int, count: Int, what: String): Int {
+        val isBackward = from < until && statements.bytes[from] == MINUS
+        val start = if (isBackward) from + 1 else from
+        var value = 0L
+        var at = start
+        while (at < until && value <= Int.MAX_VALUE) {
+            val digit = statements.bytes[at] - ZERO
+            if (digit !in 0..9) break
+            value = 10 * value + digit
+            at++
+        }
+        if (at < until || at == start || value == 0L || value > Int.MAX_VALUE) {
+            fail("\"${statements.decoded(from, until)}\" cannot number a vertex")
+        }
+        if (!isBackward) return (value - 1).toInt()
+        if (value > count) {
+            source.fail(
+                "line ${statements.number}",
+                "the face refers to number ${-value}, counted backward, of the $count $what before it",
+                ObjModel.REFERENCE_REMEDY,
+            )
+        }
+        return (count - value).toInt()
+    }
+
+    private fun fail(problem: String): Nothing = source.fail(
+        "line ${statements.number}",
+        problem,
+        "write v, v/vt, v//vn or v/vt/vn, counting from 1, or from -1 backward",
+    )
+
+    private companion object {
+        const val ZERO = '0'.code
+        const val MINUS = '-'.code.toByte()
+        const val SLASH = '/'.code.toByte()
+    }
+}

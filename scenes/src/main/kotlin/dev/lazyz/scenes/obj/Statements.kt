@@ -1,0 +1,178 @@
+package dev.lazyz.scenes.obj
+
+import dev.lazyz.scenes.triangulation.TextLines
+import java.io.ByteArrayOutputStream
+import java.nio.ByteBuffer
+import java.nio.CharBuffer
+
+/**
+ * The statements of an OBJ or MTL text, and their words.
+ *
+ * Lines that end with a backslash are joined with the next, the space around a statement is cut off, empty lines and
+ * comment lines are passed over. Names are UTF-8, or ISO 8859-1 where the text is not UTF-8 throughout. Not thread safe.
+ */
+internal class Statements(private val text: ByteArray) {
+    private val charset by lazy { if (isUtf8(text)) Charsets.UTF_8 else Charsets.ISO_8859_1 }
+    private var position = if (startsWithMark(text)) MARK.size else 0
+    private var lines = 0
+
+    /** Number of the line on which the statement that was read last begins; lines count from 1. */
+    var number = 0
+        private set
+
+    /** What the statement's words are in: the text, or lines of it that were joined. */
+    var bytes: ByteArray = text
+        private set
+    private var start = 0
+    private var end = 0
+
+    /** Where the statement ends without the comment behind it; -1 as long as that was not asked for. */
+    private var contentEnd = 0
+    private var mayHaveComment = false
+
+    /** Where the word that was read last begins. */
+    var wordStart = 0
+        private set
+
+    /** Where the word that was read last ends. */
+    var wordEnd = 0
+        private set
+
+    /** Moves to the next statement, before its first word; false after the last. */
+    fun next(): Boolean {
+        do {
+            if (position >= text.size) return false
+            bytes = text
+            mayHaveComment = false
+            readLine()
+            number = lines
+            if (start < end && bytes[end - 1] == BACKSLASH) join()
+        } while (start == end || bytes[start] == HASH)
+        contentEnd = if (mayHaveComment) -1 else end
+        wordEnd = start
+        return true
+    }
+
+    /** Whether the statement begins with [keyword], which is in lower case, in any case; a space ends a keyword. */
+    fun hasKeyword(keyword: String): Boolean {
+        val after = start + keyword.length
+        if (after > end || (after < end && bytes[after] != SPACE && bytes[after] != TAB)) return false
+        for (i in keyword.indices) {
+            val byte = bytes[start + i].toInt()
+            val isUpper = byte >= 'A'.code && byte <= 'Z'.code
+            if ((if (isUpper) byte + ('a' - 'A') else byte) != keyword[i].code) return false
+        }
+        return true
+    }
+
+    /** Returns the statement with spaces for tabs. */
+    fun statement(): String = decoded(start, end)
+
+    /**
+     * Returns the statement without a comment at its end; not for names, which may hold a `#`. Behind a point the `#`
+     * belongs to Microsoft's `1.#IND`.
+     */
+    fun withoutComment(): String = decoded(start, contentEnd()).trimEnd()
+
+    /** Moves to the next word, the keyword first; false after the last before the end or a comment. */
+    fun nextWord(): Boolean {
+        val limit = contentEnd()
+        var from = wordEnd
+        while (from < limit && TextLines.isSpace(bytes[from])) from++
+        var until = from
+        while (until < limit && !TextLines.isSpace(bytes[until])) until++
+        wordStart = from
+        wordEnd = until
+        return from < until
+    }
+
+    /** Makes the keyword the word that was read last. */
+    fun restart() {
+        wordEnd = start
+        nextWord()
+    }
+
+    /** Returns the word that was read last. */
+    fun word(): String = decoded(wordStart, wordEnd)
+
+    /** Returns the text from [from] until [until] of [bytes], with spaces for tabs. */
+    fun decoded(from: Int, until: Int): String = String(bytes, from, until - from, charset).replace('\t', ' ')
+
+    private fun contentEnd(): Int {
+        if (contentEnd < 0) {
+            contentEnd = start
+            while (contentEnd < end && !isComment(contentEnd)) contentEnd++
+        }
+        return contentEnd
+    }
+
+    private fun isComment(at: Int): Boolean = bytes[at] == HASH && (at == start || bytes[at - 1] != POINT)
+
+    /** Finds the next line of the text, without the space around it. */
+    private fun readLine() {
+        var after = position
+        while (after < text.size) {
+            val byte = text[after]
+            if (byte == LINE_FEED || byte == CARRIAGE_RETURN) break
+            if (byte == HASH) mayHaveComment = true
+            after++
+        }
+        start = position
+        end = after
+        trim()
+        val isPair = after + 1 < text.size && text[after] == CARRIAGE_RETURN && text[after + 1] == LINE_FEED
+        position = minOf(after + (if (isPair) 2 else 1), text.size)
+        lines++
+    }
+
+    /** Joins the line with the next, with a space between them, and so on. */
+    private fun join() {
+        val joined = ByteArrayOutputStream()
+        var isOpen = true
+        while (isOpen) {
+            isOpen = start < end && text[end - 1] == BACKSLASH
+            joined.write(text, start, end - start - (if (isOpen) 1 else 0))
+            if (!isOpen || position >= text.size) break
+            joined.write(SPACE.toInt())
+            readLine()
+        }
+        bytes = joined.toByteArray()
+        start = 0
+        end = bytes.size
+        trim()
+    }
+
+    private fun trim() {
+        while (start < end && isBlank(bytes[start])) start++
+        while (start < end && isBlank(bytes[end - 1])) end--
+    }
+
+    private companion object {
+        const val SPACE = ' '.code.toByte()
+        const val TAB = '\t'.code.toByte()
+        const val LINE_FEED = '\n'.code.toByte()
+        const val CARRIAGE_RETURN = '\r'.code.toByte()
+        const val BACKSLASH = '\\'.code.toByte()
+        const val HASH = '#'.code.toByte()
+        const val POINT = '.'.code.toByte()
+
+        /** UTF-8's byte order mark. */
+        val MARK = byteArrayOf(0xEF.toByte(), 0xBB.toByte(), 0xBF.toByte())
+
+        /** A space or a control character. */
+        fun isBlank(byte: Byte) = byte in 0..SPACE
+
+        fun startsWithMark(bytes: ByteArray) = bytes.size >= MARK.size && MARK.indices.all { bytes[it] == MARK[it] }
+
+        fun isUtf8(bytes: ByteArray): Boolean {
+            val decoder = Charsets.UTF_8.newDecoder()
+            val input = ByteBuffer.wrap(bytes)
+            val output = CharBuffer.allocate(4096)
+            while (true) {
+                val result = decoder.decode(input, output.clear(), true)
+                if (result.isError) return false
+                if (result.isUnderflow) return true
+            }
+        }
+    }
+}

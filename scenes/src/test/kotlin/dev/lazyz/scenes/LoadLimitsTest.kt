@@ -1,0 +1,143 @@
+package dev.lazyz.scenes
+
+import dev.lazyz.scenes.images.PngFile
+import java.nio.file.Files
+import java.nio.file.Path
+import java.time.Duration
+import java.util.concurrent.TimeUnit
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Assumptions.assumeTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.Timeout
+import org.junit.jupiter.api.io.TempDir
+
+/** Each limit is reached, and says its name. */
+class LoadLimitsTest {
+    @TempDir
+    lateinit var folder: Path
+
+    @Test
+    fun trianglesAndVerticesOfEveryFormatAreCounted() {
+        for ((name, text) in squares) {
+            val path = Files.write(folder.resolve(name), text)
+            assertEquals(1, Scenes.load(path).scene.surfaces.size, name)
+            val triangles = message(path, LoadLimits(triangles = 1))
+            assertTrue("more than 1 triangles: 2" in triangles && "--max-triangles" in triangles, triangles)
+            val vertices = message(path, LoadLimits(vertices = 3))
+            assertTrue("more than 3 vertices" in vertices && "--max-vertices" in vertices, vertices)
+            val bytes = message(path, LoadLimits(decodedBytes = 100))
+            assertTrue("bytes of decoded data" in bytes && "--max-decoded" in bytes, bytes)
+            val time = message(path, LoadLimits(time = Duration.ZERO))
+            assertTrue("0 ms" in time && "LoadLimits.time" in time, time)
+            Scenes.load(path, LoadLimits(decodedBytes = 1000, triangles = 2, vertices = 6))
+        }
+    }
+
+    @Test
+    fun texelsAreCountedBeforeTheyAreDecoded() {
+        Files.write(folder.resolve("t.png"), PngFile.of(100, 100, 8, PngFile.GREY, List(100) { ByteArray(100) }))
+        val path = obj("t.png")
+        assertTrue(Scenes.load(path).warnings.isEmpty())
+        val message = message(path, LoadLimits(texels = 9_999))
+        assertTrue("more than 9999 pixels of textures: 10000" in message && "--max-texels" in message, message)
+    }
+
+    @Test
+    fun oneFileUnderSeveralNamesIsOneTexture() {
+        Files.createDirectory(folder.resolve("sub"))
+        Files.write(folder.resolve("t.png"), PngFile.of(10, 10, 8, PngFile.GREY, List(10) { ByteArray(10) }))
+        val path = obj("t.png", "./t.png", "sub/../t.png", "T.PNG")
+        assertTrue(Scenes.load(path, LoadLimits(texels = 100)).warnings.isEmpty())
+    }
+
+    @Test
+    fun nestingIsLimited() {
+        val path = Files.writeString(folder.resolve("a.json"), """{"lazyz": 1, "surfaces": [[[[[]]]]]}""")
+        val message = message(path, LoadLimits(nesting = 4))
+        assertTrue("is nested more than 4 deep; if it can be trusted, raise LoadLimits.nesting" in message, message)
+    }
+
+    @Test
+    fun aScenesMeshesAreCountedTogether() {
+        Files.write(folder.resolve("square.obj"), squares.getValue("square.obj"))
+        val twice = """{"lazyz": 1, "surfaces": [{"mesh": "square.obj"}, {"mesh": "./square.obj"}]}"""
+        val path = Files.writeString(folder.resolve("a.json"), twice)
+        assertEquals(2, Scenes.load(path, LoadLimits(triangles = 4)).scene.surfaces.size)
+        assertTrue("--max-triangles" in message(path, LoadLimits(triangles = 3)))
+    }
+
+    @Test
+    fun builtinScenesAreCountedBeforeTheyAreMade() {
+        val teapots = List(100) { """{"builtin": {"name": "teapot", "segments": 256}}""" }
+        val text = """{"lazyz": 1, "surfaces": [${teapots.joinToString()}]}"""
+        val path = Files.writeString(folder.resolve("a.json"), text)
+        assertTrue("--max-decoded" in message(path, LoadLimits(decodedBytes = 1000)))
+    }
+
+    @Test
+    fun filesOutsideAreReadOnlyIfThatIsAllowed() {
+        val inner = Files.createDirectory(folder.resolve("inner"))
+        Files.write(folder.resolve("square.obj"), squares.getValue("square.obj"))
+        val text = """{"lazyz": 1, "surfaces": [{"mesh": "../square.obj"}]}"""
+        val path = Files.writeString(inner.resolve("a.json"), text)
+        val message = message(path, LoadLimits())
+        assertTrue("lies outside $inner" in message && "--allow-outside" in message, message)
+        val loaded = Scenes.load(path, LoadLimits(references = ReferencePolicy.ANYWHERE))
+        assertEquals(1, loaded.scene.surfaces.size)
+    }
+
+    @Test
+    @Timeout(20, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    fun pipesAndDevicesAreRefusedAtOnce() {
+        val pipe = folder.resolve("pipe.obj")
+        assumeTrue(ProcessBuilder("mkfifo", pipe.toString()).start().waitFor() == 0, "no pipes with names here")
+        val refused = "$pipe: is a pipe or a device, not a file; send its bytes as a stream"
+        assertEquals(refused, message(pipe, LoadLimits()))
+        val path = Files.writeString(folder.resolve("a.json"), """{"lazyz": 1, "surfaces": [{"mesh": "pipe.obj"}]}""")
+        assertTrue("pipe.obj is missing" in message(path, LoadLimits()))
+    }
+
+    @Test
+    fun limitsThatMakeNoSenseAreRefused() {
+        for (make in listOf({
+            LoadLimits(triangles = -1)
+        }, { LoadLimits(nesting = 0) }, { LoadLimits(nesting = 1001) })) {
+            assertThrows(IllegalArgumentException::class.java) { make() }
+        }
+    }
+
+    private fun message(path: Path, limits: LoadLimits): String =
+        assertThrows(SceneFormatException::class.java) { Scenes.load(path, limits) }.message.orEmpty()
+
+    /** A triangle with as many materials as there are [textures]. */
+    private fun obj(vararg textures: String): Path {
+        val materials = textures.withIndex().joinToString("\n") { (i, texture) -> "newmtl m$i\nmap_Kd $texture" }
+        Files.writeString(folder.resolve("a.mtl"), materials)
+        val faces = textures.indices.joinToString("\n") { "usemtl m$it\nf 1/1 2/1 3/1" }
+        return Files.writeString(
+            folder.resolve("a.obj"),
+            "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n$faces\n",
+        )
+    }
+
+    private companion object {
+        /** A square of two triangles in each format. */
+        val squares: Map<String, ByteArray> = mapOf(
+            "square.obj" to "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n",
+            "square.stl" to "solid s\n" + listOf("0 0 0,1 0 0,1 1 0", "0 0 0,1 1 0,0 1 0").joinToString("") { corners ->
+                "facet normal 0 0 1\nouter loop\n" + corners.split(',').joinToString("") { "vertex $it\n" } +
+                    "endloop\nendfacet\n"
+            } + "endsolid s\n",
+            "square.ply" to "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n" +
+                "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+                "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n",
+            "square.gltf" to """{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+                "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+                "accessors": [{"componentType": 5126, "count": 6, "type": "VEC3"}]}""",
+            "square.json" to """{"lazyz": 1, "surfaces": [{"mesh": {"positions": [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0],
+                "triangles": [0, 1, 2, 0, 2, 3]}}]}""",
+        ).mapValues { (_, text) -> text.toByteArray() }
+    }
+}
