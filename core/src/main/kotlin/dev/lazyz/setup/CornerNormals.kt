@@ -34,14 +34,13 @@ internal class CornerNormals(
         private set
     private var nextCopy = IntArray(LEAST)
 
-    private val face = IntArray(CROWD)
-    private val x = DoubleArray(CROWD)
-    private val y = DoubleArray(CROWD)
-    private val z = DoubleArray(CROWD)
-    private val length = DoubleArray(CROWD)
-
-    /** Whether a corner of the position at hand has a crease around it. */
-    private val isCreased = BooleanArray(CROWD)
+    // Of each corner at the position at hand, unless it is crowded: its face, and that one's normal
+    private val most = minOf(CROWD, vertices.size)
+    private val face = IntArray(most)
+    private val x = DoubleArray(most)
+    private val y = DoubleArray(most)
+    private val z = DoubleArray(most)
+    private val length = DoubleArray(most)
     private val normal = FloatArray(3)
 
     // The sum of all faces at the position at hand
@@ -51,29 +50,36 @@ internal class CornerNormals(
 
     /** Does the [corners] from place [from] until [until], which are at one position. */
     fun add(corners: IntArray, from: Int, until: Int) {
-        mean(corners, from, until)
-        val isCrowded = until - from > CROWD
-        if (isCrowded || !findCreases(corners, from, until)) {
-            for (i in from until until) share(corners[i])
+        val count = until - from
+        addUp(corners, from, until)
+        if (count > CROWD || areNarrow(count) || !haveCreases(count)) {
+            shareMean(corners, from, until)
             return
         }
-        val meanX = normal[0]
-        val meanY = normal[1]
-        val meanZ = normal[2]
-        for (i in 0 until until - from) {
-            if (isCreased[i]) {
-                sumOfSmooth(i, until - from)
-            } else {
-                normal[0] = meanX
-                normal[1] = meanY
-                normal[2] = meanZ
-            }
-            share(corners[from + i])
+        for (i in 0 until count) {
+            sumOfSmooth(i, count)
+            copyOf[corners[from + i]] = copy(vertices[corners[from + i]])
         }
     }
 
-    /** Makes [normal] the sum of all the corners' faces, at unit length. */
-    private fun mean(corners: IntArray, from: Int, until: Int) {
+    /** Gives all the corners the sum of their faces, at unit length. */
+    private fun shareMean(corners: IntArray, from: Int, until: Int) {
+        MeshGeometry.unit(sumX, sumY, sumZ, normal, 0)
+        var vertex = -1
+        var copy = -1
+        for (i in from until until) {
+            val corner = corners[i]
+            if (vertices[corner] != vertex) {
+                vertex = vertices[corner]
+                copy = copy(vertex)
+            }
+            copyOf[corner] = copy
+        }
+    }
+
+    /** Takes the faces of the corners, and adds them up. */
+    private fun addUp(corners: IntArray, from: Int, until: Int) {
+        val isCrowded = until - from > CROWD
         sumX = 0.0
         sumY = 0.0
         sumZ = 0.0
@@ -82,45 +88,34 @@ internal class CornerNormals(
             sumX += faces[at]
             sumY += faces[at + 1]
             sumZ += faces[at + 2]
+            if (isCrowded) continue
+            face[i - from] = at
+            x[i - from] = faces[at]
+            y[i - from] = faces[at + 1]
+            z[i - from] = faces[at + 2]
         }
-        MeshGeometry.unit(sumX, sumY, sumZ, normal, 0)
-    }
-
-    /** Looks for creases; false if there is none. */
-    private fun findCreases(corners: IntArray, from: Int, until: Int): Boolean {
-        val count = until - from
-        for (i in 0 until count) {
-            val at = corners[from + i] / 3 * 3
-            face[i] = at
-            x[i] = faces[at]
-            y[i] = faces[at + 1]
-            z[i] = faces[at + 2]
-            length[i] = sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i])
-        }
-        return !areNarrow(count) && findCreasedPairs(count)
     }
 
     /** Whether all faces lean from their sum by so little that no two make a crease; false if that is not certain. */
     private fun areNarrow(count: Int): Boolean {
-        val sumLength = sqrt(sumX * sumX + sumY * sumY + sumZ * sumZ)
-        if (sumLength !in SHORTEST..LONGEST) return false
+        val sumSquare = sumX * sumX + sumY * sumY + sumZ * sumZ
+        if (sumSquare !in SMALLEST..LARGEST) return false
+        val bound = narrowCosine * narrowCosine * sumSquare
         for (i in 0 until count) {
-            if (length[i] !in SHORTEST..LONGEST) return false
-            if (x[i] * sumX + y[i] * sumY + z[i] * sumZ <= narrowCosine * sumLength * length[i]) return false
+            val square = x[i] * x[i] + y[i] * y[i] + z[i] * z[i]
+            if (square !in SMALLEST..LARGEST) return false
+            val dot = x[i] * sumX + y[i] * sumY + z[i] * sumZ
+            if (dot <= 0.0 || dot * dot <= bound * square) return false
         }
         return true
     }
 
-    /** Looks at each pair of faces; false if none makes a crease. */
-    private fun findCreasedPairs(count: Int): Boolean {
+    /** Whether any two faces make a crease. */
+    private fun haveCreases(count: Int): Boolean {
+        for (i in 0 until count) length[i] = sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i])
         for (i in 0 until count) {
-            isCreased[i] = false
-            for (j in 0 until i) {
-                if (isCrease(i, j)) isCreased[i] = true
-                if (isCrease(j, i)) isCreased[j] = true
-            }
+            for (j in 0 until count) if (isCrease(i, j)) return true
         }
-        for (i in 0 until count) if (isCreased[i]) return true
         return false
     }
 
@@ -143,22 +138,19 @@ internal class CornerNormals(
         MeshGeometry.unit(smoothX, smoothY, smoothZ, normal, 0)
     }
 
-    /** Gives [corner] the copy of its vertex that has [normal], a new one if there is none. */
-    private fun share(corner: Int) {
-        val vertex = vertices[corner]
+    /** Returns the copy of [vertex] that has [normal], a new one if there is none. */
+    private fun copy(vertex: Int): Int {
         var copy = firstCopy[vertex]
         while (copy >= 0 && !hasNormal(copy)) copy = nextCopy[copy]
-        if (copy < 0) {
-            if (size == nextCopy.size) {
-                nextCopy = nextCopy.copyOf(size + size / 2)
-                normals = normals.copyOf(3 * nextCopy.size)
-            }
-            copy = size++
-            nextCopy[copy] = firstCopy[vertex]
-            firstCopy[vertex] = copy
-            normal.copyInto(normals, 3 * copy)
+        if (copy >= 0) return copy
+        if (size == nextCopy.size) {
+            nextCopy = nextCopy.copyOf(size + size / 2)
+            normals = normals.copyOf(3 * nextCopy.size)
         }
-        copyOf[corner] = copy
+        nextCopy[size] = firstCopy[vertex]
+        firstCopy[vertex] = size
+        normal.copyInto(normals, 3 * size)
+        return size++
     }
 
     /** By their bits: -0 is another number than 0 here, and NaN the same as NaN. */
@@ -171,10 +163,10 @@ internal class CornerNormals(
         /** Where more corners than this meet, creases are not looked for: it would cost the square of their number. */
         const val CROWD = 1024
 
-        /** Radians, far more than roundings turn a vector by where its length is in [SHORTEST]..[LONGEST]. */
+        /** Radians, far more than roundings turn a vector by whose squared length is in [SMALLEST]..[LARGEST]. */
         const val MARGIN = 1e-6
-        const val SHORTEST = 1e-140
-        const val LONGEST = 1e140
+        const val SMALLEST = 1e-140
+        const val LARGEST = 1e140
 
         /** More than any cosine. */
         const val NEVER = 2.0

@@ -124,7 +124,8 @@ public final class MeshFiles {
                 """.formatted(positions.length / 3, triangles.length / 3);
         byte[] text = header.getBytes(StandardCharsets.US_ASCII);
         int faceBytes = 1 + 3 * Integer.BYTES;
-        ByteBuffer bytes = littleEndian(text.length + Float.BYTES * positions.length + faceBytes * triangles.length / 3);
+        ByteBuffer bytes =
+                littleEndian(text.length + Float.BYTES * positions.length + faceBytes * triangles.length / 3);
         bytes.put(text);
         for (float position : positions) {
             bytes.putFloat(position);
