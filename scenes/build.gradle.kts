@@ -7,6 +7,7 @@ kotlin {
 dependencies {
     api(project(":core"))
     implementation(libs.serialization.json)
+    implementation(libs.jackson.databind)
     implementation(libs.jgltf.model)
     implementation(libs.obj)
     implementation(libs.earcut4j)

@@ -88,7 +88,7 @@ public interface Primitive {
     /**
      * What it costs to evaluate the attributes of one sample afresh, in steps of a [shadingCursor], at least 0.
      * [Coherence.ADAPTIVE] steps over as many columns and no more; with 0 it never steps. The default takes a step for
-     * as dear as a start: neighbours are stepped to, gaps are not. Override it where starting is dearer.
+     * as expensive as a start: neighbours are stepped to, gaps are not. Override it where starting is more expensive.
      */
     public val shadingStartCost: Int get() = 1
 }

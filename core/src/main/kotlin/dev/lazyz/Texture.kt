@@ -16,6 +16,9 @@ public enum class TextureWrap {
 
     /** The texel at the border. */
     CLAMP,
+
+    /** The picture again and again, every other time mirrored. */
+    MIRROR,
 }
 
 /**
@@ -86,21 +89,29 @@ public class Texture @JvmOverloads constructor(
         }
     }
 
-    /** Maps a coordinate to texels: 0 until [size] when it repeats, 0..[size] when it is clamped. */
+    /**
+     * Maps a coordinate to texels: 0 until [size] when it repeats, 0..[size] when it is clamped, 0 until twice the [size]
+     * when it is mirrored.
+     */
     private fun position(coordinate: Float, size: Int, wrap: TextureWrap): Double {
         if (!coordinate.isFinite()) return 0.0
         val value = coordinate.toDouble()
-        val wrapped = if (wrap == TextureWrap.REPEAT) value - StrictMath.floor(value) else value.coerceIn(0.0, 1.0)
+        val wrapped = when (wrap) {
+            TextureWrap.REPEAT -> value - StrictMath.floor(value)
+            TextureWrap.CLAMP -> value.coerceIn(0.0, 1.0)
+            TextureWrap.MIRROR -> value - 2.0 * StrictMath.floor(value / 2.0)
+        }
         return wrapped * size
     }
 
     private fun index(x: Int, y: Int): Int = wrapIndex(y, height, wrapV) * width + wrapIndex(x, width, wrapU)
 
-    /** Brings an index that is at most one too small or too great into the texture. */
+    /** Brings an index that is at most one outside of what [position] gives into the texture. */
     private fun wrapIndex(index: Int, size: Int, wrap: TextureWrap): Int = when {
-        index < 0 -> if (wrap == TextureWrap.REPEAT) size - 1 else 0
-        index >= size -> if (wrap == TextureWrap.REPEAT) 0 else size - 1
-        else -> index
+        index in 0 until size -> index
+        wrap == TextureWrap.REPEAT -> if (index < 0) size - 1 else 0
+        wrap == TextureWrap.MIRROR -> if (index in size until 2 * size) 2 * size - 1 - index else 0
+        else -> if (index < 0) 0 else size - 1
     }
 
     private fun channelOf(texel: Int, channel: Int): Float = when (channel) {

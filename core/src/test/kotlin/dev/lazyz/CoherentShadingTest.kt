@@ -12,7 +12,7 @@ import org.junit.jupiter.api.TestFactory
 class CoherentShadingTest {
     private val raster = Raster(512, 8)
 
-    /** One wall, visible everywhere, whose starts are dear. */
+    /** One wall, visible everywhere, whose starts are expensive. */
     private val wall = frame(wallCost = 64, pickets = 0, pitch = 1) { it }
 
     /** The wall behind pickets that let it through at every 32nd column only; steps have nothing to do with pickets. */
@@ -59,7 +59,7 @@ class CoherentShadingTest {
         for (seed in 1L..20L) {
             val mixed = SampleScenes.mixed(Random(seed)).frame(60, 40)
             val cost = seed.toInt()
-            val frame = Frame(mixed.raster, mixed.primitives.map { Dear(it, cost) })
+            val frame = Frame(mixed.raster, mixed.primitives.map { Expensive(it, cost) })
             val costs = Coherence.entries.associateWith { coherence ->
                 counters(renderer, frame, coherence).let { it.shadingStarts * cost + it.shadingSteps }
             }
@@ -102,8 +102,8 @@ class CoherentShadingTest {
     @TestFactory
     fun adaptiveHeedsWhatAPrimitiveSaysOfItsStarts(): List<DynamicTest> = forEachRenderer { renderer ->
         for (cost in listOf(0, 31, 32)) {
-            val dear = Frame(raster, fence.primitives.map { Dear(it, cost) })
-            val starts = counters(renderer, dear, Coherence.ADAPTIVE).shadingStarts
+            val expensive = Frame(raster, fence.primitives.map { Expensive(it, cost) })
+            val starts = counters(renderer, expensive, Coherence.ADAPTIVE).shadingStarts
             val ofWall = if (cost < 32) 16L * 8 else 8
             assertEquals(ofWall + PICKETS, starts) { "$cost" }
         }
@@ -134,7 +134,7 @@ class CoherentShadingTest {
         builder.polygon(shader, FillRule.NON_ZERO, box(0, raster.width, 0.75))
         for (i in 0 until pickets) builder.polygon(shader, FillRule.NON_ZERO, box(i * pitch + 1, (i + 1) * pitch, 0.25))
         val primitives = builder.build().primitives
-        return Frame(raster, listOf(Dear(primitives[0], wallCost)) + primitives.drop(1).map(picket))
+        return Frame(raster, listOf(Expensive(primitives[0], wallCost)) + primitives.drop(1).map(picket))
     }
 
     /** A primitive whose colours cannot be stepped. */
@@ -143,7 +143,7 @@ class CoherentShadingTest {
     }
 
     /** A primitive that says what its starts cost. */
-    private class Dear(whole: Primitive, override val shadingStartCost: Int) : Primitive by whole
+    private class Expensive(whole: Primitive, override val shadingStartCost: Int) : Primitive by whole
 
     /** A primitive whose colour is a sum along the row: a start is as many additions as there are columns before it. */
     private class Ripple(private val raster: Raster) : Primitive {

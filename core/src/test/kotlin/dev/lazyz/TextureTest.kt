@@ -59,6 +59,7 @@ class TextureTest {
         for ((wrap, width, height) in listOf(
             Triple(TextureWrap.REPEAT, 5, 3), Triple(TextureWrap.CLAMP, 5, 3),
             Triple(TextureWrap.REPEAT, 1, 1), Triple(TextureWrap.CLAMP, 1, 2),
+            Triple(TextureWrap.MIRROR, 5, 3), Triple(TextureWrap.MIRROR, 1, 2),
         )) {
             val texels = IntArray(width * height) { random.nextInt() }
             val texture = Texture(width, height, texels, wrapU = wrap, wrapV = wrap)
@@ -67,6 +68,16 @@ class TextureTest {
                 val v = random.nextFloat() * 4 - 2
                 assertArrayEquals(plain(texture, wrap, u, v), read(texture, u, v), 1e-6f) { "$u, $v of $texture" }
             }
+        }
+    }
+
+    @Test
+    fun rule_6_6_everyOtherCopyIsMirrored() {
+        val texture = Texture(4, 1, numbered(4, 1), TextureFilter.NEAREST, TextureWrap.MIRROR, TextureWrap.MIRROR)
+        val columns = listOf(0, 1, 2, 3, 3, 2, 1, 0)
+        for (i in -16 until 16) {
+            val expected = linear(texture, columns[Math.floorMod(i, 8)], 0).red
+            for (u in listOf(i / 4f, i / 4f + 0.125f)) assertEquals(expected, read(texture, u, 0f)[0], "$u")
         }
     }
 
@@ -80,8 +91,7 @@ class TextureTest {
                 val column = tent(x.toDouble() * texture.width - i - 0.5)
                 val weight = column * tent(y.toDouble() * texture.height - j - 0.5)
                 if (weight == 0.0) continue
-                val isClamped = wrap == TextureWrap.CLAMP
-                val texel = linear(texture, index(i, texture.width, isClamped), index(j, texture.height, isClamped))
+                val texel = linear(texture, index(i, texture.width, wrap), index(j, texture.height, wrap))
                 sums[0] += weight * texel.red
                 sums[1] += weight * texel.green
                 sums[2] += weight * texel.blue
@@ -91,8 +101,11 @@ class TextureTest {
         return FloatArray(4) { sums[it].toFloat() }
     }
 
-    private fun index(i: Int, size: Int, isClamped: Boolean): Int =
-        if (isClamped) i.coerceIn(0, size - 1) else Math.floorMod(i, size)
+    private fun index(i: Int, size: Int, wrap: TextureWrap): Int = when (wrap) {
+        TextureWrap.REPEAT -> Math.floorMod(i, size)
+        TextureWrap.CLAMP -> i.coerceIn(0, size - 1)
+        TextureWrap.MIRROR -> Math.floorMod(i, 2 * size).let { if (it < size) it else 2 * size - 1 - it }
+    }
 
     private fun tent(distance: Double): Double = maxOf(0.0, 1 - Math.abs(distance))
 

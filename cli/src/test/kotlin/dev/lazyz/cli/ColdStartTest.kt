@@ -19,7 +19,7 @@ class ColdStartTest {
         val loaded = loadedBy("render", "teapot", "--size", "256x256", "-o", "teapot.png")
         assertEquals(listOf<String>(), loaded.filter { name -> HEAVY.any { name.startsWith(it) } })
 
-        // Classes spun at run time cannot be archived, or are dear to make
+        // Classes spun at run time cannot be archived, or are expensive to make
         val spun = loaded.filter { name -> name.startsWith("dev.lazyz.") && SPUN.any { it in name } }
         assertEquals(listOf<String>(), spun)
 

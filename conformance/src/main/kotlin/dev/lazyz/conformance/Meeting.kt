@@ -9,14 +9,15 @@ import java.util.concurrent.locks.LockSupport
  * go on at once, and both are known to be running.
  *
  * Two threads at a time meet, since more than there are processors would not run at the same time; others sleep as long as
- * these two go on meeting. All wait a little only, and no longer at all when nobody has come for a while, or when
- * two have met [Where.enough] times. Thread safe.
+ * these two go on meeting. All wait a little only, and no longer at all when nobody has come for a while, when two have
+ * met [Where.enough] times, or after two seconds. Thread safe.
  */
 internal class Meeting(private val where: Where) {
     private val waiting = AtomicReference<Arrival?>()
     private val missed = AtomicInteger()
     private val close = AtomicInteger()
     private val members = arrayOfNulls<Thread>(2)
+    private val madeAt = System.nanoTime()
 
     @Volatile
     private var lastMet = System.nanoTime()
@@ -50,7 +51,8 @@ internal class Meeting(private val where: Where) {
         }
     }
 
-    private fun isOver(): Boolean = missed.get() > MOST_MISSED || close.get() >= where.enough
+    private fun isOver(): Boolean =
+        missed.get() > MOST_MISSED || close.get() >= where.enough || System.nanoTime() - madeAt > MOST_TIME
 
     /** Whether this thread is one of the two; if not, it waits for its turn. */
     private fun isMember(): Boolean {
@@ -129,6 +131,9 @@ internal class Meeting(private val where: Where) {
 
         /** Nanoseconds that one waits: more than a busy system lets the other sleep. */
         const val PATIENCE = 5_000_000L
+
+        /** Nanoseconds after which nobody waits any longer: where the processors are busy, meeting takes long. */
+        const val MOST_TIME = 2_000_000_000L
 
         /** So often in a row one waits for nobody: 50 milliseconds in all. */
         const val MOST_MISSED = 10

@@ -103,7 +103,7 @@ internal class Trial(
             firstFailure = failure
             falsified = Falsified(parameters, failure ?: AssertionError("failed without a word"))
             shrinkingSince = System.nanoTime()
-            if (isTooDearToRepeat(failure)) stepsLeft.set(0)
+            if (isTooExpensiveToRepeat(failure)) stepsLeft.set(0)
         } else {
             remember(parameters)
         }
@@ -163,7 +163,7 @@ internal class Trial(
     /** Calls [block] with the try that failed, some times: if one does not fail, the failure is not reproducible. */
     fun repeat(block: (List<Any>) -> Unit) {
         val best = falsified ?: return
-        if (isTooDearToRepeat(best.failure)) return
+        if (isTooExpensiveToRepeat(best.failure)) return
         isFlaky = (1..REPETITIONS).any { answer { thread.call { block(best.parameters) } } == null }
     }
 
@@ -261,7 +261,7 @@ internal class Trial(
         private fun isCrash(failure: Throwable): Boolean =
             if (failure is AssertionError) failure is Violation && failure.cause is Error else failure is Error
 
-        private fun isTooDearToRepeat(failure: Throwable?): Boolean =
+        private fun isTooExpensiveToRepeat(failure: Throwable?): Boolean =
             failure is TimedOut || failure is ProcessEnded || failure is OutOfMemoryError ||
                 failure?.cause is OutOfMemoryError
     }

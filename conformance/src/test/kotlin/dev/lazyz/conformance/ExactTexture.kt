@@ -35,6 +35,7 @@ internal class ExactTexture(private val texture: Texture) {
 
     private fun wrapped(index: Long, size: Int, wrap: TextureWrap): Int = when (wrap) {
         TextureWrap.REPEAT -> Math.floorMod(index, size)
+        TextureWrap.MIRROR -> Math.floorMod(index, 2 * size).let { if (it < size) it else 2 * size - 1 - it }
         TextureWrap.CLAMP -> index.coerceIn(0L, size - 1L).toInt()
     }
 

@@ -31,7 +31,7 @@ class RecordedReportTest {
         val report = recorded.again { BrokenRenderers.lastWinsTies() }.run()
         assertEquals(emptyList<String>(), recorded.differences(report))
         assertEquals(listOf("last-wins-ties", 3L, 0.2), listOf(recorded.strategy, report.seed, report.tries))
-        assertEquals(3, report.results.size)
+        assertEquals(SuiteRule.all.filter { it.number in listOf("5.2", "5.6") }, report.results.map { it.rule })
     }
 
     @Test

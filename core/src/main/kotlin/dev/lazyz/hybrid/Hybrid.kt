@@ -22,7 +22,7 @@ import kotlinx.coroutines.flow.Flow
  * picture: with less memory, more of what is shaded is covered later. The extra shading calls are
  * [Counters.shadingCalls] less the visible samples.
  *
- * Use it when primitives arrive one by one and shading is dear, and to hold a picture's cost within known memory.
+ * Use it when primitives arrive one by one and shading is expensive, and to hold a picture's cost within known memory.
  *
  * Memory: 12 bytes a sample, and suspensions within the budget; besides, only the primitive in hand and objects of
  * constant size. Time: proportional to the fragments. Thread safe; no state between calls.

@@ -22,7 +22,7 @@ import java.util.concurrent.atomic.AtomicReference
  *
  * Use it wherever nothing speaks against it. Use `ZBuffer` where primitives arrive one by one and are too many to
  * keep, `LazyZBuffer` or `FlowPipeline` to stop after some rows or to look at few samples, and `ScanLine` where depth
- * is dear.
+ * is expensive.
  *
  * Fastest by far where the JVM was started with `--add-modules jdk.incubator.vector` and where opaque surfaces are
  * [dev.lazyz.Mesh]es in a [dev.lazyz.Scene]: their triangles are never objects. Shaders of one's own are faster as

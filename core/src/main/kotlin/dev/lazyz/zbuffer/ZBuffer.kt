@@ -20,7 +20,7 @@ import kotlinx.coroutines.flow.Flow
  *
  * Eager: a fragment that is the nearest so far is shaded at once, though something submitted later may hide it. Use it
  * when primitives arrive one by one and there are too many to keep, or when shading is cheap; use a lazy renderer when
- * shading is dear.
+ * shading is expensive.
  *
  * Memory: 12 bytes a sample, whatever the number of primitives. Time: proportional to the fragments. Thread safe; no
  * state between calls.

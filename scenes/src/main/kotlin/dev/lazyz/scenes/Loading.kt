@@ -44,7 +44,8 @@ internal class Loading(val limits: LoadLimits = LoadLimits()) {
         decode(source, count * TEXEL_BYTES)
     }
 
-    private fun decode(source: Source, bytes: Long) {
+    /** Fails if [source] must not decode so many [bytes] more; call it before memory is allocated for them. */
+    fun decode(source: Source, bytes: Long) {
         decoded += bytes
         val most = limits.decodedBytes ?: LoadLimits.defaultDecodedBytes(read)
         check(source, decoded, most, "bytes of decoded data", "decodedBytes", "--max-decoded")

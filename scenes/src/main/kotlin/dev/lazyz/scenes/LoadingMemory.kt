@@ -1,6 +1,6 @@
 package dev.lazyz.scenes
 
-/** What reading a file takes of Java's memory, with room for the garbage collector; measured on meshes made to be dear. */
+/** What reading a file takes of Java's memory, with room for the garbage collector; measured on meshes that need much. */
 internal object LoadingMemory {
     /** Bytes of memory for each byte of a file of [format]; what any file takes if it is null. */
     fun perByte(format: SceneFormat?): Int = when (format) {

@@ -131,7 +131,7 @@ internal object GoldenScenes {
     /** Four squares side by side: both filters, both ways to go on beyond the texture, coordinates far and near. */
     private fun textured(): List<Surface> = List(4) { i ->
         val filter = TextureFilter.entries[i % 2]
-        val wrap = TextureWrap.entries
+        val wrap = listOf(TextureWrap.REPEAT, TextureWrap.CLAMP)
         val texture = leaf.withSampling(filter, wrap[i / 2], wrap[1 - i / 2])
         val x = i % 2 * 2.2 - 2.2
         val y = i / 2 * 2.0 - 2.0

@@ -47,13 +47,13 @@ record Contender(String name, Kind kind, List<String> command) {
 
     /** Whether this program can draw the triangles with so many threads. */
     boolean canDraw(Triangles triangles, boolean isPerspective, int threads) {
-        boolean isDear = triangles.coloring() == Coloring.ROUNDS;
+        boolean isExpensive = triangles.coloring() == Coloring.ROUNDS;
         return switch (kind) {
             case LLVMPIPE, OURS -> true;
-            case LLVMPIPE_VISIBILITY -> isDear && !isPerspective;
+            case LLVMPIPE_VISIBILITY -> isExpensive && !isPerspective;
             case EUC -> threads == 1 && !isPerspective;
-            case VTK -> !isDear;
-            case JMOL -> threads == 1 && !isDear && !isPerspective;
+            case VTK -> !isExpensive;
+            case JMOL -> threads == 1 && !isExpensive && !isPerspective;
         };
     }
 

@@ -4,7 +4,7 @@ import dev.lazyz.BatchShader;
 import dev.lazyz.FragmentBatch;
 
 /**
- * A dear shader: rounds of a polynomial in a sample's interpolated colour.
+ * An expensive shader: rounds of a polynomial in a sample's interpolated colour.
  *
  * <p>A round maps (x, y), which begins as (red, green), to
  *

@@ -16,7 +16,7 @@ import java.util.List;
  * <tr><td>S2</td><td>1,002,252 triangles of 1 to 2 pixels that share vertices: a bumpy sphere in smooth colours</td></tr>
  * <tr><td>S3</td><td>100 layers that fill the raster, from back to front</td></tr>
  * <tr><td>S4</td><td>the same layers from front to back</td></tr>
- * <tr><td>S5</td><td>the triangles of S1 under a dear shader, {@link RoundsShader}</td></tr>
+ * <tr><td>S5</td><td>the triangles of S1 under an expensive shader, {@link RoundsShader}</td></tr>
  * <tr><td>S6</td><td>10,000 triangles of about 20,000 pixels, in smooth colours</td></tr>
  * </table>
  */

@@ -41,7 +41,7 @@ class WorkloadsTest {
     }
 
     @Test
-    void dearShaderHasTheTrianglesOfConfetti() {
+    void expensiveShaderHasTheTrianglesOfConfetti() {
         assertArrayEquals(
                 Workloads.triangles("S1").positions(), Workloads.triangles("S5").positions());
     }

@@ -50,7 +50,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
         val isNormalized = accessor.isNormalized == true
         val data = dense(accessor, index, type)
         val count = count(accessor, "accessors[$index]")
-        document.source.loading.vertices(document.source, count.toLong())
+        document.source.loading.decode(document.source, count.toLong() * width * Float.SIZE_BYTES)
         val result = FloatArray(count * width)
         if (data != null) {
             for (element in 0 until count) {

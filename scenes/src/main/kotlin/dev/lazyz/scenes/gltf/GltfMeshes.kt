@@ -50,6 +50,7 @@ internal class GltfMeshes(private val document: GltfDocument) {
         val here = "$where.attributes"
         val positions = accessors.floats(attributes["POSITION"], "$here.POSITION", ElementType.VEC3)
         val count = positions.size / 3
+        document.source.loading.vertices(document.source, count.toLong())
         val normals = attributes["NORMAL"]?.let { accessors.floats(it, "$here.NORMAL", ElementType.VEC3) }
         val material = materials.material(primitive.material, "$where.material")
         val set = "TEXCOORD_${material.texCoordSet}"

@@ -10,8 +10,7 @@ import dev.lazyz.scenes.images.TextureFiles
 /**
  * Textures (section 3.8): images in buffer views, data URIs and files, each decoded once, with their samplers.
  *
- * The magnification filter decides; mipmaps are not a thing here. Mirrored repetition becomes plain repetition, with a
- * warning. An image that is missing or cannot be decoded gives a warning and no texture.
+ * The magnification filter decides; mipmaps are not a thing here. An image that is missing or cannot be decoded gives a warning and no texture.
  */
 internal class GltfTextures(private val document: GltfDocument) {
     /** By the place of their bytes, which images may share: the number of a buffer view, or a URI. */
@@ -39,10 +38,7 @@ internal class GltfTextures(private val document: GltfDocument) {
 
     private fun wrap(wrap: Int?): TextureWrap = when (wrap) {
         GltfConstants.GL_CLAMP_TO_EDGE -> TextureWrap.CLAMP
-        GltfConstants.GL_MIRRORED_REPEAT -> {
-            document.warn("a texture that repeats mirrored is repeated unmirrored")
-            TextureWrap.REPEAT
-        }
+        GltfConstants.GL_MIRRORED_REPEAT -> TextureWrap.MIRROR
         else -> TextureWrap.REPEAT
     }
 

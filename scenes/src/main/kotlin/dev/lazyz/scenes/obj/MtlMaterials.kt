@@ -35,22 +35,23 @@ internal class MtlMaterial(
  * multiplies the texture, except that a black `Kd` beside `map_Kd` counts as white, which is what programs mean that
  * write it (drawn to the letter, the texture would be invisible). The highlight is `Ks` by the halfway vector with
  * exponent `Ns`, as `illum 2` defines it; `illum 0` means no light at all and `illum 1` no highlight. `d` below 1 makes
- * a translucent material. A texture's alpha counts only if `map_d` names the same file, and then as a mask.
+ * a translucent material; so does `Tr`, which is 1 - `d`, except that `Tr 1` without a `d` counts as opaque, because
+ * some programs write it for opaque materials. A texture's alpha counts only if `map_d` names the same file, and then as a mask.
  *
  * @param folders where textures are looked for, in order
  */
 internal class MtlMaterials(private val source: Source, private val folders: List<Path>) {
     private val textures = HashMap<String, Texture?>()
 
-    /** Returns the material of [mtl] with the texture statements [maps]. */
-    fun material(mtl: Mtl, maps: Map<String, MtlMap>): MtlMaterial {
+    /** Returns the material of [mtl] with the texture statements [maps]; [hasOpacity] if it has a `d`. */
+    fun material(mtl: Mtl, maps: Map<String, MtlMap>, hasOpacity: Boolean): MtlMaterial {
         val map = maps["map_kd"]
         val texture = map?.let(::texture)
         val mask = maps["map_d"]
         val isMasked = texture != null && mask?.file == map.file
         if (mask != null && !isMasked) source.warn("material ${mtl.name}: map_d ${mask.file} is not used")
 
-        val alpha = mtl.d?.takeIf { it.isFinite() }?.coerceIn(0f, 1f) ?: 1f
+        val alpha = alpha(mtl, hasOpacity)
         val isLit = mtl.illum != 0
         val material = Material(
             baseColor = baseColor(mtl, map != null).withAlpha(alpha),
@@ -70,6 +71,13 @@ internal class MtlMaterials(private val source: Source, private val folders: Lis
             name = mtl.name,
         )
         return if (map == null) MtlMaterial(material) else placed(material, map)
+    }
+
+    private fun alpha(mtl: Mtl, hasOpacity: Boolean): Float {
+        val alpha = mtl.d?.takeIf { it.isFinite() }?.coerceIn(0f, 1f) ?: 1f
+        if (alpha > 0f || hasOpacity) return alpha
+        source.warn("material ${mtl.name}: Tr 1 without d is taken for opaque; to make it invisible, say d 0")
+        return 1f
     }
 
     private fun placed(material: Material, map: MtlMap) =

@@ -16,6 +16,9 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
     /** For each `newmtl` so far, its texture statements by keyword. */
     val maps = ArrayList<Map<String, MtlMap>>()
 
+    /** For each `newmtl` so far, whether it has a `d`. */
+    val haveOpacity = ArrayList<Boolean>()
+
     /** The statement that was handed out last. */
     var statement = ""
         private set
@@ -24,7 +27,6 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
     val number: Int get() = statements.number
 
     private var current = HashMap<String, MtlMap>()
-    private var hasOpacity = false
 
     override fun readLine(): String? {
         while (statements.next()) {
@@ -40,7 +42,7 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
         if (keyword == "newmtl") {
             current = HashMap()
             maps.add(current)
-            hasOpacity = false
+            haveOpacity.add(false)
         } else if (maps.isEmpty()) {
             return null
         }
@@ -48,8 +50,8 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
         return when (keyword) {
             // The parser knows the keyword in lower case only
             "newmtl" -> "newmtl" + statement.substring(keyword.length)
-            "d" -> statements.withoutComment().also { hasOpacity = true }
-            "tr" -> statements.withoutComment().takeUnless { hasOpacity }
+            "d" -> statements.withoutComment().also { haveOpacity[haveOpacity.size - 1] = true }
+            "tr" -> statements.withoutComment().takeUnless { haveOpacity.last() }
             "kd", "ks", "ke", "ns", "illum" -> statements.withoutComment()
             "map_kd", "map_d" -> null.also { current[keyword] = MtlMap.parse(statement.substring(keyword.length)) }
             else -> null

@@ -51,9 +51,9 @@ internal class ObjFaceReader(
         val third = slash(second + 1)
         if (third < statements.wordEnd) fail("\"${statements.word()}\" is more than three numbers")
         model.faces.addCorner(
-            number(statements.wordStart, first, model.positions.size / 3, "vertices"),
-            if (hasTextures) number(first + 1, second, model.textures.size / 2, "texture coordinates") else -1,
-            if (hasNormals) number(second + 1, third, model.normals.size / 3, "normals") else -1,
+            position(statements.wordStart, first),
+            if (hasTextures) number(first + 1, second, model.textures.size / 2) else -1,
+            if (hasNormals) number(second + 1, third, model.normals.size / 3) else -1,
         )
     }
 
@@ -64,8 +64,24 @@ internal class ObjFaceReader(
         return minOf(at, statements.wordEnd)
     }
 
-    /** Returns the number that stands from [from] until [until], counted from 0; [count] of [what] stand before. */
-    private fun number(from: Int, until: Int, count: Int, what: String): Int {
+    private fun position(from: Int, until: Int): Int {
+        val count = model.positions.size / 3
+        val number = number(from, until, count)
+        if (number != ObjModel.NOWHERE) return number
+        val word = statements.decoded(from, until)
+        if (!word.startsWith('-')) fail("\"$word\" cannot number a vertex")
+        source.fail(
+            "line ${statements.number}",
+            "the face refers to number $word, counted backward, of the $count vertices before it",
+            ObjModel.REFERENCE_REMEDY,
+        )
+    }
+
+    /**
+     * Returns the number that stands from [from] until [until], counted from 0; [count] stand before.
+     * [ObjModel.NOWHERE] if it is 0, too large for any file, or counts backward beyond the first.
+     */
+    private fun number(from: Int, until: Int, count: Int): Int {
         val isBackward = from < until && statements.bytes[from] == MINUS
         val start = if (isBackward) from + 1 else from
         var value = 0L
@@ -76,18 +92,14 @@ internal class ObjFaceReader(
             value = 10 * value + digit
             at++
         }
-        if (at < until || at == start || value == 0L || value > Int.MAX_VALUE) {
-            fail("\"${statements.decoded(from, until)}\" cannot number a vertex")
+        val isNumber = (at == until && at > start) || value > Int.MAX_VALUE
+        if (!isNumber) fail("\"${statements.decoded(from, until)}\" cannot number a vertex")
+        return when {
+            value == 0L || value > Int.MAX_VALUE -> ObjModel.NOWHERE
+            !isBackward -> (value - 1).toInt()
+            value <= count -> (count - value).toInt()
+            else -> ObjModel.NOWHERE
         }
-        if (!isBackward) return (value - 1).toInt()
-        if (value > count) {
-            source.fail(
-                "line ${statements.number}",
-                "the face refers to number ${-value}, counted backward, of the $count $what before it",
-                ObjModel.REFERENCE_REMEDY,
-            )
-        }
-        return (count - value).toInt()
     }
 
     private fun fail(problem: String): Nothing = source.fail(

@@ -23,23 +23,39 @@ internal class ObjModel(private val source: Source) {
     /** What `mtllib` statements say, in order. */
     val libraries = ArrayList<String>()
 
-    /** Fails if a face refers to something that no line of the file, before it or after, defines. */
+    /**
+     * Fails if a face refers to a vertex that no line of the file, before it or after, defines. Of texture coordinates and
+     * normals that are not there, faces lose the references, with a warning.
+     */
     fun checkReferences() {
-        checkReferences(faces.positions, positions.size / 3, "vertices")
-        checkReferences(faces.textures, textures.size / 2, "texture coordinates")
-        checkReferences(faces.normals, normals.size / 3, "normals")
-    }
-
-    private fun checkReferences(numbers: Ints, count: Int, what: String) {
-        for (corner in 0 until numbers.size) {
-            if (numbers[corner] < count) continue
+        val count = positions.size / 3
+        for (corner in 0 until faces.positions.size) {
+            if (faces.positions[corner] < count) continue
             val face = (0 until faces.size).first { corner < faces.end(it) }
-            val problem = "the face refers to number ${numbers[corner] + 1} of $count $what"
+            val problem = "the face refers to number ${faces.positions[corner] + 1} of $count vertices"
             source.fail("line ${faces.line(face)}", problem, REFERENCE_REMEDY)
         }
+        drop(faces.textures, textures.size / 2, "texture coordinates")
+        drop(faces.normals, normals.size / 3, "normals")
+    }
+
+    private fun drop(numbers: Ints, count: Int, what: String) {
+        var dropped = 0
+        var first = -1
+        for (face in 0 until faces.size) {
+            val corners = faces.start(face) until faces.end(face)
+            if (corners.none { numbers[it] >= count }) continue
+            for (corner in corners) numbers[corner] = -1
+            if (dropped++ == 0) first = faces.line(face)
+        }
+        if (dropped == 0) return
+        source.warn("$dropped faces, first in line $first, refer to $what that are not there, and are drawn without")
     }
 
     companion object {
         const val REFERENCE_REMEDY = "correct the face or export the model again"
+
+        /** The number of what is not there, for certain. */
+        const val NOWHERE = Int.MAX_VALUE
     }
 }

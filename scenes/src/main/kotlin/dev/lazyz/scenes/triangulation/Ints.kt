@@ -9,6 +9,10 @@ internal class Ints(capacity: Int = INITIAL_CAPACITY) {
 
     operator fun get(index: Int): Int = values[index]
 
+    operator fun set(index: Int, value: Int) {
+        values[index] = value
+    }
+
     fun add(value: Int) {
         if (size == values.size) values = values.copyOf(size + maxOf(size / 2, INITIAL_CAPACITY))
         values[size++] = value

@@ -46,7 +46,7 @@ class GltfErrorsTest {
     fun textThatIsNoGltfIsRefused() {
         assertFails("", null, "empty")
         assertFails("[]", null, "no JSON object")
-        assertFails("{\n \"asset\": }", "line 2, column 12", "no JSON")
+        assertFails("{\n \"asset\": }", "line 2, column 11", "no JSON")
         assertFails("""{"asset":{"version":"1.0"}}""", "asset.version", "\"1.0\"")
         assertFails("{}", "asset.version", "\"\"")
         val start = "{\"asset\":{\"version\":\"2.0\"},\"extras\":" + "[".repeat(100_000)

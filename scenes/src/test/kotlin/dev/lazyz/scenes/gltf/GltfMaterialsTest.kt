@@ -157,7 +157,7 @@ class GltfMaterialsTest {
         val nearest = sampled("""{"magFilter":9728,"wrapS":33071}""")
         assertEquals(listOf(TextureFilter.NEAREST, TextureWrap.CLAMP, TextureWrap.REPEAT), nearest)
         val mirrored = sampled("""{"magFilter":9729,"wrapS":33648,"wrapT":33071}""")
-        assertEquals(listOf(TextureFilter.BILINEAR, TextureWrap.REPEAT, TextureWrap.CLAMP), mirrored)
+        assertEquals(listOf(TextureFilter.BILINEAR, TextureWrap.MIRROR, TextureWrap.CLAMP), mirrored)
     }
 
     @Test

@@ -87,6 +87,11 @@ class MtlTest {
             assertEquals(AlphaMode.BLEND, material.alphaMode, library)
         }
         assertEquals(AlphaMode.OPAQUE, mesh("d 1\nTr 0").material.alphaMode)
+
+        // Some programs mean opaque by it
+        assertEquals(AlphaMode.OPAQUE, mesh("Tr 1", warnings = 1).material.alphaMode)
+        assertEquals(0f, mesh("d 0").material.baseColor.alpha)
+        assertEquals(0f, mesh("d 0\nTr 1").material.baseColor.alpha)
     }
 
     @Test

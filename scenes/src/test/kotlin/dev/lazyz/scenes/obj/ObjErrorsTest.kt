@@ -2,6 +2,7 @@ package dev.lazyz.scenes.obj
 
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.triangulation.TestSources
+import dev.lazyz.scenes.triangulation.meshes
 import java.nio.file.Files
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -25,8 +26,6 @@ class ObjErrorsTest {
         assertFails(triangle + "f 1 2 4\n", "line 4", "number 4 of 3 vertices")
         assertFails(triangle + "\n\nf 1 2 \\\n 4\n", "line 6", "number 4 of 3 vertices")
         assertFails(triangle + "f 1 2 -4\n", "line 4", "number -4, counted backward, of the 3 vertices")
-        assertFails(triangle + "f 1/1 2/1 3/1\n", "line 4", "number 1 of 0 texture coordinates")
-        assertFails(triangle + "f 1//1 2//1 3//1\n", "line 4", "number 1 of 0 normals")
         assertFails(triangle + "f 1 2 0\n", "line 4", "\"0\"")
         assertFails(triangle + "f 1 2 x\n", "line 4", "\"x\"")
         assertFails(triangle + "f 1 2 4294967297\n", "line 4", "\"4294967297\"")
@@ -37,6 +36,22 @@ class ObjErrorsTest {
         assertFails(triangle + "v 1 2 x\n", "line 4", "\"x\"")
         assertFails(triangle + "v 1,5 2 3\n", "line 4", "decimal point")
         assertFails(triangle + "v 1 2 --3\n", "line 4", "cannot be understood")
+    }
+
+    @Test
+    fun facesLoseReferencesToWhatIsNotThere() {
+        val text = triangle + "vt 0 0\nvn 0 0 1\nf 1/1 2/2 3/1\nf 1/0 2/1 3/1\nf 1/-9 2/1 3/1\nf 1/1 2/1 3/1\n" +
+            "f 1//1 2//7 3//99999999999\n"
+        val source = TestSources.of(text)
+        val meshes = ObjParser.parse(source).meshes
+        assertEquals(5, meshes.sumOf { it.triangleCount })
+        assertEquals(
+            listOf(
+                "test: 3 faces, first in line 6, refer to texture coordinates that are not there, and are drawn without",
+                "test: 1 faces, first in line 10, refer to normals that are not there, and are drawn without",
+            ),
+            source.warnings,
+        )
     }
 
     @Test
