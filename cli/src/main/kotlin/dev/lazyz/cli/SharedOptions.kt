@@ -77,7 +77,7 @@ internal class ReadingOptions : OptionGroup("Reading") {
 
     private val nesting by option(
         "--max-nesting",
-        help = "Most lists and objects within each other in a scene file, 1..1000; default: " +
+        help = "Most lists and objects within each other in a scene file or glTF, 1..1000; default: " +
             "${LoadLimits.DEFAULT_NESTING}",
     ).count(1..1000)
 

@@ -62,11 +62,14 @@ internal class Loading(val limits: LoadLimits = LoadLimits()) {
     private fun exceeded(source: Source, problem: String, limit: String, flag: String): Nothing =
         source.fail(null, problem, "if it can be trusted, raise LoadLimits.$limit (zcli: $flag), and -Xmx if need be")
 
-    private companion object {
-        const val TRIANGLE_BYTES = 12L
-        const val VERTEX_BYTES = 32L
+    companion object {
+        /** What to do about JSON that is nested too deep. */
+        const val NESTING_REMEDY: String = "if it can be trusted, raise LoadLimits.nesting (zcli: --max-nesting)"
+
+        private const val TRIANGLE_BYTES = 12L
+        private const val VERTEX_BYTES = 32L
 
         /** While it is decoded: the decoder's picture, and a copy. */
-        const val TEXEL_BYTES = 12L
+        private const val TEXEL_BYTES = 12L
     }
 }

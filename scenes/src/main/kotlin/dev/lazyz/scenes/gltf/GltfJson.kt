@@ -1,12 +1,15 @@
 package dev.lazyz.scenes.gltf
 
 import com.fasterxml.jackson.core.JsonProcessingException
+import com.fasterxml.jackson.core.StreamReadConstraints
+import com.fasterxml.jackson.core.exc.StreamConstraintsException
 import com.fasterxml.jackson.databind.JsonMappingException
 import com.fasterxml.jackson.databind.JsonNode
 import com.fasterxml.jackson.databind.ObjectMapper
 import de.javagl.jgltf.impl.v2.GlTF
 import de.javagl.jgltf.model.io.JacksonUtils
 import de.javagl.jgltf.model.io.JsonError
+import dev.lazyz.scenes.Loading
 import dev.lazyz.scenes.Source
 import java.io.IOException
 
@@ -21,6 +24,10 @@ internal object GltfJson {
 
     fun read(source: Source, start: Int, length: Int): GlTF {
         val mapper = JacksonUtils.createObjectMapper { error -> report(source, error) }
+        val nesting = source.loading.limits.nesting
+        mapper.factory.setStreamReadConstraints(
+            StreamReadConstraints.builder().maxNestingDepth(nesting).maxStringLength(Int.MAX_VALUE).build(),
+        )
         val tree = tree(source, mapper, start, length)
         val version = tree.path("asset").path("version").asText("")
         if (!version.startsWith("2.")) {
@@ -39,6 +46,10 @@ internal object GltfJson {
         val tree: JsonNode? = try {
             mapper.readTree(source.bytes, start, length)
         } catch (e: JsonProcessingException) {
+            if (e is StreamConstraintsException && "nesting depth" in e.originalMessage) {
+                val most = source.loading.limits.nesting
+                source.fail(null, "the JSON is nested more than $most deep", Loading.NESTING_REMEDY, e)
+            }
             val place = e.location?.let { "line ${it.lineNr}, column ${it.columnNr}" }
             source.fail(place, "this is no JSON: ${brief(e.originalMessage)}", REMEDY, e)
         } catch (e: IOException) {
@@ -60,9 +71,11 @@ internal object GltfJson {
     private fun place(e: JsonMappingException): String =
         e.path.joinToString("") { if (it.fieldName == null) "[${it.index}]" else ".${it.fieldName}" }.removePrefix(".")
 
-    /** Jackson's messages may hold much of the file. */
-    private fun brief(message: String?): String =
-        message.orEmpty().trim().lineSequence().first().substringBefore(" (start marker").take(MAX_MESSAGE)
+    /** Jackson's messages may hold much of the file, and say in brackets where else to look. */
+    private fun brief(message: String?): String {
+        val line = message.orEmpty().trim().lineSequence().first()
+        return line.substringBefore(" (start marker").substringBefore(" (for ").take(MAX_MESSAGE)
+    }
 
     private const val MAX_MESSAGE = 200
 }

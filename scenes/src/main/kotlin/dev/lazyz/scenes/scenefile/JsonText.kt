@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.scenefile
 
+import dev.lazyz.scenes.Loading
 import dev.lazyz.scenes.Source
 import java.nio.ByteBuffer
 import java.nio.charset.CharacterCodingException
@@ -72,8 +73,7 @@ private class NestingCheck(private val source: Source, private val text: String)
     private fun open(keys: HashSet<String>?, offset: Int) {
         val most = source.loading.limits.nesting
         if (around.size == most) {
-            val remedy = "if it can be trusted, raise LoadLimits.nesting (zcli: --max-nesting)"
-            source.fail(JsonText.place(text, offset), "is nested more than $most deep", remedy)
+            source.fail(JsonText.place(text, offset), "is nested more than $most deep", Loading.NESTING_REMEDY)
         }
         around.add(keys)
     }
