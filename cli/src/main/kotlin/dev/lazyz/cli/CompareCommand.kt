@@ -24,6 +24,7 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
     private val picture by PictureOptions()
     private val camera by CameraOptions()
     private val cost by CostOptions()
+    private val limits by LimitOptions()
 
     override fun help(context: Context): String =
         "Renders models or scenes with all strategies, checks that they give the same picture, and tells what each " +
@@ -64,7 +65,7 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
         return if (comparison.isGood) ExitCode.DONE else ExitCode.DIFFERENT
     }
 
-    private fun subject(input: String): Subject = subject(input, reading, picture, camera)
+    private fun subject(input: String): Subject = subject(input, reading, limits, picture, camera)
 }
 
 /**

@@ -19,6 +19,7 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
     private val camera by CameraOptions()
     private val rendering by RenderingOptions()
     private val cost by CostOptions()
+    private val limits by LimitOptions()
 
     override fun help(context: Context): String =
         "Renders a model or a scene to a picture.\n\nWithout further options the camera frames the whole model from " +
@@ -37,7 +38,7 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
 
     override fun run() {
         val request = RenderRequest(
-            subject = subject(input, reading, picture, camera),
+            subject = subject(input, reading, limits, picture, camera),
             output = output.picture,
             depthOutput = output.depth,
             strategy = rendering.strategy,

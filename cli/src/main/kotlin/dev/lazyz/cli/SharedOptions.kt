@@ -12,10 +12,7 @@ import dev.lazyz.Fit
 import dev.lazyz.RenderOptions
 import dev.lazyz.Selector
 import dev.lazyz.Shading
-import dev.lazyz.scenes.LoadLimits
-import dev.lazyz.scenes.ReferencePolicy
 import dev.lazyz.scenes.SceneFormat
-import java.time.Duration
 
 /** What INPUT may be, for help. */
 internal const val INPUT_HELP: String =
@@ -23,11 +20,17 @@ internal const val INPUT_HELP: String =
         "(see 'zcli scenes'), or - for standard input"
 
 /** Returns what the options say of the picture that [input] is to give. */
-internal fun subject(input: String, reading: ReadingOptions, picture: PictureOptions, camera: CameraOptions): Subject =
+internal fun subject(
+    input: String,
+    reading: ReadingOptions,
+    limits: LimitOptions,
+    picture: PictureOptions,
+    camera: CameraOptions,
+): Subject =
     Subject(
         input = input,
         format = reading.format,
-        limits = reading.limits(),
+        limits = limits.limits(),
         up = reading.up,
         size = picture.size,
         region = picture.region,
@@ -54,46 +57,6 @@ internal class ReadingOptions : OptionGroup("Reading") {
     val up by option("--up", help = "Which axis of the model points up: y or z; default: y")
         .oneOf("AXIS", Up.entries.associateBy { it.name.lowercase() })
         .default(Up.Y)
-
-    private val areOthersAllowed by option(
-        "--allow-outside",
-        help =
-        "Follow references (textures, material libraries, buffers, meshes) that lead out of the input's folder; " +
-            "default: they count as missing",
-    ).flag()
-
-    private val decoded by option(
-        "--max-decoded",
-        help =
-        "Most memory for what is read from the input, in bytes, or with k, m, g; default: 128m and 512 times the " +
-            "size of the files, at most half of Java's memory",
-    ).bytes()
-
-    private val triangles by option("--max-triangles", help = "Most triangles of the input; default: no limit").count()
-
-    private val vertices by option("--max-vertices", help = "Most vertices of the input; default: no limit").count()
-
-    private val texels by option("--max-texels", help = "Most pixels of all its textures; default: no limit").count()
-
-    private val nesting by option(
-        "--max-nesting",
-        help = "Most lists and objects within each other in a scene file or glTF, 1..1000; default: " +
-            "${LoadLimits.DEFAULT_NESTING}",
-    ).count(1..1000)
-
-    private val seconds by option("--max-seconds", help = "Most seconds for reading, 0..1000000; default: no limit")
-        .number("SECONDS", 0.0..1e6, " seconds")
-
-    /** How much the input may ask for. */
-    fun limits() = LoadLimits(
-        decodedBytes = decoded,
-        triangles = triangles ?: Long.MAX_VALUE,
-        vertices = vertices ?: Long.MAX_VALUE,
-        texels = texels ?: Long.MAX_VALUE,
-        nesting = nesting ?: LoadLimits.DEFAULT_NESTING,
-        time = seconds?.let { Duration.ofNanos((it * 1e9).toLong()) },
-        references = if (areOthersAllowed) ReferencePolicy.ANYWHERE else ReferencePolicy.WITHIN_FOLDER,
-    )
 }
 
 /** What the picture is like. */
