@@ -22,17 +22,7 @@ internal class Dazzling(private val whole: Primitive, private val number: Int) :
         dazzle(fragment)
     }
 
-    override fun shadingCursor(x: Int, y: Int): ShadingCursor? {
-        val cursor = whole.shadingCursor(x, y) ?: return null
-        return object : ShadingCursor {
-            override fun step() = cursor.step()
-
-            override fun shade(fragment: Fragment) {
-                cursor.shade(fragment)
-                dazzle(fragment)
-            }
-        }
-    }
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor? = whole.shadingCursor(x, y)?.recoloured(::dazzle)
 
     private fun dazzle(fragment: Fragment) {
         val alpha = when (Tint.hash(ALL, fragment.x, fragment.y, 0) % 4) {

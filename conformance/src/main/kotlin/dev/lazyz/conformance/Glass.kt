@@ -29,22 +29,25 @@ public class Glass @JvmOverloads constructor(private val whole: Primitive, priva
         thin(fragment)
     }
 
-    override fun shadingCursor(x: Int, y: Int): ShadingCursor? {
-        val cursor = whole.shadingCursor(x, y) ?: return null
-        return object : ShadingCursor {
-            override fun step() = cursor.step()
-
-            override fun shade(fragment: Fragment) {
-                cursor.shade(fragment)
-                thin(fragment)
-            }
-        }
-    }
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor? = whole.shadingCursor(x, y)?.recoloured(::thin)
 
     private fun thin(fragment: Fragment) =
         fragment.setColor(fragment.red, fragment.green, fragment.blue, fragment.alpha / layers)
 
     override fun toString(): String = "Glass($whole, $layers)"
+}
+
+/** Steps as this cursor does, and has [change] give each fragment another colour. */
+internal fun ShadingCursor.recoloured(change: (Fragment) -> Unit): ShadingCursor {
+    val cursor = this
+    return object : ShadingCursor {
+        override fun step() = cursor.step()
+
+        override fun shade(fragment: Fragment) {
+            cursor.shade(fragment)
+            change(fragment)
+        }
+    }
 }
 
 /** The same frame, each primitive [Glass] of so many [layers]. */

@@ -51,7 +51,7 @@ internal class GltfTextures(private val document: GltfDocument) {
             return null
         }
         val texture = TextureFiles.decode(document.source, bytes, image.name ?: "images[$index]")
-        if (texture == null) document.warn("images[$index] $NOT_DECODED")
+        if (texture == null) document.warn("images[$index] ${TextureFiles.NOT_DECODED}")
         return texture
     }
 
@@ -62,7 +62,7 @@ internal class GltfTextures(private val document: GltfDocument) {
             return null
         }
         val texture = TextureFiles.ofFile(document.source, found.file)
-        if (texture == null) document.warn("images[$index] ($uri) $NOT_DECODED")
+        if (texture == null) document.warn("images[$index] ($uri) ${TextureFiles.NOT_DECODED}")
         return texture
     }
 
@@ -71,9 +71,5 @@ internal class GltfTextures(private val document: GltfDocument) {
         if (image.bufferView == null) return image.uri?.let { document.data(it) }
         val view = document.view(image.bufferView, "images[$index].bufferView")
         return ByteArray(view.capacity()).also { view.get(it) }
-    }
-
-    private companion object {
-        const val NOT_DECODED = "cannot be decoded and is left out; save it as PNG or JPEG"
     }
 }

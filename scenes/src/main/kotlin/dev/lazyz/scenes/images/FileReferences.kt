@@ -101,7 +101,7 @@ internal class FileReferences(
 
     companion object {
         /** What to do about a reference that leads out of the model's folder. */
-        const val REMEDY: String =
+        private const val REMEDY =
             "copy it there, or if the model can be trusted set LoadLimits.references (zcli: --allow-outside)"
 
         /** Largest file that is read, for it has to fit an array. */

@@ -16,6 +16,9 @@ import javax.imageio.stream.MemoryCacheImageInputStream
  * makes of it, which need not be the same on every JDK.
  */
 internal object TextureFiles {
+    /** What a warning says of a picture that is there and cannot be read. */
+    const val NOT_DECODED: String = "cannot be decoded and is left out; save it as PNG or JPEG"
+
     /** An array cannot be longer. */
     private const val MAX_TEXELS = Int.MAX_VALUE - 8L
 
@@ -54,7 +57,7 @@ internal object TextureFiles {
             return null
         }
         val texture = ofFile(source, found.file)
-        if (texture == null) source.warn("texture $reference cannot be decoded and is left out; save it as PNG or JPEG")
+        if (texture == null) source.warn("texture $reference $NOT_DECODED")
         return texture
     }
 
