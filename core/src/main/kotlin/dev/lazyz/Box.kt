@@ -1,6 +1,7 @@
 package dev.lazyz
 
 import org.joml.Vector3d
+import org.joml.Vector3dc
 
 /**
  * An axis-aligned box in world space, closed on all sides; possibly of no thickness.
@@ -52,6 +53,22 @@ public class Box(
         maxOf(maxZ, other.maxZ),
     )
 
+    /** Returns the box moved by [way]. */
+    internal fun moved(way: Vector3dc): Box = Box(
+        minX + way.x(), minY + way.y(), minZ + way.z(),
+        maxX + way.x(), maxY + way.y(), maxZ + way.z(),
+    )
+
+    /**
+     * Returns where the origin of what fills this box should be: in its middle if it is so small and so far away that
+     * 32-bit floats could not tell its details, or else that of the world.
+     */
+    public fun origin(): Vector3d {
+        val far = listOf(minX, minY, minZ, maxX, maxY, maxZ).maxOf { StrictMath.abs(it) }
+        val size = maxOf(maxX - minX, maxY - minY, maxZ - minZ)
+        return if (far > FAR * size) center else Vector3d()
+    }
+
     override fun toString(): String = "Box($minX..$maxX, $minY..$maxY, $minZ..$maxZ)"
 
     public companion object {
@@ -80,6 +97,12 @@ public class Box(
             if (low[0] > high[0]) return null
             return Box(low[0], low[1], low[2], high[0], high[1], high[2])
         }
+
+        /**
+         * How many times its size something may be away from the world's origin. Of the 24 binary places of a float, 18
+         * are left there for the details: an eighth of a pixel in a picture of 32,768.
+         */
+        private const val FAR = 64.0
 
         /** Coordinates from here on are treated as infinite: they could not be added up and multiplied. */
         internal const val LARGEST: Double = 1e100

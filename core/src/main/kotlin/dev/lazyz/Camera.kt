@@ -177,6 +177,13 @@ public class Camera private constructor(
         right.z * x + upward.z * y + backward.z * z,
     )
 
+    /** Returns this camera as it is seen from [origin]. */
+    internal fun relativeTo(origin: Vector3dc): Camera = if (Vectors.isZero(origin)) {
+        this
+    } else {
+        Camera(Vectors.minus(eye, origin), Vectors.minus(target, origin), up, projection, near, far)
+    }
+
     /** Half the visible height: at distance 1 under perspective, anywhere without. Of no meaning on the screen. */
     internal fun halfHeight(): Double = when (projection) {
         is Projection.Perspective -> StrictMath.tan(projection.verticalFieldOfView * (StrictMath.PI / 360.0))

@@ -42,8 +42,7 @@ public class FittedViewpoint internal constructor(
             distance = maxOf(distance, z + y / slope, z + x / (slope * aspect))
         }
 
-        // A single point has no size: give it some, so that the camera exists
-        val pad = maxOf(halfWidth, halfHeight, halfDepth) * 0.01 + tiny(box)
+        val pad = pad(maxOf(halfWidth, halfHeight, halfDepth), center)
         return when (kind) {
             Fit.ORTHOGRAPHIC -> {
                 val height = 2 * maxOf(halfHeight, halfWidth / aspect, pad) / (FILL * zoom)
@@ -82,9 +81,12 @@ public class FittedViewpoint internal constructor(
         center.z + direction.z * distance,
     )
 
-    private fun tiny(box: Box): Double {
-        val center = box.center
-        return 1e-6 * maxOf(StrictMath.abs(center.x), StrictMath.abs(center.y), StrictMath.abs(center.z), 1e-6)
+    /** What is left free before and behind a scene of the given half size. */
+    private fun pad(halfSize: Double, center: Vector3d): Double {
+        val away = maxOf(StrictMath.abs(center.x), StrictMath.abs(center.y), StrictMath.abs(center.z))
+
+        // A single point has no size: give it some, so that the camera exists
+        return if (halfSize > 0.0) halfSize * 0.01 + 1e-12 * away else 1e-6 * maxOf(away, 1e-6)
     }
 
     override fun toString(): String = "FittedViewpoint(azimuth=$azimuth, elevation=$elevation, zoom=$zoom, $kind)"

@@ -16,7 +16,10 @@ public class Fragment {
     public var y: Int = 0
         private set
 
-    /** Position in world space, or in screen space for primitives that were given there; 0 without. */
+    /**
+     * Position in world space, relative to [Scene.origin]; or in screen space for primitives that were given there; 0
+     * without.
+     */
     @JvmField
     public var worldX: Float = 0f
 

@@ -13,6 +13,9 @@ public sealed class Light {
     /** The light's colour and strength, linear; alpha is ignored. */
     public abstract val color: Rgba
 
+    /** Returns this light as it is seen from [origin]. */
+    internal open fun relativeTo(origin: Vector3dc): Light = this
+
     /** Light from everywhere, the same on every surface. */
     public class Ambient(override val color: Rgba) : Light() {
         override fun toString(): String = "Light.Ambient($color)"
@@ -38,6 +41,8 @@ public sealed class Light {
         init {
             require(Vectors.isFinite(position)) { "position of a light must be finite: $position" }
         }
+
+        override fun relativeTo(origin: Vector3dc): Point = Point(Vectors.minus(position, origin), color)
 
         override fun toString(): String = "Light.Point($position, $color)"
     }

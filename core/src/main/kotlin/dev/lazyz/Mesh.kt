@@ -3,6 +3,8 @@ package dev.lazyz
 import dev.lazyz.setup.MeshGeometry
 import dev.lazyz.setup.SmoothNormals
 import org.joml.Matrix4dc
+import org.joml.Vector3d
+import org.joml.Vector3dc
 
 /**
  * Triangles that share vertices, all of one material.
@@ -11,12 +13,14 @@ import org.joml.Matrix4dc
  * outside. Positions that are NaN or infinite are legal: a triangle with such a vertex covers nothing. The mesh keeps
  * the arrays without copying them; leave them alone. Thread safe.
  *
- * @property positions x, y, z for each vertex, world space
+ * @property positions x, y, z for each vertex, world space, relative to [origin]
  * @property triangles three vertex numbers for each triangle; the order of triangles is the order of submission
  * @property material how it looks
  * @property normals x, y, z for each vertex, pointing outward, need not be of unit length; null means each triangle's own
  * @property uvs u, v for each vertex, see [Texture]; null means none
  * @property colors red, green, blue, alpha for each vertex, linear light; null means white
+ * @param origin what is added to all positions: it keeps the details of a mesh that is far away from the world's origin,
+ *   as in coordinates of maps, where 32-bit positions would be too coarse; must be finite
  * @throws IllegalArgumentException if an array has the wrong length or a vertex number is out of range
  */
 public class Mesh @JvmOverloads constructor(
@@ -26,7 +30,11 @@ public class Mesh @JvmOverloads constructor(
     public val normals: FloatArray? = null,
     public val uvs: FloatArray? = null,
     public val colors: FloatArray? = null,
+    origin: Vector3dc = WORLD_ORIGIN,
 ) : Surface {
+    /** What is added to all positions, world space. */
+    public val origin: Vector3dc = if (origin === WORLD_ORIGIN) origin else Vector3d(origin)
+
     /** Number of vertices. */
     public val vertexCount: Int = positions.size / 3
 
@@ -34,6 +42,7 @@ public class Mesh @JvmOverloads constructor(
     public val triangleCount: Int = triangles.size / 3
 
     init {
+        require(Vectors.isFinite(origin)) { "origin must be finite: $origin" }
         require(positions.size % 3 == 0) { "positions must be triples: ${positions.size} numbers" }
         require(triangles.size % 3 == 0) { "triangles must be triples: ${triangles.size} vertex numbers" }
         require(normals == null || normals.size == 3 * vertexCount) {
@@ -50,16 +59,21 @@ public class Mesh @JvmOverloads constructor(
         }
     }
 
-    override val bounds: Box? by lazy { Box.around(positions) }
+    override val bounds: Box? by lazy { Box.around(positions)?.moved(this.origin) }
 
     override fun primitives(setUp: SetUp): Sequence<Primitive> = setUp.mesh(this)
 
     override fun withMaterials(change: (Material) -> Material): Mesh =
-        Mesh(positions, triangles, change(material), normals, uvs, colors)
+        Mesh(positions, triangles, change(material), normals, uvs, colors, origin)
+
+    /** Returns this mesh at the same place with positions relative to [origin]. */
+    internal fun relativeTo(origin: Vector3dc): Mesh =
+        if (origin == this.origin) this else MeshGeometry.relativeTo(this, origin)
 
     /**
      * Returns this mesh moved by an affine [transform]. Normals are moved by the inverse transpose; a transform that
-     * mirrors also turns every triangle round, so that outside stays outside.
+     * mirrors also turns every triangle round, so that outside stays outside. A mesh that comes to lie far away from the
+     * world's origin, for its size, gets an [origin] in its middle.
      */
     public fun transformed(transform: Matrix4dc): Mesh = MeshGeometry.transformed(this, transform)
 
@@ -75,4 +89,8 @@ public class Mesh @JvmOverloads constructor(
     public fun withSmoothNormals(creaseAngle: Double = 45.0): Mesh = SmoothNormals(this, creaseAngle).mesh()
 
     override fun toString(): String = "Mesh($vertexCount vertices, $triangleCount triangles, $material)"
+
+    private companion object {
+        val WORLD_ORIGIN: Vector3dc = Vector3d()
+    }
 }

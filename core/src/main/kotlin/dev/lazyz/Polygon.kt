@@ -1,6 +1,7 @@
 package dev.lazyz
 
 import org.joml.Matrix4dc
+import org.joml.Vector3dc
 
 /** Which samples lie inside a polygon whose contours overlap (contract rule 2.4). */
 public enum class FillRule {
@@ -40,6 +41,13 @@ public class Polygon @JvmOverloads constructor(
     public fun transformed(transform: Matrix4dc): Polygon =
         Polygon(contours.map { contour -> contour.map { it.transformed(transform) } }, material, fillRule)
 
+    /** Returns this polygon as it is seen from [origin]. */
+    internal fun relativeTo(origin: Vector3dc): Polygon = if (Vectors.isZero(origin)) {
+        this
+    } else {
+        Polygon(contours.map { contour -> contour.map { it.relativeTo(origin) } }, material, fillRule)
+    }
+
     override fun toString(): String = "Polygon(${contours.map { it.size }} vertices, $fillRule, $material)"
 }
 
@@ -75,6 +83,9 @@ public class Vertex @JvmOverloads constructor(
         v,
         color,
     )
+
+    internal fun relativeTo(origin: Vector3dc): Vertex =
+        Vertex(x - origin.x(), y - origin.y(), z - origin.z(), u, v, color)
 
     override fun toString(): String = "Vertex($x, $y, $z)"
 }

@@ -1,6 +1,8 @@
 package dev.lazyz
 
 import dev.lazyz.setup.FrameContent
+import org.joml.Vector3d
+import org.joml.Vector3dc
 
 /**
  * Surfaces, lights and a point of view, in world space: right-handed, y up, any unit of length.
@@ -22,6 +24,14 @@ public class Scene @JvmOverloads constructor(
     /** The least box around all surfaces, or null if there is nothing in it. Computed once. */
     public val bounds: Box? by lazy { surfaces.mapNotNull { it.bounds }.reduceOrNull(Box::union) }
 
+    /**
+     * Where shading has its origin: [Fragment.worldX] and its like are relative to it. That of the first mesh that has one of
+     * its own, in scenes far away from the world's origin; else the world's.
+     */
+    public val origin: Vector3dc by lazy {
+        surfaces.firstNotNullOfOrNull { surface -> (surface as? Mesh)?.origin?.takeIf { it != WORLD_ORIGIN } } ?: WORLD_ORIGIN
+    }
+
     /** Returns the camera that a raster of this size sees the scene through. */
     public fun camera(width: Int, height: Int): Camera = viewpoint.camera(bounds, width.toDouble() / height)
 
@@ -38,7 +48,8 @@ public class Scene @JvmOverloads constructor(
 
     private fun setUp(raster: Raster): SetUp {
         val camera = camera(raster.width, raster.height)
-        return SetUp(raster, camera, lights.ifEmpty { Light.studio(camera) })
+        val isOnScreen = camera.projection == Projection.Screen
+        return SetUp(raster, camera, lights.ifEmpty { Light.studio(camera) }, if (isOnScreen) WORLD_ORIGIN else origin)
     }
 
     /** Sets the scene up for a raster of [width] x [height] samples, the usual way to a picture. */
@@ -101,6 +112,8 @@ public class Scene @JvmOverloads constructor(
         /** Returns an empty builder. */
         @JvmStatic
         public fun builder(): Builder = Builder()
+
+        private val WORLD_ORIGIN: Vector3dc = Vector3d()
     }
 }
 

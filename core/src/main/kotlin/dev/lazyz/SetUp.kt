@@ -5,6 +5,8 @@ import dev.lazyz.setup.PlanarSetUp
 import dev.lazyz.setup.SphereSetUp
 import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.setup.Viewport
+import org.joml.Vector3d
+import org.joml.Vector3dc
 
 /**
  * Turns surfaces into primitives: transform, clip, project, snap, and set up linear forms.
@@ -15,29 +17,45 @@ import dev.lazyz.setup.Viewport
  * @property raster the samples to cover
  * @property camera the point of view
  * @property lights sources of light, in the order in which they are summed
+ * @property origin where shading has its origin, see [Scene.origin]; that of the world for [Projection.Screen]
+ * @throws IllegalArgumentException if [origin] is not finite, or the camera's projection is [Projection.Screen] and it is
+ *   not 0
  */
-public class SetUp(public val raster: Raster, public val camera: Camera, public val lights: List<Light>) {
-    private val viewport = Viewport.of(raster, camera)
-    private val lighting = Lighting(lights, camera)
-    private val planar = PlanarSetUp(camera, viewport, lighting)
+public class SetUp @JvmOverloads constructor(
+    public val raster: Raster,
+    public val camera: Camera,
+    public val lights: List<Light>,
+    public val origin: Vector3dc = Vector3d(),
+) {
+    init {
+        require(Vectors.isFinite(origin)) { "origin must be finite: $origin" }
+        require(Vectors.isZero(origin) || camera.projection != Projection.Screen) {
+            "a screen camera has no origin but the world's: $origin"
+        }
+    }
+
+    private val near = camera.relativeTo(origin)
+    private val viewport = Viewport.of(raster, near)
+    private val lighting = Lighting(lights.map { it.relativeTo(origin) }, near)
+    private val planar = PlanarSetUp(near, viewport, lighting)
 
     /**
      * Returns the triangles of [mesh] in order, set up one at a time as the sequence is walked. The vertices are
      * transformed once, when the walk begins: 128 bytes a vertex.
      */
-    public fun mesh(mesh: Mesh): Sequence<Primitive> = planar.mesh(mesh)
+    public fun mesh(mesh: Mesh): Sequence<Primitive> = planar.mesh(mesh.relativeTo(origin))
 
     /**
      * Returns the triangles of [mesh], of which the first has the submission index [first], as a batch; or null if they
      * have to be set up one by one.
      */
-    internal fun batch(mesh: Mesh, first: Int): TriangleBatch? = planar.batch(mesh, first)
+    internal fun batch(mesh: Mesh, first: Int): TriangleBatch? = planar.batch(mesh.relativeTo(origin), first)
 
     /** Returns [polygon] as one primitive. */
-    public fun polygon(polygon: Polygon): Primitive = planar.polygon(polygon)
+    public fun polygon(polygon: Polygon): Primitive = planar.polygon(polygon.relativeTo(origin))
 
     /** Returns [sphere] as one primitive. */
-    public fun sphere(sphere: Sphere): Primitive = SphereSetUp.sphere(sphere, camera, viewport, lighting)
+    public fun sphere(sphere: Sphere): Primitive = SphereSetUp.sphere(sphere.relativeTo(origin), near, viewport, lighting)
 
     override fun toString(): String = "SetUp($raster, $camera, ${lights.size} lights)"
 }

@@ -53,5 +53,9 @@ public class Sphere @JvmOverloads constructor(
      */
     public fun transformed(transform: Matrix4dc): Sphere = SphereGeometry.transformed(this, transform)
 
+    /** Returns this sphere as it is seen from [origin]. */
+    internal fun relativeTo(origin: Vector3dc): Sphere =
+        if (Vectors.isZero(origin)) this else Sphere(Vectors.minus(center, origin), radius, material)
+
     override fun toString(): String = "Sphere($center, $radius, $material)"
 }

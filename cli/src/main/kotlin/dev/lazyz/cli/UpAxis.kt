@@ -36,6 +36,7 @@ internal object UpAxis {
             surface.normals?.let { turned(it) },
             surface.uvs,
             surface.colors,
+            turned(surface.origin),
         )
 
         is Polygon -> Polygon(

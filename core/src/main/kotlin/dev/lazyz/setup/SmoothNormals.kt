@@ -62,6 +62,7 @@ internal class SmoothNormals(private val mesh: Mesh, private val creaseAngle: Do
             normals,
             mesh.uvs?.let { gathered(it, sources, 2) },
             mesh.colors?.let { gathered(it, sources, 4) },
+            mesh.origin,
         )
     }
 

@@ -36,6 +36,7 @@ internal class MeshParts(private val whole: Mesh, groupOf: Ints, private val gro
             part.normals,
             if (isTextured) part.uvs?.also { place(it, material) } else null,
             part.colors,
+            part.origin,
         )
     }
 
@@ -59,6 +60,7 @@ internal class MeshParts(private val whole: Mesh, groupOf: Ints, private val gro
             normals = whole.normals?.let { gather(it, used, 3) },
             uvs = whole.uvs?.let { gather(it, used, 2) },
             colors = whole.colors?.let { gather(it, used, 4) },
+            origin = whole.origin,
         )
     }
 

@@ -89,6 +89,7 @@ internal class ObjMeshes(
             normals = if (batch.normals == Normals.GIVEN) vertices.normals(normals) else null,
             uvs = if (textures.isEmpty()) null else vertices.textures(textures),
             colors = colors(vertices),
+            origin = model.origin,
         )
         val shaded = if (batch.normals == Normals.SMOOTH) whole.withSmoothNormals(ObjParser.CREASE_ANGLE) else whole
         val parts = MeshParts(shaded, groupOf, groups.size)

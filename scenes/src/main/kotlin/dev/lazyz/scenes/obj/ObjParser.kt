@@ -1,8 +1,10 @@
 package dev.lazyz.scenes.obj
 
+import dev.lazyz.Box
 import dev.lazyz.Scene
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
+import org.joml.Vector3d
 
 /**
  * Reads Wavefront OBJ files with their material libraries (Wavefront Technologies, "Advanced Visualizer" manual,
@@ -20,8 +22,7 @@ internal object ObjParser : SceneParser {
 
     override fun parse(source: Source): Scene {
         if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
-        val model = ObjModel(source)
-        ObjReader(source, model).read()
+        val model = model(source)
         if (model.positions.size == 0) {
             source.fail(null, "there is no vertex in the file", "check what kind of file it is")
         }
@@ -34,5 +35,15 @@ internal object ObjParser : SceneParser {
         val library = MtlLibrary(source)
         for (reference in model.libraries.distinct()) library.add(reference)
         return Scene(ObjMeshes(source, model, library::material).build())
+    }
+
+    /** Reads the file; once more if it is so far away that positions have to be relative to an origin in its middle. */
+    private fun model(source: Source): ObjModel {
+        val reader = ObjReader(source, ObjModel(source))
+        reader.read()
+        val origin = Box.around(reader.model.positions.toArray())?.origin() ?: Vector3d()
+        val last = if (origin == Vector3d()) reader else ObjReader(source, ObjModel(source, origin)).also { it.read() }
+        last.warn()
+        return last.model
     }
 }

@@ -3,18 +3,19 @@ package dev.lazyz.scenes.obj
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.SrgbDecoding
 import dev.lazyz.scenes.triangulation.Decimal
-import dev.lazyz.scenes.triangulation.Floats
 import dev.lazyz.scenes.triangulation.TextNumbers
+import org.joml.Vector3d
 
 /**
  * Reads the statements of an OBJ file that carry polygons into [model].
  *
  * Points, lines and free-form geometry are dropped with a warning; statements that it does not know are passed over.
  */
-internal class ObjReader(private val source: Source, private val model: ObjModel) {
+internal class ObjReader(private val source: Source, val model: ObjModel) {
     private val statements = Statements(source.bytes)
     private val faces = ObjFaceReader(source, statements, model)
     private val decimal = Decimal()
+    private val isFar = model.origin != Vector3d()
     private val dropped = LinkedHashMap<String, Int>()
 
     // What holds for the faces that follow: how many `o` statements stand before, the last `usemtl`, no `s off`
@@ -30,10 +31,14 @@ internal class ObjReader(private val source: Source, private val model: ObjModel
                 statements.hasKeyword("v") -> vertex()
                 statements.hasKeyword("f") || statements.hasKeyword("fo") -> faces.read()
                 statements.hasKeyword("vt") -> textureCoordinates()
-                statements.hasKeyword("vn") -> triple("vn", model.normals)
+                statements.hasKeyword("vn") -> normal()
                 else -> readOther()
             }
         }
+    }
+
+    /** Warns of what was passed over. */
+    fun warn() {
         for ((keyword, count) in dropped) {
             source.warn("${DRAWN.getValue(keyword)} are not drawn; $count statements \"$keyword\" are passed over")
         }
@@ -65,13 +70,17 @@ internal class ObjReader(private val source: Source, private val model: ObjModel
     private fun name(keyword: String): String = statements.statement().substring(keyword.length).trim()
 
     private fun vertex() {
-        triple("v", model.positions)
+        statements.nextWord()
+        for (axis in 0 until 3) {
+            if (!statements.nextWord()) fail("\"v\" needs 3 numbers, not $axis")
+            model.positions.add(if (isFar) (double() - model.origin.get(axis)).toFloat() else number())
+        }
         if (!statements.nextWord()) return
-        val red = color()
+        val red = double()
         if (!statements.nextWord()) return
-        val green = color()
+        val green = double()
         if (!statements.nextWord()) return
-        val blue = color()
+        val blue = double()
         passRest()
 
         // Vertices before the first coloured one are white
@@ -89,13 +98,13 @@ internal class ObjReader(private val source: Source, private val model: ObjModel
         passRest()
     }
 
-    private fun triple(keyword: String, to: Floats) {
+    private fun normal() {
         statements.nextWord()
-        for (count in 0 until 3) {
-            if (!statements.nextWord()) fail("\"$keyword\" needs 3 numbers, not $count")
-            to.add(number())
+        for (axis in 0 until 3) {
+            if (!statements.nextWord()) fail("\"vn\" needs 3 numbers, not $axis")
+            model.normals.add(number())
         }
-        if (keyword != "v") passRest()
+        passRest()
     }
 
     /** Whatever else stands there must be numbers, too. */
@@ -109,7 +118,7 @@ internal class ObjReader(private val source: Source, private val model: ObjModel
         return TextNumbers.parseFloat(statements.word()) ?: failAtNumber()
     }
 
-    private fun color(): Double {
+    private fun double(): Double {
         val number = decimal.double(statements.bytes, statements.wordStart, statements.wordEnd)
         if (!number.isNaN()) return number
         return TextNumbers.parse(statements.word()) ?: failAtNumber()

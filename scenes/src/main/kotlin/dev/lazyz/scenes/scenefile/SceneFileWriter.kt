@@ -16,6 +16,7 @@ import dev.lazyz.Vertex
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.Tint
+import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /** Writes a whole scene file. */
@@ -101,6 +102,7 @@ internal class SceneFileWriter(private val out: Appendable) {
     }
 
     private fun mesh(out: JsonWriter, mesh: Mesh) = out.members {
+        if (mesh.origin != WORLD_ORIGIN) key("origin").vector(mesh.origin)
         key("positions").long(mesh.positions.size) { float(mesh.positions[it]) }
         key("triangles").long(mesh.triangles.size) { integer(mesh.triangles[it]) }
         mesh.normals?.let { normals -> key("normals").long(normals.size) { float(normals[it]) } }
@@ -126,6 +128,8 @@ internal class SceneFileWriter(private val out: Appendable) {
     private fun JsonWriter.vector(v: Vector3dc) = doubles(v.x(), v.y(), v.z())
 
     companion object {
+        private val WORLD_ORIGIN = Vector3d()
+
         /** Throws unless the format has words for all of [scene]. */
         fun requireWritable(scene: Scene) {
             val viewpoint = scene.viewpoint

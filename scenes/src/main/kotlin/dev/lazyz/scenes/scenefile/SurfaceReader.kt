@@ -87,7 +87,7 @@ internal class SurfaceReader(
     }
 
     private fun mesh(node: JsonNode): Mesh {
-        val members = node.members("positions", "triangles", "normals", "uvs", "colors")
+        val members = node.members("origin", "positions", "triangles", "normals", "uvs", "colors")
         val positions = members.required("positions").floats()
         val triangles = members.required("triangles").integers()
         source.loading.vertices(source, positions.size / 3L)
@@ -100,6 +100,7 @@ internal class SurfaceReader(
                 members["normals"]?.floats(),
                 members["uvs"]?.floats(),
                 members["colors"]?.floats(),
+                members["origin"]?.doubles(3)?.let { Vector3d(it[0], it[1], it[2]) } ?: Vector3d(),
             )
         }
     }

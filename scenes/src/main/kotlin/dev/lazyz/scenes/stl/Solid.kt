@@ -4,6 +4,8 @@ import dev.lazyz.DistinctTriples
 import dev.lazyz.Material
 import dev.lazyz.Mesh
 import dev.lazyz.scenes.triangulation.Ints
+import org.joml.Vector3d
+import org.joml.Vector3dc
 
 /**
  * Triangles without shared vertices, which find each other: corners with equal coordinates become one vertex.
@@ -13,8 +15,9 @@ import dev.lazyz.scenes.triangulation.Ints
  *
  * @property name what the file calls it
  * @param expectedTriangles how many to make room for
+ * @param origin what was subtracted from all positions
  */
-internal class Solid(val name: String, expectedTriangles: Int = 0) {
+internal class Solid(val name: String, expectedTriangles: Int = 0, private val origin: Vector3dc = Vector3d()) {
     /** Bits of x, y, z; in a closed mesh there are half as many vertices as triangles. */
     private val positions = DistinctTriples(expectedTriangles / 2)
     private val triangles = Ints(3 * expectedTriangles)
@@ -37,6 +40,6 @@ internal class Solid(val name: String, expectedTriangles: Int = 0) {
         for (i in 0 until positions.size) {
             for (axis in 0 until 3) coordinates[3 * i + axis] = Float.fromBits(positions.get(i, axis))
         }
-        return Mesh(coordinates, triangles.toArray(), Material(name = name))
+        return Mesh(coordinates, triangles.toArray(), Material(name = name), origin = origin)
     }
 }

@@ -6,14 +6,20 @@ import dev.lazyz.scenes.triangulation.Floats
 import dev.lazyz.scenes.triangulation.TextLines
 import dev.lazyz.scenes.triangulation.TextNumbers
 import dev.lazyz.scenes.triangulation.Triangulation
+import org.joml.Vector3d
+import org.joml.Vector3dc
 
 /**
  * The ASCII form: any number of solids, each a run of facets. Line breaks are free except after a solid's name. A loop
  * of more than three vertices, which the format does not know but some programs write, is cut into triangles.
+ *
+ * @param origin what is subtracted from all positions
  */
-internal class StlAscii(private val source: Source) {
+internal class StlAscii(private val source: Source, private val origin: Vector3dc = Vector3d()) {
     private val lines = TextLines(source.bytes, if (hasMark(source.bytes)) 3 else 0)
     private val decimal = Decimal()
+
+    private val isFar = origin != Vector3d()
 
     /** Of the facet at hand. */
     private val corners = Floats()
@@ -27,7 +33,7 @@ internal class StlAscii(private val source: Source) {
         while (true) {
             if (!advance()) break
             expect("solid")
-            solids.add(solid(Solid(lines.restOfLine())))
+            solids.add(solid(Solid(lines.restOfLine(), origin = origin)))
         }
         return solids
     }
@@ -56,7 +62,7 @@ internal class StlAscii(private val source: Source) {
             take("vertex or endloop")
             if (lines.isWord("endloop")) break
             if (!lines.isWord("vertex")) fail("\"${word()}\" stands where vertex or endloop should")
-            repeat(3) { corners.add(number()) }
+            for (axis in 0 until 3) corners.add(coordinate(axis))
         }
         if (corners.size < 9) fail("the loop has ${corners.size / 3} vertices, not 3")
         expect("endfacet")
@@ -97,12 +103,20 @@ internal class StlAscii(private val source: Source) {
         if (!lines.isWord(keyword)) fail("\"${word()}\" stands where $keyword should")
     }
 
-    private fun number(): Float {
+    private fun coordinate(axis: Int): Float {
         take("a coordinate")
+        if (isFar) return (double() - origin.get(axis)).toFloat()
         val number = decimal.float(lines.bytes, lines.wordStart, lines.wordEnd)
         if (!number.isNaN()) return number
         val word = word()
         return TextNumbers.parseFloat(word) ?: fail("\"$word\" is not a number", TextNumbers.remedy(word))
+    }
+
+    private fun double(): Double {
+        val number = decimal.double(lines.bytes, lines.wordStart, lines.wordEnd)
+        if (!number.isNaN()) return number
+        val word = word()
+        return TextNumbers.parse(word) ?: fail("\"$word\" is not a number", TextNumbers.remedy(word))
     }
 
     private fun fail(problem: String, remedy: String? = null): Nothing =

@@ -1,9 +1,11 @@
 package dev.lazyz.scenes.stl
 
+import dev.lazyz.Box
 import dev.lazyz.Mesh
 import dev.lazyz.Scene
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
+import org.joml.Vector3d
 
 /**
  * Reads stereolithography files, ASCII and binary (3D Systems, "Stereolithography Interface Specification", 1989).
@@ -24,8 +26,16 @@ internal object StlParser : SceneParser {
         return Scene(meshes.map { it.withSmoothNormals(CREASE_ANGLE) })
     }
 
+    /** Reads a text; once more if it is so far away that positions have to be relative to an origin in its middle. */
+    private fun ascii(source: Source): List<Solid> {
+        val solids = StlAscii(source).read()
+        val bounds = solids.mapNotNull { it.mesh().bounds }.reduceOrNull(Box::union)
+        val origin = bounds?.origin() ?: Vector3d()
+        return if (origin == Vector3d()) solids else StlAscii(source, origin).read()
+    }
+
     private fun meshes(source: Source): List<Mesh> {
-        val solids = if (StlBinary.isBinary(source.bytes)) listOf(StlBinary.read(source)) else StlAscii(source).read()
+        val solids = if (StlBinary.isBinary(source.bytes)) listOf(StlBinary.read(source)) else ascii(source)
         source.release()
         for (solid in solids) {
             source.loading.triangles(source, solid.triangleCount.toLong())
