@@ -52,6 +52,7 @@ private fun attempt(args: Array<String>, streams: Streams): Int {
             return ExitCode.MISTAKE
         }
         streams.messages.println(Failure.bugReport(failure, args))
+        ClassArchive.discard()
         return ExitCode.BUG
     }
 }

@@ -2,8 +2,11 @@ package dev.lazyz.cli
 
 import dev.lazyz.tiled.Tiled
 import java.io.File
+import java.nio.channels.FileChannel
 import java.nio.file.Files
 import java.nio.file.Path
+import java.nio.file.StandardOpenOption
+import java.nio.file.attribute.FileTime
 import java.util.concurrent.TimeUnit
 import java.util.jar.Attributes
 import java.util.jar.JarOutputStream
@@ -21,6 +24,7 @@ import kotlin.io.path.outputStream
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.BeforeAll
@@ -73,10 +77,40 @@ class LauncherTest {
         assertTrue("dev.lazyz.cli.RenderJob source: shared objects file" in log.readText(), "loaded from the archive")
         assertEquals(before, Files.getLastModifiedTime(archives.single()))
 
-        // A broken one does no harm
-        Files.delete(archive)
-        archive.writeText("broken")
+        // One that has lost its end is made again
+        val size = archive.fileSize()
+        archive.toFile().setWritable(true)
+        FileChannel.open(archive, StandardOpenOption.WRITE).use { it.truncate(size / 2) }
         render()
+        assertEquals(archives.single().fileName.toString().substringAfter('-'), "${archives.single().fileSize()}.jsa")
+    }
+
+    @Test
+    fun damagedArchiveIsMadeAgainAfterItsFirstUse() {
+        render()
+        val archive = archives.single()
+        archive.toFile().setWritable(true)
+        val bytes = Files.readAllBytes(archive)
+        bytes.fill(0, fromIndex = bytes.size / 4, toIndex = bytes.size / 2)
+        Files.write(archive, bytes)
+        Files.setLastModifiedTime(archive, FileTime.fromMillis(System.currentTimeMillis() - 10_000))
+
+        // Java crashes
+        assertNotEquals(0, zcli("render", "cycle", "--size", "40x30", "-o", "a.png").exitValue())
+        render()
+        render()
+    }
+
+    @Test
+    fun halfMadeArchivesAreCleanedUp() {
+        Files.createDirectory(cache)
+        val old = cache.resolve(".123.jsa").apply { writeText("half") }
+        Files.setLastModifiedTime(old, FileTime.fromMillis(System.currentTimeMillis() - 3L * 24 * 60 * 60 * 1000))
+        val new = cache.resolve(".124.jsa").apply { writeText("another, of now") }
+        render()
+        assertTrue(!old.exists())
+        assertTrue(new.exists())
+        assertEquals(2, archives.size)
     }
 
     @Test

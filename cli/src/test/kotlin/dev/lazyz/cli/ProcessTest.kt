@@ -4,11 +4,16 @@ import dev.lazyz.Capability
 import dev.lazyz.Renderers
 import java.io.ByteArrayInputStream
 import java.io.File
+import java.nio.file.Files
 import java.nio.file.Path
+import java.nio.file.attribute.FileTime
 import java.util.concurrent.TimeUnit
 import javax.imageio.ImageIO
 import kotlin.io.path.exists
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
 import kotlin.io.path.readText
+import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
@@ -71,6 +76,55 @@ class ProcessTest {
         process.inputStream.close()
         assertEquals(0, process.code())
         assertEquals("", errors)
+    }
+
+    @Test
+    fun aTerminatedProcessLeavesNoFile() {
+        val process = startLargePicture()
+        process.destroy()
+        assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
+        assertEquals(listOf("errors.txt"), folder.listDirectoryEntries().map { it.name })
+    }
+
+    @Test
+    fun whatAKilledProcessLeftTheNextOneDeletes() {
+        val process = startLargePicture()
+        process.destroyForcibly()
+        assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
+        val left = folder.listDirectoryEntries(".large.png.*").single()
+        val anothers = folder.resolve(".other.png.tmp").apply { writeText("of another program") }
+        for (file in listOf(left, anothers)) {
+            Files.setLastModifiedTime(file, FileTime.fromMillis(System.currentTimeMillis() - 120_000))
+        }
+        assertEquals(0, start("render", "cycle", "--size", "40x30", "-o", "small.png").code(), errors)
+        assertTrue(!left.exists(), "$left is still there")
+        assertTrue(anothers.exists(), "what is not ours was deleted")
+    }
+
+    @Test
+    fun whatAnotherProcessWritesIsLeftAlone() {
+        val process = startLargePicture()
+        try {
+            val written = folder.listDirectoryEntries(".large.png.*").single()
+            Files.setLastModifiedTime(written, FileTime.fromMillis(System.currentTimeMillis() - 120_000))
+            assertEquals(0, start("render", "cycle", "--size", "40x30", "-o", "small.png").code(), errors)
+            assertTrue(written.exists(), "the file of a living process was deleted")
+        } finally {
+            process.destroyForcibly()
+        }
+    }
+
+    /** Starts a picture that takes minutes, and returns when its temporary file is there. */
+    private fun startLargePicture(): Process {
+        val words = listOf("render", "plane", "--size", "60000x60000", "--threads", "1", "-o", "large.png")
+        val process = start(words, listOf("-Xmx2g")) {}
+        val deadline = System.nanoTime() + 60_000_000_000
+        while (folder.listDirectoryEntries(".large.png.*").isEmpty()) {
+            assertTrue(process.isAlive, errors)
+            assertTrue(System.nanoTime() < deadline, "no temporary file")
+            Thread.sleep(10)
+        }
+        return process
     }
 
     @Test

@@ -130,12 +130,12 @@ internal class Meeting(private val where: Where) {
         const val AWAKE = 100_000L
 
         /** Nanoseconds that one waits: more than a busy system lets the other sleep. */
-        const val PATIENCE = 5_000_000L
+        const val PATIENCE = 20_000_000L
 
         /** Nanoseconds after which nobody waits any longer: where the processors are busy, meeting takes long. */
         const val MOST_TIME = 2_000_000_000L
 
-        /** So often in a row one waits for nobody: 50 milliseconds in all. */
+        /** So often in a row one waits for nobody: 200 milliseconds in all. */
         const val MOST_MISSED = 10
 
         /** Nanoseconds without a meeting after which others have their turn. */

@@ -64,7 +64,7 @@ internal class Workers(private val caller: Thread, private val onWorker: (Questi
         private const val COUNT = 4
 
         /** Nanoseconds that the caller waits for a worker, once. */
-        private const val PATIENCE = 40_000_000L
+        private const val PATIENCE = 80_000_000L
 
         /** The frame as it is when nobody heeds who asks. */
         fun quiet(): FrameCase =

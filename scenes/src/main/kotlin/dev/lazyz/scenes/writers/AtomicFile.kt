@@ -9,9 +9,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption.ATOMIC_MOVE
 import java.nio.file.StandardCopyOption.REPLACE_EXISTING
-import java.nio.file.StandardOpenOption.CREATE_NEW
 import java.nio.file.StandardOpenOption.WRITE
-import java.util.concurrent.ThreadLocalRandom
 
 /**
  * Writes files whole or not at all.
@@ -36,17 +34,13 @@ internal object AtomicFile {
         if (Files.exists(target) && !Files.isRegularFile(target)) {
             return explaining(path) { FileChannel.open(target, WRITE).use(produce) }
         }
-        // Ask for no secure random number: its providers take as long to load as a small picture to render
-        val word = java.lang.Long.toHexString(ThreadLocalRandom.current().nextLong())
-        val temporary = target.resolveSibling(".${target.fileName}.$word.tmp")
-        try {
-            return explaining(path) {
-                val result = FileChannel.open(temporary, CREATE_NEW, WRITE).use(produce)
-                move(temporary, target)
+        return explaining(path) {
+            TemporaryFile.beside(target).use { temporary ->
+                val result = produce(temporary.channel)
+                temporary.channel.close()
+                move(temporary.path, target)
                 result
             }
-        } finally {
-            Files.deleteIfExists(temporary)
         }
     }
 

@@ -7,6 +7,7 @@ import dev.lazyz.scenes.triangulation.AwkwardMesh
 import dev.lazyz.scenes.triangulation.TestSources
 import dev.lazyz.scenes.triangulation.corners
 import dev.lazyz.scenes.triangulation.meshes
+import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
@@ -33,6 +34,20 @@ class ObjParserTest {
         assertEquals("00 10 11 00 11 01", outline(mesh))
         assertEquals(4, mesh.vertexCount)
         assertEquals(listOf(0f, 0f, 1f), mesh.normals!!.take(3))
+    }
+
+    @Test
+    fun farFromTheOriginNoDetailIsLost() {
+        val text = "v 500123.001 4649776.002 3.125\nv 500124.001 4649776.002 3\nv 500124.001 4649777.503 3\nf 1 2 3\n"
+        val (meshes, source) = parse("$text l 1 2\n".replace(" l", "l"))
+        val mesh = meshes.single()
+        assertEquals(Vector3d(500123.5, 4649776.75, 3.0625).x, mesh.origin.x(), 0.5)
+        val expected = listOf(500123.001, 4649776.002, 3.125, 500124.001, 4649776.002, 3.0, 500124.001, 4649777.503, 3.0)
+        for ((i, number) in expected.withIndex()) {
+            assertEquals(number, mesh.positions[i] + mesh.origin.get(i % 3), 1e-6)
+        }
+        assertEquals(source.warnings.distinct(), source.warnings)
+        assertEquals(Vector3d(), mesh("v 10 0 0\nv 11 0 0\nv 11 1 0\nf 1 2 3\n").origin)
     }
 
     @Test
