@@ -2,9 +2,7 @@ package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
 import dev.lazyz.Renderers
-import dev.lazyz.conformance.strangers.StrangersGallery
-import dev.lazyz.conformance.strangers2.SecondGallery
-import dev.lazyz.conformance.strangers3.ThirdGallery
+import dev.lazyz.conformance.strangers.Galleries
 import dev.lazyz.tiled.Tiled
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.DynamicTest
@@ -27,8 +25,7 @@ class OtherSeedsTest {
     @TestFactory
     fun unusualRenderersPass(): List<DynamicTest> {
         val oracle = { ReferenceRenderer() }
-        val all =
-            UnusualRenderers.all + StrangersGallery.correct + SecondGallery.correct + ThirdGallery.correct + oracle
+        val all = UnusualRenderers.all + Galleries.correct + oracle
         val good = RuleOutcome.entries.filterNot { it.isFailure }.toSet()
         return passing(if (seeds == null) UnusualRenderers.quick else all, good)
     }

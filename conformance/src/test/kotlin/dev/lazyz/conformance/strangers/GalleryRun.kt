@@ -1,25 +1,19 @@
 package dev.lazyz.conformance.strangers
 
 import dev.lazyz.conformance.Conformance
-import dev.lazyz.conformance.strangers2.SecondGallery
-import dev.lazyz.conformance.strangers3.ThirdGallery
 import kotlin.system.exitProcess
 
 /**
  * Runs the suite on wrong renderers, one after the other, and prints a line each: whether it notices, how long it takes, and
  * which rules the report names as likely causes; at the end the sums.
  *
- * Arguments: `first`, `second` or `third` for the gallery; the seed; `shrinking` or `quick`, which leaves frames as they are; then
+ * Arguments: the name of the gallery, `first` and so on; the seed; `shrinking` or `quick`, which leaves frames as they are; then
  * ids, by default all.
  */
 internal object GalleryRun {
     @JvmStatic
     fun main(args: Array<String>) {
-        val gallery = when (args[0]) {
-            "first" -> StrangersGallery.all
-            "second" -> SecondGallery.all
-            else -> ThirdGallery.all
-        }
+        val gallery = Galleries.byName.getValue(args[0])
         val ids = args.drop(3)
         val chosen = gallery.filter { ids.isEmpty() || it.id in ids }
         val verdicts = chosen.map { judge(it, seed = args[1].toLong(), isQuick = args[2] == "quick") }

@@ -52,6 +52,8 @@ public final class PerformancePage {
             case "meshes" -> meshes();
             case "gain" -> gain();
             case "starts" -> starts();
+            // Written by dev.lazyz.jmh.jobs.Jobs
+            case "jobs" -> null;
             default -> throw new IllegalArgumentException("no table '" + name + "'");
         };
     }

@@ -16,7 +16,7 @@ public final class GeneratedPage {
     /**
      * Returns the page with its generated parts renewed.
      *
-     * @param section text of a part by its name, ending with a line break; throws if there is no such part
+     * @param section text of a part by its name, ending with a line break; null if it is to stay as it is
      * @throws IllegalArgumentException if a part has no end
      */
     public static String fill(String page, Function<String, String> section) {
@@ -29,10 +29,13 @@ public final class GeneratedPage {
                 throw new IllegalArgumentException("no " + END + " after position " + begin);
             }
             String name = page.substring(begin + BEGIN.length(), nameEnd);
-            filled.append(page, from, nameEnd)
-                    .append(" -->\n")
-                    .append(section.apply(name))
-                    .append(END);
+            String text = section.apply(name);
+            int kept = text == null ? end : nameEnd;
+            filled.append(page, from, kept);
+            if (text != null) {
+                filled.append(" -->\n").append(text);
+            }
+            filled.append(END);
             from = end + END.length();
         }
         return filled.append(page.substring(from)).toString();

@@ -1,0 +1,76 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.conformance.strangers.Galleries
+import dev.lazyz.conformance.strangers.Stranger
+import dev.lazyz.zbuffer.ZBuffer
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.readLines
+import kotlin.io.path.writeLines
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.DynamicTest
+import org.junit.jupiter.api.DynamicTest.dynamicTest
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.TestFactory
+
+/**
+ * What the suite notices of the strangers' wrong renderers, it goes on noticing. A file names for each of them a rule that
+ * does, or `-`. The build tries every tenth; `-Dlazyz.strangers=all` tries all; `-Dlazyz.record=true` looks for the rules
+ * anew, where those in the file do not notice, which takes up to a minute each.
+ */
+class StrangersTest {
+    private val file: Path = listOf("src/test/resources", "conformance/src/test/resources").map { Path.of(it) }
+        .first { Files.isDirectory(it) }.resolve("strangers.txt")
+
+    private val strangers = Galleries.byName.values.flatten()
+
+    private fun recorded(): Map<String, String> =
+        file.readLines().map { it.split(' ') }.associate { (id, rule) -> id to rule }
+
+    @TestFactory
+    fun whatWasNoticedIsNoticed(): List<DynamicTest> {
+        if (System.getProperty("lazyz.record") == "true") record()
+        val recorded = recorded()
+        val noticed = strangers.filter { recorded[it.id] != MISSED }
+        val step = if (System.getProperty("lazyz.strangers") == "all") 1 else 10
+        return noticed.filterIndexed { i, _ -> i % step == 0 }.map { stranger ->
+            dynamicTest(stranger.id) {
+                val rule = recorded.getValue(stranger.id)
+                assertTrue(isNoticed(stranger, rule), "$rule does not notice ${stranger.id}: ${stranger.what}")
+            }
+        }
+    }
+
+    @Test
+    fun nineOfTenAreNoticed() {
+        val recorded = recorded()
+        assertEquals(strangers.map { it.id }, recorded.keys.toList(), "the strangers in $file")
+        for ((name, gallery) in Galleries.byName) {
+            val missed = gallery.filter { recorded[it.id] == MISSED }.map { it.id }
+            assertTrue(10 * missed.size <= gallery.size, "of ${gallery.size} of the $name gallery are missed: $missed")
+        }
+    }
+
+    /** Rules that say SHOULD do not count. */
+    private fun isNoticed(stranger: Stranger, rule: String): Boolean =
+        SuiteRun.ofRules(listOf(rule), stranger.make).report.results.any { it.outcome.isFailure }
+
+    private fun record() {
+        // First what the mistake is about, then what is quick
+        val usual = SuiteRun.of(1.0) { ZBuffer() }.report.results.sortedBy { it.milliseconds }.map { it.rule }
+        val before = if (Files.exists(file)) recorded() else emptyMap()
+        val lines = ArrayList<String>()
+        for (stranger in strangers) {
+            val order = listOfNotNull(before[stranger.id]?.takeIf { it != MISSED }) +
+                usual.sortedBy { it.number !in stranger.chapters }.map { it.name }
+            val rule = order.distinct().firstOrNull { isNoticed(stranger, it) } ?: MISSED
+            lines += "${stranger.id} $rule"
+            file.writeLines(lines + before.filterKeys { id -> lines.none { it.startsWith("$id ") } }.map { (id, was) -> "$id $was" })
+        }
+    }
+
+    private companion object {
+        const val MISSED = "-"
+    }
+}

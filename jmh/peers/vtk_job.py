@@ -1,0 +1,69 @@
+"""Does whole jobs with VTK, from a mesh file to a PNG file of 512 x 512 samples, in one process.
+
+    vtk_job.py
+
+Input and output are those of JobRun.java. VTK reads the file, makes normals, renders with its default light, and writes the
+picture, all by its own classes. OBJ, PLY and STL files only. Needs vtk.
+"""
+
+import os
+import sys
+import tempfile
+import time
+
+import vtk
+
+SIDE = 512
+READERS = {".obj": vtk.vtkOBJReader, ".ply": vtk.vtkPLYReader, ".stl": vtk.vtkSTLReader}
+
+
+def job(file, picture):
+    start = time.perf_counter()
+    reader = READERS[os.path.splitext(file)[1].lower()]()
+    reader.SetFileName(file)
+    normals = vtk.vtkPolyDataNormals()
+    normals.SetInputConnection(reader.GetOutputPort())
+    normals.Update()
+    loaded = time.perf_counter()
+
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(normals.GetOutputPort())
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    renderer = vtk.vtkRenderer()
+    renderer.AddActor(actor)
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    window.SetSize(SIDE, SIDE)
+    window.AddRenderer(renderer)
+    window.Render()
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtk.vtkPNGWriter()
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.SetFileName(picture)
+    writer.Write()
+    window.Finalize()
+    return 1e3 * (loaded - start), 1e3 * (time.perf_counter() - loaded)
+
+
+def measure(seconds, file, picture):
+    jobs = []
+    end = time.perf_counter() + seconds
+    while not jobs or time.perf_counter() < end:
+        jobs.append(job(file, picture))
+    load, rest = min(jobs, key=sum)
+    return "%d %.3f %.3f %.3f" % (len(jobs), load + rest, load, rest)
+
+
+def main():
+    vtk.vtkObject.GlobalWarningDisplayOff()
+    with tempfile.TemporaryDirectory() as folder:
+        for line in sys.stdin:
+            seconds, file = line.rstrip("\n").split(" ", 1)
+            print(measure(float(seconds), file, os.path.join(folder, "job.png")), flush=True)
+
+
+main()

@@ -1,0 +1,115 @@
+package dev.lazyz.jmh.jobs;
+
+import dev.lazyz.jmh.report.GeneratedPage;
+import dev.lazyz.jmh.report.Options;
+import java.io.BufferedReader;
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * Measures whole jobs, from mesh file to PNG file, of ours and of VTK: in two warm processes that work in turns on the same
+ * single processor. {@code peers/whole-job} starts it.
+ */
+public final class Jobs {
+    private static final Set<String> OPTIONS =
+            Set.of("ours", "vtk", "files", "rounds", "warm-up", "measure", "results", "page", "fact");
+
+    /** Name of the generated part of the page. */
+    private static final String PART = "jobs";
+
+    private Jobs() {}
+
+    /** Options: see {@code peers/whole-job}. */
+    public static void main(String[] args) throws IOException {
+        Options options = new Options(args, OPTIONS);
+        JobResults results = new JobResults(facts(options), new ArrayList<>());
+        List<String> files = options.list("files", "");
+        String warmUp = options.get("warm-up", "9");
+        String measure = options.get("measure", "4");
+        int rounds = Integer.parseInt(options.get("rounds", "3"));
+        try (Worker ours = new Worker(JobResults.OURS, options.get("ours", ""));
+                Worker theirs = new Worker(JobResults.VTK, options.get("vtk", ""))) {
+            for (String file : files) {
+                ours.job(file, warmUp, 0);
+                theirs.job(file, "1", 0);
+            }
+            for (int round = 1; round <= rounds; round++) {
+                for (String file : files) {
+                    results.jobs().add(ours.job(file, measure, round));
+                    results.jobs().add(theirs.job(file, measure, round));
+                }
+            }
+        }
+        Files.writeString(Path.of(options.get("results", "jobs.json")), results.toJson());
+        Path page = Path.of(options.get("page", "docs/performance.md"));
+        Files.writeString(
+                page,
+                GeneratedPage.fill(Files.readString(page), name -> name.equals(PART) ? results.page() : null));
+    }
+
+    private static Map<String, String> facts(Options options) {
+        Map<String, String> facts = new LinkedHashMap<>();
+        for (String fact : options.all("fact")) {
+            int at = fact.indexOf('=');
+            facts.put(fact.substring(0, at), fact.substring(at + 1));
+        }
+        facts.put("date", LocalDate.now().toString());
+        return facts;
+    }
+
+    /** A process that does jobs when it is asked to. */
+    private static final class Worker implements AutoCloseable {
+        private final String name;
+        private final Process process;
+        private final BufferedWriter questions;
+        private final BufferedReader answers;
+
+        Worker(String name, String command) throws IOException {
+            List<String> words = new ArrayList<>(List.of("taskset", "-c", "0"));
+            words.addAll(List.of(command.trim().split(" +")));
+            ProcessBuilder builder = new ProcessBuilder(words).redirectError(ProcessBuilder.Redirect.INHERIT);
+            builder.environment().put("LP_NUM_THREADS", "1");
+            builder.environment().put("GALLIUM_DRIVER", "llvmpipe");
+            builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
+            this.name = name;
+            process = builder.start();
+            questions = process.outputWriter(StandardCharsets.UTF_8);
+            answers = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
+        }
+
+        /** Has jobs done for some seconds, and returns the shortest. */
+        JobResults.Job job(String file, String seconds, int round) throws IOException {
+            questions.write(seconds + " " + file + "\n");
+            questions.flush();
+            String answer = answers.readLine();
+            if (answer == null) {
+                throw new IOException(name + " ended at " + file);
+            }
+            String[] words = answer.split(" ");
+            return new JobResults.Job(
+                    Path.of(file).getFileName().toString(),
+                    name,
+                    round,
+                    Integer.parseInt(words[0]),
+                    Double.parseDouble(words[1]),
+                    Double.parseDouble(words[2]),
+                    Double.parseDouble(words[3]));
+        }
+
+        @Override
+        public void close() throws IOException {
+            questions.close();
+            process.destroy();
+        }
+    }
+}
