@@ -106,6 +106,33 @@ public sealed class CounterRules : WorkerRules() {
         }
     }
 
+    /** Shading steps from sample to sample where the options say so, and nowhere else. */
+    @Rule(
+        intent = "Who promises COHERENCE steps along rows as the options say, the latest ones: INCREMENTAL over all gaps, " +
+            "ADAPTIVE over those of at most shadingStartCost columns.",
+        look = "Compare gaps with shadingStartCost, equal ones are stepped over; look at what configured() keeps.",
+    )
+    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_6_shadingStepsAsTheOptionsSay(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val renderer = renderer()
+        requireDeclared(renderer, Capability.COHERENCE)
+        requireDeclared(renderer, Capability.SHADES_ONLY_VISIBLE)
+        val opaque = case.asOpaque()
+        var last = renderer
+        for (coherence in listOf(Coherence.INCREMENTAL, Coherence.ADAPTIVE, Coherence.DIRECT)) {
+            // Each is configured from the one before, whose options must not be left
+            val configured = last.configured(RenderOptions(coherence, threads = 1, tileSize = 512))
+            last = configured
+            val witness = ShadingWitness(opaque.frame)
+            val judgement = Judgement(configured, opaque.watched(witness.frame), "$coherence")
+            val starts = judgement.rendering.run { witness.starts }
+            val steps = witness.steps
+            val expected = ExpectedSteps.of(opaque.frame, coherence)
+            if (starts == expected.starts && steps == expected.steps) continue
+            judgement.fail("$expected are needed, $starts starts and $steps steps are made")
+        }
+    }
+
     /** Whatever is visible has passed and been shaded at least once, by the counters. */
     @Rule(
         intent = "Shading calls and passes are at least the visible samples.",

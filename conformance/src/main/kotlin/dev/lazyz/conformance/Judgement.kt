@@ -100,6 +100,17 @@ internal fun FrameCase.withinAny(random: Random): FrameCase {
     return within(Region(columnStart, rowStart, columnEnd, rowEnd))
 }
 
+/** The two halves of the frame, which have the same size, beside each other or above each other; none if it is too small. */
+internal fun FrameCase.halves(): List<FrameCase> {
+    val raster = frame.raster
+    val isWide = raster.width >= raster.height
+    val width = if (isWide) raster.width / 2 else raster.width
+    val height = if (isWide) raster.height else raster.height / 2
+    if (width == 0 || height == 0) return emptyList()
+    val second = Region(raster.width - width, raster.height - height, raster.width, raster.height)
+    return listOf(within(Region(0, 0, width, height)), within(second))
+}
+
 /** The part of the frame that [parity] is the parity of the primitives' indices in. */
 internal fun FrameCase.keeping(parity: Int): FrameCase =
     FrameCase(
@@ -132,20 +143,25 @@ internal fun FrameCase.padded(): FrameCase = FrameCase(
 /** The same frame without translucency. */
 internal fun FrameCase.asOpaque(): FrameCase = FrameCase(frame.asOpaque(), "$code\n    .asOpaque()")
 
-/** Fails unless [renderer] refuses [case] by an [IllegalArgumentException] before it hands out a row. */
+/** Fails unless [renderer] refuses [case], naming a translucent primitive by its index, before it hands out a row. */
 internal fun refused(renderer: Renderer, case: FrameCase) {
     var rows = 0
     val answer = try {
         renderer.render(case.frame) { _, _, _, _ -> rows++ }
         "renders it"
-    } catch (_: IllegalArgumentException) {
-        if (rows == 0) return
-        "hands out $rows rows before it refuses"
+    } catch (e: IllegalArgumentException) {
+        val index = case.frame.primitives.indexOfFirst { it.isTranslucent }
+        val isNamed = Regex("\\b[0-9]+\\b").findAll(e.message.orEmpty()).any { isTranslucent(case, it.value) }
+        if (rows == 0 && isNamed) return
+        if (rows > 0) "hands out $rows rows before it refuses" else "does not name primitive $index: ${e.message}"
     } catch (e: Exception) {
         "throws $e"
     }
     throw Violation("${renderer.id} does not blend, and $answer\nin\n$case", case)
 }
+
+private fun isTranslucent(case: FrameCase, index: String): Boolean =
+    case.frame.primitives.getOrNull(index.toIntOrNull() ?: -1)?.isTranslucent == true
 
 /** Whether the primitives [a] and [b] both cover column [x] of row [y], at the same depth. */
 internal fun Frame.isTie(a: Int, b: Int, x: Int, y: Int): Boolean =

@@ -62,7 +62,8 @@ public sealed class PromiseRules : CounterRules() {
 
     /** A selector chooses among all fragments of a sample that pass against the background, nearest first. */
     @Rule(
-        intent = "Who promises SELECTION shows what the caller's selector chooses among all fragments of a sample.",
+        intent = "Who promises SELECTION shows what the caller's selector chooses among all fragments of a sample, and the " +
+            "usual without one.",
         look = "A cell has every fragment that passes against the background, in the order of the depth test.",
     )
     @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -81,6 +82,8 @@ public sealed class PromiseRules : CounterRules() {
                 val judgement = Judgement(configured, shown, "selector $name")
                 difference(selection.of(shown.frame), judgement.rendering.image)?.let { judgement.fail("", it) }
             }
+            val usual = configured.configured(RenderOptions(threads = 2, tileSize = 8))
+            Judgement(usual, case, "no selector after selector $name").equalsReference()
         }
     }
 

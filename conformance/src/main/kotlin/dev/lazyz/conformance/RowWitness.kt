@@ -28,8 +28,8 @@ internal class RowWitness(frame: Frame) {
             primitive.spans(y, spans)
         }
 
-        /** A cursor may be had in advance; its first row counts when it is asked for. */
         override fun cursor(y: Int): SpanCursor {
+            note(y)
             val cursor = primitive.cursor(y)
             var row = y
             return SpanCursor {

@@ -1,5 +1,7 @@
 package dev.lazyz.conformance
 
+import dev.lazyz.Coherence
+import dev.lazyz.RenderOptions
 import net.jqwik.api.Property
 
 /** The rule about what a rendering leaves behind. Part of [RendererConformance]. */
@@ -12,6 +14,10 @@ public sealed class TidyRules : PromiseRules() {
     )
     @Property(tries = 1)
     public fun rule_7_9_renderingsLeaveNothingBehind() {
-        leavesNothingBehind(renderer())
+        val renderer = renderer()
+        leavesNothingBehind(renderer)
+
+        // Where there is no room for anything, renderers do something else
+        leavesNothingBehind(renderer.configured(RenderOptions(Coherence.ADAPTIVE, 0L, threads = 2, tileSize = 8)))
     }
 }

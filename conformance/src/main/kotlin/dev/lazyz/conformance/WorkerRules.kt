@@ -18,6 +18,16 @@ public sealed class WorkerRules : ThreadRules() {
         passesOnFailuresOfWorkers(renderer().configured(FOUR_THREADS))
     }
 
+    /** When a rendering has failed, its threads ask nothing more. */
+    @Rule(
+        intent = "When a rendering has ended its frame is the caller's again, who may close or change what is behind it.",
+        look = "Wait for all threads before you pass on a failure of the caller's own part, or of the sink.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_1_nobodyAsksAfterTheEnd() {
+        nobodyAsksAfterTheEnd(renderer().configured(FOUR_THREADS))
+    }
+
     /** A caller that is interrupted while the renderer's own threads are at work gets no half of a picture. */
     @Rule(
         intent = "Who is interrupted while it waits for its threads waits on, or throws: half a picture is none.",

@@ -11,9 +11,14 @@ import dev.lazyz.Spans
  * renderer's own. The caller waits a little for the first worker, so that there is one if the renderer has any.
  *
  * @param caller the thread that calls the renderer
+ * @param onCaller what the caller does before it gets an answer, after the first worker has come
  * @param onWorker what a worker does before it gets an answer
  */
-internal class Workers(private val caller: Thread, private val onWorker: (Question) -> Unit) {
+internal class Workers(
+    private val caller: Thread,
+    private val onCaller: () -> Unit = {},
+    private val onWorker: (Question) -> Unit,
+) {
     /** Primitives that cover all samples, with four tiles of 8 samples for each of four threads and more. */
     val frame: Frame = Frame(Raster(SIDE, SIDE), List(COUNT) { Member(it) })
 
@@ -35,6 +40,7 @@ internal class Workers(private val caller: Thread, private val onWorker: (Questi
             while (!hasCome && System.nanoTime() - start < PATIENCE) Thread.yield()
             hasWaited = true
         }
+        if (hasCome && Thread.currentThread() === caller) onCaller()
     }
 
     private inner class Member(private val index: Int) : Primitive {

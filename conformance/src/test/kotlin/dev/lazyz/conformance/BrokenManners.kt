@@ -45,6 +45,24 @@ object BrokenManners {
         }
     }
 
+    /** Regions of one frame share its list of primitives. */
+    fun keepsTheClippedPart(): BrokenRenderer {
+        var kept: Pair<Frame, Image>? = null
+        return BrokenRenderer("keeps-the-clipped-part") { frame, sink ->
+            val isKept = kept?.first?.let {
+                it.primitives === frame.primitives && it.width == frame.width && it.height == frame.height
+            }
+            val image = if (isKept == true) checkNotNull(kept).second else ZBuffer().render(frame)
+            kept = frame to image
+            for (y in 0 until image.height) {
+                val from = y * image.width
+                fun row(all: IntArray) = all.copyOfRange(from, from + image.width)
+                sink.row(frame.region.rowStart + y, row(image.argb), row(image.depth), row(image.primitive))
+            }
+            image.counters
+        }
+    }
+
     fun poisonedByFailure(): BrokenRenderer {
         var hasFailed = false
         return BrokenRenderer("poisoned-by-failure") { frame, sink ->

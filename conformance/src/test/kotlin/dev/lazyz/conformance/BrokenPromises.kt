@@ -2,9 +2,11 @@ package dev.lazyz.conformance
 
 import dev.lazyz.Capability
 import dev.lazyz.Cell
+import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Image
+import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
@@ -31,6 +33,31 @@ object BrokenPromises {
     }
 
     fun buffersRows() = claiming("buffers-rows", Capability.STREAMS_ROWS, ZBuffer())
+
+    private val stepping = setOf(Capability.SHADES_ONLY_VISIBLE, Capability.COHERENCE)
+
+    fun stepsLess() = BrokenRenderer(
+        "steps-less",
+        stepping,
+        options = { options ->
+            BrokenRenderer("steps-less", stepping) { frame, sink ->
+                val cheap = frame.primitives.map { CheapStarts(it) }
+                LazyZBuffer(options).render(Frame(frame.raster, cheap, frame.region), sink)
+            }
+        },
+    ) { frame, sink -> LazyZBuffer().render(frame, sink) }
+
+    private class CheapStarts(private val primitive: Primitive) : Primitive by primitive {
+        override val shadingStartCost: Int get() = maxOf(0, primitive.shadingStartCost - 1)
+    }
+
+    fun keepsStepping(): BrokenRenderer = keepsStepping(RenderOptions())
+
+    private fun keepsStepping(last: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "keeps-stepping",
+        stepping,
+        options = { keepsStepping(if (it.coherence == Coherence.DIRECT) last else it) },
+    ) { frame, sink -> LazyZBuffer(last).render(frame, sink) }
 
     /** Asks all primitives about the next row before it hands out this one. */
     fun looksAhead() = BrokenRenderer("looks-ahead", setOf(Capability.STREAMS_ROWS)) { frame, sink ->
@@ -80,6 +107,14 @@ object BrokenPromises {
     private fun Image.dark() = Image(region, IntArray(argb.size), depth, primitive, counters)
 
     fun keepsPrimitives() = claiming("keeps-primitives", Capability.STREAMS_PRIMITIVES, HierarchicalZBuffer())
+
+    fun keepsItsSelector(): BrokenRenderer = keepsItsSelector(RenderOptions())
+
+    private fun keepsItsSelector(last: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "keeps-its-selector",
+        setOf(Capability.SELECTION),
+        options = { keepsItsSelector(if (it.selector == null) last else it) },
+    ) { frame, sink -> Lists(last).render(frame, sink) }
 
     fun ignoresTheSelector() = selecting("ignores-the-selector") { Selector.nearest() }
 

@@ -12,6 +12,7 @@ import dev.lazyz.conformance.RuleNames.parallel
 import dev.lazyz.conformance.RuleNames.passes
 import dev.lazyz.conformance.RuleNames.promise
 import dev.lazyz.conformance.RuleNames.selects
+import dev.lazyz.conformance.RuleNames.stepping
 import dev.lazyz.conformance.RuleNames.steps
 import dev.lazyz.conformance.RuleNames.streams
 import dev.lazyz.conformance.RuleNames.sums
@@ -37,6 +38,8 @@ internal object PromisesGallery {
         Mutant(BrokenColours::shadesBeforeTheTest, "shades before the depth test", promise),
         Mutant(BrokenColours::shadesTwice, "shades each visible sample twice, and counts one", counts, promise),
         Mutant(BrokenColours::alwaysSteps, "steps from colour to colour whatever it was told", steps),
+        Mutant(BrokenPromises::stepsLess, "adaptive, it starts again at a gap that costs as much as a start", stepping),
+        Mutant(BrokenPromises::keepsStepping, "told to step and then not to step, it goes on stepping", stepping),
         Mutant(BrokenColours::countsNoSteps, "does not count steps", steps),
         Mutant(BrokenColours::countsWholeChains, "counts the steps of a row as one chain", steps),
         Mutant(BrokenPromises::memoryGrows, "promises constant memory, and says that it is not", memory),
@@ -63,6 +66,7 @@ internal object PromisesGallery {
             "without a budget to suspend colours there are none",
             budget, options,
         ),
+        Mutant(BrokenPromises::keepsItsSelector, "once it had a selector, it goes on selecting without", selects),
         Mutant(BrokenPromises::ignoresTheSelector, "promises selection, and shows the nearest", selects),
         Mutant(
             BrokenPromises::selectsWithoutTheNearest,

@@ -18,6 +18,7 @@ internal object RuleNames {
     val extremes = RendererConformance::rule_5_5_extremesOfLightAndAlphaBlend.name
     val packed = RendererConformance::rule_6_4_lightOfAnyStrengthIsPacked.name
     val workers = RendererConformance::rule_7_1_failuresOfItsThreadsReachTheCaller.name
+    val late = RendererConformance::rule_7_1_nobodyAsksAfterTheEnd.name
     val halfDone = RendererConformance::rule_7_1_interruptedCallersGetNoHalfPicture.name
     val showing = RendererConformance::rule_8_2_whatIsBlendedIsShadedOnlyIfItShows.name
     val index = RendererConformance::rule_9_4_primitivesThatCoverNothingKeepTheirIndex.name
@@ -59,6 +60,7 @@ internal object RuleNames {
     val counts = RendererConformance::rule_8_1_countersCountWhatHappens.name
     val fragments = RendererConformance::rule_8_1_fragmentsAreTheCoveredSamples.name
     val among = RendererConformance::rule_8_1_passesAreAmongTheFragments.name
+    val stepping = RendererConformance::rule_7_6_shadingStepsAsTheOptionsSay.name
     val steps = RendererConformance::rule_8_1_startsAndStepsAreCounted.name
     val passes = RendererConformance::rule_8_2_visibleSamplesArePassedAndShaded.name
     val promise = RendererConformance::rule_8_2_promiseToShadeOnlyTheVisibleIsKept.name

@@ -6,6 +6,7 @@ import dev.lazyz.RowSink
 import dev.lazyz.Spans
 import dev.lazyz.conformance.RuleNames.caller
 import dev.lazyz.conformance.RuleNames.halfDone
+import dev.lazyz.conformance.RuleNames.late
 import dev.lazyz.conformance.RuleNames.lost
 import dev.lazyz.conformance.RuleNames.lostCounts
 import dev.lazyz.conformance.RuleNames.meets
@@ -24,6 +25,7 @@ internal object ThreadGallery {
         Mutant(::losesUpdates, "threads compare and write the key of a sample without a lock", lost),
         Mutant(::sharesCounters, "threads count in the same counters without a lock", lostCounts),
         Mutant(::losesErrors, "an error, which is no exception, ends its thread without a word", workers),
+        Mutant(::asksOn, "when the caller's part has failed, a thread goes on with its own", late),
         Mutant(::handsOutHalf, "a caller that is interrupted hands out what its threads have done so far", halfDone),
         Mutant(::keepsAFragment, "the fragment is in a field, for all renderings", meets),
         Mutant(::keepsSpans, "the spans are in a field, for all renderings", meets),
@@ -37,6 +39,18 @@ internal object ThreadGallery {
 
     private fun crew(id: String, threads: Int, tools: () -> Tools) = BrokenRenderer(id) { frame, sink ->
         emit(Crew(frame, threads, tools()).render(), sink)
+    }
+
+    private fun asksOn() = BrokenRenderer("asks-on") { frame, sink ->
+        val helper = thread(isDaemon = true) {
+            val spans = Spans()
+            try {
+                for (y in frame.region.rowStart until frame.region.rowEnd) frame.primitives.forEach { it.spans(y, spans.apply { clear() }) }
+            } catch (_: Exception) {
+                // The caller meets it, too
+            }
+        }
+        ZBuffer().render(frame, sink).also { helper.join() }
     }
 
     private fun sharesARow() = crew("shares-a-row", 4) {
