@@ -1,9 +1,12 @@
 package dev.lazyz
 
 import dev.lazyz.setup.Lighting
+import dev.lazyz.setup.LineStrokes
 import dev.lazyz.setup.PlanarSetUp
+import dev.lazyz.setup.PointCloud
 import dev.lazyz.setup.SphereSetUp
 import dev.lazyz.setup.TriangleBatch
+import dev.lazyz.setup.VertexStage
 import dev.lazyz.setup.Viewport
 
 /**
@@ -19,7 +22,8 @@ import dev.lazyz.setup.Viewport
 public class SetUp(public val raster: Raster, public val camera: Camera, public val lights: List<Light>) {
     private val viewport = Viewport.of(raster, camera)
     private val lighting = Lighting(lights, camera)
-    private val planar = PlanarSetUp(camera, viewport, lighting)
+    private val stage = VertexStage(camera, viewport)
+    private val planar = PlanarSetUp(stage, lighting)
 
     /**
      * Returns the triangles of [mesh] in order, set up one at a time as the sequence is walked. The vertices are
@@ -38,6 +42,12 @@ public class SetUp(public val raster: Raster, public val camera: Camera, public 
 
     /** Returns [sphere] as one primitive. */
     public fun sphere(sphere: Sphere): Primitive = SphereSetUp.sphere(sphere, camera, viewport, lighting)
+
+    /** Returns the points of [points] in order, set up one at a time as the sequence is walked; 32 bytes a point. */
+    public fun points(points: Points): Sequence<Primitive> = PointCloud(points, stage, lighting).primitives()
+
+    /** Returns the segments of [lines] in order, set up one at a time as the sequence is walked; 96 bytes a segment. */
+    public fun lines(lines: Lines): Sequence<Primitive> = LineStrokes(lines, stage, lighting).primitives()
 
     override fun toString(): String = "SetUp($raster, $camera, ${lights.size} lights)"
 }

@@ -7,7 +7,53 @@ import org.joml.Matrix4dc
 /** Moves meshes. */
 internal object MeshGeometry {
     fun transformed(mesh: Mesh, m: Matrix4dc): Mesh {
-        // The cofactors are the inverse transpose times the determinant; its sign is what mirrors
+        val triangles = mesh.triangles.copyOf()
+        if (Cofactors(m).isMirror) {
+            for (i in triangles.indices step 3) {
+                triangles[i + 1] = mesh.triangles[i + 2]
+                triangles[i + 2] = mesh.triangles[i + 1]
+            }
+        }
+        val normals = mesh.normals?.let { normals(it, m) }
+        return Mesh(positions(mesh.positions, m), triangles, mesh.material, normals, mesh.uvs, mesh.colors)
+    }
+
+    /** Returns positions moved by [m]. */
+    fun positions(from: FloatArray, m: Matrix4dc): FloatArray {
+        val to = FloatArray(from.size)
+        for (i in to.indices step 3) {
+            val x = from[i].toDouble()
+            val y = from[i + 1].toDouble()
+            val z = from[i + 2].toDouble()
+            to[i] = (m.m00() * x + m.m10() * y + m.m20() * z + m.m30()).toFloat()
+            to[i + 1] = (m.m01() * x + m.m11() * y + m.m21() * z + m.m31()).toFloat()
+            to[i + 2] = (m.m02() * x + m.m12() * y + m.m22() * z + m.m32()).toFloat()
+        }
+        return to
+    }
+
+    /** Returns normals moved by the inverse transpose of [m], of unit length. */
+    fun normals(from: FloatArray, m: Matrix4dc): FloatArray {
+        val c = Cofactors(m)
+        val sign = if (c.isMirror) -1.0 else 1.0
+        val to = FloatArray(from.size)
+        for (i in to.indices step 3) {
+            val x = from[i].toDouble()
+            val y = from[i + 1].toDouble()
+            val z = from[i + 2].toDouble()
+            unit(
+                sign * (c.c00 * x + c.c10 * y + c.c20 * z),
+                sign * (c.c01 * x + c.c11 * y + c.c21 * z),
+                sign * (c.c02 * x + c.c12 * y + c.c22 * z),
+                to,
+                i,
+            )
+        }
+        return to
+    }
+
+    /** The cofactors are the inverse transpose times the determinant; its sign is what mirrors. */
+    private class Cofactors(m: Matrix4dc) {
         val c00 = m.m11() * m.m22() - m.m12() * m.m21()
         val c01 = m.m12() * m.m20() - m.m10() * m.m22()
         val c02 = m.m10() * m.m21() - m.m11() * m.m20()
@@ -18,41 +64,6 @@ internal object MeshGeometry {
         val c21 = m.m02() * m.m10() - m.m00() * m.m12()
         val c22 = m.m00() * m.m11() - m.m01() * m.m10()
         val isMirror = m.m00() * c00 + m.m01() * c01 + m.m02() * c02 < 0.0
-        val sign = if (isMirror) -1.0 else 1.0
-
-        val positions = FloatArray(mesh.positions.size)
-        for (i in positions.indices step 3) {
-            val x = mesh.positions[i].toDouble()
-            val y = mesh.positions[i + 1].toDouble()
-            val z = mesh.positions[i + 2].toDouble()
-            positions[i] = (m.m00() * x + m.m10() * y + m.m20() * z + m.m30()).toFloat()
-            positions[i + 1] = (m.m01() * x + m.m11() * y + m.m21() * z + m.m31()).toFloat()
-            positions[i + 2] = (m.m02() * x + m.m12() * y + m.m22() * z + m.m32()).toFloat()
-        }
-        val normals = mesh.normals?.let { from ->
-            FloatArray(from.size).also { to ->
-                for (i in to.indices step 3) {
-                    val x = from[i].toDouble()
-                    val y = from[i + 1].toDouble()
-                    val z = from[i + 2].toDouble()
-                    unit(
-                        sign * (c00 * x + c10 * y + c20 * z),
-                        sign * (c01 * x + c11 * y + c21 * z),
-                        sign * (c02 * x + c12 * y + c22 * z),
-                        to,
-                        i,
-                    )
-                }
-            }
-        }
-        val triangles = mesh.triangles.copyOf()
-        if (isMirror) {
-            for (i in triangles.indices step 3) {
-                triangles[i + 1] = mesh.triangles[i + 2]
-                triangles[i + 2] = mesh.triangles[i + 1]
-            }
-        }
-        return Mesh(positions, triangles, mesh.material, normals, mesh.uvs, mesh.colors)
     }
 
     /** Writes (x, y, z) with unit length to three places of [out]; a vector without length stays 0. */
