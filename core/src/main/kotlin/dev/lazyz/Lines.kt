@@ -55,6 +55,9 @@ public class Lines @JvmOverloads constructor(
     override fun withMaterials(change: (Material) -> Material): Lines =
         Lines(positions, segments, width, change(material), colors)
 
+    /** Returns these lines in another [width]. */
+    public fun withWidth(width: Double): Lines = Lines(positions, segments, width, material, colors)
+
     /** Returns these lines moved by an affine [transform], in the same width. */
     public fun transformed(transform: Matrix4dc): Lines = PointGeometry.transformed(this, transform)
 

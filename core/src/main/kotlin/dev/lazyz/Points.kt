@@ -50,6 +50,9 @@ public class Points @JvmOverloads constructor(
     override fun withMaterials(change: (Material) -> Material): Points =
         Points(positions, size, change(material), normals, colors)
 
+    /** Returns these points in another [size]. */
+    public fun withSize(size: Double): Points = Points(positions, size, material, normals, colors)
+
     /** Returns these points moved by an affine [transform], in the same size. Normals are moved by the inverse transpose. */
     public fun transformed(transform: Matrix4dc): Points = PointGeometry.transformed(this, transform)
 

@@ -229,6 +229,8 @@ class LinesTest {
         val moved = lines.transformed(Matrix4d().translate(1.0, 0.0, 0.0).scale(2.0))
         assertArrayEquals(floatArrayOf(3f, 4f, 6f, 1f, 0f, 0f), moved.positions)
         assertEquals(2.0, moved.width)
+        assertEquals(5.0, moved.withWidth(5.0).width)
+        assertSame(moved.segments, moved.withWidth(5.0).segments)
         val other = Material(name = "other")
         assertSame(other, lines.withMaterials { other }.material)
         assertEquals(Vector3d(0.5, 1.0, 1.5), lines.bounds!!.center)

@@ -148,6 +148,8 @@ class PointsTest {
         assertArrayEquals(floatArrayOf(3f, 4f, 6f), moved.positions)
         assertArrayEquals(floatArrayOf(0f, 1f, 0f), moved.normals)
         assertEquals(2.0, moved.size)
+        assertEquals(5.0, moved.withSize(5.0).size)
+        assertSame(moved.positions, moved.withSize(5.0).positions)
         val other = Material(name = "other")
         assertSame(other, points.withMaterials { other }.material)
         assertEquals(Vector3d(1.0, 2.0, 3.0), points.bounds!!.center)
