@@ -82,7 +82,7 @@ internal class PictureOptions : OptionGroup("Picture") {
     val shading by option("--shading", help = "Replace all materials' shading: ${names(shadings.keys)}")
         .oneOf("SHADING", shadings)
 
-    val pointSize by option("--point-size", help = "Size of points in pixels, up to 4096; default: the input's, or 1")
+    val pointSize by option("--point-size", help = "Size of points in pixels, up to 4096; default: the input's, or 2")
         .number("PX", LEAST_SIZE..Points.MAX_SIZE.toDouble(), " pixels")
 
     val lineWidth by option("--line-width", help = "Width of lines in pixels, up to 4096; default: the input's, or 1")
