@@ -17,9 +17,7 @@ internal class PlyEdges(private val source: Source, private val vertexCount: Int
 
     /** Reads all rows of element `edge`. */
     fun read(element: PlyElement, body: PlyBody) {
-        val columns = listOf("vertex1", "vertex2").map { name ->
-            element.column(listOf(name)) ?: source.fail("header", "element edge has no property $name", "add it")
-        }
+        val columns = columns(element)
         body.announce(element)
         source.loading.segments(source, element.count.toLong())
         segments = IntArray(2 * element.count)
@@ -44,5 +42,13 @@ internal class PlyEdges(private val source: Source, private val vertexCount: Int
             "vertex number $shown is not one of the $vertexCount vertices, which count from 0",
             "correct the edge or export the model again",
         )
+    }
+
+    companion object {
+        /** Whether [element] says which vertices its edges have. */
+        fun canRead(element: PlyElement): Boolean = columns(element).size == 2
+
+        private fun columns(element: PlyElement): List<Int> =
+            listOf("vertex1", "vertex2").mapNotNull { element.column(listOf(it)) }
     }
 }

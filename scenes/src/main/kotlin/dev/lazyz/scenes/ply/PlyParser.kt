@@ -39,7 +39,7 @@ internal object PlyParser : SceneParser {
                 "vertex" -> vertices = PlyVertices.read(source, element, body)
                 "face" -> faces.readFaces(element, body)
                 "tristrips" -> faces.readStrips(element, body)
-                "edge" -> edges.read(element, body)
+                "edge" -> if (PlyEdges.canRead(element)) edges.read(element, body) else skip(element, body)
                 else -> skip(element, body)
             }
         }

@@ -8,7 +8,6 @@ import dev.lazyz.scenes.triangulation.TestSources
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
-import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** Primitives of modes 0 to 3. */
@@ -58,13 +57,5 @@ class GltfPointsTest {
         val moved = ""","translation":[0,0,5]"""
         assertEquals(5f, (surface(source(0, node = moved)) as Points).positions[2])
         assertEquals(5f, (surface(source(1, node = moved)) as Lines).positions[2])
-    }
-
-    @Test
-    fun otherModesAreRefused() {
-        for (mode in listOf(-1, 7)) {
-            val message = TestSources.error(GltfParser, TestSources.of(source(mode))).message!!
-            assertTrue("there is no mode $mode" in message) { message }
-        }
     }
 }
