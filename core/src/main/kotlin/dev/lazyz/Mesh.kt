@@ -30,10 +30,10 @@ public class Mesh @JvmOverloads constructor(
     public val normals: FloatArray? = null,
     public val uvs: FloatArray? = null,
     public val colors: FloatArray? = null,
-    origin: Vector3dc = WORLD_ORIGIN,
+    origin: Vector3dc = Vectors.ZERO,
 ) : Surface {
     /** What is added to all positions, world space. */
-    public val origin: Vector3dc = if (origin === WORLD_ORIGIN) origin else Vector3d(origin)
+    public val origin: Vector3dc = if (origin === Vectors.ZERO) origin else Vector3d(origin)
 
     /** Number of vertices. */
     public val vertexCount: Int = positions.size / 3
@@ -67,8 +67,12 @@ public class Mesh @JvmOverloads constructor(
         Mesh(positions, triangles, change(material), normals, uvs, colors, origin)
 
     /** Returns this mesh at the same place with positions relative to [origin]. */
-    internal fun relativeTo(origin: Vector3dc): Mesh =
-        if (origin == this.origin) this else MeshGeometry.relativeTo(this, origin)
+    internal fun relativeTo(origin: Vector3dc): Mesh = if (origin == this.origin) {
+        this
+    } else {
+        val moved = MeshGeometry.relativeTo(origin, positions, this.origin)
+        Mesh(moved, triangles, material, normals, uvs, colors, origin)
+    }
 
     /**
      * Returns this mesh moved by an affine [transform]. Normals are moved by the inverse transpose; a transform that
@@ -89,8 +93,4 @@ public class Mesh @JvmOverloads constructor(
     public fun withSmoothNormals(creaseAngle: Double = 45.0): Mesh = SmoothNormals(this, creaseAngle).mesh()
 
     override fun toString(): String = "Mesh($vertexCount vertices, $triangleCount triangles, $material)"
-
-    private companion object {
-        val WORLD_ORIGIN: Vector3dc = Vector3d()
-    }
 }

@@ -1,7 +1,6 @@
 package dev.lazyz
 
 import dev.lazyz.setup.FrameContent
-import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
@@ -25,11 +24,11 @@ public class Scene @JvmOverloads constructor(
     public val bounds: Box? by lazy { surfaces.mapNotNull { it.bounds }.reduceOrNull(Box::union) }
 
     /**
-     * Where shading has its origin: [Fragment.worldX] and its like are relative to it. That of the first mesh that has one of
-     * its own, in scenes far away from the world's origin; else the world's.
+     * Where shading has its origin: [Fragment.worldX] and its like are relative to it. That of the first surface that has one
+     * of its own, in scenes far away from the world's origin; else the world's.
      */
     public val origin: Vector3dc by lazy {
-        surfaces.firstNotNullOfOrNull { surface -> (surface as? Mesh)?.origin?.takeIf { it != WORLD_ORIGIN } } ?: WORLD_ORIGIN
+        surfaces.firstNotNullOfOrNull { surface -> originOf(surface)?.takeIf { !Vectors.isZero(it) } } ?: Vectors.ZERO
     }
 
     /** Returns the camera that a raster of this size sees the scene through. */
@@ -49,7 +48,7 @@ public class Scene @JvmOverloads constructor(
     private fun setUp(raster: Raster): SetUp {
         val camera = camera(raster.width, raster.height)
         val isOnScreen = camera.projection == Projection.Screen
-        return SetUp(raster, camera, lights.ifEmpty { Light.studio(camera) }, if (isOnScreen) WORLD_ORIGIN else origin)
+        return SetUp(raster, camera, lights.ifEmpty { Light.studio(camera) }, if (isOnScreen) Vectors.ZERO else origin)
     }
 
     /** Sets the scene up for a raster of [width] x [height] samples, the usual way to a picture. */
@@ -113,7 +112,12 @@ public class Scene @JvmOverloads constructor(
         @JvmStatic
         public fun builder(): Builder = Builder()
 
-        private val WORLD_ORIGIN: Vector3dc = Vector3d()
+        private fun originOf(surface: Surface): Vector3dc? = when (surface) {
+            is Mesh -> surface.origin
+            is Points -> surface.origin
+            is Lines -> surface.origin
+            else -> null
+        }
     }
 }
 

@@ -1,9 +1,12 @@
 package dev.lazyz
 
 import dev.lazyz.setup.Lighting
+import dev.lazyz.setup.LineStrokes
 import dev.lazyz.setup.PlanarSetUp
+import dev.lazyz.setup.PointCloud
 import dev.lazyz.setup.SphereSetUp
 import dev.lazyz.setup.TriangleBatch
+import dev.lazyz.setup.VertexStage
 import dev.lazyz.setup.Viewport
 import org.joml.Vector3d
 import org.joml.Vector3dc
@@ -37,7 +40,8 @@ public class SetUp @JvmOverloads constructor(
     private val near = camera.relativeTo(origin)
     private val viewport = Viewport.of(raster, near)
     private val lighting = Lighting(lights.map { it.relativeTo(origin) }, near)
-    private val planar = PlanarSetUp(near, viewport, lighting)
+    private val stage = VertexStage(near, viewport)
+    private val planar = PlanarSetUp(stage, lighting)
 
     /**
      * Returns the triangles of [mesh] in order, set up one at a time as the sequence is walked. The vertices are
@@ -55,7 +59,16 @@ public class SetUp @JvmOverloads constructor(
     public fun polygon(polygon: Polygon): Primitive = planar.polygon(polygon.relativeTo(origin))
 
     /** Returns [sphere] as one primitive. */
-    public fun sphere(sphere: Sphere): Primitive = SphereSetUp.sphere(sphere.relativeTo(origin), near, viewport, lighting)
+    public fun sphere(sphere: Sphere): Primitive =
+        SphereSetUp.sphere(sphere.relativeTo(origin), near, viewport, lighting)
+
+    /** Returns the points of [points] in order, set up one at a time as the sequence is walked; 32 bytes a point. */
+    public fun points(points: Points): Sequence<Primitive> =
+        PointCloud(points.relativeTo(origin), stage, lighting).primitives()
+
+    /** Returns the segments of [lines] in order, set up one at a time as the sequence is walked; 96 bytes a segment. */
+    public fun lines(lines: Lines): Sequence<Primitive> =
+        LineStrokes(lines.relativeTo(origin), stage, lighting).primitives()
 
     override fun toString(): String = "SetUp($raster, $camera, ${lights.size} lights)"
 }

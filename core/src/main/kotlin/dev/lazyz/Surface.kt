@@ -1,7 +1,7 @@
 package dev.lazyz
 
 /**
- * Something to see, in world space: a [Mesh], a [Polygon], a [Sphere], or a kind of one's own.
+ * Something to see, in world space: a [Mesh], a [Polygon], a [Sphere], [Points], [Lines], or a kind of one's own.
  *
  * To add a kind, turn the shape into primitives with [SetUp]'s functions, or into [Primitive]s of one's own.
  * Implementations are immutable and thread safe.

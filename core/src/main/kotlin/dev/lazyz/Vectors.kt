@@ -23,6 +23,8 @@ internal object Vectors {
     /** Whether all components are finite. JOML's own test loads the formats of its texts, and with them Java's locales. */
     fun isFinite(v: Vector3dc): Boolean = v.x().isFinite() && v.y().isFinite() && v.z().isFinite()
 
+    val ZERO: Vector3dc = Vector3d()
+
     fun isZero(v: Vector3dc): Boolean = v.x() == 0.0 && v.y() == 0.0 && v.z() == 0.0
 
     fun minus(a: Vector3dc, b: Vector3dc): Vector3d = Vector3d(a.x() - b.x(), a.y() - b.y(), a.z() - b.z())

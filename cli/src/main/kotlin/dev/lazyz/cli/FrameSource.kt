@@ -35,7 +35,7 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         // Turn, light and look at it as asked
         val upright = if (subject.up == Up.Z) UpAxis.fromZ(loaded.scene) else loaded.scene
         val pointOfView = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
-        val seen = pointOfView.applyTo(upright)
+        val seen = subject.sizes.applyTo(pointOfView.applyTo(upright))
         val scene = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
 
         // The camera frames the whole raster, the picture is a part of it

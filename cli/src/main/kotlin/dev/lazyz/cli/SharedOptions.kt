@@ -9,6 +9,7 @@ import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.Coherence
 import dev.lazyz.DepthConvention
 import dev.lazyz.Fit
+import dev.lazyz.Points
 import dev.lazyz.RenderOptions
 import dev.lazyz.Selector
 import dev.lazyz.Shading
@@ -36,6 +37,7 @@ internal fun subject(
         region = picture.region,
         background = picture.background,
         shading = picture.shading,
+        sizes = PixelSizes(picture.pointSize, picture.lineWidth),
         translucency = if (picture.isOpaque) Translucency.OPAQUE else Translucency.BLENDED,
         depthConvention = picture.depthConvention,
         pointOfView = camera.pointOfView(),
@@ -79,6 +81,12 @@ internal class PictureOptions : OptionGroup("Picture") {
 
     val shading by option("--shading", help = "Replace all materials' shading: ${names(shadings.keys)}")
         .oneOf("SHADING", shadings)
+
+    val pointSize by option("--point-size", help = "Size of points in pixels, up to 4096; default: the input's, or 2")
+        .number("PX", LEAST_SIZE..Points.MAX_SIZE.toDouble(), " pixels")
+
+    val lineWidth by option("--line-width", help = "Width of lines in pixels, up to 4096; default: the input's, or 1")
+        .number("PX", LEAST_SIZE..Points.MAX_SIZE.toDouble(), " pixels")
 
     val isOpaque by option("--opaque", help = "Take translucent materials for opaque; default: they are blended")
         .flag()
@@ -139,6 +147,9 @@ internal class CostOptions : OptionGroup("Cost (not the picture; 'zcli strategie
 
     fun choices(selector: Selector? = null) = Choices(memoryBudget, coherence, threads, tileSize, selector)
 }
+
+/** What is below a pixel counts as one. */
+private const val LEAST_SIZE = 0.001
 
 private val formats = SceneFormat.entries.associateBy { it.id }
 

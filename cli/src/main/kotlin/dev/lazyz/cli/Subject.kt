@@ -24,6 +24,7 @@ internal class Subject(
     val region: Region?,
     val background: Rgba?,
     val shading: Shading?,
+    val sizes: PixelSizes,
     val translucency: Translucency,
     val depthConvention: DepthConvention?,
     val pointOfView: PointOfView,

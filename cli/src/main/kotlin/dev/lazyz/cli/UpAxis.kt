@@ -2,7 +2,9 @@ package dev.lazyz.cli
 
 import dev.lazyz.Camera
 import dev.lazyz.Light
+import dev.lazyz.Lines
 import dev.lazyz.Mesh
+import dev.lazyz.Points
 import dev.lazyz.Polygon
 import dev.lazyz.Projection
 import dev.lazyz.Scene
@@ -46,6 +48,16 @@ internal object UpAxis {
         )
 
         is Sphere -> Sphere(turned(surface.center), surface.radius, surface.material)
+
+        is Points -> Points(
+            turned(surface.positions), surface.size, surface.material, surface.normals?.let { turned(it) },
+            surface.colors, turned(surface.origin),
+        )
+
+        is Lines -> Lines(
+            turned(surface.positions), surface.segments, surface.width, surface.material, surface.colors,
+            turned(surface.origin),
+        )
 
         else -> throw Mistake("--up z cannot turn a surface of class ${surface.javaClass.name}")
     }

@@ -2,7 +2,9 @@ package dev.lazyz.cli
 
 import dev.lazyz.Camera
 import dev.lazyz.Light
+import dev.lazyz.Lines
 import dev.lazyz.Mesh
+import dev.lazyz.Points
 import dev.lazyz.Polygon
 import dev.lazyz.Rgba
 import dev.lazyz.Scene
@@ -37,6 +39,18 @@ class UpAxisTest {
         val corner = (turn(Polygon(listOf(listOf(Vertex(1.0, 2.0, 3.0, 4f, 5f))))) as Polygon).contours[0][0]
         assertEquals(listOf(1.0, 3.0, -2.0), listOf(corner.x, corner.y, corner.z))
         assertEquals(listOf(4f, 5f), listOf(corner.u, corner.v))
+    }
+
+    @Test
+    fun pointsAndLinesTurn() {
+        val points = turn(Points(positions, 3.0, normals = positions)) as Points
+        assertArrayEquals(turned, points.positions)
+        assertArrayEquals(turned, points.normals)
+        assertEquals(3.0, points.size)
+        val lines = turn(Lines(positions, intArrayOf(0, 2), 3.0)) as Lines
+        assertArrayEquals(turned, lines.positions)
+        assertArrayEquals(intArrayOf(0, 2), lines.segments)
+        assertEquals(3.0, lines.width)
     }
 
     @Test

@@ -47,6 +47,21 @@ internal class BlendedCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> = Frames.blended(maxSide = 40, maxSurfaces = 4)
 }
 
+/** Frames of points and meshes. */
+internal class PointCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = WorldFrames.dotted(WorldFrames.rasters(40)).withoutEdgeCases()
+}
+
+/** Frames of lines and meshes. */
+internal class LineCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = WorldFrames.lined(WorldFrames.rasters(40)).withoutEdgeCases()
+}
+
+/** Frames of points and lines whose materials blend. */
+internal class BlendedPointCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = WorldFrames.blendedDots(WorldFrames.rasters(24)).withoutEdgeCases()
+}
+
 /** Frames of all kinds. */
 internal class MixedCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> =

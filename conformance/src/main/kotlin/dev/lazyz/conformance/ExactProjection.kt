@@ -12,7 +12,8 @@ import org.joml.Matrix4dc
 import org.joml.Vector3dc
 
 /**
- * Polygons in space as [ExactPolygon]s on a raster: rules 1.3, 4.2 and 9.1 in 60 decimal digits.
+ * Polygons, points and lines in space as [ExactPolygon]s, [ExactPoint]s and [ExactLine]s on a raster: rules 1.3, 4.2
+ * and 9.1 in 60 decimal digits.
  *
  * Vertices are transformed by the camera's matrices, as they are; cut at the near and the far plane; projected; and
  * snapped. The contract does not say in which order a vertex's coordinates are computed in double precision: where a
@@ -32,7 +33,7 @@ public class ExactProjection(private val raster: Raster, private val camera: Cam
     public fun polygons(contours: List<List<Vector3dc>>, fillRule: FillRule): List<ExactPolygon?> {
         val all = contours.flatten()
         if (all.size < 3 || all.any { !it.isFinite }) return listOf(null)
-        if (all.any { maxOf(Math.abs(it.x()), Math.abs(it.y()), Math.abs(it.z())) > LARGEST }) return emptyList()
+        if (all.any { isHuge(it) }) return emptyList()
         var pieces = contours.map { contour -> contour.map(::toClip) }
         for (plane in listOf(Corner::toNear, Corner::toFar)) {
             if (pieces.flatten().any { plane(it).abs() < CLOSE }) return emptyList()
@@ -43,6 +44,36 @@ public class ExactProjection(private val raster: Raster, private val camera: Cam
         if (pieces.sumOf { it.size } < 3) return listOf(null)
         return snapped(pieces, fillRule)
     }
+
+    /** As [polygons], for a point of so many pixels. */
+    public fun points(position: Vector3dc, size: Double): List<ExactPoint?> {
+        if (!position.isFinite) return listOf(null)
+        if (isHuge(position)) return emptyList()
+        val corner = toClip(position)
+        for (plane in listOf(Corner::toNear, Corner::toFar)) {
+            if (plane(corner).abs() < CLOSE) return emptyList()
+            if (plane(corner).signum() < 0) return listOf(null)
+        }
+        return snaps(listOf(corner)).map { (x, y, depth) -> ExactPoint(x, y, depth, size) }
+    }
+
+    /** As [polygons], for a line of so many pixels between two points. */
+    public fun lines(from: Vector3dc, to: Vector3dc, width: Double): List<ExactLine?> {
+        if (!from.isFinite || !to.isFinite) return listOf(null)
+        if (isHuge(from) || isHuge(to)) return emptyList()
+        var ends = listOf(toClip(from), toClip(to))
+        for (plane in listOf(Corner::toNear, Corner::toFar)) {
+            val (d, e) = ends.map(plane)
+            if (d.abs() < CLOSE || e.abs() < CLOSE) return emptyList()
+            if (d.signum() < 0 && e.signum() < 0) return listOf(null)
+            val cut = ends[0].toward(ends[1], d.abs() / (d.abs() + e.abs()))
+            ends = listOf(if (d.signum() < 0) cut else ends[0], if (e.signum() < 0) cut else ends[1])
+        }
+        return snaps(ends).map { ExactLine(it.toIntArray(), width) }
+    }
+
+    private fun isHuge(p: Vector3dc): Boolean =
+        maxOf(Math.abs(p.x()), Math.abs(p.y()), Math.abs(p.z())) > LARGEST
 
     /** Homogeneous clip coordinates; near is z = -w, far is z = w. */
     private class Corner(val x: BigDecimal, val y: BigDecimal, val z: BigDecimal, val w: BigDecimal) {
@@ -86,9 +117,18 @@ public class ExactProjection(private val raster: Raster, private val camera: Cam
         return left
     }
 
-    /** Every way to snap the vertices. */
-    private fun snapped(contours: List<List<Corner>>, fillRule: FillRule): List<ExactPolygon?> {
-        val numbers = contours.flatten().flatMap { corner ->
+    private fun snapped(contours: List<List<Corner>>, fillRule: FillRule): List<ExactPolygon?> =
+        snaps(contours.flatten()).map { numbersOfOne ->
+            var at = 0
+            val snapped = contours.map { contour ->
+                IntArray(3 * contour.size) { numbersOfOne[at++] }
+            }
+            ExactPolygon(snapped, fillRule)
+        }
+
+    /** Every way to snap vertices: x, y and depth of each; none where that leaves too much open. */
+    private fun snaps(corners: List<Corner>): List<List<Int>> {
+        val numbers = corners.flatMap { corner ->
             val x = (corner.x / corner.w + BigDecimal.ONE) / TWO * big(raster.width.toDouble())
             val y = (BigDecimal.ONE - corner.y / corner.w) / TWO * big(raster.height.toDouble())
             if (maxOf(x.abs(), y.abs()) > GUARD) return emptyList()
@@ -96,16 +136,7 @@ public class ExactProjection(private val raster: Raster, private val camera: Cam
             listOf(near(x * STEPS), near(y * STEPS), depths(depth))
         }
         if (numbers.fold(1L) { product, it -> minOf(product * it.size, 1000L) } > MOST) return emptyList()
-        val choices = numbers.fold(listOf(emptyList<Int>())) { lists, it ->
-            lists.flatMap { l -> it.map { n -> l + n } }
-        }
-        return choices.map { numbersOfOne ->
-            var at = 0
-            val snapped = contours.map { contour ->
-                IntArray(3 * contour.size) { numbersOfOne[at++] }
-            }
-            ExactPolygon(snapped, fillRule)
-        }
+        return numbers.fold(listOf(emptyList())) { lists, it -> lists.flatMap { l -> it.map { n -> l + n } } }
     }
 
     private fun depths(unit: BigDecimal): List<Int> {

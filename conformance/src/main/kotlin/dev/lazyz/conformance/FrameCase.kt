@@ -1,7 +1,9 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Frame
+import dev.lazyz.Lines
 import dev.lazyz.Mesh
+import dev.lazyz.Points
 import dev.lazyz.Scene
 import dev.lazyz.Surface
 import dev.lazyz.scenes.DepthRules
@@ -40,10 +42,13 @@ public class FrameCase(public val frame: Frame, public val code: String) {
     /** The scene with other surfaces; null if there is none, or not one surface for each primitive. */
     internal fun sceneOf(change: (List<Surface>) -> List<Surface>?): Scene? {
         val scene = scene ?: return null
-        if (scene.surfaces.size != frame.primitives.size || scene.surfaces.any { it is Mesh }) return null
+        if (scene.surfaces.size != frame.primitives.size || scene.surfaces.any { it.isOfMany }) return null
         val surfaces = change(scene.surfaces) ?: return null
         return Scene(surfaces, scene.lights, scene.viewpoint, scene.background)
     }
+
+    /** Whether a surface may be any number of primitives. */
+    private val Surface.isOfMany: Boolean get() = this is Mesh || this is Points || this is Lines
 
     override fun toString(): String = code
 }

@@ -16,7 +16,7 @@ import net.jqwik.api.lifecycle.PropagationMode
  * The system property [TRIES] multiplies the number of frames (`-Dlazyz.conformance.tries=100` for a night, `0.1` while
  * debugging), and [SEED] chooses others. Cost: a few seconds for a renderer, in one thread but for few rules.
  *
- * The rules are in the superclasses, by theme: [PictureRules], [ShadingRules], [SizeRules], [CombinationRules],
+ * The rules are in the superclasses, by theme: [PictureRules], [PointRules], [ShadingRules], [SizeRules], [CombinationRules],
  * [ChangeRules], [UseRules], [ThreadRules], [WorkerRules], [CounterRules], [PromiseRules] and [TidyRules]. Extend this class, not
  * those.
  */

@@ -7,7 +7,7 @@ import net.jqwik.api.Property
 
 /** Rules about colours: scenes with light, normals, textures and blended materials. Part of [RendererConformance]. */
 @Suppress("ktlint:standard:function-naming")
-public sealed class ShadingRules : PictureRules() {
+public sealed class ShadingRules : PointRules() {
     /** Materials that blend show what lies behind; made opaque, they are materials like any other. */
     @Rule(
         intent = "Alpha of materials, of textures and of vertex colours blends, whichever side of a face is seen.",

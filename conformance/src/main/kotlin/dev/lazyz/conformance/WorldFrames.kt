@@ -40,6 +40,29 @@ internal object WorldFrames {
         return cases(rasters, surfaces, WorldLights.directed())
     }
 
+    /** Frames of points, before meshes and among them, none of them translucent. */
+    fun dotted(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> =
+        cases(rasters, among(WorldPoints(WorldMaterials.opaque()).points()))
+
+    /** Frames of lines, likewise. */
+    fun lined(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> =
+        cases(rasters, among(WorldPoints(WorldMaterials.opaque()).lines()))
+
+    /** Frames of points and lines most of which blend, among meshes. */
+    fun blendedDots(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> {
+        val some = WorldPoints(WorldMaterials.blended())
+        return cases(rasters, among(mixed(1 to some.points(), 1 to some.lines())))
+    }
+
+    /** Some of these surfaces, mostly with a mesh before, among or behind them. */
+    private fun among(surfaces: Arbitrary<Coded<Surface>>): Arbitrary<List<Coded<Surface>>> {
+        val others = mixed(2 to meshes.backdrop(), 1 to meshes.any(), 1 to shapes.sphere())
+        return Combinators.combine(surfaces.list().ofMinSize(1).ofMaxSize(4), others, ints(0, 5))
+            .`as` { list, other, place ->
+                if (place == 5) list else list.toMutableList().apply { add(minOf(place, size), other) }.toList()
+            }
+    }
+
     /** Frames of these surfaces. */
     fun cases(rasters: Arbitrary<Raster>, surfaces: Arbitrary<List<Coded<Surface>>>): Arbitrary<FrameCase> =
         cases(rasters, surfaces, WorldLights.any())

@@ -24,6 +24,10 @@ object BrokenCoverage {
         if (from.count > 0) to.add(from.start(0), from.end(0))
     }
 
+    fun singleSamplesLost() = misreading("single-samples-lost") { _, from, to ->
+        for (i in 0 until from.count) if (from.start(i) + 1 < from.end(i)) to.add(from.start(i), from.end(i))
+    }
+
     fun windingInverted() = misreading("winding-inverted") { _, from, to ->
         if (from.count == 1) to.add(from.start(0), from.end(0))
         for (i in 0 until from.count - 1) to.add(from.end(i), from.start(i + 1))

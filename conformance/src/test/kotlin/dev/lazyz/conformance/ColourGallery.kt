@@ -6,6 +6,7 @@ import dev.lazyz.conformance.RuleNames.nearest
 import dev.lazyz.conformance.RuleNames.options
 import dev.lazyz.conformance.RuleNames.own
 import dev.lazyz.conformance.RuleNames.packed
+import dev.lazyz.conformance.RuleNames.pointsBlend
 import dev.lazyz.conformance.RuleNames.refuse
 import dev.lazyz.conformance.RuleNames.refuseHidden
 import dev.lazyz.conformance.RuleNames.scenes
@@ -28,7 +29,7 @@ internal object ColourGallery {
         Mutant(BrokenDepths::mergesEqualColours, "neighbours of one colour get one depth", scenes),
         Mutant(BrokenColours::oneStepShort, "a stepped colour is one step short", options),
         Mutant(BrokenColours::oneStepTooMany, "a stepped colour is one step too far", options),
-        Mutant(BrokenRenderers::blendsAsSubmitted, "blends in the order of submission", blend),
+        Mutant(BrokenRenderers::blendsAsSubmitted, "blends in the order of submission", blend, pointsBlend),
         Mutant(BrokenRenderers::blendsFromTheBack, "blends from the back, which rounds differently", blend),
         Mutant(BrokenRenderers::blendsInEightBits, "blends into 8 bits a component, over and over", blend),
         Mutant(BrokenRenderers::blendsBehindTheBackdrop, "blends what lies behind an opaque fragment, too", blend),

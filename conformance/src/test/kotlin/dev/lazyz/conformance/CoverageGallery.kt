@@ -2,16 +2,18 @@ package dev.lazyz.conformance
 
 import dev.lazyz.conformance.RuleNames.empty
 import dev.lazyz.conformance.RuleNames.halves
+import dev.lazyz.conformance.RuleNames.lines
 import dev.lazyz.conformance.RuleNames.moved
 import dev.lazyz.conformance.RuleNames.narrow
 import dev.lazyz.conformance.RuleNames.nearest
 import dev.lazyz.conformance.RuleNames.own
+import dev.lazyz.conformance.RuleNames.points
 import dev.lazyz.conformance.RuleNames.scenes
 
 /** The gallery's part about coverage. */
 internal object CoverageGallery {
     val mutants: List<Mutant> = listOf(
-        Mutant(BrokenRenderers::spanEndsEarly, "every span lacks its last column", nearest, scenes, narrow),
+        Mutant(BrokenRenderers::spanEndsEarly, "every span lacks its last column", nearest, scenes, narrow, points),
         Mutant(BrokenCoverage::spansStartLate, "every span lacks its first column", nearest, halves),
         Mutant(BrokenCoverage::sharedEdgeTwice, "the column on a shared edge belongs to both sides", nearest, own),
         Mutant(BrokenCoverage::firstSpanOnly, "one span a row: what comes after a gap is lost", nearest, own),
@@ -30,7 +32,8 @@ internal object CoverageGallery {
         Mutant(BrokenCoverage::lateActivation, "primitives become active a row late", nearest, halves),
         Mutant(BrokenCoverage::earlyRetirement, "primitives end a row early", nearest, halves),
         Mutant(BrokenCoverage::staleActiveEdge, "an edge stays active in the row after its end", nearest, scenes),
-        Mutant(BrokenRenderers::linearFormsOnly, "primitives without a linear form are not drawn", own),
+        Mutant(BrokenRenderers::linearFormsOnly, "primitives without a linear form are not drawn", own, lines),
+        Mutant(BrokenCoverage::singleSamplesLost, "what has a single sample in a row is lost there", points, lines),
         Mutant(BrokenRenderers::needsAPrimitive, "fails without primitives", empty),
         Mutant(BrokenRenderers::needsTwoColumns, "fails on rasters of a single column", narrow),
     )

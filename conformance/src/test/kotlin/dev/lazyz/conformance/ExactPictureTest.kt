@@ -4,7 +4,9 @@ import dev.lazyz.Camera
 import dev.lazyz.FillRule
 import dev.lazyz.Frame
 import dev.lazyz.Image
+import dev.lazyz.Lines
 import dev.lazyz.Mesh
+import dev.lazyz.Points
 import dev.lazyz.Polygon
 import dev.lazyz.Raster
 import dev.lazyz.Renderers
@@ -168,10 +170,14 @@ class ExactPictureTest {
 
     /** A surface, and what it may be by exact arithmetic. */
     private inner class Tried(val surface: Surface, private val contours: List<List<Vector3dc>>?) {
-        fun exact(raster: Raster, camera: Camera): List<ExactSurface?> = if (contours == null) {
-            listOf(ExactSphere(raster, camera, surface as Sphere))
-        } else {
-            ExactProjection(raster, camera).polygons(contours, FillRule.EVEN_ODD)
+        fun exact(raster: Raster, camera: Camera): List<ExactSurface?> {
+            val projection = ExactProjection(raster, camera)
+            return when (surface) {
+                is Sphere -> listOf(ExactSphere(raster, camera, surface))
+                is Points -> projection.points(contours!![0][0], surface.size)
+                is Lines -> projection.lines(contours!![0][0], contours[0][1], surface.width)
+                else -> projection.polygons(contours!!, FillRule.EVEN_ODD)
+            }
         }
 
         override fun toString(): String = "$surface $contours"
@@ -197,11 +203,34 @@ class ExactPictureTest {
 
     private fun quarters() = (random.nextInt(17) - 8) / 4.0
 
-    private fun surface(): Tried = when (random.nextInt(4)) {
+    private fun surface(): Tried = when (random.nextInt(6)) {
         0 -> Tried(sphere(), null)
+        4 -> point()
+        5 -> line()
         1 -> List(3) { point(1.5) }.let { Tried(Polygon(listOf(it.map { p -> Vertex(p.x, p.y, p.z) })), listOf(it)) }
         2 -> mesh()
         else -> holed()
+    }
+
+    private fun point(): Tried {
+        val (numbers, positions) = floats(1)
+        return Tried(Points(numbers, oneOf(0.5, 1.0, 2.0, 3.3, 9.0)), listOf(positions))
+    }
+
+    private fun line(): Tried {
+        val (numbers, positions) = floats(2)
+        return Tried(Lines(numbers, intArrayOf(0, 1), oneOf(0.5, 1.0, 2.0, 3.3, 9.0)), listOf(positions))
+    }
+
+    /** So many points, as numbers and as they come out of them. */
+    private fun floats(count: Int): Pair<FloatArray, List<Vector3d>> {
+        val numbers = List(count) { point(1.5) }.flatMap { listOf(it.x.toFloat(), it.y.toFloat(), it.z.toFloat()) }
+        return Pair(
+            numbers.toFloatArray(),
+            numbers.map {
+                it.toDouble()
+            }.chunked(3).map { (x, y, z) -> Vector3d(x, y, z) }
+        )
     }
 
     private fun mesh(): Tried {

@@ -5,6 +5,9 @@ internal object RuleNames {
     val nearest = RendererConformance::rule_5_1_nearestFragmentIsVisible.name
     val scenes = RendererConformance::rule_5_1_nearestFragmentIsVisibleInScenes.name
     val own = RendererConformance::rule_2_8_primitivesOfOnesOwnCoverWhatTheySay.name
+    val points = RendererConformance::rule_2_9_pointsAreOrdinary.name
+    val lines = RendererConformance::rule_2_10_linesAreOrdinary.name
+    val pointsBlend = RendererConformance::rule_5_5_pointsAndLinesBlend.name
     val background = RendererConformance::rule_4_3_backgroundIsWhereNothingPasses.name
     val ties = RendererConformance::rule_5_2_tiesGoToTheFirstSubmitted.name
     val tests = RendererConformance::rule_5_3_everyDepthTestIsObeyed.name

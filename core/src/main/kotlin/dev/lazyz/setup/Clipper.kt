@@ -37,6 +37,24 @@ internal class Clipper(private val guardX: Double, private val guardY: Double, p
         return left
     }
 
+    /**
+     * Cuts the segment between two vertices at all planes; new vertices are appended to [vertices].
+     *
+     * @return the ends of what is left, in the segment's direction, or null if that is nothing
+     */
+    fun clipSegment(vertices: Vertices, from: Int, to: Int): Pair<Int, Int>? {
+        var first = from
+        var second = to
+        for (plane in 0 until PLANES) {
+            val firstDistance = distance(vertices, first, plane)
+            val secondDistance = distance(vertices, second, plane)
+            if (firstDistance < 0.0 && secondDistance < 0.0) return null
+            if (firstDistance < 0.0) first = vertices.addCut(second, first, secondDistance, firstDistance)
+            if (secondDistance < 0.0) second = vertices.addCut(first, second, firstDistance, secondDistance)
+        }
+        return Pair(first, second)
+    }
+
     private fun clipAt(vertices: Vertices, contours: List<IntArray>, plane: Int): List<IntArray> {
         val firstCut = vertices.count
         val clipped = contours.map { clipContour(vertices, it, plane) }.filter { it.isNotEmpty() }

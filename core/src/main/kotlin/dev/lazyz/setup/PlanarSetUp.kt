@@ -1,7 +1,6 @@
 package dev.lazyz.setup
 
 import dev.lazyz.AlphaMode
-import dev.lazyz.Camera
 import dev.lazyz.FillRule
 import dev.lazyz.Material
 import dev.lazyz.Mesh
@@ -11,9 +10,7 @@ import dev.lazyz.Shading
 import dev.lazyz.Sides
 
 /** Makes primitives of triangles and polygons. */
-internal class PlanarSetUp(camera: Camera, viewport: Viewport, private val lighting: Lighting) {
-    private val stage = VertexStage(camera, viewport)
-
+internal class PlanarSetUp(private val stage: VertexStage, private val lighting: Lighting) {
     fun mesh(mesh: Mesh): Sequence<Primitive> = sequence {
         val vertices = meshVertices(mesh)
         val face = face(mesh)

@@ -18,6 +18,15 @@ internal object ScreenGrid {
     /** No vertex is further than this from the raster's origin, in pixels: the guard band. */
     const val GUARD: Int = 1 shl 19
 
+    /** Greatest size of points and width of lines, in pixels. */
+    const val GREATEST_SIZE: Int = 1 shl 12
+
+    /** Lines are clipped to this many pixels from the raster's origin, so that their corners stay within [GUARD]. */
+    const val LINE_GUARD: Int = GUARD - GREATEST_SIZE
+
+    /** Returns half of a size in pixels, in grid steps: at least half a pixel, so that a point has a sample. */
+    fun half(size: Double): Int = maxOf(Math.floor(size * CENTER + 0.5).toInt(), CENTER)
+
     /** Returns the grid line nearest to [pixels]; halfway, the greater one, so that whole-pixel moves change nothing. */
     fun snap(pixels: Double): Int {
         val limit = GUARD.toDouble() * STEPS

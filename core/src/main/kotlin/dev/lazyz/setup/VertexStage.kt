@@ -6,7 +6,10 @@ import dev.lazyz.Projection
 
 /** What all vertices of a frame go through: from the world to clip space, and on to the raster. Immutable and thread safe. */
 internal class VertexStage(camera: Camera, val viewport: Viewport) {
-    val clipper: Clipper = Clipper(viewport.guardX, viewport.guardY, viewport.near)
+    val clipper: Clipper = clipper(ScreenGrid.GUARD)
+
+    /** As [clipper], for lines, which are widened after they have been clipped. */
+    val lineClipper: Clipper = clipper(ScreenGrid.LINE_GUARD)
 
     /** Whether w differs from vertex to vertex. */
     val isPerspective: Boolean = camera.projection is Projection.Perspective
@@ -47,15 +50,16 @@ internal class VertexStage(camera: Camera, val viewport: Viewport) {
     }
 
     /** Positive if the viewer is on the side of [normal] of a face with this vertex. */
-    fun towardEye(vertices: Vertices, vertex: Int, normal: DoubleArray): Double {
-        var x = back.x
-        var y = back.y
-        var z = back.z
-        if (isPerspective) {
-            x = eye.x() - vertices.get(vertex, Vertices.WORLD)
-            y = eye.y() - vertices.get(vertex, Vertices.WORLD + 1)
-            z = eye.z() - vertices.get(vertex, Vertices.WORLD + 2)
-        }
-        return normal[0] * x + normal[1] * y + normal[2] * z
+    fun towardEye(vertices: Vertices, vertex: Int, normal: DoubleArray): Double = towardEye(
+        vertices.get(vertex, Vertices.WORLD), vertices.get(vertex, Vertices.WORLD + 1),
+        vertices.get(vertex, Vertices.WORLD + 2), normal[0], normal[1], normal[2],
+    )
+
+    /** Positive if the viewer is on the side that a normal points to, at the point ([x], [y], [z]) of the world. */
+    fun towardEye(x: Double, y: Double, z: Double, normalX: Double, normalY: Double, normalZ: Double): Double {
+        if (!isPerspective) return normalX * back.x + normalY * back.y + normalZ * back.z
+        return normalX * (eye.x() - x) + normalY * (eye.y() - y) + normalZ * (eye.z() - z)
     }
+
+    private fun clipper(guard: Int) = Clipper(viewport.guardX(guard), viewport.guardY(guard), viewport.near)
 }

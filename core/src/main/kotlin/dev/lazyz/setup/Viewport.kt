@@ -8,11 +8,11 @@ import dev.lazyz.Raster
 
 /** From clip space to the raster's grid: the one place where a vertex is rounded (contract rules 1.3 and 4.2). */
 internal open class Viewport(val raster: Raster) {
-    /** The guard band around this raster: 2^19 pixels from its origin, as a multiple of w. */
-    open val guardX: Double = 2.0 * ScreenGrid.GUARD / raster.width - 1.0
+    /** Returns how far a guard band around this raster reaches, [pixels] from its origin, as a multiple of w. */
+    open fun guardX(pixels: Int): Double = 2.0 * pixels / raster.width - 1.0
 
     /** See [guardX]. */
-    open val guardY: Double = 2.0 * ScreenGrid.GUARD / raster.height - 1.0
+    open fun guardY(pixels: Int): Double = 2.0 * pixels / raster.height - 1.0
 
     /** The near plane, as a multiple of w. */
     open val near: Double = -1.0
@@ -53,9 +53,11 @@ internal open class Viewport(val raster: Raster) {
 
 /** Vertices are given in pixels, and depth as the fraction of the way from near to far: w is 1. */
 private class ScreenViewport(raster: Raster) : Viewport(raster) {
-    override val guardX: Double get() = ScreenGrid.GUARD.toDouble()
-    override val guardY: Double get() = ScreenGrid.GUARD.toDouble()
     override val near: Double get() = 0.0
+
+    override fun guardX(pixels: Int): Double = pixels.toDouble()
+
+    override fun guardY(pixels: Int): Double = pixels.toDouble()
 
     override fun gridX(x: Double, w: Double): Int = ScreenGrid.snap(x)
 

@@ -20,8 +20,8 @@ public enum class ReferencePolicy {
  *
  * @property decodedBytes most bytes of decoded data in all, with what decoding takes: 12 for a triangle, 32 for a vertex,
  *   12 for a texel. By default what [defaultDecodedBytes] says
- * @property triangles most triangles in all
- * @property vertices most vertices in all
+ * @property triangles most triangles in all; a segment of a line counts as one
+ * @property vertices most vertices in all, points among them
  * @property texels most pixels of textures in all
  * @property nesting most lists and objects within each other in a scene file or glTF
  * @property time most time for reading; looked at between steps of the work, so that a call may take a little longer. Null,

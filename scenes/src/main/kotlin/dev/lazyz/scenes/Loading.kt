@@ -37,6 +37,9 @@ internal class Loading(val limits: LoadLimits = LoadLimits()) {
         decode(source, count * TRIANGLE_BYTES)
     }
 
+    /** As [triangles], for so many segments of lines, each of which counts as a triangle. */
+    fun segments(source: Source, count: Long): Unit = triangles(source, count)
+
     /** Fails if [source] must not decode so many more texels; call it before memory is allocated for them. */
     fun texels(source: Source, count: Long) {
         texels += count

@@ -69,6 +69,19 @@ class LoadLimitsTest {
     }
 
     @Test
+    fun pointsAndSegmentsAreCounted() {
+        val points = """{"points": {"positions": [0, 0, 0, 1, 0, 0]}}"""
+        val lines = """{"lines": {"positions": [0, 0, 0, 1, 0, 0], "segments": [0, 1, 1, 0, 0, 1]}}"""
+        val path = Files.writeString(folder.resolve("a.json"), """{"lazyz": 1, "surfaces": [$points, $lines]}""")
+        assertEquals(2, Scenes.load(path, LoadLimits(triangles = 3, vertices = 4)).scene.surfaces.size)
+        assertTrue("--max-triangles" in message(path, LoadLimits(triangles = 2)))
+        assertTrue("--max-vertices" in message(path, LoadLimits(vertices = 3)))
+        Files.writeString(folder.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nl 1 2 1 2\np 1 2\n")
+        assertEquals(2, Scenes.load(folder.resolve("a.obj"), LoadLimits(triangles = 3)).scene.surfaces.size)
+        assertTrue("--max-triangles" in message(folder.resolve("a.obj"), LoadLimits(triangles = 2)))
+    }
+
+    @Test
     fun builtinScenesAreCountedBeforeTheyAreMade() {
         val teapots = List(100) { """{"builtin": {"name": "teapot", "segments": 256}}""" }
         val text = """{"lazyz": 1, "surfaces": [${teapots.joinToString()}]}"""

@@ -2,20 +2,23 @@ package dev.lazyz.scenes.gltf
 
 import de.javagl.jgltf.impl.v2.MeshPrimitive
 import de.javagl.jgltf.model.ElementType
+import dev.lazyz.Lines
 import dev.lazyz.Mesh
+import dev.lazyz.Points
+import dev.lazyz.Surface
 import dev.lazyz.scenes.images.withoutTexture
 
 /**
- * Meshes (section 3.7): each primitive that consists of triangles becomes a [Mesh], without the texture if it has no
- * coordinates for it.
+ * Meshes (section 3.7): each primitive becomes a [Mesh], without the texture if it has no coordinates for it, or [Points]
+ * or [Lines].
  */
 internal class GltfMeshes(private val document: GltfDocument) {
     private val accessors = GltfAccessors(document)
     private val materials = GltfMaterials(document)
-    private val meshes = HashMap<Int, List<Mesh>>()
+    private val meshes = HashMap<Int, List<Surface>>()
 
     /** Returns what a node shows, in world space. */
-    fun of(placed: PlacedNode): List<Mesh> {
+    fun of(placed: PlacedNode): List<Surface> {
         val index = placed.node.mesh ?: return emptyList()
         val mesh = document.element(document.json.meshes, index, "meshes", "nodes[${placed.index}].mesh")
         val own = meshes.getOrPut(index) {
@@ -29,17 +32,19 @@ internal class GltfMeshes(private val document: GltfDocument) {
     }
 
     /** A mesh takes memory again wherever it is placed. */
-    private fun moved(mesh: Mesh, placed: PlacedNode): Mesh {
-        document.source.loading.vertices(document.source, mesh.positions.size / 3L)
-        return mesh.transformed(placed.toWorld)
+    private fun moved(surface: Surface, placed: PlacedNode): Surface = when (surface) {
+        is Points -> surface.also { count(it.positions) }.transformed(placed.toWorld)
+        is Lines -> surface.also { count(it.positions) }.transformed(placed.toWorld)
+        else -> (surface as Mesh).also { count(it.positions) }.transformed(placed.toWorld)
     }
 
-    private fun primitive(primitive: MeshPrimitive, where: String): Mesh? {
+    private fun count(positions: FloatArray) {
+        document.source.loading.vertices(document.source, positions.size / 3L)
+    }
+
+    private fun primitive(primitive: MeshPrimitive, where: String): Surface? {
         val mode = primitive.mode ?: GltfTriangles.TRIANGLES
-        if (mode < GltfTriangles.TRIANGLES) {
-            document.warn("$where: points and lines are not drawn")
-            return null
-        }
+        if (mode !in GltfPoints.POINTS..GltfTriangles.FAN) document.fail("$where.mode", "there is no mode $mode")
         val attributes: Map<String, Int?> = primitive.attributes.orEmpty()
         if (attributes["POSITION"] == null) {
             document.warn("$where: there are no positions, so nothing of it is drawn")
@@ -59,9 +64,19 @@ internal class GltfMeshes(private val document: GltfDocument) {
         checkCount(normals, 3, count, "$here.NORMAL")
         checkCount(uvs, 2, count, "$here.$set")
         checkCount(colors, 4, count, "$here.COLOR_0")
+        val indices = indices(primitive, count, where)
+        if (mode < GltfTriangles.TRIANGLES) {
+            val own = if (primitive.material == null) null else material.material
+            if (mode == GltfPoints.POINTS) {
+                document.source.loading.vertices(document.source, indices.size.toLong())
+            } else {
+                document.source.loading.segments(document.source, indices.size.toLong())
+            }
+            return GltfPoints.of(mode, indices, positions, own, normals, colors)
+        }
         return Mesh(
             positions,
-            triangles(primitive, mode, count, where),
+            triangles(mode, indices, where),
             if (uvs == null) material.material.withoutTexture() else material.material,
             normals,
             uvs?.let(material.transform::applyTo),
@@ -81,8 +96,7 @@ internal class GltfMeshes(private val document: GltfDocument) {
         }
     }
 
-    private fun triangles(primitive: MeshPrimitive, mode: Int, count: Int, where: String): IntArray {
-        if (mode > GltfTriangles.FAN) document.fail("$where.mode", "there is no mode $mode")
+    private fun indices(primitive: MeshPrimitive, count: Int, where: String): IntArray {
         val indices = primitive.indices?.let { accessors.indices(it, "$where.indices") } ?: IntArray(count) { it }
         for ((i, vertex) in indices.withIndex()) {
             if (vertex !in 0 until count) {
@@ -90,6 +104,10 @@ internal class GltfMeshes(private val document: GltfDocument) {
                 document.fail("$where.indices", "element $i is $shown, but there are $count vertices, counted from 0")
             }
         }
+        return indices
+    }
+
+    private fun triangles(mode: Int, indices: IntArray, where: String): IntArray {
         if (mode == GltfTriangles.TRIANGLES && indices.size % 3 != 0) {
             document.warn("$where: vertex numbers are not triples; the last ${indices.size % 3} are left out")
         }

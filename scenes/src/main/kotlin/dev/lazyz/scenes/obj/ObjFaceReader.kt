@@ -57,6 +57,9 @@ internal class ObjFaceReader(
         )
     }
 
+    /** Returns the number of the vertex that the word at hand names, of a [what]. */
+    fun vertex(what: String): Int = position(statements.wordStart, slash(statements.wordStart), what)
+
     /** Returns where the word has its next slash from [from] on, or where it ends. */
     private fun slash(from: Int): Int {
         var at = from
@@ -64,7 +67,7 @@ internal class ObjFaceReader(
         return minOf(at, statements.wordEnd)
     }
 
-    private fun position(from: Int, until: Int): Int {
+    private fun position(from: Int, until: Int, what: String = "face"): Int {
         val count = model.positions.size / 3
         val number = number(from, until, count)
         if (number != ObjModel.NOWHERE) return number
@@ -72,7 +75,7 @@ internal class ObjFaceReader(
         if (!word.startsWith('-')) fail("\"$word\" cannot number a vertex")
         source.fail(
             "line ${statements.number}",
-            "the face refers to number $word, counted backward, of the $count vertices before it",
+            "the $what refers to number $word, counted backward, of the $count vertices before it",
             ObjModel.REFERENCE_REMEDY,
         )
     }

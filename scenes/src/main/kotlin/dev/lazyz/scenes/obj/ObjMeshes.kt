@@ -88,7 +88,7 @@ internal class ObjMeshes(
             triangles.toArray(),
             normals = if (batch.normals == Normals.GIVEN) vertices.normals(normals) else null,
             uvs = if (textures.isEmpty()) null else vertices.textures(textures),
-            colors = colors(vertices),
+            colors = model.colors(vertices.size, vertices::position),
             origin = model.origin,
         )
         val shaded = if (batch.normals == Normals.SMOOTH) whole.withSmoothNormals(ObjParser.CREASE_ANGLE) else whole
@@ -118,12 +118,4 @@ internal class ObjMeshes(
 
     private fun vertex(corner: Int, vertices: CornerVertices): Int =
         vertices.vertex(faces.positions[corner], faces.textures[corner], faces.normals[corner])
-
-    private fun colors(vertices: CornerVertices): FloatArray? {
-        if (model.colors.size == 0) return null
-        return FloatArray(4 * vertices.size) {
-            val at = 3 * vertices.position(it / 4) + it % 4
-            if (it % 4 < 3 && at < model.colors.size) model.colors[at] else 1f
-        }
-    }
 }

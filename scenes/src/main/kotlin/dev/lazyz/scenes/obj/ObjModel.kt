@@ -22,8 +22,19 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc = Vect
 
     val faces = FaceTable()
 
+    val points = ObjPoints()
+
     /** What `mtllib` statements say, in order. */
     val libraries = ArrayList<String>()
+
+    /** Returns red, green, blue, alpha of [count] vertices whose positions [positionOf] numbers; null without colours. */
+    fun colors(count: Int, positionOf: (Int) -> Int): FloatArray? {
+        if (colors.size == 0) return null
+        return FloatArray(4 * count) {
+            val at = 3 * positionOf(it / 4) + it % 4
+            if (it % 4 < 3 && at < colors.size) colors[at] else 1f
+        }
+    }
 
     /**
      * Fails if a face refers to a vertex that no line of the file, before it or after, defines. Of texture coordinates and
@@ -31,6 +42,7 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc = Vect
      */
     fun checkReferences() {
         val count = positions.size / 3
+        points.check(source, count)
         for (corner in 0 until faces.positions.size) {
             if (faces.positions[corner] < count) continue
             val face = (0 until faces.size).first { corner < faces.end(it) }

@@ -14,7 +14,7 @@ import org.joml.Vector3d
  * `1 - v`), materials, and vertex colours `v x y z red green blue`, which are taken as sRGB-encoded numbers in 0..1.
  * Groups are passed over; objects and materials divide the file into meshes, see [ObjMeshes]. Faces without normals are
  * made smooth up to creases of [CREASE_ANGLE] degrees, or flat after `s off`; the numbers of smoothing groups are
- * passed over otherwise. Points, lines and free-form geometry are passed over with a warning.
+ * passed over otherwise. Points and lines follow the meshes, by material. Free-form geometry is passed over with a warning.
  */
 internal object ObjParser : SceneParser {
     /** Edges sharper than this stay sharp, degrees. */
@@ -30,11 +30,12 @@ internal object ObjParser : SceneParser {
         val faces = model.faces
         source.loading.vertices(source, model.positions.size / 3L)
         source.loading.triangles(source, faces.positions.size - 2L * faces.size)
-        if (faces.size == 0) source.warn("there are no faces, so there is nothing to see")
+        if (faces.size == 0 && model.points.isEmpty) source.warn("there are no faces, so there is nothing to see")
 
         val library = MtlLibrary(source)
         for (reference in model.libraries.distinct()) library.add(reference)
-        return Scene(ObjMeshes(source, model, library::material).build())
+        val meshes = ObjMeshes(source, model, library::material).build()
+        return Scene(meshes + model.points.surfaces(model, library::material))
     }
 
     /** Reads the file; once more if it is so far away that positions have to be relative to an origin in its middle. */

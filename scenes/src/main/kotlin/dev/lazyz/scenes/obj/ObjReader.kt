@@ -7,13 +7,14 @@ import dev.lazyz.scenes.triangulation.TextNumbers
 import org.joml.Vector3d
 
 /**
- * Reads the statements of an OBJ file that carry polygons into [model].
+ * Reads the statements of an OBJ file that carry polygons, points and lines into [model].
  *
- * Points, lines and free-form geometry are dropped with a warning; statements that it does not know are passed over.
+ * Free-form geometry is dropped with a warning; statements that it does not know are passed over.
  */
 internal class ObjReader(private val source: Source, val model: ObjModel) {
     private val statements = Statements(source.bytes)
     private val faces = ObjFaceReader(source, statements, model)
+    private val points = ObjPointReader(source, statements, model, faces)
     private val decimal = Decimal()
     private val isFar = model.origin != Vector3d()
     private val dropped = LinkedHashMap<String, Int>()
@@ -59,6 +60,8 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
                 isSmooth = statements.withoutComment().substring(1).trim().lowercase() !in listOf("off", "0")
                 beginPart()
             }
+            statements.hasKeyword("p") -> points.readPoints(material)
+            statements.hasKeyword("l") -> points.readLine(material)
             else -> DRAWN.keys.firstOrNull(statements::hasKeyword)?.let { dropped.merge(it, 1, Int::plus) }
         }
     }
@@ -137,8 +140,6 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
         /** What numbers are made of. */
         const val PLAIN = "0123456789+-.eE"
         val DRAWN = mapOf(
-            "p" to "points",
-            "l" to "lines",
             "curv" to "curves",
             "curv2" to "curves",
             "surf" to "free-form surfaces",

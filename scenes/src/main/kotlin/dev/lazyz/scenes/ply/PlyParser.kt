@@ -2,7 +2,9 @@ package dev.lazyz.scenes.ply
 
 import dev.lazyz.Material
 import dev.lazyz.Mesh
+import dev.lazyz.Points
 import dev.lazyz.Scene
+import dev.lazyz.scenes.PixelDefaults
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.TextureFiles
@@ -11,10 +13,11 @@ import dev.lazyz.scenes.images.TextureFiles
  * Reads the Polygon File Format (Greg Turk, "The PLY Polygon File Format", Stanford University, 1994) in its ASCII and
  * both binary forms.
  *
- * The file becomes one mesh. Of vertices it takes x, y, z; nx, ny, nz; s, t or u, v (upward, so that v is turned to
+ * The file becomes one mesh, or points, and lines. Of vertices it takes x, y, z; nx, ny, nz; s, t or u, v (upward, so that v is turned to
  * `1 - v`) with the texture that a comment `TextureFile` names; red, green, blue, alpha, which are sRGB-encoded, whole
  * numbers in the range of their type or fractions in 0..1. Alpha goes into the vertex colours as it is, and the
- * material stays opaque. Faces may have any number of corners; `tristrips` are read too. Other elements and properties
+ * material stays opaque. Faces may have any number of corners; `tristrips` are read too. An element `edge` gives lines
+ * between `vertex1` and `vertex2`; a file without faces and edges is a cloud of points. Other elements and properties
  * are passed over. Without normals in the file they are made smooth up to creases of [CREASE_ANGLE] degrees.
  */
 internal object PlyParser : SceneParser {
@@ -28,26 +31,37 @@ internal object PlyParser : SceneParser {
 
         // Read the tables in the order in which they stand
         var vertices: PlyVertices? = null
-        val faces = PlyFaces(source, header.elements.first { it.name == "vertex" }.count)
+        val count = header.elements.first { it.name == "vertex" }.count
+        val faces = PlyFaces(source, count)
+        val edges = PlyEdges(source, count)
         for (element in header.elements) {
             when (element.name) {
                 "vertex" -> vertices = PlyVertices.read(source, element, body)
                 "face" -> faces.readFaces(element, body)
                 "tristrips" -> faces.readStrips(element, body)
+                "edge" -> if (PlyEdges.canRead(element)) edges.read(element, body) else skip(element, body)
                 else -> skip(element, body)
             }
         }
         val found = checkNotNull(vertices) { "the header reader lets no file without vertices pass" }
         val triangles = faces.triangles(found.positions)
         source.loading.triangles(source, triangles.size / 3L)
+        val lines = if (edges.isEmpty) emptyList() else listOf(edges.lines(found))
         if (triangles.isEmpty()) {
-            source.warn("there are no faces, so there is nothing to see; points alone are not drawn")
-            return Scene(emptyList())
+            if (found.count == 0) source.warn("there are no vertices, so there is nothing to see")
+            return Scene(lines.ifEmpty { points(found) })
         }
         val textureFile = header.textureFile?.takeIf { found.uvs != null }
         val material = Material(texture = textureFile?.let { TextureFiles.find(source, it) })
         val mesh = Mesh(found.positions, triangles, material, found.normals, found.uvs, found.colors)
-        return Scene(listOf(if (mesh.normals == null) mesh.withSmoothNormals(CREASE_ANGLE) else mesh))
+        return Scene(listOf(if (mesh.normals == null) mesh.withSmoothNormals(CREASE_ANGLE) else mesh) + lines)
+    }
+
+    private fun points(vertices: PlyVertices): List<Points> {
+        if (vertices.count == 0) return emptyList()
+        val material = PixelDefaults.material(vertices.normals != null, vertices.colors != null)
+        val size = PixelDefaults.POINT_SIZE
+        return listOf(Points(vertices.positions, size, material, vertices.normals, vertices.colors))
     }
 
     private fun skip(element: PlyElement, body: PlyBody) {

@@ -6,6 +6,7 @@ import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
+import org.joml.Vector3d
 
 /**
  * A value of a scene file together with the way to it, so that a complaint can say where.
@@ -153,6 +154,9 @@ internal class JsonMembers(
     operator fun get(key: String): JsonNode? = values[key]
 
     fun required(key: String): JsonNode = values[key] ?: node.fail("\"$key\" is missing", "add it")
+
+    /** Returns what positions are relative to. */
+    fun origin(): Vector3d = values["origin"]?.doubles(3)?.let { Vector3d(it[0], it[1], it[2]) } ?: Vector3d()
 
     /** Returns the one member of those that exclude each other. */
     fun one(vararg kinds: String): Pair<String, JsonNode> {

@@ -2,7 +2,9 @@ package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.Camera
 import dev.lazyz.FittedViewpoint
+import dev.lazyz.Lines
 import dev.lazyz.Mesh
+import dev.lazyz.Points
 import dev.lazyz.Polygon
 import dev.lazyz.Scene
 import dev.lazyz.Sphere
@@ -71,7 +73,7 @@ public object SceneFile {
      *
      * @param size how large the picture is to be, or null to leave it to the reader
      * @param depth how depths are compared
-     * @throws IllegalArgumentException if a surface is no [Mesh], [Polygon] or [Sphere], the viewpoint is no [Camera]
+     * @throws IllegalArgumentException if a surface is no [Mesh], [Polygon], [Sphere], [Points] or [Lines], the viewpoint is no [Camera]
      * and no [FittedViewpoint], or a material has a shader other than [Tint]: there is no way to write those
      * @throws IOException if the file cannot be written; the message says which file, why, and what to do
      */

@@ -4,8 +4,10 @@ import dev.lazyz.Camera
 import dev.lazyz.FillRule
 import dev.lazyz.FittedViewpoint
 import dev.lazyz.Light
+import dev.lazyz.Lines
 import dev.lazyz.Material
 import dev.lazyz.Mesh
+import dev.lazyz.Points
 import dev.lazyz.Polygon
 import dev.lazyz.Projection
 import dev.lazyz.Rgba
@@ -16,8 +18,6 @@ import dev.lazyz.Vertex
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.Tint
-import org.joml.Vector3d
-import org.joml.Vector3dc
 
 /** Writes a whole scene file. */
 internal class SceneFileWriter(private val out: Appendable) {
@@ -98,11 +98,13 @@ internal class SceneFileWriter(private val out: Appendable) {
                 key("center").vector(surface.center)
                 key("radius").double(surface.radius)
             }
+            is Points -> PointWriter.write(key("points"), surface)
+            is Lines -> PointWriter.write(key("lines"), surface)
         }
     }
 
     private fun mesh(out: JsonWriter, mesh: Mesh) = out.members {
-        if (mesh.origin != WORLD_ORIGIN) key("origin").vector(mesh.origin)
+        origin(mesh.origin)
         key("positions").long(mesh.positions.size) { float(mesh.positions[it]) }
         key("triangles").long(mesh.triangles.size) { integer(mesh.triangles[it]) }
         mesh.normals?.let { normals -> key("normals").long(normals.size) { float(normals[it]) } }
@@ -125,11 +127,7 @@ internal class SceneFileWriter(private val out: Appendable) {
         }
     }
 
-    private fun JsonWriter.vector(v: Vector3dc) = doubles(v.x(), v.y(), v.z())
-
     companion object {
-        private val WORLD_ORIGIN = Vector3d()
-
         /** Throws unless the format has words for all of [scene]. */
         fun requireWritable(scene: Scene) {
             val viewpoint = scene.viewpoint
@@ -138,21 +136,27 @@ internal class SceneFileWriter(private val out: Appendable) {
                     "write scene.withViewpoint(scene.camera(width, height)) instead"
             }
             scene.surfaces.forEachIndexed { index, surface ->
-                require(surface is Mesh || surface is Polygon || surface is Sphere) {
-                    "a scene file holds meshes, polygons and spheres only: surfaces[$index] is $surface"
+                val material = requireNotNull(materialOrNull(surface)) {
+                    "a scene file holds meshes, polygons, spheres, points and lines only: surfaces[$index] is $surface"
                 }
-                val shader = materialOf(surface).shader
+                val shader = material.shader
                 require(shader == null || shader is Tint) {
                     "a scene file holds no shader but Tint: surfaces[$index] has one of its own"
                 }
             }
         }
 
-        private fun materialOf(surface: Surface): Material = when (surface) {
+        private fun materialOf(surface: Surface): Material = checkNotNull(materialOrNull(surface)) {
+            "not checked: $surface"
+        }
+
+        private fun materialOrNull(surface: Surface): Material? = when (surface) {
             is Mesh -> surface.material
             is Polygon -> surface.material
             is Sphere -> surface.material
-            else -> error("not checked: $surface")
+            is Points -> surface.material
+            is Lines -> surface.material
+            else -> null
         }
     }
 }

@@ -1,8 +1,10 @@
 package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.FillRule
+import dev.lazyz.Lines
 import dev.lazyz.Material
 import dev.lazyz.Mesh
+import dev.lazyz.Points
 import dev.lazyz.Polygon
 import dev.lazyz.Rgba
 import dev.lazyz.Sphere
@@ -23,16 +25,19 @@ internal class SurfaceReader(
     private val up: UpAxis,
 ) {
     private val files = HashMap<String, List<Surface>>()
+    private val points = PointReader(source)
 
     /** Returns what one entry stands for: one surface, or all those of a mesh file or a built-in scene. */
     fun read(node: JsonNode): List<Surface> {
-        val members = node.members("mesh", "polygon", "sphere", "builtin", "material", "transform", "smoothNormals")
-        val (kind, value) = members.one("mesh", "polygon", "sphere", "builtin")
+        val members = node.members(*KINDS, "material", "transform", "smoothNormals")
+        val (kind, value) = members.one(*KINDS)
         val material = members["material"]?.let(materials::read)
         val surfaces = when (kind) {
             "mesh" -> if (value.isText) file(value) else listOf(mesh(value))
             "polygon" -> listOf(polygon(value))
             "sphere" -> listOf(sphere(value))
+            "points" -> listOf(points.points(value))
+            "lines" -> listOf(points.lines(value))
             else -> builtin(value)
         }
 
@@ -53,6 +58,8 @@ internal class SurfaceReader(
         is Mesh -> surface.transformed(transform)
         is Polygon -> surface.transformed(transform)
         is Sphere -> surface.transformed(transform)
+        is Points -> surface.transformed(transform)
+        is Lines -> surface.transformed(transform)
         else -> error("no reader makes a $surface")
     }
 
@@ -100,7 +107,7 @@ internal class SurfaceReader(
                 members["normals"]?.floats(),
                 members["uvs"]?.floats(),
                 members["colors"]?.floats(),
-                members["origin"]?.doubles(3)?.let { Vector3d(it[0], it[1], it[2]) } ?: Vector3d(),
+                members.origin(),
             )
         }
     }
@@ -129,5 +136,9 @@ internal class SurfaceReader(
         return node.checked {
             Sphere(Vector3d(center[0], center[1], center[2]), members.required("radius").double())
         }
+    }
+
+    private companion object {
+        val KINDS = arrayOf("mesh", "polygon", "sphere", "points", "lines", "builtin")
     }
 }

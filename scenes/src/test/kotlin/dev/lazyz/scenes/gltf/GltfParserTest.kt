@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.gltf
 
 import dev.lazyz.Camera
+import dev.lazyz.Lines
 import dev.lazyz.Mesh
 import dev.lazyz.Projection
 import dev.lazyz.Scene
@@ -139,8 +140,10 @@ class GltfParserTest {
         val materials = """"materials":[{"name":"a"},{"name":"b"}]"""
         val json = files.json("""$ONE_NODE,"meshes":[{"primitives":[$parts]}],$materials""")
         val source = TestSources.of(json)
-        assertEquals(listOf("b", "a"), GltfParser.parse(source).meshes.map { it.material.name })
-        assertTrue(source.warnings.single().contains("points and lines"), source.warnings.toString())
+        val surfaces = GltfParser.parse(source).surfaces
+        assertEquals(listOf("b", "a"), surfaces.filterIsInstance<Mesh>().map { it.material.name })
+        assertTrue(surfaces[1] is Lines)
+        assertEquals(emptyList<String>(), source.warnings)
     }
 
     @Test

@@ -179,11 +179,11 @@ class ObjParserTest {
 
     @Test
     fun whatIsNotDrawnGivesOneWarningAKind() {
-        val (meshes, source) = parse(square + "l 1 2\nl 2 3\np 1\ncurv 0 1 1 2\nxyz\nf 1 2\nf 1 2 3\n")
+        val (meshes, source) = parse(square + "curv 0 1 1 2\nsurf 0 1 0 1 1\ncurv 0 1 2 1\nxyz\nf 1 2\nf 1 2 3\n")
         assertEquals(1, meshes.single().triangleCount)
-        assertEquals(4, source.warnings.size, source.warnings.toString())
-        assertTrue(source.warnings.any { "2 statements \"l\"" in it })
-        assertTrue(source.warnings.any { "line 10: a face of 2 corners" in it })
+        assertEquals(3, source.warnings.size, source.warnings.toString())
+        assertTrue(source.warnings.any { "2 statements \"curv\"" in it })
+        assertTrue(source.warnings.any { "line 9: a face of 2 corners" in it })
     }
 
     @Test

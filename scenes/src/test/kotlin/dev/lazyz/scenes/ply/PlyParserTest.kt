@@ -208,14 +208,6 @@ class PlyParserTest {
     }
 
     @Test
-    fun pointsAloneGiveAWarning() {
-        val header = header("element vertex 1", "property float x", "property float y", "property float z")
-        val source = TestSources.of(ascii(header, "0 0 0\n"))
-        assertEquals(0, PlyParser.parse(source).surfaces.size)
-        assertEquals(1, source.warnings.size)
-    }
-
-    @Test
     fun anAwkwardMeshIsWholeInAllForms() {
         val header = header(
             "element vertex ${AwkwardMesh.positions.size / 3}",

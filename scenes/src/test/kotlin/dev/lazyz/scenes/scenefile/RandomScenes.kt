@@ -7,8 +7,10 @@ import dev.lazyz.DepthTest
 import dev.lazyz.FillRule
 import dev.lazyz.Fit
 import dev.lazyz.Light
+import dev.lazyz.Lines
 import dev.lazyz.Material
 import dev.lazyz.Mesh
+import dev.lazyz.Points
 import dev.lazyz.Polygon
 import dev.lazyz.Rgba
 import dev.lazyz.Scene
@@ -44,9 +46,11 @@ internal class RandomScenes(seed: Long) {
         return pick(listOf(DepthRules(), DepthRules(convention), odd))
     }
 
-    private fun surface(): Surface = when (random.nextInt(3)) {
+    private fun surface(): Surface = when (random.nextInt(5)) {
         0 -> mesh()
-        1 -> Polygon(
+        1 -> points()
+        2 -> lines()
+        3 -> Polygon(
             List(random.nextInt(3)) { List(random.nextInt(6)) { vertex() } }, pick(materials), pick(FillRule.entries),
         )
         else -> Sphere(Vector3d(double(), double(), double()), StrictMath.abs(double()), pick(materials))
@@ -63,8 +67,35 @@ internal class RandomScenes(seed: Long) {
             some(3 * vertices),
             some(2 * vertices),
             some(4 * vertices),
+            origin(),
         )
     }
+
+    private fun points(): Points {
+        val count = random.nextInt(20)
+        return Points(
+            FloatArray(3 * count) { float() },
+            4096 * random.nextDouble() + Double.MIN_VALUE,
+            pick(materials),
+            if (random.nextBoolean()) FloatArray(3 * count) { float() } else null,
+            if (random.nextBoolean()) FloatArray(4 * count) { float() } else null,
+            origin(),
+        )
+    }
+
+    private fun lines(): Lines {
+        val vertices = 1 + random.nextInt(9)
+        return Lines(
+            FloatArray(3 * vertices) { float() },
+            IntArray(2 * random.nextInt(9)) { random.nextInt(vertices) },
+            4096 * random.nextDouble() + Double.MIN_VALUE,
+            pick(materials),
+            if (random.nextBoolean()) FloatArray(4 * vertices) { float() } else null,
+            origin(),
+        )
+    }
+
+    private fun origin(): Vector3d = if (random.nextBoolean()) Vector3d() else Vector3d(double(), double(), double())
 
     private fun vertex(): Vertex =
         if (random.nextBoolean()) {

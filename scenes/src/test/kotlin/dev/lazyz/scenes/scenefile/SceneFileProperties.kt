@@ -3,7 +3,9 @@ package dev.lazyz.scenes.scenefile
 import dev.lazyz.Box
 import dev.lazyz.Camera
 import dev.lazyz.Light
+import dev.lazyz.Lines
 import dev.lazyz.Mesh
+import dev.lazyz.Points
 import dev.lazyz.Polygon
 import dev.lazyz.Projection
 import dev.lazyz.Scene
@@ -42,7 +44,7 @@ class SceneFileProperties {
         listOf(scene.background) + viewpoint(scene) + scene.lights.map(::light) + scene.surfaces.map { surface ->
             when (surface) {
                 is Mesh -> listOf(
-                    bits(surface.positions), surface.triangles.toList(), bits(surface.normals), bits(surface.uvs),
+                    surface.origin, bits(surface.positions), surface.triangles.toList(), bits(surface.normals), bits(surface.uvs),
                     bits(surface.colors), MaterialFields.of(surface.material),
                 )
                 is Polygon -> listOf(
@@ -56,6 +58,14 @@ class SceneFileProperties {
                 is Sphere -> listOf(
                     surface.center.run { listOf(x().toBits(), y().toBits(), z().toBits()) },
                     surface.radius.toBits(), MaterialFields.of(surface.material),
+                )
+                is Points -> listOf(
+                    surface.origin, bits(surface.positions), surface.size, bits(surface.normals), bits(surface.colors),
+                    MaterialFields.of(surface.material),
+                )
+                is Lines -> listOf(
+                    surface.origin, bits(surface.positions), surface.segments.toList(), surface.width, bits(surface.colors),
+                    MaterialFields.of(surface.material),
                 )
                 else -> error("not expected: $surface")
             }

@@ -1,0 +1,85 @@
+package dev.lazyz.setup
+
+import dev.lazyz.AlphaMode
+import dev.lazyz.Fragment
+import dev.lazyz.Lines
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Shader
+import dev.lazyz.Shading
+
+/** Sets up the segments of one surface, and is what they have in common. Immutable and thread safe. */
+internal class LineStrokes(private val lines: Lines, private val stage: VertexStage, lighting: Lighting) {
+    private val material = lines.material.withoutTexture(Shading.CONSTANT)
+    private val materialShader = MaterialShader(material, lighting, isPrelit = false)
+
+    /** Half the width, in grid steps. */
+    private val half = ScreenGrid.half(lines.width)
+
+    val raster: Raster get() = stage.viewport.raster
+
+    /** What colours the lines. */
+    val shader: Shader get() = material.shader ?: materialShader
+
+    /** Returns the segments as primitives, each set up when it is asked for. */
+    fun primitives(): Sequence<Primitive> = (0 until lines.segmentCount).asSequence().map { primitive(it) }
+
+    private fun primitive(segment: Int): Primitive {
+        // Cut what is outside, and remember which part of the segment is left
+        val vertices = Vertices(2)
+        for (end in 0..1) {
+            val from = 3 * lines.segments[2 * segment + end]
+            val p = lines.positions
+            stage.place(vertices, end, p[from].toDouble(), p[from + 1].toDouble(), p[from + 2].toDouble())
+            vertices.set(end, PLACE, end.toDouble())
+        }
+        if (!vertices.isFinite(0) || !vertices.isFinite(1)) return EmptyPrimitive
+        val (first, second) = stage.lineClipper.clipSegment(vertices, 0, 1) ?: return EmptyPrimitive
+        val ends = intArrayOf(first, second)
+        if (ends.any { !vertices.isFinite(it) || !(vertices.get(it, Vertices.W) > 0.0) }) return EmptyPrimitive
+
+        // Project and snap
+        val viewport = stage.viewport
+        val whole = LinePrimitive(
+            this, segment, half,
+            viewport.gridX(vertices, first), viewport.gridY(vertices, first), viewport.depth(vertices, first),
+            viewport.gridX(vertices, second), viewport.gridY(vertices, second), viewport.depth(vertices, second),
+            1.0 / vertices.get(first, Vertices.W), 1.0 / vertices.get(second, Vertices.W),
+            vertices.get(first, PLACE), vertices.get(second, PLACE),
+        )
+        if (whole.rowStart >= whole.rowEnd || whole.columnStart >= whole.columnEnd) return EmptyPrimitive
+        if (material.alphaMode != AlphaMode.MASK) return whole
+        return MaskedPrimitive(whole, materialShader, material.alphaCutoff)
+    }
+
+    /** Whether a segment lets through what lies behind somewhere: the material's doing or a vertex colour's. */
+    fun isTranslucent(segment: Int): Boolean {
+        if (material.isTranslucent) return true
+        val colors = lines.colors
+        if (material.alphaMode != AlphaMode.BLEND || colors == null) return false
+        return (0..1).any { colors[4 * lines.segments[2 * segment + it] + 3] != 1f }
+    }
+
+    /** Fills in the attributes of [segment] at [place], 0 at its first vertex and 1 at its second. */
+    fun attributes(segment: Int, place: Double, fragment: Fragment) {
+        val a = lines.segments[2 * segment]
+        val b = lines.segments[2 * segment + 1]
+        val p = lines.positions
+        fragment.worldX = mix(p[3 * a], p[3 * b], place)
+        fragment.worldY = mix(p[3 * a + 1], p[3 * b + 1], place)
+        fragment.worldZ = mix(p[3 * a + 2], p[3 * b + 2], place)
+        val colors = lines.colors ?: return
+        fragment.vertexRed = mix(colors[4 * a], colors[4 * b], place)
+        fragment.vertexGreen = mix(colors[4 * a + 1], colors[4 * b + 1], place)
+        fragment.vertexBlue = mix(colors[4 * a + 2], colors[4 * b + 2], place)
+        fragment.vertexAlpha = mix(colors[4 * a + 3], colors[4 * b + 3], place)
+    }
+
+    private fun mix(from: Float, to: Float, place: Double): Float =
+        (from.toDouble() + place * (to.toDouble() - from.toDouble())).toFloat()
+
+    private companion object {
+        /** The field of a vertex that says where on its segment it is: lines have no texture coordinates. */
+        const val PLACE = Vertices.UV
+    }
+}

@@ -1,0 +1,103 @@
+package dev.lazyz.setup
+
+import dev.lazyz.AlphaMode
+import dev.lazyz.Fragment
+import dev.lazyz.Material
+import dev.lazyz.Points
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Shader
+import dev.lazyz.Shading
+import dev.lazyz.Sides
+
+/** Sets up the points of one surface, and is what they have in common. Immutable and thread safe. */
+internal class PointCloud(private val points: Points, private val stage: VertexStage, lighting: Lighting) {
+    private val material: Material = points.material.withoutTexture(
+        when {
+            points.normals == null -> Shading.CONSTANT
+            points.material.shading == Shading.FLAT || points.material.shading == Shading.GOURAUD -> Shading.PHONG
+            else -> points.material.shading
+        },
+    )
+    private val materialShader = MaterialShader(material, lighting, isPrelit = false)
+
+    val raster: Raster get() = stage.viewport.raster
+
+    /** Half the side of a point's square, in grid steps. */
+    val half: Int = ScreenGrid.half(points.size)
+
+    /** What colours the points. */
+    val shader: Shader get() = material.shader ?: materialShader
+
+    /** Returns the points as primitives, each set up when it is asked for. */
+    fun primitives(): Sequence<Primitive> = (0 until points.pointCount).asSequence().map { primitive(it) }
+
+    private fun primitive(number: Int): Primitive {
+        val p = points.positions
+        var primitive: Primitive = EmptyPrimitive
+        stage.toClip(
+            p[3 * number].toDouble(), p[3 * number + 1].toDouble(), p[3 * number + 2].toDouble(),
+        ) { x, y, z, w ->
+            if (stage.clipper.isInside(x, y, z, w)) primitive = primitive(number, x, y, z, w)
+        }
+        return primitive
+    }
+
+    private fun primitive(number: Int, x: Double, y: Double, z: Double, w: Double): Primitive {
+        val viewport = stage.viewport
+        val point = PointPrimitive(this, number, viewport.gridX(x, w), viewport.gridY(y, w), viewport.depth(z, w))
+        return if (!point.isVisible || isTurnedAway(number) || isCutOut(number)) EmptyPrimitive else point
+    }
+
+    /** Whether a point shows a side that is not drawn. */
+    private fun isTurnedAway(number: Int): Boolean =
+        material.sides == Sides.FRONT && points.normals != null && towardEye(number) < 0.0
+
+    private fun isCutOut(number: Int): Boolean {
+        if (material.alphaMode != AlphaMode.MASK) return false
+        val fragment = Fragment().also { attributes(number, it) }
+        return !(materialShader.alphaAt(fragment) >= material.alphaCutoff)
+    }
+
+    /** Whether a point lets through what lies behind: the material's doing or its colour's. */
+    fun isTranslucent(number: Int): Boolean {
+        val colors = points.colors
+        return material.isTranslucent ||
+            (material.alphaMode == AlphaMode.BLEND && colors != null && colors[4 * number + 3] != 1f)
+    }
+
+    /** Fills in the attributes of a point, which are the same at all its samples. */
+    fun attributes(number: Int, fragment: Fragment) {
+        fragment.worldX = points.positions[3 * number]
+        fragment.worldY = points.positions[3 * number + 1]
+        fragment.worldZ = points.positions[3 * number + 2]
+        val normals = points.normals
+        if (normals != null) {
+            val sign = if (towardEye(number) < 0.0) -1f else 1f
+            fragment.normalX = sign * normals[3 * number]
+            fragment.normalY = sign * normals[3 * number + 1]
+            fragment.normalZ = sign * normals[3 * number + 2]
+        }
+        val colors = points.colors ?: return
+        fragment.vertexRed = colors[4 * number]
+        fragment.vertexGreen = colors[4 * number + 1]
+        fragment.vertexBlue = colors[4 * number + 2]
+        fragment.vertexAlpha = colors[4 * number + 3]
+    }
+
+    /** Positive if a point's normal points to the viewer's side; there must be normals. */
+    private fun towardEye(number: Int): Double {
+        val p = points.positions
+        val n = points.normals!!
+        val at = 3 * number
+        return stage.towardEye(
+            p[at].toDouble(), p[at + 1].toDouble(), p[at + 2].toDouble(),
+            n[at].toDouble(), n[at + 1].toDouble(), n[at + 2].toDouble(),
+        )
+    }
+}
+
+/** Returns this material for what has no area to be mapped: without its texture, lit at [shading]. */
+internal fun Material.withoutTexture(shading: Shading): Material = Material(
+    baseColor, null, shading, specular, shininess, emission, alphaMode, alphaCutoff, sides, shader, name,
+)

@@ -1,0 +1,50 @@
+package dev.lazyz.scenes.gltf
+
+import dev.lazyz.Lines
+import dev.lazyz.Material
+import dev.lazyz.Points
+import dev.lazyz.Surface
+import dev.lazyz.scenes.PixelDefaults
+
+/** Points, and the three ways to string vertices together to lines (section 3.7.2.1). */
+internal object GltfPoints {
+    const val POINTS = 0
+    private const val LINES = 1
+    private const val LOOP = 2
+
+    /**
+     * Returns the points or lines that vertex numbers stand for; a rest falls away.
+     *
+     * @param material null if the file gives none
+     */
+    fun of(
+        mode: Int,
+        indices: IntArray,
+        positions: FloatArray,
+        material: Material?,
+        normals: FloatArray?,
+        colors: FloatArray?,
+    ): Surface {
+        val isLit = mode == POINTS && normals != null
+        val paint = material ?: PixelDefaults.material(isLit, colors != null)
+        if (mode != POINTS) return Lines(positions, segments(mode, indices), PixelDefaults.LINE_WIDTH, paint, colors)
+        return Points(
+            gather(positions, indices, 3),
+            PixelDefaults.POINT_SIZE,
+            paint,
+            normals?.let { gather(it, indices, 3) },
+            colors?.let { gather(it, indices, 4) },
+        )
+    }
+
+    /** Returns two vertex numbers a segment. */
+    fun segments(mode: Int, indices: IntArray): IntArray {
+        if (mode == LINES) return indices.copyOf(indices.size / 2 * 2)
+        val isClosed = mode == LOOP && indices.size > 1
+        val count = maxOf(indices.size - 1, 0) + (if (isClosed) 1 else 0)
+        return IntArray(2 * count) { indices[(it / 2 + it % 2) % indices.size] }
+    }
+
+    private fun gather(numbers: FloatArray, indices: IntArray, width: Int): FloatArray =
+        FloatArray(width * indices.size) { numbers[width * indices[it / width] + it % width] }
+}

@@ -1,0 +1,65 @@
+package dev.lazyz.scenes.obj
+
+import dev.lazyz.Lines
+import dev.lazyz.Material
+import dev.lazyz.Points
+import dev.lazyz.Surface
+import dev.lazyz.scenes.PixelDefaults
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.triangulation.Ints
+
+/** Points and lines of an OBJ file, by material in the order of the file; without texture coordinates. Not thread safe. */
+internal class ObjPoints {
+    private class Numbers {
+        /** Vertex numbers, one a point or two a segment, and the lines of the file that they stand on. */
+        val vertices = Ints()
+        val lines = Ints()
+    }
+
+    private val points = LinkedHashMap<String?, Numbers>()
+    private val segments = LinkedHashMap<String?, Numbers>()
+
+    val isEmpty: Boolean get() = points.isEmpty() && segments.isEmpty()
+
+    /** Adds the point or segment between the vertices [ends], which stands on [line]. */
+    fun add(material: String?, line: Int, vararg ends: Int) {
+        val numbers = (if (ends.size == 1) points else segments).getOrPut(material) { Numbers() }
+        for (end in ends) {
+            numbers.vertices.add(end)
+            numbers.lines.add(line)
+        }
+    }
+
+    /** Fails if one refers to a vertex that is not there, and counts what the points and segments take. */
+    fun check(source: Source, vertexCount: Int) {
+        for (numbers in points.values + segments.values) {
+            val wrong = (0 until numbers.vertices.size).firstOrNull { numbers.vertices[it] >= vertexCount } ?: continue
+            val problem = "a point or line refers to number ${numbers.vertices[wrong] + 1} of $vertexCount vertices"
+            source.fail("line ${numbers.lines[wrong]}", problem, "correct the line or export the model again")
+        }
+        source.loading.vertices(source, (points.values + segments.values).sumOf { it.vertices.size.toLong() })
+        source.loading.segments(source, segments.values.sumOf { it.vertices.size / 2L })
+    }
+
+    /** Returns what has been added, points first. */
+    fun surfaces(model: ObjModel, materialOf: (String?) -> MtlMaterial): List<Surface> {
+        val positions = model.positions.toArray()
+        fun material(name: String?): Material =
+            if (name != null) materialOf(name).material else PixelDefaults.material(false, model.colors.size > 0)
+        return points.map { (name, numbers) ->
+            val vertices = IntArray(numbers.vertices.size) { numbers.vertices[it] }
+            Points(
+                FloatArray(3 * vertices.size) { positions[3 * vertices[it / 3] + it % 3] },
+                PixelDefaults.POINT_SIZE, material(name), colors = model.colors(vertices.size) { vertices[it] },
+                origin = model.origin,
+            )
+        } + segments.map { (name, numbers) ->
+            val vertices = CornerVertices(numbers.vertices.size)
+            val ends = IntArray(numbers.vertices.size) { vertices.vertex(numbers.vertices[it], -1, -1) }
+            Lines(
+                vertices.positions(positions), ends, PixelDefaults.LINE_WIDTH, material(name),
+                model.colors(vertices.size, vertices::position), model.origin,
+            )
+        }
+    }
+}

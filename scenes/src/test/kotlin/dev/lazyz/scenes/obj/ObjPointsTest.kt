@@ -1,0 +1,67 @@
+package dev.lazyz.scenes.obj
+
+import dev.lazyz.Lines
+import dev.lazyz.Mesh
+import dev.lazyz.Points
+import dev.lazyz.Rgba
+import dev.lazyz.Surface
+import dev.lazyz.scenes.triangulation.TestSources
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Statements `p` and `l`. */
+class ObjPointsTest {
+    private val square = "v 0 0 0\nv 1 0 0\nv 1 1 0 1 0 0\nv 0 1 0\n"
+
+    private fun surfaces(text: String): List<Surface> = ObjParser.parse(TestSources.of(square + text)).surfaces
+
+    @Test
+    fun pointsAreThoseVertices() {
+        val points = surfaces("p 3 1\np -1\n").single() as Points
+        assertArrayEquals(floatArrayOf(1f, 1f, 0f, 0f, 0f, 0f, 0f, 1f, 0f), points.positions)
+        assertArrayEquals(floatArrayOf(1f, 0f, 0f, 1f, 1f, 1f, 1f, 1f, 1f, 1f, 1f, 1f), points.colors)
+    }
+
+    @Test
+    fun aLineIsAPolyline() {
+        val lines = surfaces("vt 0 0\nl 2/1 3/1 4/1\nl 4 2\n").single() as Lines
+        assertArrayEquals(intArrayOf(0, 1, 1, 2, 2, 0), lines.segments)
+        assertArrayEquals(floatArrayOf(1f, 0f, 0f, 1f, 1f, 0f, 0f, 1f, 0f), lines.positions)
+        assertArrayEquals(floatArrayOf(1f, 1f, 1f, 1f, 1f, 0f, 0f, 1f, 1f, 1f, 1f, 1f), lines.colors)
+    }
+
+    @Test
+    fun pointsAndLinesFollowTheMeshesByMaterial() {
+        val all = surfaces("l 1 2\np 1\nusemtl a\nl 2 3\nf 1 2 3\nusemtl b\nl 3 4\nusemtl a\nl 4 1\n")
+        assertTrue(all[0] is Mesh && all[1] is Points)
+        val lines = all.drop(2).map { it as Lines }
+        assertEquals(listOf(1, 2, 1), lines.map { it.segmentCount })
+        assertEquals(listOf("", "a", "b"), lines.map { it.material.name })
+    }
+
+    @Test
+    fun withoutColourTheyAreNotWhiteOnWhite() {
+        val lines = ObjParser.parse(TestSources.of("v 0 0 0\nv 1 0 0\nl 1 2\n")).surfaces.single() as Lines
+        assertNotEquals(Rgba.WHITE, lines.material.baseColor)
+    }
+
+    @Test
+    fun wrongNumbersAreRefused() {
+        fun message(text: String) = TestSources.error(ObjParser, TestSources.of(square + text)).message!!
+        assertTrue("line 5" in message("p 5\n"))
+        assertTrue("number 6 of 4 vertices" in message("l 1 6\n"))
+        assertTrue("the line refers to number -5" in message("l 1 -5\n"))
+        assertTrue("the point refers" in message("p -9\n"))
+        assertTrue("\"x\" cannot number a vertex" in message("l 1 x\n"))
+    }
+
+    @Test
+    fun aLineOfOneVertexIsLeftOut() {
+        val source = TestSources.of(square + "l 1\nl 1 2\n")
+        assertEquals(1, (ObjParser.parse(source).surfaces.single() as Lines).segmentCount)
+        assertTrue("line 5: a line of 1 vertices is left out" in source.warnings.single())
+    }
+}
