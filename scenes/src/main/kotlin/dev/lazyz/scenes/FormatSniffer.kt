@@ -1,5 +1,6 @@
 package dev.lazyz.scenes
 
+import dev.lazyz.scenes.triangulation.TextEncoding
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
@@ -13,7 +14,7 @@ internal object FormatSniffer {
 
     /** Returns the format that [bytes] look like, or null. */
     fun format(bytes: ByteArray): SceneFormat? {
-        val head = String(bytes, 0, minOf(bytes.size, HEAD), Charsets.ISO_8859_1).removePrefix("\u00EF\u00BB\u00BF")
+        val head = TextEncoding.start(bytes, HEAD)
         return when {
             head.startsWith("glTF") -> SceneFormat.GLB
             head.startsWith("ply\n") || head.startsWith("ply\r") -> SceneFormat.PLY

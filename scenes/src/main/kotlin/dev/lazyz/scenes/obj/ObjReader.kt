@@ -4,18 +4,21 @@ import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.SrgbDecoding
 import dev.lazyz.scenes.triangulation.Decimal
 import dev.lazyz.scenes.triangulation.Floats
+import dev.lazyz.scenes.triangulation.KindCounts
 import dev.lazyz.scenes.triangulation.TextNumbers
 
 /**
  * Reads the statements of an OBJ file that carry polygons into [model].
  *
- * Points, lines and free-form geometry are dropped with a warning; statements that it does not know are passed over.
+ * Points, lines, free-form geometry and statements that it does not know are passed over, with a warning for each kind.
  */
 internal class ObjReader(private val source: Source, private val model: ObjModel) {
     private val statements = Statements(source.bytes)
     private val faces = ObjFaceReader(source, statements, model)
     private val decimal = Decimal()
     private val dropped = LinkedHashMap<String, Int>()
+    private val freeForm = KindCounts()
+    private val unknown = KindCounts()
 
     // What holds for the faces that follow: how many `o` statements stand before, the last `usemtl`, no `s off`
     private var objectNumber = 0
@@ -37,6 +40,10 @@ internal class ObjReader(private val source: Source, private val model: ObjModel
         for ((keyword, count) in dropped) {
             source.warn("${DRAWN.getValue(keyword)} are not drawn; $count statements \"$keyword\" are passed over")
         }
+        if (freeForm.total > 0) {
+            source.warn("free-form curves and surfaces are not drawn; their statements are passed over: $freeForm")
+        }
+        if (unknown.total > 0) source.warn("unknown statements are passed over: $unknown")
     }
 
     private fun readOther() {
@@ -54,7 +61,15 @@ internal class ObjReader(private val source: Source, private val model: ObjModel
                 isSmooth = statements.withoutComment().substring(1).trim().lowercase() !in listOf("off", "0")
                 beginPart()
             }
-            else -> DRAWN.keys.firstOrNull(statements::hasKeyword)?.let { dropped.merge(it, 1, Int::plus) }
+            !statements.hasKeyword("g") -> passOver(statements.keyword())
+        }
+    }
+
+    private fun passOver(keyword: String) {
+        when (keyword) {
+            in DRAWN -> dropped.merge(keyword, 1, Int::plus)
+            in FREE_FORM -> freeForm.add(keyword)
+            !in UNSEEN -> unknown.add(keyword)
         }
     }
 
@@ -130,9 +145,13 @@ internal class ObjReader(private val source: Source, private val model: ObjModel
         val DRAWN = mapOf(
             "p" to "points",
             "l" to "lines",
-            "curv" to "curves",
-            "curv2" to "curves",
-            "surf" to "free-form surfaces",
         )
+        val FREE_FORM = setOf(
+            "bmat", "bsp", "bzp", "cdc", "cdp", "con", "cstype", "ctech", "curv", "curv2", "deg", "end", "hole", "parm",
+            "res", "scrv", "sp", "stech", "step", "surf", "trim", "vp",
+        )
+
+        /** What is not seen in the picture of polygons: how they belong together, and how some programs show them. */
+        val UNSEEN = setOf("bevel", "c_interp", "d_interp", "lod", "mg")
     }
 }

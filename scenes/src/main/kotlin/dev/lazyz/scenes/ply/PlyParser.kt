@@ -23,6 +23,7 @@ internal object PlyParser : SceneParser {
 
     override fun parse(source: Source): Scene {
         if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
+        source.decodeText()
         val header = PlyHeaderReader(source).read()
         val body = PlyBody.of(source, header)
 

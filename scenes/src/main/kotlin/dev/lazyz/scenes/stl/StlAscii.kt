@@ -12,7 +12,7 @@ import dev.lazyz.scenes.triangulation.Triangulation
  * of more than three vertices, which the format does not know but some programs write, is cut into triangles.
  */
 internal class StlAscii(private val source: Source) {
-    private val lines = TextLines(source.bytes, if (hasMark(source.bytes)) 3 else 0)
+    private val lines = TextLines(source.bytes)
     private val decimal = Decimal()
 
     /** Of the facet at hand. */
@@ -107,7 +107,4 @@ internal class StlAscii(private val source: Source) {
 
     private fun fail(problem: String, remedy: String? = null): Nothing =
         source.fail("line ${lines.number}", problem, remedy ?: "correct the line or export the model again")
-
-    private fun hasMark(bytes: ByteArray) =
-        bytes.size >= 3 && bytes[0] == 0xEF.toByte() && bytes[1] == 0xBB.toByte() && bytes[2] == 0xBF.toByte()
 }

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.stl
 
 import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.triangulation.TextEncoding
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
@@ -19,8 +20,8 @@ internal object StlBinary {
      * count of facets has bytes that no text has, zeros at least.
      */
     fun isBinary(bytes: ByteArray): Boolean {
-        val start = String(bytes, 0, minOf(bytes.size, PROBE), Charsets.ISO_8859_1)
-        val isMarked = start.removePrefix("\u00EF\u00BB\u00BF").trimStart().startsWith("solid", ignoreCase = true)
+        val start = TextEncoding.start(bytes, PROBE)
+        val isMarked = start.trimStart().startsWith("solid", ignoreCase = true)
         return !isMarked || start.any { it < ' ' && !it.isWhitespace() }
     }
 

@@ -25,7 +25,12 @@ internal object StlParser : SceneParser {
     }
 
     private fun meshes(source: Source): List<Mesh> {
-        val solids = if (StlBinary.isBinary(source.bytes)) listOf(StlBinary.read(source)) else StlAscii(source).read()
+        val solids = if (StlBinary.isBinary(source.bytes)) {
+            listOf(StlBinary.read(source))
+        } else {
+            source.decodeText()
+            StlAscii(source).read()
+        }
         source.release()
         for (solid in solids) {
             source.loading.triangles(source, solid.triangleCount.toLong())
