@@ -1,5 +1,6 @@
 package dev.lazyz.scenes
 
+import dev.lazyz.scenes.off.OffHeader
 import dev.lazyz.scenes.triangulation.TextEncoding
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
@@ -18,6 +19,8 @@ internal object FormatSniffer {
         return when {
             head.startsWith("glTF") -> SceneFormat.GLB
             head.startsWith("ply\n") || head.startsWith("ply\r") -> SceneFormat.PLY
+            head.startsWith("PK\u0003\u0004") -> SceneFormat.THREE_MF
+            isOff(head) -> SceneFormat.OFF
             isBinaryStl(bytes) -> SceneFormat.STL
             head.trimStart().startsWith("solid") && "facet" in head -> SceneFormat.STL
             head.trimStart().startsWith('{') -> jsonFormat(head)
@@ -39,6 +42,8 @@ internal object FormatSniffer {
             ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt(STL_HEADER - 4).toLong() and 0xFFFFFFFFL
         return STL_HEADER + STL_FACET * facets == bytes.size.toLong()
     }
+
+    private fun isOff(head: String): Boolean = OffHeader.isKeyword(head.trimStart().takeWhile { !it.isWhitespace() })
 
     /** The first line that says something must be a statement of OBJ. */
     private fun isObj(head: String): Boolean {

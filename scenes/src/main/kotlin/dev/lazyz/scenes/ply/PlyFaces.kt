@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.triangulation.Polygons
 
 /**
  * Reads the faces of a file: polygons, and strips of triangles with -1 where a new strip begins. They are kept until the
@@ -9,7 +10,7 @@ import dev.lazyz.scenes.Source
  * @param vertexCount how many vertices there are or will be
  */
 internal class PlyFaces(private val source: Source, private val vertexCount: Int) {
-    val polygons = PlyPolygons()
+    val polygons = Polygons()
 
     /** Reads all rows of element `face`; returns the numbers of the columns that it read. */
     fun readFaces(element: PlyElement, body: PlyBody): Set<Int> {
@@ -28,6 +29,7 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
                 for (i in 0 until corners.size) polygons.add(vertex(corners.numbers[i], body))
                 if (color != null) {
                     polygons.color(
+                        polygons.count - 1,
                         polygons.colors.add(
                             color.channel(row, 0),
                             color.channel(row, 1),

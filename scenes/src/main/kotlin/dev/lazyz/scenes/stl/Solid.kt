@@ -3,7 +3,11 @@ package dev.lazyz.scenes.stl
 import dev.lazyz.DistinctTriples
 import dev.lazyz.Material
 import dev.lazyz.Mesh
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.triangulation.CornerMesh
 import dev.lazyz.scenes.triangulation.Ints
+import dev.lazyz.scenes.triangulation.Palette
+import dev.lazyz.scenes.triangulation.VertexArrays
 
 /**
  * Triangles without shared vertices, which find each other: corners with equal coordinates become one vertex.
@@ -13,11 +17,15 @@ import dev.lazyz.scenes.triangulation.Ints
  *
  * @property name what the file calls it
  * @param expectedTriangles how many to make room for
+ * @param palette the colours of triangles, if they have any
  */
-internal class Solid(val name: String, expectedTriangles: Int = 0) {
+internal class Solid(val name: String, expectedTriangles: Int = 0, private val palette: Palette? = null) {
     /** Bits of x, y, z; in a closed mesh there are half as many vertices as triangles. */
     private val positions = DistinctTriples(expectedTriangles / 2)
     private val triangles = Ints(3 * expectedTriangles)
+
+    /** By triangle: number of its colour, or -1. */
+    private val colors = Ints()
 
     /** Number of triangles so far. */
     val triangleCount: Int get() = triangles.size / 3
@@ -31,12 +39,21 @@ internal class Solid(val name: String, expectedTriangles: Int = 0) {
         triangles.add(positions.add((x + 0f).toBits(), (y + 0f).toBits(), (z + 0f).toBits()))
     }
 
-    /** Returns the solid as a mesh without normals; add no more corners then. */
-    fun mesh(): Mesh {
+    /** Gives the triangle that was added last a colour of the palette. */
+    fun color(number: Int) {
+        colors.add(number)
+    }
+
+    /** Returns the solid, which [source] holds, as a mesh without normals; add no more corners then. */
+    fun mesh(source: Source): Mesh {
         val coordinates = FloatArray(3 * positions.size)
         for (i in 0 until positions.size) {
             for (axis in 0 until 3) coordinates[3 * i + axis] = Float.fromBits(positions.get(i, axis))
         }
-        return Mesh(coordinates, triangles.toArray(), Material(name = name))
+        val material = Material(name = name)
+        if (palette == null) return Mesh(coordinates, triangles.toArray(), material)
+        val mesh = CornerMesh(VertexArrays(coordinates), palette)
+        for (corner in 0 until triangles.size) mesh.add(triangles[corner], colors[corner / 3])
+        return mesh.mesh(source, material)
     }
 }

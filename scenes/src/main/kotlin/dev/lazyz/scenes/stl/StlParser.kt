@@ -10,8 +10,8 @@ import dev.lazyz.scenes.Source
  *
  * Each solid becomes a mesh: corners at one position become one vertex, and normals are made smooth up to creases of
  * [CREASE_ANGLE] degrees. The facets' own normals are passed over, because many programs leave them zero or wrong and
- * the corners, counter-clockwise seen from outside, say the same. The colours that some programs put into the spare two
- * bytes of a binary facet are passed over too: there are two formats of them that contradict each other.
+ * the corners, counter-clockwise seen from outside, say the same. Colours in the binary form, see [StlColors], become those
+ * of vertices.
  */
 internal object StlParser : SceneParser {
     /** Edges sharper than this stay sharp, degrees: printed parts have chamfers of 45. */
@@ -36,6 +36,6 @@ internal object StlParser : SceneParser {
             source.loading.triangles(source, solid.triangleCount.toLong())
             source.loading.vertices(source, solid.vertexCount.toLong())
         }
-        return solids.filter { it.triangleCount > 0 }.map { it.mesh() }
+        return solids.filter { it.triangleCount > 0 }.map { it.mesh(source) }
     }
 }

@@ -107,6 +107,11 @@ internal class TextLines(val bytes: ByteArray, position: Int = 0, firstLine: Int
         return rest
     }
 
+    /** Moves to the end of the line. */
+    fun endLine() {
+        wordEnd = lineEnd
+    }
+
     companion object {
         private const val SPACE = ' '.code.toByte()
         private const val TAB = '\t'.code.toByte()

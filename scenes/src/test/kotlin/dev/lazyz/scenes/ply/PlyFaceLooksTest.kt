@@ -132,13 +132,14 @@ class PlyFaceLooksTest {
 
     @Test
     fun whatIsNotUsedIsListed() {
-        val text = "ply\nformat ascii 1.0\nelement camera 1\nproperty float view\nelement vertex 3\nproperty float x\n" +
-            "property float y\nproperty float z\nproperty float confidence\nproperty uchar red\nelement face 1\n" +
-            "property list uchar int vertex_indices\nproperty int texnumber\nelement empty 0\nproperty int a\n" +
-            "end_header\n1\n0 0 0 1 2\n1 0 0 1 2\n0 1 0 1 2\n3 0 1 2 0\n"
+        val text =
+            "ply\nformat ascii 1.0\nelement camera 1\nproperty float view\nelement vertex 3\nproperty float x\n" +
+                "property float y\nproperty float z\nproperty float confidence\nproperty uchar red\nelement face 1\n" +
+                "property list uchar int vertex_indices\nproperty int texnumber\nelement empty 0\nproperty int a\n" +
+                "end_header\n1\n0 0 0 1 2\n1 0 0 1 2\n0 1 0 1 2\n3 0 1 2 0\n"
         val source = TestSources.of(text)
         PlyParser.parse(source)
-        val expected = "properties that are not used: view of 1 camera; confidence, red of 3 vertex; texnumber of 1 face"
-        assertEquals(listOf("test: $expected"), source.warnings)
+        val expected = "view of 1 camera; confidence, red of 3 vertex; texnumber of 1 face"
+        assertEquals(listOf("test: properties that are not used: $expected"), source.warnings)
     }
 }

@@ -1,11 +1,7 @@
-package dev.lazyz.scenes.ply
-
-import dev.lazyz.scenes.triangulation.Ints
-import dev.lazyz.scenes.triangulation.Palette
-import dev.lazyz.scenes.triangulation.TexturePlaces
+package dev.lazyz.scenes.triangulation
 
 /** The polygons of a file, one after the other, with what they and their corners look like. Not thread safe. */
-internal class PlyPolygons {
+internal class Polygons {
     /** Of each polygon the number of corners, then the vertex numbers. */
     private val corners = Ints()
 
@@ -42,9 +38,9 @@ internal class PlyPolygons {
         corners.add(vertex)
     }
 
-    /** Gives the polygon that was added last a colour. */
-    fun color(number: Int) {
-        while (colorNumbers.size < count - 1) colorNumbers.add(-1)
+    /** Gives [polygon] a colour; those before it have got theirs. */
+    fun color(polygon: Int, number: Int) {
+        while (colorNumbers.size < polygon) colorNumbers.add(-1)
         colorNumbers.add(number)
     }
 
