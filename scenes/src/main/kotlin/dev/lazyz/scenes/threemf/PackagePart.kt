@@ -3,6 +3,7 @@ package dev.lazyz.scenes.threemf
 import dev.lazyz.scenes.Loading
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Source
+import java.io.IOException
 import java.io.InputStream
 import javax.xml.stream.XMLInputFactory
 import javax.xml.stream.XMLStreamConstants
@@ -16,8 +17,8 @@ import javax.xml.stream.XMLStreamReader
  * @property path the part's name in the package
  */
 internal class PackagePart(val source: Source, val path: String, input: InputStream) {
-    private val bounded = TokenLimit(this, input)
-    private val reader: XMLStreamReader = guarded { factory.createXMLStreamReader(bounded) }
+    private val text = guarded { XmlText.of(source, path, input) }
+    private val reader: XMLStreamReader = guarded { factory.createXMLStreamReader(text) }
     private val names = HashSet<String>()
 
     /** How many elements are open. */
@@ -25,7 +26,7 @@ internal class PackagePart(val source: Source, val path: String, input: InputStr
         private set
 
     /** The name of the element at hand. */
-    val name: String get() = reader.localName
+    val name: String get() = local(reader.localName)
 
     val attributeCount: Int get() = reader.attributeCount
 
@@ -52,7 +53,7 @@ internal class PackagePart(val source: Source, val path: String, input: InputStr
         }
     }
 
-    fun attributeName(index: Int): String = reader.getAttributeLocalName(index)
+    fun attributeName(index: Int): String = local(reader.getAttributeLocalName(index))
 
     fun attribute(index: Int): String = reader.getAttributeValue(index)
 
@@ -80,16 +81,15 @@ internal class PackagePart(val source: Source, val path: String, input: InputStr
         source.fail("$path, line ${reader.location.lineNumber}", problem, remedy, cause)
 
     fun close() {
-        guarded { bounded.close() }
+        guarded { text.close() }
     }
 
     private fun checkElement() {
         if (depth > source.loading.limits.nesting) {
             fail("elements are nested more than ${source.loading.limits.nesting} deep", Loading.NESTING_REMEDY)
         }
-        checkName(name)
-        for (i in 0 until attributeCount) checkName(attributeName(i))
-        for (i in 0 until reader.namespaceCount) checkName(reader.getNamespaceURI(i) ?: "")
+        checkName(reader.localName)
+        for (i in 0 until attributeCount) checkName(reader.getAttributeLocalName(i))
     }
 
     /** The parser keeps each different name, so that there must not be too many. */
@@ -104,7 +104,7 @@ internal class PackagePart(val source: Source, val path: String, input: InputStr
     } catch (e: XMLStreamException) {
         val line = e.location?.lineNumber?.let { ", line $it" } ?: ""
         source.fail("$path$line", "is damaged: ${e.message?.substringAfter("Message: ")}", REMEDY, e)
-    } catch (e: java.io.IOException) {
+    } catch (e: IOException) {
         source.fail(path, "is damaged: ${e.message}", REMEDY, e)
     } catch (e: RuntimeException) {
         source.fail(path, "is damaged: $e", REMEDY, e)
@@ -117,33 +117,14 @@ internal class PackagePart(val source: Source, val path: String, input: InputStr
         val factory: XMLInputFactory = XMLInputFactory.newDefaultFactory().apply {
             setProperty(XMLInputFactory.SUPPORT_DTD, false)
             setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false)
-            setProperty(XMLInputFactory.IS_COALESCING, false)
+
+            // Some programs use prefixes that they do not declare
+            setProperty(XMLInputFactory.IS_NAMESPACE_AWARE, false)
         }
-    }
-}
 
-/** Bytes of XML, without a tag or text that is so long that it could fill the memory of the parser. */
-private class TokenLimit(private val part: PackagePart, private val input: InputStream) : InputStream() {
-    /** Bytes since the last end of a tag. */
-    private var length = 0L
-
-    override fun read(): Int = ByteArray(1).let { if (read(it, 0, 1) < 0) -1 else it[0].toInt() and 0xFF }
-
-    override fun read(bytes: ByteArray, offset: Int, length: Int): Int {
-        val count = input.read(bytes, offset, length)
-        var i = offset + count - 1
-        while (i >= offset && bytes[i] != TAG_END) i--
-        this.length = if (i >= offset) (offset + count - 1L - i) else this.length + maxOf(count, 0)
-        if (this.length > MOST_LENGTH) {
-            part.source.fail(part.path, "has a tag or text of more than $MOST_LENGTH bytes", "export the model again")
+        fun local(name: String): String {
+            val colon = name.indexOf(':')
+            return if (colon < 0) name else name.substring(colon + 1)
         }
-        return count
-    }
-
-    override fun close() = input.close()
-
-    private companion object {
-        const val TAG_END = '>'.code.toByte()
-        const val MOST_LENGTH = 16L shl 20
     }
 }

@@ -44,7 +44,7 @@ internal class ThreeMfBuild(private val source: Source) {
         val model = model(placement.path)
             ?: source.fail(placement.path, "is missing from the package", "export the model again")
         val found = model.objects[placement.number]
-            ?: source.fail(model.path, "there is no object ${placement.number}, which is to be placed", "export it again")
+            ?: source.fail(model.path, "there is no object ${placement.number} to be placed", "export it again")
         if (found.isSupport) {
             supports++
             return

@@ -2,6 +2,7 @@ package dev.lazyz.scenes.threemf
 
 import dev.lazyz.scenes.images.SrgbDecoding
 import dev.lazyz.scenes.triangulation.KindCounts
+import dev.lazyz.scenes.triangulation.TextLines
 
 /**
  * Reads the groups of colours and texture coordinates of a model part (core specification, 5, and "Materials and Properties
@@ -36,11 +37,11 @@ internal class ThreeMfLooksReader(
         part.forEachChild { if (it == element) group.numbers.add(color(part.attribute(attribute))) }
     }
 
-    /** Returns the number of the colour `#RRGGBB` or `#RRGGBBAA`, sRGB-encoded but for alpha; white if there is none. */
+    /** Returns the number of the colour `#RRGGBB` or `#RRGGBBAA`, sRGB-encoded but for alpha; white if it is none. */
     private fun color(text: String?): Int {
-        val digits = text?.trim()?.removePrefix("#")?.padEnd(8, 'F') ?: "FFFFFFFF"
-        val code = digits.takeIf { it.length == 8 && text?.trim()?.length != 8 }?.toLongOrNull(16)?.takeIf { it >= 0 }
-            ?: part.fail("\"$text\" is no colour", "write it as #RRGGBB or #RRGGBBAA")
+        val digits = text?.trim()?.let { colorForm.matchEntire(it) }?.groupValues?.get(1)
+        if (digits == null && text != null) unused.add("colours that are not #RRGGBB or #RRGGBBAA")
+        val code = (digits ?: "").padEnd(8, 'F').toLong(16)
         return looks.palette.add(
             SrgbDecoding.decodeByte((code shr 24).toInt()),
             SrgbDecoding.decodeByte((code shr 16).toInt() and 0xFF),
@@ -109,6 +110,9 @@ internal class ThreeMfLooksReader(
         }
     }
 
-    private fun numbers(attribute: String): List<String> =
-        part.attribute(attribute)?.split(' ', '\t', '\n', '\r')?.filter { it.isNotEmpty() } ?: emptyList()
+    private fun numbers(attribute: String): List<String> = TextLines.words(part.attribute(attribute) ?: "")
+
+    private companion object {
+        val colorForm = Regex("#([0-9A-Fa-f]{6}|[0-9A-Fa-f]{8})")
+    }
 }

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.threemf
 
 import dev.lazyz.scenes.triangulation.KindCounts
+import dev.lazyz.scenes.triangulation.TextLines
 import org.joml.Matrix4d
 
 /**
@@ -31,7 +32,7 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
     private fun readResource(name: String) {
         if (name == "object") {
             readObject()
-        } else if (!looks.read(name)) {
+        } else if (!looks.read(name) && name !in SILENT) {
             unused.add(name)
         }
     }
@@ -64,7 +65,7 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
      */
     private fun transform(): Matrix4d {
         val text = part.attribute("transform") ?: return Matrix4d()
-        val numbers = text.split(' ', '\t', '\n', '\r').filter { it.isNotEmpty() }.map { part.float(it).toDouble() }
+        val numbers = TextLines.words(text).map { part.float(it).toDouble() }
         if (numbers.size != 12 || numbers.any { !it.isFinite() }) {
             part.fail("a transform is 12 numbers, not \"$text\"")
         }

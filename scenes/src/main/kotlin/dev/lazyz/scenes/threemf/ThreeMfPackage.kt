@@ -8,8 +8,9 @@ internal class ThreeMfPackage(private val source: Source) {
     private val archive = ZipArchive(source)
 
     /** Name of the part to begin with. */
-    val modelPath: String = target() ?: archive.names.firstOrNull { it.endsWith(".model", ignoreCase = true) }
-        ?: source.fail(null, "the archive holds no 3D model", "check what kind of file it is")
+    val modelPath: String =
+        target()?.removePrefix("/") ?: archive.names.firstOrNull { it.endsWith(".model", ignoreCase = true) }
+            ?: source.fail(null, "the archive holds no 3D model", "check what kind of file it is")
 
     /** Opens the XML part called [path]; null if there is none. */
     fun part(path: String): PackagePart? = archive.open(path)?.let { PackagePart(source, path.removePrefix("/"), it) }

@@ -17,7 +17,8 @@ internal object ThreeMfFiles {
 
     fun model(resources: String, build: String): String =
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" " +
-            "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" xmlns:m=\"http://m\" xmlns:p=\"http://p\">\n" +
+            "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" " +
+            "xmlns:m=\"http://m\" xmlns:p=\"http://p\">\n" +
             "<metadata name=\"Title\">a</metadata><resources>$resources</resources>\n<build>$build</build></model>"
 
     /** A package with the model in its usual place, and [others]. */

@@ -97,9 +97,13 @@ class ThreeMfParserTest {
 
     @Test
     fun textMayBeInOtherEncodings() {
-        val text = model(one, item(1)).replace("UTF-8", "UTF-16")
-        val zip = ThreeMfFiles.zip("a.model" to text.toByteArray(Charsets.UTF_16))
-        assertEquals("one", meshes(zip).single().material.name)
+        for (charset in listOf(Charsets.UTF_16LE, Charsets.UTF_16BE, Charsets.UTF_8)) {
+            for (mark in listOf("", "\uFEFF")) {
+                val text = mark + model(one.replace("one", "größe"), item(1)).replace("UTF-8", charset.name())
+                val zip = ThreeMfFiles.zip("a.model" to text.toByteArray(charset))
+                assertEquals("größe", meshes(zip).single().material.name, "$charset")
+            }
+        }
     }
 
     @Test
