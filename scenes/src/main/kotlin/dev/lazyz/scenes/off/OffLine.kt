@@ -37,6 +37,16 @@ internal class OffLine(private val source: Source) {
         return true
     }
 
+    /** Reads following lines, too, until there are [least] numbers; false if the file ends before. */
+    fun extend(least: Int): Boolean {
+        while (count < least) {
+            if (!nextWordOfText()) return false
+            add()
+            readRest()
+        }
+        return true
+    }
+
     /** Reads the numbers that follow the word that was read last; there may be none. */
     fun readRest() {
         while (lines.nextWord() && !isComment()) add()

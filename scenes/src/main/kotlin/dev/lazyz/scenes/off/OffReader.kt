@@ -5,7 +5,7 @@ import dev.lazyz.scenes.triangulation.Ints
 import dev.lazyz.scenes.triangulation.Polygons
 import dev.lazyz.scenes.triangulation.VertexArrays
 
-/** Reads the tables of a file, a vertex or a face a line. Not thread safe. */
+/** Reads the tables of a file: a vertex a line, and a face that begins on a line of its own. Not thread safe. */
 internal class OffReader(private val source: Source) {
     private val line = OffLine(source)
     private val header = OffHeader.read(source, line)
@@ -75,7 +75,9 @@ internal class OffReader(private val source: Source) {
         for (face in 0 until header.faceCount) {
             if (!line.next()) cutOff("faces", face, header.faceCount)
             val corners = line.whole(0, "the number of corners")
-            if (corners >= line.count) line.fail("the face has $corners corners and ${line.count - 1} numbers")
+            if (corners == Int.MAX_VALUE || !line.extend(1 + corners)) {
+                line.fail("the file ends within a face of $corners corners", "export or copy the model again")
+            }
             if (corners < 3) {
                 tooSmall++
                 continue

@@ -18,8 +18,8 @@ internal class ThreeMfLooksReader(
     /** Reads the element at hand if it is one of its own; false if it is not. */
     fun read(name: String): Boolean {
         when (name) {
-            "basematerials" -> readColors("base", "displaycolor")
-            "colorgroup" -> readColors("color", "color")
+            "basematerials" -> readColors("base", "displaycolor", isOpaqueWithoutAlpha = true)
+            "colorgroup" -> readColors("color", "color", isOpaqueWithoutAlpha = false)
             "texture2d" -> readTexture()
             "texture2dgroup" -> readPlaces()
             "compositematerials" -> readMixes()
@@ -31,22 +31,30 @@ internal class ThreeMfLooksReader(
 
     private fun id(): Int = part.number("id") ?: part.fail("the group has no id")
 
-    private fun readColors(element: String, attribute: String) {
+    /** Some programs write an alpha of 0 for base materials that are opaque, which nobody would see otherwise. */
+    private fun readColors(element: String, attribute: String, isOpaqueWithoutAlpha: Boolean) {
         val group = ThreeMfLooks.Group()
         looks.groups[id()] = group
-        part.forEachChild { if (it == element) group.numbers.add(color(part.attribute(attribute))) }
+        part.forEachChild {
+            if (it ==
+                element
+            ) {
+                group.numbers.add(color(part.attribute(attribute), isOpaqueWithoutAlpha))
+            }
+        }
     }
 
     /** Returns the number of the colour `#RRGGBB` or `#RRGGBBAA`, sRGB-encoded but for alpha; white if it is none. */
-    private fun color(text: String?): Int {
+    private fun color(text: String?, isOpaqueWithoutAlpha: Boolean): Int {
         val digits = text?.trim()?.let { colorForm.matchEntire(it) }?.groupValues?.get(1)
         if (digits == null && text != null) unused.add("colours that are not #RRGGBB or #RRGGBBAA")
         val code = (digits ?: "").padEnd(8, 'F').toLong(16)
+        val alpha = if (isOpaqueWithoutAlpha && code and 0xFF == 0L) 0xFF else code and 0xFF
         return looks.palette.add(
             SrgbDecoding.decodeByte((code shr 24).toInt()),
             SrgbDecoding.decodeByte((code shr 16).toInt() and 0xFF),
             SrgbDecoding.decodeByte((code shr 8).toInt() and 0xFF),
-            (code and 0xFF) / 255f,
+            alpha / 255f,
         )
     }
 

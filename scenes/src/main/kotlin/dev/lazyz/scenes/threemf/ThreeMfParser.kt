@@ -10,7 +10,7 @@ import dev.lazyz.scenes.Source
  * All items of the build are shown, each object a mesh (one for each texture), with the transforms of components and items,
  * also from other parts of the package (Production Extension). Colours are those of base materials, colour groups and mixes
  * of base materials, sRGB-encoded, and textures of texture groups (Materials Extension); an object without looks has those
- * of what it is a component of. Where colours or textures let something through, so does the material. Of layers of
+ * of what it is a component of. Base materials with an alpha of 0 count as opaque. Where colours or textures let something through, so does the material. Of layers of
  * properties one is shown. Supports, beams, slices and what else is not triangles are passed over, with a warning. Units
  * are passed over, for a picture is the same in all. Normals are made smooth up to creases of [CREASE_ANGLE] degrees.
  *

@@ -69,6 +69,12 @@ class OffParserTest {
         assertEquals(listOf("FFFF0000", "FF0000FF"), twoFaces("1 0 0", "0 0 1 1"))
     }
 
+    @Test
+    fun facesMayRunOverSeveralLines() {
+        val mesh = mesh("OFF\n4 2 0\n${square}3 0 \n1 \n2 255 0 0\n\n3\n0 2 3 0 0 255\n")
+        assertEquals(listOf("FFFF0000", "FF0000FF"), mesh.codes().map { it.single() })
+    }
+
     private fun twoFaces(first: String, second: String) =
         mesh("OFF\n4 2 0\n${square}3 0 1 2 $first\n3 0 2 3 $second\n").codes().map { it.single() }
 
@@ -101,7 +107,7 @@ class OffParserTest {
         assertFails("OFF\n4 1 0\n0 0 0\n1 0\n0 1 0\n0 0 0\n3 0 1 2\n", "line 4", "has 2 numbers, not 3")
         assertFails("OFF\n4 1 0\n${square}3 0 1 4\n", "line 7", "0..3: 4")
         assertFails("OFF\n4 1 0\n${square}3 0 1 1.5\n", "line 7", "1.5")
-        assertFails("OFF\n4 1 0\n${square}3 0 1\n", "line 7", "3 corners and 2 numbers")
+        assertFails("OFF\n4 1 0\n${square}3 0 1\n", "line 7", "within a face of 3 corners")
         assertFails("OFF\n4 1 0\n${square}3 0 1 x\n", "line 7", "\"x\"")
         assertFails("OFF\n4 1 0\n0,5 0 0\n${square}3 0 1 x\n", "line 3", "decimal point")
         assertFails("OFF\n4 2 0\n${square}3 0 1 2\n", "line 7", "after 1 of 2 faces")

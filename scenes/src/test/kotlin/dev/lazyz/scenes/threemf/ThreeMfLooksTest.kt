@@ -21,8 +21,8 @@ class ThreeMfLooksTest {
 
     /** An object of triangles with the given attributes, all at one place. */
     private fun thing(attributes: String, vararg triangles: String) = "<object $attributes><mesh><vertices>" +
-        "<vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/><vertex x=\"0\" y=\"1\" z=\"0\"/></vertices>" +
-        "<triangles>" + triangles.joinToString("") { "<triangle v1=\"0\" v2=\"1\" v3=\"2\" $it/>" } +
+        "<vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/><vertex x=\"0\" y=\"1\" z=\"0\"/>" +
+        "</vertices><triangles>" + triangles.joinToString("") { "<triangle v1=\"0\" v2=\"1\" v3=\"2\" $it/>" } +
         "</triangles></mesh></object>"
 
     private fun meshes(resources: String, build: String, warnings: List<String> = emptyList()): List<Mesh> {
@@ -63,6 +63,14 @@ class ThreeMfLooksTest {
         val warning = "what is not shown: 4 colours that are not #RRGGBB or #RRGGBBAA"
         val mesh = meshes(group + thing("id=\"9\"", *triangles), item, listOf(warning)).single()
         assertEquals(List(12) { "FFFFFFFF" } + List(3) { "FFFF0000" }, mesh.codes())
+    }
+
+    @Test
+    fun baseMaterialsWithoutAlphaAreOpaque() {
+        val group = "<basematerials id=\"1\"><base displaycolor=\"#CAD1EE00\"/></basematerials>"
+        val mesh = meshes(group + thing("id=\"9\" pid=\"1\"", ""), item).single()
+        assertEquals("FFCAD1EE", mesh.codes()[0])
+        assertEquals(AlphaMode.OPAQUE, mesh.material.alphaMode)
     }
 
     @Test
