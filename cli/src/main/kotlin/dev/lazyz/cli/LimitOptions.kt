@@ -31,7 +31,7 @@ internal class LimitOptions : OptionGroup("Limits (for input from strangers)") {
 
     private val nesting by option(
         "--max-nesting",
-        help = "Most lists and objects within each other in a scene file or glTF, 1..1000; default: " +
+        help = "Most lists and objects within each other in a scene file, glTF or 3MF, 1..1000; default: " +
             "${LoadLimits.DEFAULT_NESTING}",
     ).count(1..1000)
 

@@ -17,7 +17,7 @@ import dev.lazyz.scenes.SceneFormat
 
 /** What INPUT may be, for help. */
 internal const val INPUT_HELP: String =
-    "A model (.obj, .stl, .ply, .gltf, .glb), a scene file (.json), the name of a built-in scene " +
+    "A model (.obj, .stl, .ply, .off, .3mf, .gltf, .glb), a scene file (.json), the name of a built-in scene " +
         "(see 'zcli scenes'), or - for standard input"
 
 /** Returns what the options say of the picture that [input] is to give. */

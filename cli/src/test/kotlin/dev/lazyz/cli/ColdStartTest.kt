@@ -66,9 +66,11 @@ class ColdStartTest {
             "dev.lazyz.conformance.",
             "dev.lazyz.scenes.gltf.",
             "dev.lazyz.scenes.obj.",
+            "dev.lazyz.scenes.off.",
             "dev.lazyz.scenes.ply.",
             "dev.lazyz.scenes.scenefile.",
             "dev.lazyz.scenes.stl.",
+            "dev.lazyz.scenes.threemf.",
         )
     }
 }

@@ -1,5 +1,7 @@
 package dev.lazyz.scenes
 
+import dev.lazyz.scenes.off.OffHeader
+import dev.lazyz.scenes.triangulation.TextEncoding
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
@@ -13,10 +15,12 @@ internal object FormatSniffer {
 
     /** Returns the format that [bytes] look like, or null. */
     fun format(bytes: ByteArray): SceneFormat? {
-        val head = String(bytes, 0, minOf(bytes.size, HEAD), Charsets.ISO_8859_1).removePrefix("\u00EF\u00BB\u00BF")
+        val head = TextEncoding.start(bytes, HEAD)
         return when {
             head.startsWith("glTF") -> SceneFormat.GLB
             head.startsWith("ply\n") || head.startsWith("ply\r") -> SceneFormat.PLY
+            head.startsWith("PK\u0003\u0004") -> SceneFormat.THREE_MF
+            isOff(head) -> SceneFormat.OFF
             isBinaryStl(bytes) -> SceneFormat.STL
             head.trimStart().startsWith("solid") && "facet" in head -> SceneFormat.STL
             head.trimStart().startsWith('{') -> jsonFormat(head)
@@ -38,6 +42,8 @@ internal object FormatSniffer {
             ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt(STL_HEADER - 4).toLong() and 0xFFFFFFFFL
         return STL_HEADER + STL_FACET * facets == bytes.size.toLong()
     }
+
+    private fun isOff(head: String): Boolean = OffHeader.isKeyword(head.trimStart().takeWhile { !it.isWhitespace() })
 
     /** The first line that says something must be a statement of OBJ. */
     private fun isObj(head: String): Boolean {

@@ -23,7 +23,7 @@ public enum class ReferencePolicy {
  * @property triangles most triangles in all; a segment of a line counts as one
  * @property vertices most vertices in all, points among them
  * @property texels most pixels of textures in all
- * @property nesting most lists and objects within each other in a scene file or glTF
+ * @property nesting most lists and objects within each other in a scene file, glTF or 3MF
  * @property time most time for reading; looked at between steps of the work, so that a call may take a little longer. Null,
  *   the default, is no limit
  * @property references which files a model may refer to

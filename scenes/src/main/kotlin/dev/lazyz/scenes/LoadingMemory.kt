@@ -9,8 +9,11 @@ internal object LoadingMemory {
 
         // A triangle of a strip is 4 bytes
         SceneFormat.PLY -> 8
-        SceneFormat.OBJ -> 8
+        SceneFormat.OBJ, SceneFormat.OFF -> 8
         SceneFormat.GLTF, SceneFormat.GLB, SceneFormat.SCENE -> 4
+
+        // What is packed counts when it is unpacked
+        SceneFormat.THREE_MF -> 4
         null -> 2
     }
 }

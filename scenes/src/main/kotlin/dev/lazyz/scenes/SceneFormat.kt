@@ -16,6 +16,12 @@ public enum class SceneFormat(public val id: String, public val extensions: List
     /** Polygon File Format, ASCII or binary of either byte order. */
     PLY("ply", listOf("ply")),
 
+    /** Object File Format of Geomview, ASCII. */
+    OFF("off", listOf("off")),
+
+    /** 3D Manufacturing Format. */
+    THREE_MF("3mf", listOf("3mf")),
+
     /** glTF 2.0 as JSON with separate or embedded buffers. */
     GLTF("gltf", listOf("gltf")),
 

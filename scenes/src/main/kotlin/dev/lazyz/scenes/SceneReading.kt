@@ -2,9 +2,11 @@ package dev.lazyz.scenes
 
 import dev.lazyz.scenes.gltf.GltfParser
 import dev.lazyz.scenes.obj.ObjParser
+import dev.lazyz.scenes.off.OffParser
 import dev.lazyz.scenes.ply.PlyParser
 import dev.lazyz.scenes.scenefile.SceneFileReader
 import dev.lazyz.scenes.stl.StlParser
+import dev.lazyz.scenes.threemf.ThreeMfParser
 import java.io.IOException
 import java.io.InputStream
 import java.nio.file.AccessDeniedException
@@ -50,6 +52,8 @@ internal object SceneReading {
             SceneFormat.OBJ -> ObjParser
             SceneFormat.STL -> StlParser
             SceneFormat.PLY -> PlyParser
+            SceneFormat.OFF -> OffParser
+            SceneFormat.THREE_MF -> ThreeMfParser
             SceneFormat.GLTF, SceneFormat.GLB -> GltfParser
             SceneFormat.SCENE -> return SceneFileReader(source).read()
         }

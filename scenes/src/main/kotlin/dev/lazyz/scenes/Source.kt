@@ -2,6 +2,7 @@ package dev.lazyz.scenes
 
 import dev.lazyz.Scene
 import dev.lazyz.scenes.images.FileReferences
+import dev.lazyz.scenes.triangulation.TextEncoding
 import java.nio.file.Path
 
 /**
@@ -33,6 +34,13 @@ internal class Source(
 
     /** What had to be passed over so far; reported by [LoadedScene.warnings]. */
     val warnings = ArrayList<String>()
+
+    /** Turns text with a byte order mark into UTF-8 without one. */
+    fun decodeText() {
+        if (!TextEncoding.hasMark(bytes)) return
+        loading.decode(this, 2L * bytes.size)
+        content = TextEncoding.utf8(bytes)
+    }
 
     /** Lets go of the bytes, which have been read, to leave memory for what becomes of them. */
     fun release() {

@@ -33,6 +33,8 @@ class ScenesTest {
         assertEquals(SceneFormat.STL, FormatSniffer.format(binaryStl))
         assertEquals(SceneFormat.STL, FormatSniffer.format("solid a\n facet normal 0 0 1\n".toByteArray()))
         assertEquals(SceneFormat.PLY, FormatSniffer.format("ply\nformat ascii 1.0\n".toByteArray()))
+        assertEquals(SceneFormat.OFF, FormatSniffer.format("STCNOFF # a\n1 1 1\n".toByteArray()))
+        assertEquals(SceneFormat.THREE_MF, FormatSniffer.format("PK\u0003\u0004".toByteArray()))
         assertEquals(SceneFormat.GLB, FormatSniffer.format("glTF\u0002\u0000".toByteArray()))
         assertEquals(SceneFormat.GLTF, FormatSniffer.format("{ \"asset\": {}}".toByteArray()))
         assertEquals(SceneFormat.OBJ, FormatSniffer.format("# a cube\n\nmtllib a.mtl\nv 0 0 0\n".toByteArray()))
@@ -51,7 +53,7 @@ class ScenesTest {
         assertTrue("is empty" in message(file("empty", "")))
         val odd = file("odd.xyz", "1 2 3\n")
         assertEquals(
-            "$odd: is of no known format; known are .obj, .stl, .ply, .gltf, .glb, .json",
+            "$odd: is of no known format; known are .obj, .stl, .ply, .off, .3mf, .gltf, .glb, .json",
             message(odd),
         )
     }

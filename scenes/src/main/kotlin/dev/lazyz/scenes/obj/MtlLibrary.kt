@@ -5,6 +5,7 @@ import dev.lazyz.Material
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.FileReferences
+import dev.lazyz.scenes.triangulation.TextEncoding
 import dev.lazyz.scenes.triangulation.TextLines
 import java.io.IOException
 import java.nio.file.Path
@@ -44,7 +45,7 @@ internal class MtlLibrary(private val source: Source) {
             source.warn("material library $file cannot be read; its materials are plain white")
             return
         }
-        val statements = MtlStatements(bytes)
+        val statements = MtlStatements(TextEncoding.utf8(bytes))
         val entries = try {
             MtlReader.read(statements)
         } catch (e: IOException) {
@@ -54,7 +55,12 @@ internal class MtlLibrary(private val source: Source) {
         }
         val reader = MtlMaterials(source, listOfNotNull(file.parent, source.folder).distinct())
         for ((i, entry) in entries.withIndex()) {
-            materials.getOrPut(entry.name) { reader.material(entry, statements.maps[i], statements.haveOpacity[i]) }
+            materials.getOrPut(entry.name) {
+                reader.material(entry, statements.maps[i], statements.haveOpacity[i], statements.unused)
+            }
+        }
+        if (statements.unused.total > 0) {
+            source.warn("material library ${file.fileName}: textures that are not used are ${statements.unused}")
         }
     }
 

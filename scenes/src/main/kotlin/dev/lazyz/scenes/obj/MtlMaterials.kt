@@ -12,6 +12,7 @@ import dev.lazyz.TextureWrap
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.SrgbDecoding
 import dev.lazyz.scenes.images.TextureFiles
+import dev.lazyz.scenes.triangulation.KindCounts
 import java.nio.file.Path
 
 /**
@@ -43,13 +44,14 @@ internal class MtlMaterial(
 internal class MtlMaterials(private val source: Source, private val folders: List<Path>) {
     private val textures = HashMap<String, Texture?>()
 
-    /** Returns the material of [mtl] with the texture statements [maps]; [hasOpacity] if it has a `d`. */
-    fun material(mtl: Mtl, maps: Map<String, MtlMap>, hasOpacity: Boolean): MtlMaterial {
+    /** Returns the material of [mtl] with the texture statements [maps]; [hasOpacity] if it has a `d`. A mask that is
+     * not used is added to [unused]. */
+    fun material(mtl: Mtl, maps: Map<String, MtlMap>, hasOpacity: Boolean, unused: KindCounts): MtlMaterial {
         val map = maps["map_kd"]
         val texture = map?.let(::texture)
         val mask = maps["map_d"]
         val isMasked = texture != null && mask?.file == map.file
-        if (mask != null && !isMasked) source.warn("material ${mtl.name}: map_d ${mask.file} is not used")
+        if (mask != null && !isMasked) unused.add("map_d")
 
         val alpha = alpha(mtl, hasOpacity)
         val isLit = mtl.illum != 0

@@ -1,5 +1,8 @@
 package dev.lazyz.scenes.obj
 
+import dev.lazyz.scenes.triangulation.KindCounts
+import dev.lazyz.scenes.triangulation.TextLines
+import dev.lazyz.scenes.triangulation.TextNumbers
 import java.io.BufferedReader
 import java.io.Reader
 
@@ -26,6 +29,9 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
     /** Number of the line on which the statement that was read last begins; lines count from 1. */
     val number: Int get() = statements.number
 
+    /** Statements of textures for what is not drawn. */
+    val unused = KindCounts()
+
     private var current = HashMap<String, MtlMap>()
 
     override fun readLine(): String? {
@@ -50,11 +56,21 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
         return when (keyword) {
             // The parser knows the keyword in lower case only
             "newmtl" -> "newmtl" + statement.substring(keyword.length)
-            "d" -> statements.withoutComment().also { haveOpacity[haveOpacity.size - 1] = true }
-            "tr" -> statements.withoutComment().takeUnless { haveOpacity.last() }
-            "kd", "ks", "ke", "ns", "illum" -> statements.withoutComment()
+            "d" -> numbers().also { haveOpacity[haveOpacity.size - 1] = true }
+            "tr" -> numbers().takeUnless { haveOpacity.last() }
+            "kd", "ks", "ke", "ns", "illum" -> numbers()
             "map_kd", "map_d" -> null.also { current[keyword] = MtlMap.parse(statement.substring(keyword.length)) }
-            else -> null
+            else -> null.also { if (keyword.startsWith("map_") || keyword in MAPS) unused.add(keyword) }
         }
+    }
+
+    /** Returns the statement with the spellings of numbers that the parser does not know replaced. */
+    private fun numbers(): String = TextLines.words(statements.withoutComment()).joinToString(" ") { word ->
+        if (word.toFloatOrNull() != null) word else TextNumbers.parseFloat(word)?.toString() ?: word
+    }
+
+    private companion object {
+        /** Keywords of textures that do not begin with `map_`. */
+        val MAPS = setOf("bump", "decal", "disp", "norm", "refl")
     }
 }

@@ -2,7 +2,9 @@ package dev.lazyz.scenes.obj
 
 import dev.lazyz.Mesh
 import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.images.withoutTexture
 import dev.lazyz.scenes.triangulation.Ints
+import dev.lazyz.scenes.triangulation.MeshParts
 import dev.lazyz.scenes.triangulation.Triangulation
 
 /**
@@ -94,7 +96,28 @@ internal class ObjMeshes(
         val shaded = if (batch.normals == Normals.SMOOTH) whole.withSmoothNormals(ObjParser.CREASE_ANGLE) else whole
         val parts = MeshParts(shaded, groupOf, groups.size)
         return groups.map { (group, number) ->
-            Placed(firstFaces[number], parts.mesh(number, materialOf(group.material), group.isTextured))
+            Placed(firstFaces[number], coated(parts.part(number), materialOf(group.material), group.isTextured))
+        }
+    }
+
+    /**
+     * Returns [part] with a material of its own. Texture coordinates, v upward so far, are scaled and moved as the material
+     * says and turned to v downward; unless [isTextured] they and the texture fall away.
+     */
+    private fun coated(part: Mesh, material: MtlMaterial, isTextured: Boolean): Mesh = Mesh(
+        part.positions,
+        part.triangles,
+        if (isTextured) material.material else material.material.withoutTexture(),
+        part.normals,
+        if (isTextured) part.uvs?.also { place(it, material) } else null,
+        part.colors,
+        part.origin,
+    )
+
+    private fun place(uvs: FloatArray, material: MtlMaterial) {
+        for (i in uvs.indices step 2) {
+            uvs[i] = (uvs[i] * material.scaleU + material.offsetU).toFloat()
+            uvs[i + 1] = (1.0 - (uvs[i + 1] * material.scaleV + material.offsetV)).toFloat()
         }
     }
 

@@ -14,7 +14,8 @@ import org.joml.Vector3d
  * `1 - v`), materials, and vertex colours `v x y z red green blue`, which are taken as sRGB-encoded numbers in 0..1.
  * Groups are passed over; objects and materials divide the file into meshes, see [ObjMeshes]. Faces without normals are
  * made smooth up to creases of [CREASE_ANGLE] degrees, or flat after `s off`; the numbers of smoothing groups are
- * passed over otherwise. Points and lines follow the meshes, by material. Free-form geometry is passed over with a warning.
+ * passed over otherwise. Points and lines follow the meshes, by material. Free-form geometry and unknown statements are
+ * passed over with a warning.
  */
 internal object ObjParser : SceneParser {
     /** Edges sharper than this stay sharp, degrees. */
@@ -22,6 +23,7 @@ internal object ObjParser : SceneParser {
 
     override fun parse(source: Source): Scene {
         if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
+        source.decodeText()
         val model = model(source)
         if (model.positions.size == 0) {
             source.fail(null, "there is no vertex in the file", "check what kind of file it is")

@@ -3,13 +3,14 @@ package dev.lazyz.scenes.obj
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.SrgbDecoding
 import dev.lazyz.scenes.triangulation.Decimal
+import dev.lazyz.scenes.triangulation.KindCounts
 import dev.lazyz.scenes.triangulation.TextNumbers
 import org.joml.Vector3d
 
 /**
  * Reads the statements of an OBJ file that carry polygons, points and lines into [model].
  *
- * Free-form geometry is dropped with a warning; statements that it does not know are passed over.
+ * Free-form geometry and statements that it does not know are passed over, with a warning for each kind.
  */
 internal class ObjReader(private val source: Source, val model: ObjModel) {
     private val statements = Statements(source.bytes)
@@ -17,7 +18,8 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
     private val points = ObjPointReader(source, statements, model, faces)
     private val decimal = Decimal()
     private val isFar = model.origin != Vector3d()
-    private val dropped = LinkedHashMap<String, Int>()
+    private val freeForm = KindCounts()
+    private val unknown = KindCounts()
 
     // What holds for the faces that follow: how many `o` statements stand before, the last `usemtl`, no `s off`
     private var objectNumber = 0
@@ -40,9 +42,10 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
 
     /** Warns of what was passed over. */
     fun warn() {
-        for ((keyword, count) in dropped) {
-            source.warn("${DRAWN.getValue(keyword)} are not drawn; $count statements \"$keyword\" are passed over")
+        if (freeForm.total > 0) {
+            source.warn("free-form curves and surfaces are not drawn; their statements are passed over: $freeForm")
         }
+        if (unknown.total > 0) source.warn("unknown statements are passed over: $unknown")
     }
 
     private fun readOther() {
@@ -62,7 +65,14 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
             }
             statements.hasKeyword("p") -> points.readPoints(material)
             statements.hasKeyword("l") -> points.readLine(material)
-            else -> DRAWN.keys.firstOrNull(statements::hasKeyword)?.let { dropped.merge(it, 1, Int::plus) }
+            !statements.hasKeyword("g") -> passOver(statements.keyword())
+        }
+    }
+
+    private fun passOver(keyword: String) {
+        when (keyword) {
+            in FREE_FORM -> freeForm.add(keyword)
+            !in UNSEEN -> unknown.add(keyword)
         }
     }
 
@@ -139,10 +149,12 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
     private companion object {
         /** What numbers are made of. */
         const val PLAIN = "0123456789+-.eE"
-        val DRAWN = mapOf(
-            "curv" to "curves",
-            "curv2" to "curves",
-            "surf" to "free-form surfaces",
+        val FREE_FORM = setOf(
+            "bmat", "bsp", "bzp", "cdc", "cdp", "con", "cstype", "ctech", "curv", "curv2", "deg", "end", "hole", "parm",
+            "res", "scrv", "sp", "stech", "step", "surf", "trim", "vp",
         )
+
+        /** What is not seen in the picture of polygons: how they belong together, and how some programs show them. */
+        val UNSEEN = setOf("bevel", "c_interp", "d_interp", "lod", "mg")
     }
 }

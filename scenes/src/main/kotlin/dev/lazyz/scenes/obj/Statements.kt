@@ -9,11 +9,11 @@ import java.nio.CharBuffer
  * The statements of an OBJ or MTL text, and their words.
  *
  * Lines that end with a backslash are joined with the next, the space around a statement is cut off, empty lines and
- * comment lines are passed over. Names are UTF-8, or ISO 8859-1 where the text is not UTF-8 throughout. Not thread safe.
+ * comment lines are passed over. The text has no byte order mark. Names are UTF-8, or ISO 8859-1 where the text is not UTF-8 throughout. Not thread safe.
  */
 internal class Statements(private val text: ByteArray) {
     private val charset by lazy { if (isUtf8(text)) Charsets.UTF_8 else Charsets.ISO_8859_1 }
-    private var position = if (startsWithMark(text)) MARK.size else 0
+    private var position = 0
     private var lines = 0
 
     /** Number of the line on which the statement that was read last begins; lines count from 1. */
@@ -86,6 +86,12 @@ internal class Statements(private val text: ByteArray) {
         return from < until
     }
 
+    /** Returns the first word, in lower case. */
+    fun keyword(): String {
+        restart()
+        return word().lowercase()
+    }
+
     /** Makes the keyword the word that was read last. */
     fun restart() {
         wordEnd = start
@@ -156,13 +162,8 @@ internal class Statements(private val text: ByteArray) {
         const val HASH = '#'.code.toByte()
         const val POINT = '.'.code.toByte()
 
-        /** UTF-8's byte order mark. */
-        val MARK = byteArrayOf(0xEF.toByte(), 0xBB.toByte(), 0xBF.toByte())
-
         /** A space or a control character. */
         fun isBlank(byte: Byte) = byte in 0..SPACE
-
-        fun startsWithMark(bytes: ByteArray) = bytes.size >= MARK.size && MARK.indices.all { bytes[it] == MARK[it] }
 
         fun isUtf8(bytes: ByteArray): Boolean {
             val decoder = Charsets.UTF_8.newDecoder()

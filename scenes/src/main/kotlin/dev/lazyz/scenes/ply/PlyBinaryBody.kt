@@ -5,7 +5,7 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
 /** A body of numbers without anything between them. */
-internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder) : PlyBody(source) {
+internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder) : PlyBody(source, header) {
     private val buffer = ByteBuffer.wrap(source.bytes).order(order)
     private val end = source.bytes.size
 
@@ -14,28 +14,31 @@ internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder
 
     override val location get() = "byte $position"
 
-    override fun announce(element: PlyElement) {
-        val size = element.properties.sumOf { it.leastSize }
-        if (size.toLong() * element.count > end - position) tooShort(element, end - position)
-    }
+    override fun room(element: PlyElement): Int =
+        minOf(element.count.toLong(), (end - position) / element.properties.sumOf { it.leastSize.toLong() }).toInt()
 
-    override fun read(row: PlyRow) {
+    override fun read(row: PlyRow): Boolean {
         for ((column, property) in row.properties.withIndex()) {
+            if (end - position < property.leastSize) return cutOff()
             if (property.countType == null) {
-                row.numbers[column] = next(property, property.type)
+                row.numbers[column] = next(property.type)
             } else {
-                val count = next(property, property.countType)
+                val count = listLength(property, next(property.countType))
+                if (count > (end - position) / property.type.size) return cutOff()
                 val list = row.lists[column]
-                list.resize(listLength(property, count, (end - position) / property.type.size))
-                for (i in 0 until list.size) list.numbers[i] = next(property, property.type)
+                list.resize(count)
+                for (i in 0 until count) list.numbers[i] = next(property.type)
             }
         }
+        return true
     }
 
-    private fun next(property: PlyProperty, type: PlyType): Double {
-        if (end - position < type.size) {
-            source.fail(location, "the file ends within property ${property.name}", "export or copy the model again")
-        }
+    private fun cutOff(): Boolean {
+        position = end
+        return false
+    }
+
+    private fun next(type: PlyType): Double {
         val at = position
         position += type.size
         return when (type) {

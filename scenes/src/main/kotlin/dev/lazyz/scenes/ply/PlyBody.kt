@@ -3,37 +3,48 @@ package dev.lazyz.scenes.ply
 import dev.lazyz.scenes.Source
 import java.nio.ByteOrder
 
-/** Hands out the rows of the body, one after the other. Not thread safe. */
-internal abstract class PlyBody(protected val source: Source) {
+/** Hands out the rows of the body, one after the other, up to the end of the file. Not thread safe. */
+internal abstract class PlyBody(protected val source: Source, private val header: PlyHeader) {
     /** Where the row that was read last stands. */
     abstract val location: String
 
-    /** Fails unless what is left of the file can hold all rows of [element]; call it before making room for them. */
-    abstract fun announce(element: PlyElement)
+    /** By element: how many rows were read. */
+    private val present = HashMap<PlyElement, Int>()
 
-    /** Reads the next row into [row]. */
-    abstract fun read(row: PlyRow)
+    /** Reads the next row into [row]; false if the file ends before it does. */
+    abstract fun read(row: PlyRow): Boolean
 
-    /** Returns how long a list is whose length the file gives as [count], when no more than [most] numbers are left. */
-    protected fun listLength(property: PlyProperty, count: Double, most: Int): Int {
+    /** Returns for how many rows of [element] what is left of the file has room; make no more for them. */
+    abstract fun room(element: PlyElement): Int
+
+    /** Hands all rows of [element] that are there, with their numbers, to [use]; returns how many there are. */
+    inline fun readRows(element: PlyElement, use: (Int, PlyRow) -> Unit): Int {
+        val row = PlyRow(element)
+        var count = 0
+        while (count < element.count && read(row)) use(count++, row)
+        note(element, count)
+        return count
+    }
+
+    fun note(element: PlyElement, count: Int) {
+        present[element] = count
+    }
+
+    /** Tells what was wrong with the rows, after the last. */
+    open fun warn() {
+        val isCut = present.any { (element, count) -> count < element.count }
+        if (!isCut) return
+        val rows = header.elements.filter { it in present }.joinToString { "${present[it]} of ${it.count} ${it.name}" }
+        source.warn("the file is cut short and has only these rows: $rows; export or copy the model again")
+    }
+
+    /** Returns how long a list is whose length the file gives as [count]; Int.MAX_VALUE if it is longer than any. */
+    protected fun listLength(property: PlyProperty, count: Double): Int {
         if (!(count >= 0.0) || (count < Int.MAX_VALUE && count != count.toInt().toDouble())) {
             source.fail(location, "the length of list ${property.name} is $count", "export the model again")
         }
-        if (count > most) {
-            source.fail(
-                location,
-                "list ${property.name} announces ${count.toLong()} numbers, but there is room for $most",
-                "export or copy the model again",
-            )
-        }
         return count.toInt()
     }
-
-    protected fun tooShort(element: PlyElement, remaining: Int): Nothing = source.fail(
-        location,
-        "element ${element.name} announces ${element.count} rows, for which the remaining $remaining bytes are too few",
-        "export or copy the model again",
-    )
 
     companion object {
         /** Returns the body that [header] describes. */

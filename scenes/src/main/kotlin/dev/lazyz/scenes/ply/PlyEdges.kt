@@ -3,6 +3,8 @@ package dev.lazyz.scenes.ply
 import dev.lazyz.Lines
 import dev.lazyz.scenes.PixelDefaults
 import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.triangulation.Ints
+import dev.lazyz.scenes.triangulation.VertexArrays
 
 /**
  * The edges of a file, each between two vertices. They are kept until the vertices are known, which may stand behind
@@ -11,27 +13,28 @@ import dev.lazyz.scenes.Source
  * @param vertexCount how many vertices there are or will be
  */
 internal class PlyEdges(private val source: Source, private val vertexCount: Int) {
-    private var segments = IntArray(0)
+    private val segments = Ints()
 
-    val isEmpty: Boolean get() = segments.isEmpty()
+    val isEmpty: Boolean get() = segments.size == 0
 
-    /** Reads all rows of element `edge`. */
-    fun read(element: PlyElement, body: PlyBody) {
-        val columns = columns(element)
-        body.announce(element)
-        source.loading.segments(source, element.count.toLong())
-        segments = IntArray(2 * element.count)
-        val row = PlyRow(element)
-        for (i in 0 until element.count) {
-            body.read(row)
-            for (end in 0..1) segments[2 * i + end] = vertex(row.numbers[columns[end]], body)
+    /** Reads all rows of element `edge`; returns the numbers of the columns that it read, none if it names no vertices. */
+    fun read(element: PlyElement, body: PlyBody): Set<Int> {
+        val columns = listOf("vertex1", "vertex2").mapNotNull { element.column(listOf(it)) }
+        if (columns.size < 2) {
+            if (element.properties.isNotEmpty()) body.readRows(element) { _, _ -> }
+            return emptySet()
         }
+        source.loading.segments(source, body.room(element).toLong())
+        body.readRows(element) { _, row ->
+            for (column in columns) segments.add(vertex(row.numbers[column], body))
+        }
+        return columns.toSet()
     }
 
     /** Returns the edges as lines. */
-    fun lines(vertices: PlyVertices): Lines {
+    fun lines(vertices: VertexArrays): Lines {
         val material = PixelDefaults.material(isLit = false, hasColors = vertices.colors != null)
-        return Lines(vertices.positions, segments, PixelDefaults.LINE_WIDTH, material, vertices.colors)
+        return Lines(vertices.positions, segments.toArray(), PixelDefaults.LINE_WIDTH, material, vertices.colors, vertices.origin)
     }
 
     private fun vertex(number: Double, body: PlyBody): Int {
@@ -42,13 +45,5 @@ internal class PlyEdges(private val source: Source, private val vertexCount: Int
             "vertex number $shown is not one of the $vertexCount vertices, which count from 0",
             "correct the edge or export the model again",
         )
-    }
-
-    companion object {
-        /** Whether [element] says which vertices its edges have. */
-        fun canRead(element: PlyElement): Boolean = columns(element).size == 2
-
-        private fun columns(element: PlyElement): List<Int> =
-            listOf("vertex1", "vertex2").mapNotNull { element.column(listOf(it)) }
     }
 }

@@ -1,48 +1,71 @@
 package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.Ints
-import dev.lazyz.scenes.triangulation.Triangulation
+import dev.lazyz.scenes.triangulation.Polygons
 
 /**
- * The faces of a file: polygons, and strips of triangles with -1 where a new strip begins. They are kept until the
+ * Reads the faces of a file: polygons, and strips of triangles with -1 where a new strip begins. They are kept until the
  * vertices are known, which may stand behind them. Not thread safe.
  *
  * @param vertexCount how many vertices there are or will be
  */
 internal class PlyFaces(private val source: Source, private val vertexCount: Int) {
-    /** Polygons one after the other: the number of corners, then the vertex numbers. */
-    private val polygons = Ints()
+    val polygons = Polygons()
+    private var tooSmall = 0
+    private var wrongTexture = 0
 
-    /** Reads all rows of element `face`. */
-    fun readFaces(element: PlyElement, body: PlyBody) {
+    /** Warns of what was left out. */
+    fun warn() {
+        if (tooSmall > 0) source.warn("$tooSmall faces of fewer than 3 corners are left out")
+        if (wrongTexture > 0) source.warn("$wrongTexture faces have a texcoord list that is not two numbers a corner")
+    }
+
+    /** Reads all rows of element `face`; returns the numbers of the columns that it read. */
+    fun readFaces(element: PlyElement, body: PlyBody): Set<Int> {
         val column = indexColumn(element)
-        warnOfOthers(element)
-        body.announce(element)
-        val row = PlyRow(element)
-        var tooSmall = 0
-        repeat(element.count) {
-            body.read(row)
+        val color = PlyColor.of(element)
+        val texture = element.column(listOf("texcoord"), isList = true)
+        val textureNumber = texture?.let { element.column(listOf("texnumber")) }
+        body.readRows(element) { _, row ->
             val corners = row.lists[column]
             if (corners.size < 3) {
                 tooSmall++
             } else {
-                polygons.add(corners.size)
+                polygons.begin(corners.size)
                 for (i in 0 until corners.size) polygons.add(vertex(corners.numbers[i], body))
+                if (color != null) {
+                    polygons.color(
+                        polygons.count - 1,
+                        polygons.colors.add(
+                            color.channel(row, 0),
+                            color.channel(row, 1),
+                            color.channel(row, 2),
+                            color.channel(row, 3),
+                        ),
+                    )
+                }
+                if (texture != null && row.lists[texture].size == 2 * corners.size) {
+                    addTexture(row.lists[texture], textureNumber?.let { row.numbers[it].toInt() } ?: 0)
+                } else if (texture != null && row.lists[texture].size > 0) {
+                    wrongTexture++
+                }
             }
         }
-        if (tooSmall > 0) source.warn("$tooSmall faces of fewer than 3 corners are left out")
+        return setOf(column) + (color?.columns ?: emptyList()) + listOfNotNull(texture, textureNumber)
     }
 
-    /** Reads all rows of element `tristrips`. */
-    fun readStrips(element: PlyElement, body: PlyBody) {
-        val column = indexColumn(element)
-        body.announce(element)
-        val row = PlyRow(element)
-        repeat(element.count) {
-            body.read(row)
-            strip(row.lists[column], body)
+    private fun addTexture(list: PlyList, number: Int) {
+        polygons.texture(number, list.size / 2)
+        for (i in 0 until list.size step 2) {
+            polygons.addPlace(polygons.places.add(list.numbers[i].toFloat(), (1.0 - list.numbers[i + 1]).toFloat()))
         }
+    }
+
+    /** Reads all rows of element `tristrips`; returns the numbers of the columns that it read. */
+    fun readStrips(element: PlyElement, body: PlyBody): Set<Int> {
+        val column = indexColumn(element)
+        body.readRows(element) { _, row -> strip(row.lists[column], body) }
+        return setOf(column)
     }
 
     private fun strip(list: PlyList, body: PlyBody) {
@@ -62,39 +85,11 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
             // A triangle with a corner twice only joins two strips
             if (a == b || b == c || a == c) continue
             val isTurned = (i - start) % 2 == 1
-            polygons.add(3)
+            polygons.begin(3)
             polygons.add(if (isTurned) b else a)
             polygons.add(if (isTurned) a else b)
             polygons.add(c)
         }
-    }
-
-    /** Returns three vertex numbers a triangle, in the order of the file. */
-    fun triangles(positions: FloatArray): IntArray {
-        val triangles = Ints(polygons.size - polygons.size / 4)
-        var at = 0
-        while (at < polygons.size) {
-            val count = polygons[at++]
-            if (count == 3) {
-                for (corner in at until at + 3) triangles.add(polygons[corner])
-            } else {
-                addPolygon(at, count, positions, triangles)
-            }
-            at += count
-        }
-        return triangles.toArray()
-    }
-
-    private fun addPolygon(at: Int, count: Int, positions: FloatArray, triangles: Ints) {
-        val corners = Triangulation.triangles(
-            DoubleArray(3 * count) { positions[3 * polygons[at + it / 3] + it % 3].toDouble() },
-        )
-        if (corners == null) {
-            val most = Triangulation.MAX_CONCAVE_CORNERS
-            source.warn("a concave face of $count corners, more than $most, is left out")
-            return
-        }
-        for (corner in corners) triangles.add(polygons[at + corner])
     }
 
     private fun vertex(number: Double, body: PlyBody): Int {
@@ -115,12 +110,6 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
             "element ${element.name} has no list vertex_indices",
             "rename the list that holds vertex numbers",
         )
-
-    private fun warnOfOthers(element: PlyElement) {
-        val others = element.properties.map { it.name }
-        if ("red" in others) source.warn("colours of faces are not used; give them to the vertices")
-        if ("texcoord" in others) source.warn("texture coordinates of faces are not used; give them to the vertices")
-    }
 
     private companion object {
         const val RESTART = -1.0

@@ -65,12 +65,12 @@ internal enum class PlyFormat(val id: String) {
  * @property elements the body's tables in order
  * @property bodyPosition byte where the body begins
  * @property bodyLine number of the body's first line
- * @property textureFile picture for the surface, from a comment of MeshLab's, or null
+ * @property textureFiles pictures for the surface, from comments of MeshLab's
  */
 internal class PlyHeader(
     val format: PlyFormat,
     val elements: List<PlyElement>,
     val bodyPosition: Int,
     val bodyLine: Int,
-    val textureFile: String?,
+    val textureFiles: List<String>,
 )

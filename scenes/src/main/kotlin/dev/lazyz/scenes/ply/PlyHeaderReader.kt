@@ -10,7 +10,7 @@ internal class PlyHeaderReader(private val source: Source) {
     private val properties = ArrayList<PlyProperty>()
     private var open: Pair<String, Int>? = null
     private var format: PlyFormat? = null
-    private var textureFile: String? = null
+    private val textureFiles = ArrayList<String>()
 
     fun read(): PlyHeader {
         if (lines.next()?.trimEnd() != "ply") {
@@ -45,11 +45,13 @@ internal class PlyHeaderReader(private val source: Source) {
         // Where lines end with a carriage return alone, a line feed after the last one is the body's first byte
         val isEaten = isMac && source.bytes[lines.position - 1] == LINE_FEED
         val position = if (isEaten) lines.position - 1 else lines.position
-        return PlyHeader(format, elements, position, lines.number + 1, textureFile)
+        return PlyHeader(format, elements, position, lines.number + 1, textureFiles)
     }
 
     private fun comment(words: List<String>) {
-        if (words.getOrNull(1).equals("TextureFile", ignoreCase = true)) textureFile = words.drop(2).joinToString(" ")
+        if (words.getOrNull(1).equals("TextureFile", ignoreCase = true)) {
+            textureFiles.add(words.drop(2).joinToString(" "))
+        }
     }
 
     private fun format(words: List<String>) {

@@ -1,24 +1,26 @@
 package dev.lazyz.scenes.ply
 
-import dev.lazyz.Material
-import dev.lazyz.Mesh
+import dev.lazyz.Box
 import dev.lazyz.Points
 import dev.lazyz.Scene
 import dev.lazyz.scenes.PixelDefaults
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.images.TextureFiles
+import dev.lazyz.scenes.triangulation.VertexArrays
+import org.joml.Vector3d
 
 /**
  * Reads the Polygon File Format (Greg Turk, "The PLY Polygon File Format", Stanford University, 1994) in its ASCII and
  * both binary forms.
  *
- * The file becomes one mesh, or points, and lines. Of vertices it takes x, y, z; nx, ny, nz; s, t or u, v (upward, so that v is turned to
- * `1 - v`) with the texture that a comment `TextureFile` names; red, green, blue, alpha, which are sRGB-encoded, whole
- * numbers in the range of their type or fractions in 0..1. Alpha goes into the vertex colours as it is, and the
- * material stays opaque. Faces may have any number of corners; `tristrips` are read too. An element `edge` gives lines
- * between `vertex1` and `vertex2`; a file without faces and edges is a cloud of points. Other elements and properties
- * are passed over. Without normals in the file they are made smooth up to creases of [CREASE_ANGLE] degrees.
+ * The file becomes one mesh, or one for each texture, or points, and lines. Of vertices it takes x, y, z; nx, ny, nz; s, t or
+ * u, v (upward, so that v is turned to `1 - v`); red, green, blue, alpha, which are sRGB-encoded, whole numbers in the range
+ * of their type or fractions in 0..1. Of faces, which may have any number of corners, it takes colours, where vertices have
+ * none, and `texcoord`, two numbers a corner, with `texnumber`; `tristrips` are read too. An element `edge` gives lines
+ * between `vertex1` and `vertex2`; a file without faces and edges is a cloud of points. Textures are those that comments
+ * `TextureFile` name, with `<this>` for the file's own name. Alpha goes into the vertex colours as it is, and the material
+ * stays opaque. Other elements and properties are passed over, with a warning. Without normals in the file they are made
+ * smooth up to creases of [CREASE_ANGLE] degrees. Of a file that is cut short, what is there is shown.
  */
 internal object PlyParser : SceneParser {
     /** Edges sharper than this stay sharp, degrees. */
@@ -26,48 +28,30 @@ internal object PlyParser : SceneParser {
 
     override fun parse(source: Source): Scene {
         if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
+        source.decodeText()
         val header = PlyHeaderReader(source).read()
-        val body = PlyBody.of(source, header)
 
-        // Read the tables in the order in which they stand
-        var vertices: PlyVertices? = null
-        val count = header.elements.first { it.name == "vertex" }.count
-        val faces = PlyFaces(source, count)
-        val edges = PlyEdges(source, count)
-        for (element in header.elements) {
-            when (element.name) {
-                "vertex" -> vertices = PlyVertices.read(source, element, body)
-                "face" -> faces.readFaces(element, body)
-                "tristrips" -> faces.readStrips(element, body)
-                "edge" -> if (PlyEdges.canRead(element)) edges.read(element, body) else skip(element, body)
-                else -> skip(element, body)
-            }
-        }
-        val found = checkNotNull(vertices) { "the header reader lets no file without vertices pass" }
-        val triangles = faces.triangles(found.positions)
-        source.loading.triangles(source, triangles.size / 3L)
-        val lines = if (edges.isEmpty) emptyList() else listOf(edges.lines(found))
-        if (triangles.isEmpty()) {
-            if (found.count == 0) source.warn("there are no vertices, so there is nothing to see")
-            return Scene(lines.ifEmpty { points(found) })
-        }
-        val textureFile = header.textureFile?.takeIf { found.uvs != null }
-        val material = Material(texture = textureFile?.let { TextureFiles.find(source, it) })
-        val mesh = Mesh(found.positions, triangles, material, found.normals, found.uvs, found.colors)
-        return Scene(listOf(if (mesh.normals == null) mesh.withSmoothNormals(CREASE_ANGLE) else mesh) + lines)
+        // Once more if it is so far away that positions have to be relative to an origin in its middle
+        val tables = PlyTables(source, header).also { it.read() }
+        val origin = Box.around(tables.vertices.positions)?.origin() ?: Vector3d()
+        val last = if (origin == Vector3d()) tables else PlyTables(source, header, origin).also { it.read() }
+        last.warn()
+        return scene(source, header, last)
     }
 
-    private fun points(vertices: PlyVertices): List<Points> {
+    private fun scene(source: Source, header: PlyHeader, tables: PlyTables): Scene {
+        val vertices = tables.vertices
+        val meshes = PlyMeshes(source, vertices, tables.faces.polygons, header.textureFiles).build()
+        val lines = if (tables.edges.isEmpty) emptyList() else listOf(tables.edges.lines(vertices))
+        if (vertices.count == 0) source.warn("there are no vertices, so there is nothing to see")
+        return Scene((meshes + lines).ifEmpty { points(vertices) })
+    }
+
+    private fun points(vertices: VertexArrays): List<Points> {
         if (vertices.count == 0) return emptyList()
         val material = PixelDefaults.material(vertices.normals != null, vertices.colors != null)
         val size = PixelDefaults.POINT_SIZE
-        return listOf(Points(vertices.positions, size, material, vertices.normals, vertices.colors))
-    }
-
-    private fun skip(element: PlyElement, body: PlyBody) {
-        if (element.properties.isEmpty()) return
-        body.announce(element)
-        val row = PlyRow(element)
-        repeat(element.count) { body.read(row) }
+        val origin = vertices.origin
+        return listOf(Points(vertices.positions, size, material, vertices.normals, vertices.colors, origin))
     }
 }

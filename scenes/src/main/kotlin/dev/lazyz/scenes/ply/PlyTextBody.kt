@@ -6,51 +6,62 @@ import dev.lazyz.scenes.triangulation.TextLines
 import dev.lazyz.scenes.triangulation.TextNumbers
 
 /** A body of lines, one a row. */
-internal class PlyTextBody(source: Source, header: PlyHeader) : PlyBody(source) {
+internal class PlyTextBody(source: Source, header: PlyHeader) : PlyBody(source, header) {
     private val lines = TextLines(source.bytes, header.bodyPosition, header.bodyLine)
     private val decimal = Decimal()
 
     /** How many words of the line were not read yet; only a line with lists is counted. */
     private var wordsLeft = 0
 
+    /** How many rows are to follow, of all elements. */
+    private var rowsLeft = header.elements.filter { it.properties.isNotEmpty() }.sumOf { it.count.toLong() }
+
+    /** How many rows had words behind their last property. */
+    private var longRows = 0
+
     override val location get() = "line ${lines.number}"
 
-    override fun announce(element: PlyElement) {
+    override fun room(element: PlyElement): Int {
         // A number and the space behind it take two bytes, except for the very last number
         val remaining = source.bytes.size - lines.position
-        if (2L * element.count * element.properties.size > remaining + 1L) tooShort(element, remaining)
+        return minOf(element.count.toLong(), (remaining + 1L) / (2L * element.properties.size)).toInt()
     }
 
-    override fun read(row: PlyRow) {
-        findLine(row)
+    override fun read(row: PlyRow): Boolean {
+        do {
+            if (!lines.nextLine()) return false
+        } while (lines.isBlank())
+        rowsLeft--
+
+        // Where the file ends without a line end and with rows still to come, it may end within a number
+        if (lines.isCutOff && (rowsLeft > 0 || lines.countWords() < row.properties.size)) return false
         if (row.element.hasLists) wordsLeft = lines.countWords()
         for ((column, property) in row.properties.withIndex()) {
             if (property.countType == null) {
                 row.numbers[column] = next(property)
             } else {
+                val count = listLength(property, next(property))
+                if (count > wordsLeft && lines.isCutOff) return false
+                if (count > wordsLeft) tooLong(property, count)
                 val list = row.lists[column]
-                list.resize(listLength(property, next(property), wordsLeft))
-                for (i in 0 until list.size) list.numbers[i] = next(property)
+                list.resize(count)
+                for (i in 0 until count) list.numbers[i] = next(property)
             }
         }
-        if (lines.nextWord()) {
-            val name = row.element.name
-            source.fail(location, "\"${lines.word()}\" follows the last property of element $name", "shorten the line")
-        }
+        if (lines.nextWord()) longRows++
+        return true
     }
 
-    /** Moves to the next line that has words. */
-    private fun findLine(row: PlyRow) {
-        do {
-            if (!lines.nextLine()) {
-                source.fail(
-                    location,
-                    "the file ends before all rows of element ${row.element.name}",
-                    "export or copy the model again",
-                )
-            }
-        } while (lines.isBlank())
+    override fun warn() {
+        super.warn()
+        if (longRows > 0) source.warn("$longRows rows are longer than their properties; what is behind is passed over")
     }
+
+    private fun tooLong(property: PlyProperty, count: Int): Nothing = source.fail(
+        location,
+        "list ${property.name} announces $count numbers, but the line has $wordsLeft more",
+        "complete the line",
+    )
 
     private fun next(property: PlyProperty): Double {
         if (!lines.nextWord()) {

@@ -1,82 +1,65 @@
 package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.images.SrgbDecoding
+import dev.lazyz.scenes.triangulation.VertexArrays
+import org.joml.Vector3dc
 
-/** The vertices of a file: arrays as [dev.lazyz.Mesh] wants them, null for what the file does not have. */
-internal class PlyVertices private constructor(
-    val positions: FloatArray,
-    val normals: FloatArray?,
-    val uvs: FloatArray?,
-    val colors: FloatArray?,
+/** Reads the element `vertex`, with positions relative to [origin]. */
+internal class PlyVertices(
+    private val source: Source,
+    private val element: PlyElement,
+    private val origin: Vector3dc,
 ) {
-    /** How many vertices there are. */
-    val count: Int get() = positions.size / 3
+    private val position = listOf("x", "y", "z").map { name ->
+        element.column(listOf(name)) ?: source.fail("header", "element vertex has no property $name", "add it")
+    }.toIntArray()
+    private val normal = columns(listOf("nx", "ny", "nz"))
+    private val texture = texturePairs.firstNotNullOfOrNull(::columns)
+    private val color = PlyColor.of(element)
 
-    companion object {
-        private val texturePairs =
-            listOf("s", "t", "u", "v", "texture_u", "texture_v", "texture_s", "texture_t").chunked(2)
+    /** The numbers of the columns that are read. */
+    val columns: Set<Int> =
+        setOf(position, normal, texture).filterNotNull().flatMap { it.toList() }.toSet() +
+            (color?.columns ?: emptyList())
 
-        /** Reads all rows of [element] from [body]. */
-        fun read(source: Source, element: PlyElement, body: PlyBody): PlyVertices {
-            val position = listOf("x", "y", "z").map { name ->
-                element.column(listOf(name)) ?: source.fail("header", "element vertex has no property $name", "add it")
-            }.toIntArray()
-            val normal = columns(listOf("nx", "ny", "nz")) { element.column(listOf(it)) }
-            val texture = texturePairs.firstNotNullOfOrNull { pair -> columns(pair) { element.column(listOf(it)) } }
-            val color = columns(listOf("red", "green", "blue")) { colorColumn(element, it) }
-            val alpha = colorColumn(element, "alpha")
-
-            body.announce(element)
-            val count = element.count
-            source.loading.vertices(source, count.toLong())
-            val vertices = PlyVertices(
-                FloatArray(3 * count),
-                normal?.let { FloatArray(3 * count) },
-                texture?.let { FloatArray(2 * count) },
-                color?.let { FloatArray(4 * count) },
-            )
-            val row = PlyRow(element)
-            for (i in 0 until count) {
-                body.read(row)
-                vertices.set(i, row, position, normal, texture)
-                if (color != null) vertices.setColor(i, row, color, alpha)
+    /** Reads all rows that are there. */
+    fun read(body: PlyBody): VertexArrays {
+        val room = body.room(element)
+        source.loading.vertices(source, room.toLong())
+        val vertices = VertexArrays(
+            FloatArray(3 * room),
+            normal?.let { FloatArray(3 * room) },
+            texture?.let { FloatArray(2 * room) },
+            color?.let { FloatArray(4 * room) },
+            origin,
+        )
+        val count = body.readRows(element) { i, row ->
+            set(vertices, i, row)
+            if (color != null && vertices.colors != null) {
+                for (channel in 0 until 4) vertices.colors[4 * i + channel] = color.channel(row, channel)
             }
-            return vertices
         }
-
-        /** Returns the numbers of the columns with all of [names], or null. */
-        private fun columns(names: List<String>, find: (String) -> Int?): IntArray? =
-            names.mapNotNull(find).takeIf { it.size == names.size }?.toIntArray()
-
-        private fun colorColumn(element: PlyElement, name: String): Int? =
-            element.column(listOf(name, "diffuse_$name", name.substring(0, 1)))
+        return vertices.first(count)
     }
 
-    private fun set(vertex: Int, row: PlyRow, position: IntArray, normal: IntArray?, texture: IntArray?) {
-        for (axis in 0 until 3) positions[3 * vertex + axis] = row.numbers[position[axis]].toFloat()
-        if (normals != null && normal != null) {
-            for (axis in 0 until 3) normals[3 * vertex + axis] = row.numbers[normal[axis]].toFloat()
+    private fun set(to: VertexArrays, vertex: Int, row: PlyRow) {
+        for (axis in 0 until 3) {
+            to.positions[3 * vertex + axis] = (row.numbers[position[axis]] - origin.get(axis)).toFloat()
         }
-        if (uvs != null && texture != null) {
-            uvs[2 * vertex] = row.numbers[texture[0]].toFloat()
-            uvs[2 * vertex + 1] = (1.0 - row.numbers[texture[1]]).toFloat()
+        if (to.normals != null && normal != null) {
+            for (axis in 0 until 3) to.normals[3 * vertex + axis] = row.numbers[normal[axis]].toFloat()
+        }
+        if (to.uvs != null && texture != null) {
+            to.uvs[2 * vertex] = row.numbers[texture[0]].toFloat()
+            to.uvs[2 * vertex + 1] = (1.0 - row.numbers[texture[1]]).toFloat()
         }
     }
 
-    private fun setColor(vertex: Int, row: PlyRow, color: IntArray, alpha: Int?) {
-        if (colors == null) return
-        for (channel in 0 until 3) colors[4 * vertex + channel] = decoded(row, color[channel])
-        colors[4 * vertex + 3] = if (alpha == null) 1f else (row.numbers[alpha] / most(row, alpha)).toFloat()
-    }
+    /** Returns the numbers of the columns with all of [names], or null. */
+    private fun columns(names: List<String>): IntArray? =
+        names.mapNotNull { element.column(listOf(it)) }.takeIf { it.size == names.size }?.toIntArray()
 
-    private fun decoded(row: PlyRow, column: Int): Float {
-        // Codes go by the table, so that they are the colours of the same codes in a texture
-        val number = row.numbers[column]
-        val isCode = row.element.properties[column].type == PlyType.UCHAR
-        if (isCode) return SrgbDecoding.decodeByte(number.toInt().coerceIn(0, 255))
-        return SrgbDecoding.decode(number / most(row, column))
+    private companion object {
+        val texturePairs = listOf("s", "t", "u", "v", "texture_u", "texture_v", "texture_s", "texture_t").chunked(2)
     }
-
-    private fun most(row: PlyRow, column: Int): Double = row.element.properties[column].type.most
 }

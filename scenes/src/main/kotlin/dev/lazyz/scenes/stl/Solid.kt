@@ -3,7 +3,11 @@ package dev.lazyz.scenes.stl
 import dev.lazyz.DistinctTriples
 import dev.lazyz.Material
 import dev.lazyz.Mesh
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.triangulation.CornerMesh
 import dev.lazyz.scenes.triangulation.Ints
+import dev.lazyz.scenes.triangulation.Palette
+import dev.lazyz.scenes.triangulation.VertexArrays
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
@@ -15,12 +19,21 @@ import org.joml.Vector3dc
  *
  * @property name what the file calls it
  * @param expectedTriangles how many to make room for
+ * @param palette the colours of triangles, if they have any
  * @param origin what was subtracted from all positions
  */
-internal class Solid(val name: String, expectedTriangles: Int = 0, private val origin: Vector3dc = Vector3d()) {
+internal class Solid(
+    val name: String,
+    expectedTriangles: Int = 0,
+    private val palette: Palette? = null,
+    private val origin: Vector3dc = Vector3d(),
+) {
     /** Bits of x, y, z; in a closed mesh there are half as many vertices as triangles. */
     private val positions = DistinctTriples(expectedTriangles / 2)
     private val triangles = Ints(3 * expectedTriangles)
+
+    /** By triangle: number of its colour, or -1. */
+    private val colors = Ints()
 
     /** Number of triangles so far. */
     val triangleCount: Int get() = triangles.size / 3
@@ -34,12 +47,27 @@ internal class Solid(val name: String, expectedTriangles: Int = 0, private val o
         triangles.add(positions.add((x + 0f).toBits(), (y + 0f).toBits(), (z + 0f).toBits()))
     }
 
-    /** Returns the solid as a mesh without normals; add no more corners then. */
-    fun mesh(): Mesh {
+    /** Gives the triangle that was added last a colour of the palette. */
+    fun color(number: Int) {
+        colors.add(number)
+    }
+
+    /** Returns x, y, z of each vertex so far. */
+    fun positions(): FloatArray {
         val coordinates = FloatArray(3 * positions.size)
         for (i in 0 until positions.size) {
             for (axis in 0 until 3) coordinates[3 * i + axis] = Float.fromBits(positions.get(i, axis))
         }
-        return Mesh(coordinates, triangles.toArray(), Material(name = name), origin = origin)
+        return coordinates
+    }
+
+    /** Returns the solid, which [source] holds, as a mesh without normals; add no more corners then. */
+    fun mesh(source: Source): Mesh {
+        val coordinates = positions()
+        val material = Material(name = name)
+        if (palette == null) return Mesh(coordinates, triangles.toArray(), material, origin = origin)
+        val mesh = CornerMesh(VertexArrays(coordinates), palette)
+        for (corner in 0 until triangles.size) mesh.add(triangles[corner], colors[corner / 3])
+        return mesh.mesh(source, material)
     }
 }

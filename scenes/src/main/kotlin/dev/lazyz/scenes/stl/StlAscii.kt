@@ -16,7 +16,7 @@ import org.joml.Vector3dc
  * @param origin what is subtracted from all positions
  */
 internal class StlAscii(private val source: Source, private val origin: Vector3dc = Vector3d()) {
-    private val lines = TextLines(source.bytes, if (hasMark(source.bytes)) 3 else 0)
+    private val lines = TextLines(source.bytes)
     private val decimal = Decimal()
 
     private val isFar = origin != Vector3d()
@@ -121,7 +121,4 @@ internal class StlAscii(private val source: Source, private val origin: Vector3d
 
     private fun fail(problem: String, remedy: String? = null): Nothing =
         source.fail("line ${lines.number}", problem, remedy ?: "correct the line or export the model again")
-
-    private fun hasMark(bytes: ByteArray) =
-        bytes.size >= 3 && bytes[0] == 0xEF.toByte() && bytes[1] == 0xBB.toByte() && bytes[2] == 0xBF.toByte()
 }

@@ -1,15 +1,17 @@
 package dev.lazyz.scenes.stl
 
 import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.triangulation.TextEncoding
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
-/** The binary form: 80 bytes of header, a count, and 50 bytes a facet, little endian. */
+/** The binary form: 80 bytes of header, a count, and 50 bytes a facet, little endian; for the last two see [StlColors]. */
 internal object StlBinary {
     private const val HEADER = 80
     private const val FACETS = HEADER + 4
     private const val FACET = 50
     private const val NORMAL = 12
+    private const val WORD = 48
 
     /** How far a text is searched for bytes that text has not. */
     private const val PROBE = 1024
@@ -19,8 +21,8 @@ internal object StlBinary {
      * count of facets has bytes that no text has, zeros at least.
      */
     fun isBinary(bytes: ByteArray): Boolean {
-        val start = String(bytes, 0, minOf(bytes.size, PROBE), Charsets.ISO_8859_1)
-        val isMarked = start.removePrefix("\u00EF\u00BB\u00BF").trimStart().startsWith("solid", ignoreCase = true)
+        val start = TextEncoding.start(bytes, PROBE)
+        val isMarked = start.trimStart().startsWith("solid", ignoreCase = true)
         return !isMarked || start.any { it < ' ' && !it.isWhitespace() }
     }
 
@@ -47,15 +49,25 @@ internal object StlBinary {
         if (end < bytes.size) source.warn("${bytes.size - end} bytes after the last of $count facets are passed over")
 
         val buffer = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN)
-        val solid = Solid("", count.toInt())
+        val colors = colors(source, buffer, end)
+        val solid = Solid("", count.toInt(), colors?.palette)
         for (facet in FACETS until end step FACET) {
             for (corner in 0 until 3) {
                 val at = facet + NORMAL + corner * 12
                 solid.add(buffer.getFloat(at), buffer.getFloat(at + 4), buffer.getFloat(at + 8))
             }
+            if (colors != null) solid.color(colors.of(word(buffer, facet)))
         }
         return solid
     }
+
+    private fun colors(source: Source, buffer: ByteBuffer, end: Int): StlColors? {
+        val words = StlWords()
+        for (facet in FACETS until end step FACET) words.add(word(buffer, facet))
+        return StlColors.of(source, words)
+    }
+
+    private fun word(buffer: ByteBuffer, facet: Int): Int = buffer.getShort(facet + WORD).toInt() and 0xFFFF
 
     private fun countOf(bytes: ByteArray): Long =
         ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt(HEADER).toLong() and 0xFFFFFFFFL

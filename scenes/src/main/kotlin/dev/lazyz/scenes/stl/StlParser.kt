@@ -12,8 +12,8 @@ import org.joml.Vector3d
  *
  * Each solid becomes a mesh: corners at one position become one vertex, and normals are made smooth up to creases of
  * [CREASE_ANGLE] degrees. The facets' own normals are passed over, because many programs leave them zero or wrong and
- * the corners, counter-clockwise seen from outside, say the same. The colours that some programs put into the spare two
- * bytes of a binary facet are passed over too: there are two formats of them that contradict each other.
+ * the corners, counter-clockwise seen from outside, say the same. Colours in the binary form, see [StlColors], become those
+ * of vertices.
  */
 internal object StlParser : SceneParser {
     /** Edges sharper than this stay sharp, degrees: printed parts have chamfers of 45. */
@@ -29,18 +29,23 @@ internal object StlParser : SceneParser {
     /** Reads a text; once more if it is so far away that positions have to be relative to an origin in its middle. */
     private fun ascii(source: Source): List<Solid> {
         val solids = StlAscii(source).read()
-        val bounds = solids.mapNotNull { it.mesh().bounds }.reduceOrNull(Box::union)
+        val bounds = solids.mapNotNull { Box.around(it.positions()) }.reduceOrNull(Box::union)
         val origin = bounds?.origin() ?: Vector3d()
         return if (origin == Vector3d()) solids else StlAscii(source, origin).read()
     }
 
     private fun meshes(source: Source): List<Mesh> {
-        val solids = if (StlBinary.isBinary(source.bytes)) listOf(StlBinary.read(source)) else ascii(source)
+        val solids = if (StlBinary.isBinary(source.bytes)) {
+            listOf(StlBinary.read(source))
+        } else {
+            source.decodeText()
+            ascii(source)
+        }
         source.release()
         for (solid in solids) {
             source.loading.triangles(source, solid.triangleCount.toLong())
             source.loading.vertices(source, solid.vertexCount.toLong())
         }
-        return solids.filter { it.triangleCount > 0 }.map { it.mesh() }
+        return solids.filter { it.triangleCount > 0 }.map { it.mesh(source) }
     }
 }

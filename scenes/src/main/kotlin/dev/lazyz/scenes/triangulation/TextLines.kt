@@ -31,6 +31,9 @@ internal class TextLines(val bytes: ByteArray, position: Int = 0, firstLine: Int
     var wordEnd = position
         private set
 
+    /** Whether the line that was read last is cut off by the end of the text: it has no line end. */
+    val isCutOff: Boolean get() = lineEnd == bytes.size
+
     /** Returns the next line without its end, or null after the last. */
     fun next(): String? =
         if (nextLine()) String(bytes, lineStart, lineEnd - lineStart, Charsets.ISO_8859_1) else null
@@ -102,6 +105,11 @@ internal class TextLines(val bytes: ByteArray, position: Int = 0, firstLine: Int
         val rest = words(String(bytes, wordEnd, lineEnd - wordEnd, Charsets.ISO_8859_1)).joinToString(" ")
         wordEnd = lineEnd
         return rest
+    }
+
+    /** Moves to the end of the line. */
+    fun endLine() {
+        wordEnd = lineEnd
     }
 
     companion object {

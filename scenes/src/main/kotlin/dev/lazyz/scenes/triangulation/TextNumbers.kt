@@ -2,14 +2,21 @@ package dev.lazyz.scenes.triangulation
 
 /**
  * Numbers as programs of many kinds write them into mesh files. "Not a number" and infinity are read in C's spellings
- * (`nan`, `-nan(ind)`, `inf`) and in Microsoft's (`1.#QNAN`, `1.#INF`), in any case.
+ * (`nan`, `-nan(ind)`, `inf`) and in Microsoft's (`1.#QNAN`, `1.#INF`), in any case. A sign before the `e` instead of behind
+ * it, `3.1+e2`, is some exporters' misprint of `3.1e+2`.
  */
 internal object TextNumbers {
+    private val misprint = Regex("([+-]?[0-9.]+)([+-])[eE]([0-9]+)")
+
     /** Returns the number that [word] spells, or null if it is none. */
-    fun parse(word: String): Double? = word.toDoubleOrNull() ?: named(word)
+    fun parse(word: String): Double? = word.toDoubleOrNull() ?: named(word) ?: corrected(word)?.toDoubleOrNull()
 
     /** Returns the float nearest to the number that [word] spells, or null if it is none. */
-    fun parseFloat(word: String): Float? = word.toFloatOrNull() ?: named(word)?.toFloat()
+    fun parseFloat(word: String): Float? =
+        word.toFloatOrNull() ?: named(word)?.toFloat() ?: corrected(word)?.toFloatOrNull()
+
+    private fun corrected(word: String): String? =
+        if (misprint.matches(word)) misprint.replace(word, "$1e$2$3") else null
 
     private fun named(word: String): Double? {
         val isNegative = word.startsWith("-")

@@ -140,6 +140,24 @@ class MtlTest {
     }
 
     @Test
+    fun unusedTexturesGiveOneWarning() {
+        val text = "Kd 1 0 0\nmap_Kd wood.png\nmap_Bump a.png\nbump a.png\nmap_d b.png\n" +
+            "newmtl b\nNORM n.png\nmap_Bump c.png\nKa 1 1 1\nNi 1\n"
+        Files.writeString(folder.resolve("m.mtl"), "newmtl a\n$text")
+        val source = TestSources.of("mtllib m.mtl\n$triangle", folder)
+        ObjParser.parse(source)
+        val expected = "library m.mtl: textures that are not used are 2 map_bump, 1 bump, 1 norm, 1 map_d"
+        assertTrue(source.warnings.single().endsWith(expected), source.warnings.toString())
+    }
+
+    @Test
+    fun numbersOfAllSpellingsAreRead() {
+        val material = mesh("Kd 5-e1 nan 0\nNs 1.5+e2\nd inf").material
+        assertEquals("FF800000", code(material.baseColor))
+        assertEquals(150, material.shininess)
+    }
+
+    @Test
     fun missingTextureGivesAPlainMaterial() {
         assertNull(mesh("Kd 1 0 0\nmap_Kd none.png", warnings = 1).material.texture)
     }

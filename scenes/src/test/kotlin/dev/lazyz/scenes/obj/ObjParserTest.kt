@@ -178,12 +178,21 @@ class ObjParserTest {
     }
 
     @Test
+    fun misprintedNumbersAreRead() {
+        val (meshes, _) = parse("v 3.1+e2 nan 1-E1\nv 0 0 0\nv 1 0 0\nvt 1+e0 inf\nf 1/1 2/1 3/1\n")
+        assertEquals(listOf(310f, Float.NaN, 0.1f), meshes.single().positions.take(3))
+        assertEquals(listOf(1f, Float.NEGATIVE_INFINITY), meshes.single().uvs!!.take(2))
+    }
+
+    @Test
     fun whatIsNotDrawnGivesOneWarningAKind() {
-        val (meshes, source) = parse(square + "curv 0 1 1 2\nsurf 0 1 0 1 1\ncurv 0 1 2 1\nxyz\nf 1 2\nf 1 2 3\n")
+        val text = "curv 0 1 1 2\nCURV 0 1 2 3\nvp 1\nxyz\ng a\nlod 1\nf 1 2\nf 1 2 3\n"
+        val (meshes, source) = parse(square + text)
         assertEquals(1, meshes.single().triangleCount)
         assertEquals(3, source.warnings.size, source.warnings.toString())
-        assertTrue(source.warnings.any { "2 statements \"curv\"" in it })
-        assertTrue(source.warnings.any { "line 9: a face of 2 corners" in it })
+        assertTrue(source.warnings.any { "line 11: a face of 2 corners" in it })
+        assertTrue(source.warnings.any { it.endsWith("their statements are passed over: 2 curv, 1 vp") })
+        assertTrue(source.warnings.any { it.endsWith("unknown statements are passed over: 1 xyz") })
     }
 
     @Test

@@ -31,7 +31,7 @@ class StlParserTest {
         for (facet in facets) {
             repeat(3) { buffer.putFloat(0f) }
             for (number in facet) buffer.putFloat(number)
-            buffer.putShort(0x7FFF)
+            buffer.putShort(0)
         }
         return buffer.array()
     }

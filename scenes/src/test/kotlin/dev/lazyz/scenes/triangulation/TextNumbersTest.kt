@@ -28,6 +28,14 @@ class TextNumbersTest {
     }
 
     @Test
+    fun signBeforeTheExponentIsAMisprint() {
+        assertEquals(310.0, TextNumbers.parse("3.1+e2"))
+        assertEquals(-0.031, TextNumbers.parse("-3.1-E2"))
+        assertEquals(310f, TextNumbers.parseFloat("3.1+e2"))
+        for (word in listOf("3.1+2", "+e2", "3.1+e", "3.1+e+2", "..+e2")) assertNull(TextNumbers.parse(word), word)
+    }
+
+    @Test
     fun commaGetsAHint() {
         assertNotNull(TextNumbers.remedy("0,5"))
         assertNull(TextNumbers.remedy("x"))

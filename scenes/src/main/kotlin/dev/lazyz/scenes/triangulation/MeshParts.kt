@@ -1,8 +1,6 @@
-package dev.lazyz.scenes.obj
+package dev.lazyz.scenes.triangulation
 
 import dev.lazyz.Mesh
-import dev.lazyz.scenes.images.withoutTexture
-import dev.lazyz.scenes.triangulation.Ints
 
 /**
  * Takes a mesh apart into groups of its triangles, each with the vertices that it uses. Not thread safe.
@@ -22,25 +20,10 @@ internal class MeshParts(private val whole: Mesh, groupOf: Ints, private val gro
         }
     }
 
-    /**
-     * Returns the triangles of [group], in order, with a material of their own; call it once a group. Texture
-     * coordinates, v upward so far, are scaled and moved as the material says and turned to v downward; unless
-     * [isTextured] they and the texture fall away.
-     */
-    fun mesh(group: Int, material: MtlMaterial, isTextured: Boolean): Mesh {
-        val part = if (groupCount == 1) whole else part(group)
-        return Mesh(
-            part.positions,
-            part.triangles,
-            if (isTextured) material.material else material.material.withoutTexture(),
-            part.normals,
-            if (isTextured) part.uvs?.also { place(it, material) } else null,
-            part.colors,
-            part.origin,
-        )
-    }
+    /** Returns the triangles of [group], in order; the whole itself if it has but one group. */
+    fun part(group: Int): Mesh {
+        if (groupCount == 1) return whole
 
-    private fun part(group: Int): Mesh {
         // Number the vertices anew in the order in which they are used
         val used = Ints()
         val triangles = IntArray(3 * members[group].size)
@@ -57,18 +40,12 @@ internal class MeshParts(private val whole: Mesh, groupOf: Ints, private val gro
         return Mesh(
             gather(whole.positions, used, 3),
             triangles,
-            normals = whole.normals?.let { gather(it, used, 3) },
-            uvs = whole.uvs?.let { gather(it, used, 2) },
-            colors = whole.colors?.let { gather(it, used, 4) },
-            origin = whole.origin,
+            whole.material,
+            whole.normals?.let { gather(it, used, 3) },
+            whole.uvs?.let { gather(it, used, 2) },
+            whole.colors?.let { gather(it, used, 4) },
+            whole.origin,
         )
-    }
-
-    private fun place(uvs: FloatArray, material: MtlMaterial) {
-        for (i in uvs.indices step 2) {
-            uvs[i] = (uvs[i] * material.scaleU + material.offsetU).toFloat()
-            uvs[i + 1] = (1.0 - (uvs[i + 1] * material.scaleV + material.offsetV)).toFloat()
-        }
     }
 
     private fun gather(array: FloatArray, vertices: Ints, width: Int): FloatArray {

@@ -1,0 +1,68 @@
+package dev.lazyz.scenes.off
+
+import dev.lazyz.scenes.images.SrgbDecoding
+import dev.lazyz.scenes.triangulation.Floats
+import dev.lazyz.scenes.triangulation.Ints
+
+/**
+ * Colours as the file has them: whole numbers in 0..255, or fractions in 0..1. What `1 0 0` is only the others tell: it is
+ * whole numbers if all colours are, and one has a number above 1. All are sRGB-encoded, but alpha. Not thread safe.
+ */
+internal class OffColors {
+    private val numbers = Floats()
+
+    /** By colour: one of [SURELY_WHOLE], [SURELY_FRACTIONS] and [EITHER]. */
+    private val kinds = Ints()
+    private var haveWhole = false
+    private var haveFractions = false
+
+    /** How many colours there are. */
+    val size: Int get() = kinds.size
+
+    /** Adds the colour of [count] numbers, three or four, that stands at [from] in [line]. */
+    fun add(line: OffLine, from: Int, count: Int) {
+        var kind = EITHER
+        for (i in from until from + count) {
+            numbers.add(line.numbers[i].toFloat())
+            if (line.isFraction(i)) {
+                kind = SURELY_FRACTIONS
+            } else if (line.numbers[i] > 1.0 && kind == EITHER) {
+                kind = SURELY_WHOLE
+            }
+        }
+        if (count == 3) numbers.add(OPAQUE)
+        kinds.add(kind)
+        if (kind == SURELY_WHOLE) haveWhole = true
+        if (kind == SURELY_FRACTIONS) haveFractions = true
+    }
+
+    /** Adds white, for what has no colour. */
+    fun addWhite() {
+        repeat(3) { numbers.add(1f) }
+        numbers.add(OPAQUE)
+        kinds.add(SURELY_FRACTIONS)
+    }
+
+    /** Returns red (0), green (1), blue (2) or alpha (3) of a colour, in linear light; when all were added. */
+    fun channel(color: Int, channel: Int): Float {
+        val number = numbers[4 * color + channel]
+        val kind = kinds[color]
+        val isCode = kind == SURELY_WHOLE || (kind == EITHER && haveWhole && !haveFractions)
+        return when {
+            channel == 3 && number == OPAQUE -> 1f
+            channel == 3 -> if (isCode) number / MOST_CODE else number
+            isCode -> SrgbDecoding.decodeByte(number.coerceIn(0f, MOST_CODE).toInt())
+            else -> SrgbDecoding.decode(number.toDouble())
+        }
+    }
+
+    private companion object {
+        const val EITHER = 0
+        const val SURELY_WHOLE = 1
+        const val SURELY_FRACTIONS = 2
+        const val MOST_CODE = 255f
+
+        /** Stands for an alpha that is not given. */
+        const val OPAQUE = -1f
+    }
+}

@@ -1,0 +1,117 @@
+package dev.lazyz.scenes.off
+
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.triangulation.Ints
+import dev.lazyz.scenes.triangulation.Polygons
+import dev.lazyz.scenes.triangulation.VertexArrays
+
+/** Reads the tables of a file: a vertex a line, and a face that begins on a line of its own. Not thread safe. */
+internal class OffReader(private val source: Source) {
+    private val line = OffLine(source)
+    private val header = OffHeader.read(source, line)
+
+    /** The faces, when they are read. */
+    val polygons = Polygons()
+
+    fun readVertices(): VertexArrays {
+        val count = header.vertexCount
+        if (count > line.bytesLeft / LEAST_VERTEX_BYTES + 1) {
+            line.fail("$count vertices are announced, for which the remaining ${line.bytesLeft} bytes are too few")
+        }
+        source.loading.vertices(source, count.toLong())
+        val vertices = VertexArrays(
+            FloatArray(3 * count),
+            if (header.hasNormals) FloatArray(3 * count) else null,
+            if (header.hasPlaces) FloatArray(2 * count) else null,
+            if (header.hasColors) FloatArray(4 * count) else null,
+        )
+        val colors = OffColors()
+        var longRows = 0
+        for (vertex in 0 until count) {
+            if (!line.next()) cutOff("vertices", vertex, count)
+            if (!readVertex(vertices, vertex, colors)) longRows++
+        }
+        vertices.colors?.let { for (i in it.indices) it[i] = colors.channel(i / 4, i % 4) }
+        if (longRows > 0) source.warn("$longRows vertices have numbers that their kind has not, which are passed over")
+        return vertices
+    }
+
+    /** Reads a vertex out of the line; false if numbers are left over, or are no colour. */
+    private fun readVertex(to: VertexArrays, vertex: Int, colors: OffColors): Boolean {
+        val plain = header.plainNumbers
+        if (line.count < plain) line.fail("the vertex has ${line.count} numbers, not $plain")
+        copy(0, to.positions, 3 * vertex, 3)
+        var at = 3
+        if (to.normals != null) {
+            copy(at, to.normals, 3 * vertex, 3)
+            at += 3
+        }
+        val colorCount = line.count - plain
+        if (to.colors != null && colorCount in 3..4) {
+            colors.add(line, at, colorCount)
+            at += colorCount
+        } else if (to.colors != null) {
+            colors.addWhite()
+        }
+        if (to.uvs != null) {
+            to.uvs[2 * vertex] = line.numbers[at++].toFloat()
+            to.uvs[2 * vertex + 1] = (1.0 - line.numbers[at++]).toFloat()
+        }
+        return at == line.count
+    }
+
+    private fun copy(from: Int, to: FloatArray, at: Int, count: Int) {
+        for (i in 0 until count) to[at + i] = line.numbers[from + i].toFloat()
+    }
+
+    /** Reads the faces into [polygons]. */
+    fun readFaces() {
+        val colors = OffColors()
+
+        // By colour: its polygon
+        val polygonOf = Ints()
+        var tooSmall = 0
+        var oddColors = 0
+        for (face in 0 until header.faceCount) {
+            if (!line.next()) cutOff("faces", face, header.faceCount)
+            val corners = line.whole(0, "the number of corners")
+            if (corners == Int.MAX_VALUE || !line.extend(1 + corners)) {
+                line.fail("the file ends within a face of $corners corners", "export or copy the model again")
+            }
+            if (corners < 3) {
+                tooSmall++
+                continue
+            }
+            polygons.begin(corners)
+            for (i in 1..corners) polygons.add(line.whole(i, "the number of a vertex", header.vertexCount - 1))
+            val colorCount = line.count - 1 - corners
+            if (colorCount in 3..4) {
+                polygonOf.add(polygons.count - 1)
+                colors.add(line, corners + 1, colorCount)
+            } else if (colorCount > 0) {
+                oddColors++
+            }
+        }
+        for (i in 0 until polygonOf.size) polygons.color(polygonOf[i], number(colors, i))
+        if (tooSmall > 0) source.warn("$tooSmall faces of fewer than 3 corners are left out")
+        if (oddColors >
+            0
+        ) {
+            source.warn("$oddColors faces have a colour that is not three or four numbers; it is not used")
+        }
+    }
+
+    private fun number(colors: OffColors, color: Int): Int = polygons.colors.add(
+        colors.channel(color, 0),
+        colors.channel(color, 1),
+        colors.channel(color, 2),
+        colors.channel(color, 3),
+    )
+
+    private fun cutOff(what: String, present: Int, count: Int): Nothing =
+        line.fail("the file ends after $present of $count $what", "export or copy the model again")
+
+    private companion object {
+        const val LEAST_VERTEX_BYTES = 6
+    }
+}

@@ -1,0 +1,37 @@
+package dev.lazyz.scenes.ply
+
+import dev.lazyz.scenes.images.SrgbDecoding
+
+/**
+ * The columns of a colour: sRGB-encoded, whole numbers in the range of their type or fractions in 0..1. Alpha is taken as
+ * it is.
+ */
+internal class PlyColor private constructor(private val channels: IntArray, private val alpha: Int?) {
+    /** The numbers of all columns. */
+    val columns: List<Int> = channels.toList() + listOfNotNull(alpha)
+
+    /** Returns red (0), green (1) or blue (2) of [row] in linear light, or its alpha (3). */
+    fun channel(row: PlyRow, channel: Int): Float {
+        if (channel == 3) return if (alpha == null) 1f else (row.numbers[alpha] / most(row, alpha)).toFloat()
+
+        // Codes go by the table, so that they are the colours of the same codes in a texture
+        val column = channels[channel]
+        val number = row.numbers[column]
+        val isCode = row.properties[column].type == PlyType.UCHAR
+        if (isCode) return SrgbDecoding.decodeByte(number.toInt().coerceIn(0, 255))
+        return SrgbDecoding.decode(number / most(row, column))
+    }
+
+    private fun most(row: PlyRow, column: Int): Double = row.properties[column].type.most
+
+    companion object {
+        /** Returns the colour of [element]'s rows, or null if they have none. */
+        fun of(element: PlyElement): PlyColor? {
+            val channels = listOf("red", "green", "blue").mapNotNull { column(element, it) }
+            return if (channels.size < 3) null else PlyColor(channels.toIntArray(), column(element, "alpha"))
+        }
+
+        private fun column(element: PlyElement, name: String): Int? =
+            element.column(listOf(name, "diffuse_$name", name.substring(0, 1)))
+    }
+}

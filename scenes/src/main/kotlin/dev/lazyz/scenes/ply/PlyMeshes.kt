@@ -1,0 +1,54 @@
+package dev.lazyz.scenes.ply
+
+import dev.lazyz.Material
+import dev.lazyz.Mesh
+import dev.lazyz.Texture
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.images.TextureFiles
+import dev.lazyz.scenes.triangulation.Ints
+import dev.lazyz.scenes.triangulation.MeshParts
+import dev.lazyz.scenes.triangulation.PolygonMesh
+import dev.lazyz.scenes.triangulation.Polygons
+import dev.lazyz.scenes.triangulation.VertexArrays
+
+/**
+ * Makes meshes of [polygons]: one, or one for each texture.
+ *
+ * @param textureFiles names of pictures; texture numbers count from 0
+ */
+internal class PlyMeshes(
+    private val source: Source,
+    private val vertices: VertexArrays,
+    private val polygons: Polygons,
+    private val textureFiles: List<String>,
+) {
+    fun build(): List<Mesh> {
+        val triangles = PolygonMesh(source, vertices, polygons)
+        if (triangles.triangleCount == 0) return emptyList()
+        val hasOneTexture = vertices.uvs != null && !polygons.havePlaces
+        val whole = triangles.mesh(Material(texture = if (hasOneTexture) texture(0) else null))
+        val shaded = if (whole.normals == null) whole.withSmoothNormals(PlyParser.CREASE_ANGLE) else whole
+        return if (polygons.havePlaces) textured(shaded, triangles) else listOf(shaded)
+    }
+
+    /** Returns [whole] in parts, one for each texture. */
+    private fun textured(whole: Mesh, triangles: PolygonMesh): List<Mesh> {
+        val groups = LinkedHashMap<Int, Int>()
+        val groupOf = Ints()
+        for (triangle in 0 until triangles.triangleCount) {
+            val number = triangles.textureOf(triangle).coerceIn(-1, textureFiles.size)
+            groupOf.add(groups.getOrPut(number) { groups.size })
+        }
+        val parts = MeshParts(whole, groupOf, groups.size)
+        return groups.map { (number, group) ->
+            val material = Material(texture = texture(number))
+            parts.part(group).withMaterials { material }
+        }
+    }
+
+    private fun texture(number: Int): Texture? {
+        val name = textureFiles.getOrNull(number) ?: return null
+        val baseName = source.name.substringAfterLast('/').substringAfterLast('\\').substringBeforeLast('.')
+        return TextureFiles.find(source, name.replace("<this>", baseName))
+    }
+}

@@ -1,0 +1,55 @@
+package dev.lazyz.scenes.ply
+
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.triangulation.VertexArrays
+import org.joml.Vector3d
+import org.joml.Vector3dc
+
+/**
+ * What stands behind a file's header, as far as it is shown. Not thread safe.
+ *
+ * @param origin what is subtracted from all positions
+ */
+internal class PlyTables(
+    private val source: Source,
+    private val header: PlyHeader,
+    private val origin: Vector3dc = Vector3d(),
+) {
+    private val vertexCount = header.elements.first { it.name == "vertex" }.count
+    private val body = PlyBody.of(source, header)
+    private val unused = PlyUnused()
+
+    lateinit var vertices: VertexArrays
+        private set
+    val faces: PlyFaces = PlyFaces(source, vertexCount)
+    val edges: PlyEdges = PlyEdges(source, vertexCount)
+
+    /** Reads the tables in the order in which they stand. */
+    fun read() {
+        for (element in header.elements) {
+            val columns = when (element.name) {
+                "vertex" -> PlyVertices(source, element, origin).let { reader ->
+                    vertices = reader.read(body)
+                    reader.columns
+                }
+                "face" -> faces.readFaces(element, body)
+                "tristrips" -> faces.readStrips(element, body)
+                "edge" -> edges.read(element, body)
+                else -> skip(element)
+            }
+            unused.add(element, columns)
+        }
+    }
+
+    /** Warns of what was passed over. */
+    fun warn() {
+        body.warn()
+        faces.warn()
+        unused.warn(source)
+    }
+
+    private fun skip(element: PlyElement): Set<Int> {
+        if (element.properties.isNotEmpty()) body.readRows(element) { _, _ -> }
+        return emptySet()
+    }
+}

@@ -1,0 +1,26 @@
+package dev.lazyz.scenes.ply
+
+import dev.lazyz.scenes.Source
+
+/** The elements and properties of a file that the picture does not show, for one warning about all of them. */
+internal class PlyUnused {
+    private val unused = ArrayList<String>()
+
+    /** Notes what [element] has besides the columns with the numbers [used]. */
+    fun add(element: PlyElement, used: Set<Int>) {
+        if (element.count == 0 || element.properties.isEmpty()) return
+        val names = element.properties.filterIndexed { column, _ -> column !in used }.map { it.name }
+        if (names.isEmpty()) return
+        val more = names.size - MOST_NAMES
+        val listed = names.take(MOST_NAMES).joinToString() + (if (more > 0) " and $more more" else "")
+        unused.add("$listed of ${element.count} ${element.name}")
+    }
+
+    fun warn(source: Source) {
+        if (unused.isNotEmpty()) source.warn("properties that are not used: ${unused.joinToString("; ")}")
+    }
+
+    private companion object {
+        const val MOST_NAMES = 12
+    }
+}

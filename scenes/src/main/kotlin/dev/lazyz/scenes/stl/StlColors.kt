@@ -1,0 +1,75 @@
+package dev.lazyz.scenes.stl
+
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.images.SrgbDecoding
+import dev.lazyz.scenes.triangulation.Palette
+
+/**
+ * The colours in the words behind a binary file's facets, of which there are two kinds (A. F. van der Geest, "Colour STL",
+ * about 1999, and Materialise, "Colour in binary STL", as VisCAM's and Magics' manuals have them).
+ *
+ * - Materialise Magics: the header has `COLOR=` and red, green, blue, alpha of the whole, a byte each. A word with bit 15
+ *   clear is a facet's own colour: 5 bits each of red (the lowest), green and blue.
+ * - VisCAM, SolidView: the header does not. A word with bit 15 set is a facet's colour: 5 bits each of blue, green, red.
+ *
+ * Words that are all zero are no colours of either kind. Without `COLOR=` neither are those that have bit 15 clear and are
+ * not all the same, for some programs put other numbers there, nor black alone. All numbers are sRGB-encoded; alpha does
+ * not count.
+ *
+ * @property palette the colours that [of] names
+ */
+internal class StlColors private constructor(
+    private val kind: Kind,
+    private val wholeColor: Int,
+    val palette: Palette
+) {
+    private enum class Kind { WHOLE_ONLY, MAGICS, VISCAM }
+
+    private val numbers = IntArray(1 shl COLOR_BITS) { -1 }
+
+    /** Returns the number of the colour of a facet with the given word, or -1 if it has none. */
+    fun of(word: Int): Int {
+        if (kind == Kind.WHOLE_ONLY || (kind == Kind.MAGICS) == (word and VALID != 0)) return wholeColor
+        val code = word and VALID - 1
+        if (numbers[code] < 0) {
+            val low = level(code)
+            val middle = level(code shr 5)
+            val high = level(code shr 10)
+            numbers[code] =
+                if (kind == Kind.MAGICS) palette.add(low, middle, high, 1f) else palette.add(high, middle, low, 1f)
+        }
+        return numbers[code]
+    }
+
+    private fun level(bits: Int): Float = SrgbDecoding.decode((bits and MOST_LEVEL) / MOST_LEVEL.toDouble())
+
+    companion object {
+        private const val HEADER = 80
+        private const val VALID = 1 shl 15
+        private const val COLOR_BITS = 15
+        private const val MOST_LEVEL = 31
+        private val mark = "COLOR=".toByteArray()
+
+        /** Returns the colours in the file whose facets have the [words], or null if there are none. */
+        fun of(source: Source, words: StlWords): StlColors? {
+            val at = (0..HEADER - mark.size - 4).firstOrNull { start ->
+                mark.indices.all { source.bytes[start + it] == mark[it] }
+            }
+            if (at != null) {
+                val palette = Palette()
+                val (red, green, blue) = List(3) {
+                    SrgbDecoding.decodeByte(source.bytes[at + mark.size + it].toInt() and 0xFF)
+                }
+                val whole = palette.add(red, green, blue, 1f)
+
+                // Programs that write zeros give colours to the whole alone
+                return StlColors(if (words.nonZero > 0) Kind.MAGICS else Kind.WHOLE_ONLY, whole, palette)
+            }
+            if (words.areVisCam) return StlColors(Kind.VISCAM, -1, Palette())
+            if (words.nonZero > 0) {
+                source.warn("the attribute words of ${words.nonZero} facets are not used, for they are no colours")
+            }
+            return null
+        }
+    }
+}

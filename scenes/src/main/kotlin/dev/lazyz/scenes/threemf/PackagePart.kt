@@ -1,0 +1,130 @@
+package dev.lazyz.scenes.threemf
+
+import dev.lazyz.scenes.Loading
+import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.Source
+import java.io.IOException
+import java.io.InputStream
+import javax.xml.stream.XMLInputFactory
+import javax.xml.stream.XMLStreamConstants
+import javax.xml.stream.XMLStreamException
+import javax.xml.stream.XMLStreamReader
+
+/**
+ * The elements of an XML part of a package, one after the other. There are no document type definitions, entities of one's
+ * own or references to other files. Names are told without their namespaces. Not thread safe.
+ *
+ * @property path the part's name in the package
+ */
+internal class PackagePart(val source: Source, val path: String, input: InputStream) {
+    private val text = guarded { XmlText.of(source, path, input) }
+    private val reader: XMLStreamReader = guarded { factory.createXMLStreamReader(text) }
+    private val names = HashSet<String>()
+
+    /** How many elements are open. */
+    var depth = 0
+        private set
+
+    /** The name of the element at hand. */
+    val name: String get() = local(reader.localName)
+
+    val attributeCount: Int get() = reader.attributeCount
+
+    /** Hands the name of each element within the one at hand to [use], and passes over what [use] does not read. */
+    inline fun forEachChild(use: (String) -> Unit) {
+        val inside = depth
+        while (next(inside)) use(name)
+    }
+
+    /** Moves to the next element directly in the one at depth [inside]; false after the last. */
+    fun next(inside: Int): Boolean {
+        while (true) {
+            when (guarded { reader.next() }) {
+                XMLStreamConstants.START_ELEMENT -> {
+                    depth++
+                    checkElement()
+                    if (depth == inside + 1) return true
+                }
+                XMLStreamConstants.END_ELEMENT -> if (--depth < inside) return false
+                XMLStreamConstants.END_DOCUMENT -> return false
+                XMLStreamConstants.PROCESSING_INSTRUCTION -> checkName(reader.piTarget)
+                XMLStreamConstants.DTD -> fail("the part has a document type definition", "remove it")
+            }
+        }
+    }
+
+    fun attributeName(index: Int): String = local(reader.getAttributeLocalName(index))
+
+    fun attribute(index: Int): String = reader.getAttributeValue(index)
+
+    /** Returns the value of the attribute called [name], or null. */
+    fun attribute(name: String): String? {
+        for (i in 0 until attributeCount) if (attributeName(i) == name) return attribute(i)
+        return null
+    }
+
+    /** Returns the whole number, 0 or more, that the attribute called [name] is, or null if it is not there. */
+    fun number(name: String): Int? = attribute(name)?.let { whole(it) }
+
+    /** Returns the whole number, 0 or more, that [value] is. */
+    fun whole(value: String): Int = value.trim().toIntOrNull()?.takeIf { it >= 0 }
+        ?: fail("\"$value\" is not a whole number in 0..${Int.MAX_VALUE}")
+
+    /** Returns the number that [value] is. */
+    fun float(value: String): Float = try {
+        java.lang.Float.parseFloat(value)
+    } catch (_: NumberFormatException) {
+        fail("\"$value\" is not a number")
+    }
+
+    fun fail(problem: String, remedy: String = "export the model again", cause: Throwable? = null): Nothing =
+        source.fail("$path, line ${reader.location.lineNumber}", problem, remedy, cause)
+
+    fun close() {
+        guarded { text.close() }
+    }
+
+    private fun checkElement() {
+        if (depth > source.loading.limits.nesting) {
+            fail("elements are nested more than ${source.loading.limits.nesting} deep", Loading.NESTING_REMEDY)
+        }
+        checkName(reader.localName)
+        for (i in 0 until attributeCount) checkName(reader.getAttributeLocalName(i))
+    }
+
+    /** The parser keeps each different name, so that there must not be too many. */
+    private fun checkName(name: String) {
+        if (names.add(name) && names.size > MOST_NAMES) fail("the part has more than $MOST_NAMES different names")
+    }
+
+    private inline fun <T> guarded(read: () -> T): T = try {
+        read()
+    } catch (limit: SceneFormatException) {
+        throw limit
+    } catch (e: XMLStreamException) {
+        val line = e.location?.lineNumber?.let { ", line $it" } ?: ""
+        source.fail("$path$line", "is damaged: ${e.message?.substringAfter("Message: ")}", REMEDY, e)
+    } catch (e: IOException) {
+        source.fail(path, "is damaged: ${e.message}", REMEDY, e)
+    } catch (e: RuntimeException) {
+        source.fail(path, "is damaged: $e", REMEDY, e)
+    }
+
+    private companion object {
+        const val MOST_NAMES = 10_000
+        const val REMEDY = "export or copy the model again"
+
+        val factory: XMLInputFactory = XMLInputFactory.newDefaultFactory().apply {
+            setProperty(XMLInputFactory.SUPPORT_DTD, false)
+            setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false)
+
+            // Some programs use prefixes that they do not declare
+            setProperty(XMLInputFactory.IS_NAMESPACE_AWARE, false)
+        }
+
+        fun local(name: String): String {
+            val colon = name.indexOf(':')
+            return if (colon < 0) name else name.substring(colon + 1)
+        }
+    }
+}

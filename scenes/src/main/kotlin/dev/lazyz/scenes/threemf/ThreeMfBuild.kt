@@ -1,0 +1,79 @@
+package dev.lazyz.scenes.threemf
+
+import dev.lazyz.Mesh
+import dev.lazyz.Transforms
+import dev.lazyz.scenes.Loading
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.triangulation.KindCounts
+import org.joml.Matrix4d
+import org.joml.Matrix4dc
+
+/** Puts together what is to be built: objects of any part, each as often as it is placed. Not thread safe. */
+internal class ThreeMfBuild(private val source: Source) {
+    private val archive = ThreeMfPackage(source)
+    private val unused = KindCounts()
+    private val models = HashMap<String, ThreeMfModel>()
+    private val meshes = ThreeMfMeshes(source, ThreeMfTextures(source, archive))
+    private val built = HashMap<Triple<String, Int, DefaultLook>, List<Mesh>>()
+    private val placed = ArrayList<Mesh>()
+    private val open = LinkedHashSet<Pair<String, Int>>()
+    private var supports = 0
+
+    /** Returns the meshes of all items, in their order. */
+    fun meshes(): List<Mesh> {
+        val root = model(archive.modelPath) ?: source.fail(archive.modelPath, "is missing", "export the model again")
+        for (item in root.items) place(item, Matrix4d(), NO_LOOK)
+        if (supports > 0) source.warn("$supports support structures are not shown")
+        if (meshes.withoutLooks > 0) {
+            val what = "triangles refer to colours or textures that are not there, and are drawn without"
+            source.warn("${meshes.withoutLooks} $what")
+        }
+        if (unused.total > 0) source.warn("what is not shown: $unused")
+        return placed
+    }
+
+    private fun model(path: String): ThreeMfModel? {
+        val key = path.removePrefix("/").lowercase()
+        return models[key] ?: archive.part(path)?.let { part ->
+            ThreeMfModelReader(part, path, unused).read().also { models[key] = it }
+        }
+    }
+
+    /** Adds what [placement] stands for, in the space that [toWorld] is from; [inherited] are the looks of what it is in. */
+    private fun place(placement: Placement, toWorld: Matrix4dc, inherited: DefaultLook) {
+        val model = model(placement.path)
+            ?: source.fail(placement.path, "is missing from the package", "export the model again")
+        val found = model.objects[placement.number]
+            ?: source.fail(model.path, "there is no object ${placement.number} to be placed", "export it again")
+        if (found.isSupport) {
+            supports++
+            return
+        }
+        val name = Pair(model.path.removePrefix("/").lowercase(), placement.number)
+        if (!open.add(name)) source.fail(model.path, "object ${placement.number} holds itself", "remove the component")
+        if (open.size > source.loading.limits.nesting) {
+            source.fail(model.path, "objects are nested more than ${open.size - 1} deep", Loading.NESTING_REMEDY)
+        }
+        source.loading.decode(source, PLACEMENT_BYTES)
+
+        val transform = Transforms.product(toWorld, placement.transform)
+        val look = if (found.defaultGroup >= 0) DefaultLook(found.defaultGroup, found.defaultIndex) else inherited
+        val own = built.getOrPut(Triple(name.first, name.second, look)) { meshes.build(model, found, look) }
+        for (mesh in own) {
+            source.loading.vertices(source, mesh.vertexCount.toLong())
+            source.loading.triangles(source, mesh.triangleCount.toLong())
+            placed.add(mesh.transformed(transform))
+        }
+        for (component in found.components) {
+            // Groups have other numbers in other parts
+            val isSamePart = model(component.path) === model
+            place(component, transform, if (isSamePart) look else NO_LOOK)
+        }
+        open.remove(name)
+    }
+
+    private companion object {
+        const val PLACEMENT_BYTES = 500L
+        val NO_LOOK = DefaultLook(-1, 0)
+    }
+}

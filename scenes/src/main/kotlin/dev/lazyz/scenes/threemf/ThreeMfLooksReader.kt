@@ -1,0 +1,126 @@
+package dev.lazyz.scenes.threemf
+
+import dev.lazyz.scenes.images.SrgbDecoding
+import dev.lazyz.scenes.triangulation.KindCounts
+import dev.lazyz.scenes.triangulation.TextLines
+
+/**
+ * Reads the groups of colours and texture coordinates of a model part (core specification, 5, and "Materials and Properties
+ * Extension", version 1.2.1). Not thread safe.
+ *
+ * @param unused what is there and not shown
+ */
+internal class ThreeMfLooksReader(
+    private val part: PackagePart,
+    private val looks: ThreeMfLooks,
+    private val unused: KindCounts,
+) {
+    /** Reads the element at hand if it is one of its own; false if it is not. */
+    fun read(name: String): Boolean {
+        when (name) {
+            "basematerials" -> readColors("base", "displaycolor", isOpaqueWithoutAlpha = true)
+            "colorgroup" -> readColors("color", "color", isOpaqueWithoutAlpha = false)
+            "texture2d" -> readTexture()
+            "texture2dgroup" -> readPlaces()
+            "compositematerials" -> readMixes()
+            "multiproperties" -> readLayers()
+            else -> return false
+        }
+        return true
+    }
+
+    private fun id(): Int = part.number("id") ?: part.fail("the group has no id")
+
+    /** Some programs write an alpha of 0 for base materials that are opaque, which nobody would see otherwise. */
+    private fun readColors(element: String, attribute: String, isOpaqueWithoutAlpha: Boolean) {
+        val group = ThreeMfLooks.Group()
+        looks.groups[id()] = group
+        part.forEachChild {
+            if (it ==
+                element
+            ) {
+                group.numbers.add(color(part.attribute(attribute), isOpaqueWithoutAlpha))
+            }
+        }
+    }
+
+    /** Returns the number of the colour `#RRGGBB` or `#RRGGBBAA`, sRGB-encoded but for alpha; white if it is none. */
+    private fun color(text: String?, isOpaqueWithoutAlpha: Boolean): Int {
+        val digits = text?.trim()?.let { colorForm.matchEntire(it) }?.groupValues?.get(1)
+        if (digits == null && text != null) unused.add("colours that are not #RRGGBB or #RRGGBBAA")
+        val code = (digits ?: "").padEnd(8, 'F').toLong(16)
+        val alpha = if (isOpaqueWithoutAlpha && code and 0xFF == 0L) 0xFF else code and 0xFF
+        return looks.palette.add(
+            SrgbDecoding.decodeByte((code shr 24).toInt()),
+            SrgbDecoding.decodeByte((code shr 16).toInt() and 0xFF),
+            SrgbDecoding.decodeByte((code shr 8).toInt() and 0xFF),
+            alpha / 255f,
+        )
+    }
+
+    private fun readTexture() {
+        val path = part.attribute("path") ?: part.fail("the texture has no path")
+        looks.textures[id()] = ThreeMfTexture(
+            path,
+            part.attribute("tilestyleu"),
+            part.attribute("tilestylev"),
+            part.attribute("filter") != "nearest",
+        )
+    }
+
+    private fun readPlaces() {
+        val group = ThreeMfLooks.Group(part.number("texid") ?: part.fail("the group has no texid"))
+        looks.groups[id()] = group
+        part.forEachChild {
+            if (it == "tex2coord") {
+                val u = part.float(part.attribute("u") ?: part.fail("the coordinates have no u"))
+                val v = part.float(part.attribute("v") ?: part.fail("the coordinates have no v"))
+                group.numbers.add(looks.places.add(u, 1f - v))
+            }
+        }
+    }
+
+    /** Mixes of base materials: the mean of their colours in linear light, weighted. */
+    private fun readMixes() {
+        val group = ThreeMfLooks.Group()
+        looks.groups[id()] = group
+        val base = looks.groups[part.number("matid") ?: -1]
+        val indices = numbers("matindices").map { part.whole(it) }
+        val color = FloatArray(4)
+        part.forEachChild { element ->
+            val weights = numbers("values").map { part.float(it) }
+            val sum = FloatArray(4)
+            for ((index, weight) in indices.zip(weights)) {
+                if (base == null || base.texture >= 0 || index >= base.numbers.size) continue
+                looks.palette.copy(base.numbers[index], color, 0)
+                for (channel in 0 until 4) sum[channel] += weight * color[channel]
+            }
+            val total = weights.sum()
+            if (element == "composite") {
+                if (total > 0f) for (channel in 0 until 4) sum[channel] = (sum[channel] / total).coerceIn(0f, 1f)
+                group.numbers.add(looks.palette.add(sum[0], sum[1], sum[2], sum[3]))
+            }
+        }
+    }
+
+    /** Layers on top of each other, of which the last texture is taken, or the first colour if there is no texture. */
+    private fun readLayers() {
+        val ids = numbers("pids").map { part.whole(it) }
+        val shown = ids.indexOfLast { (looks.groups[it]?.texture ?: -1) >= 0 }.coerceAtLeast(0)
+        val layer = looks.groups[ids.getOrNull(shown) ?: -1]
+        val group = ThreeMfLooks.Group(layer?.texture ?: -1)
+        looks.groups[id()] = group
+        if (ids.size > 1) repeat(ids.size - 1) { unused.add("layers of multiproperties") }
+        part.forEachChild {
+            // What a layer does not say is its first
+            val index = numbers("pindices").getOrNull(shown)?.let { part.whole(it) } ?: 0
+            if (layer != null && index < layer.numbers.size) group.numbers.add(layer.numbers[index])
+        }
+    }
+
+    private fun numbers(attribute: String): List<String> = TextLines.words(part.attribute(attribute) ?: "")
+
+    private companion object {
+        val colorForm = Regex("#([0-9A-Fa-f]{6}|[0-9A-Fa-f]{8})")
+    }
+}

@@ -1,0 +1,71 @@
+package dev.lazyz.scenes.threemf
+
+import dev.lazyz.AlphaMode
+import dev.lazyz.Material
+import dev.lazyz.Mesh
+import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.triangulation.CornerMesh
+import dev.lazyz.scenes.triangulation.Ints
+import dev.lazyz.scenes.triangulation.MeshParts
+import dev.lazyz.scenes.triangulation.VertexArrays
+
+/** A group and a number in it, for triangles without looks of their own; the group is -1 if there are none. */
+internal data class DefaultLook(val group: Int, val index: Int)
+
+/** Makes meshes of objects' triangles. Not thread safe. */
+internal class ThreeMfMeshes(private val source: Source, private val textures: ThreeMfTextures) {
+    /** How many triangles refer to looks that are not there. */
+    var withoutLooks = 0
+        private set
+
+    /** Returns the triangles of [found], which [model] defines, with smooth normals; one mesh for each texture. */
+    fun build(model: ThreeMfModel, found: ThreeMfObject, default: DefaultLook): List<Mesh> {
+        if (found.triangles.size == 0) return emptyList()
+        val mesh = CornerMesh(VertexArrays(found.positions.toArray()), model.looks.palette, model.looks.places)
+        val textureNumbers = LinkedHashMap<Int, Int>()
+        val groupOf = Ints()
+        for (triangle in 0 until found.triangles.size / 3) {
+            val texture = addTriangle(model.looks, found, triangle, default, mesh)
+            groupOf.add(textureNumbers.getOrPut(texture) { textureNumbers.size })
+        }
+        val whole = mesh.mesh(source).withSmoothNormals(ThreeMfParser.CREASE_ANGLE)
+        val parts = MeshParts(whole, groupOf, textureNumbers.size)
+        return textureNumbers.map { (number, group) ->
+            val texture = model.looks.textures[number]?.let(textures::find)
+            val isTranslucent = texture?.hasAlpha == true || model.looks.palette.isTranslucent
+            val material = Material(
+                texture = texture,
+                alphaMode = if (isTranslucent) AlphaMode.BLEND else AlphaMode.OPAQUE,
+                name = found.name,
+            )
+            parts.part(group).withMaterials { material }
+        }
+    }
+
+    /** Adds a triangle to [mesh], and returns the number of its texture, or -1. */
+    private fun addTriangle(
+        looks: ThreeMfLooks,
+        found: ThreeMfObject,
+        triangle: Int,
+        default: DefaultLook,
+        mesh: CornerMesh,
+    ): Int {
+        val at = 4 * triangle
+        val hasOwn = at < found.looks.size && found.looks[at] >= 0
+        val number = if (hasOwn) found.looks[at] else default.group
+        val group = looks.groups[number]
+        var isThere = group != null
+        for (corner in 0 until 3) {
+            val index = if (hasOwn) found.looks[at + 1 + corner] else default.index
+            if (group == null || index >= group.numbers.size) isThere = false
+        }
+        if (!isThere && number >= 0) withoutLooks++
+        for (corner in 0 until 3) {
+            val index = if (hasOwn) found.looks[at + 1 + corner] else default.index
+            val look = if (group != null && isThere) group.numbers[index] else -1
+            val isColor = group == null || group.texture < 0
+            mesh.add(found.triangles[3 * triangle + corner], if (isColor) look else -1, if (isColor) -1 else look)
+        }
+        return if (group != null && isThere) group.texture else -1
+    }
+}

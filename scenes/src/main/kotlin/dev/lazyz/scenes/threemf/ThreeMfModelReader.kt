@@ -1,0 +1,81 @@
+package dev.lazyz.scenes.threemf
+
+import dev.lazyz.scenes.triangulation.KindCounts
+import dev.lazyz.scenes.triangulation.TextLines
+import org.joml.Matrix4d
+
+/**
+ * Reads a model part (3MF Consortium, "3MF Core Specification", version 1.3.0, with "Production Extension", version 1.1.2).
+ * Names are told apart without their namespaces. Not thread safe.
+ *
+ * @param unused what is there and not shown
+ */
+internal class ThreeMfModelReader(private val part: PackagePart, path: String, private val unused: KindCounts) {
+    private val model = ThreeMfModel(path)
+    private val looks = ThreeMfLooksReader(part, model.looks, unused)
+
+    fun read(): ThreeMfModel {
+        part.forEachChild { root ->
+            if (root != "model") part.fail("the element is $root, not model", "check what kind of file it is")
+            part.forEachChild { name ->
+                when (name) {
+                    "resources" -> part.forEachChild { readResource(it) }
+                    "build" -> part.forEachChild { if (it == "item") model.items.add(placement()) }
+                    !in SILENT -> unused.add(name)
+                }
+            }
+        }
+        part.close()
+        return model
+    }
+
+    private fun readResource(name: String) {
+        if (name == "object") {
+            readObject()
+        } else if (!looks.read(name) && name !in SILENT) {
+            unused.add(name)
+        }
+    }
+
+    private fun readObject() {
+        val number = part.number("id") ?: part.fail("the object has no id")
+        val type = part.attribute("type")
+        val found = ThreeMfObject(type == "support" || type == "solidsupport", part.attribute("name") ?: "")
+        part.number("pid")?.let { found.defaultGroup = it }
+        part.number("pindex")?.let { found.defaultIndex = it }
+        if (part.attribute("slicestackid") != null) unused.add("slicestackid")
+        model.objects[number] = found
+        part.forEachChild { name ->
+            when (name) {
+                "mesh" -> ThreeMfMeshReader(part, found, unused).read()
+                "components" -> part.forEachChild { if (it == "component") found.components.add(placement()) }
+                !in SILENT -> unused.add(name)
+            }
+        }
+    }
+
+    private fun placement(): Placement {
+        val number = part.number("objectid") ?: part.fail("there is no objectid")
+        return Placement(part.attribute("path") ?: model.path, number, transform())
+    }
+
+    /**
+     * Returns what the element's transform says. The file multiplies rows by matrices and gives them row by row, JOML
+     * multiplies matrices by columns and takes them column by column, so that the numbers have the same order.
+     */
+    private fun transform(): Matrix4d {
+        val text = part.attribute("transform") ?: return Matrix4d()
+        val numbers = TextLines.words(text).map { part.float(it).toDouble() }
+        if (numbers.size != 12 || numbers.any { !it.isFinite() }) {
+            part.fail("a transform is 12 numbers, not \"$text\"")
+        }
+        return Matrix4d().also { matrix ->
+            for (row in 0 until 4) for (column in 0 until 3) matrix.set(row, column, numbers[3 * row + column])
+        }
+    }
+
+    private companion object {
+        /** Elements that say nothing about the picture. */
+        val SILENT = setOf("metadata", "metadatagroup", "trianglesets")
+    }
+}

@@ -1,0 +1,42 @@
+package dev.lazyz.scenes.threemf
+
+import dev.lazyz.scenes.Source
+import java.io.IOException
+
+/** The parts of a package, and which of them is the model (3MF Consortium, "3D Manufacturing Format", version 1.3.0, 2). */
+internal class ThreeMfPackage(private val source: Source) {
+    private val archive = ZipArchive(source)
+
+    /** Name of the part to begin with. */
+    val modelPath: String =
+        target()?.removePrefix("/") ?: archive.names.firstOrNull { it.endsWith(".model", ignoreCase = true) }
+            ?: source.fail(null, "the archive holds no 3D model", "check what kind of file it is")
+
+    /** Opens the XML part called [path]; null if there is none. */
+    fun part(path: String): PackagePart? = archive.open(path)?.let { PackagePart(source, path.removePrefix("/"), it) }
+
+    /** Returns all of the part called [path]; null if there is none, or it is damaged. */
+    fun bytes(path: String): ByteArray? = try {
+        archive.open(path)?.use { it.readAllBytes() }
+    } catch (_: IOException) {
+        null
+    }
+
+    /** Where the package's relationships say the model is; null if they do not, or there is nothing. */
+    private fun target(): String? {
+        val part = part(RELATIONSHIPS) ?: return null
+        var target: String? = null
+        part.forEachChild {
+            part.forEachChild {
+                if (target == null && part.attribute("Type") == MODEL_TYPE) target = part.attribute("Target")
+            }
+        }
+        part.close()
+        return target?.takeIf { path -> archive.names.any { it.equals(path.removePrefix("/"), ignoreCase = true) } }
+    }
+
+    private companion object {
+        const val RELATIONSHIPS = "_rels/.rels"
+        const val MODEL_TYPE = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
+    }
+}

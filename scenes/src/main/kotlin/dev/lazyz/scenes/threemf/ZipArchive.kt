@@ -1,0 +1,140 @@
+package dev.lazyz.scenes.threemf
+
+import dev.lazyz.scenes.Source
+import java.io.ByteArrayInputStream
+import java.io.InputStream
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.util.zip.Inflater
+import java.util.zip.InflaterInputStream
+
+/**
+ * The files in a ZIP archive, found by its directory (PKWARE, ".ZIP File Format Specification", version 6.3.10, with the
+ * directory's 64-bit numbers). Names are compared without regard to case, as the Open Packaging Conventions say (ECMA-376,
+ * part 2, 6.2.2.3). Not thread safe.
+ */
+internal class ZipArchive(private val source: Source) {
+    private class Entry(val name: String, val method: Int, val isEncrypted: Boolean, val size: Long, val position: Long)
+
+    private val buffer = ByteBuffer.wrap(source.bytes).order(ByteOrder.LITTLE_ENDIAN)
+    private val entries = LinkedHashMap<String, Entry>()
+
+    init {
+        readDirectory()
+    }
+
+    /** The names of all files, in the directory's order. */
+    val names: List<String> get() = entries.values.map { it.name }
+
+    /** Returns the decoded bytes of the file called [name], or null if there is none; each counts as decoded when it is read. */
+    fun open(name: String): InputStream? {
+        val entry = entries[key(name)] ?: return null
+        if (entry.isEncrypted) source.fail(entry.name, "is encrypted", "save the model without a password")
+        val start = entry.position
+        if (start < 0 || start > buffer.limit() - LOCAL_HEADER || buffer.getInt(start.toInt()) != LOCAL_MARK) damaged()
+        val at = start.toInt()
+        val content = start + LOCAL_HEADER + short(at + 26) + short(at + 28)
+        if (entry.size < 0 || content + entry.size > buffer.limit()) damaged()
+        val packed = ByteArrayInputStream(source.bytes, content.toInt(), entry.size.toInt())
+        return when (entry.method) {
+            STORED -> packed
+            DEFLATED -> Limited(source, InflaterInputStream(packed, Inflater(true), CHUNK))
+            else -> source.fail(entry.name, "is packed by method ${entry.method}", "pack it by method 8, deflate")
+        }
+    }
+
+    private fun readDirectory() {
+        val end = (buffer.limit() - END_RECORD downTo maxOf(0, buffer.limit() - END_RECORD - MOST_COMMENT))
+            .firstOrNull { buffer.getInt(it) == END_MARK } ?: source.fail(
+            null,
+            "the file is no ZIP archive, or is cut short",
+            "export or copy the model again",
+        )
+        var count = short(end + 10).toLong()
+        var position = buffer.getInt(end + 16).toLong() and MOST_INT
+        val locator = end - LOCATOR
+        if (locator >= 0 && buffer.getInt(locator) == LOCATOR_MARK) {
+            val large = buffer.getLong(locator + 8)
+            if (large < 0 || large > buffer.limit() - LARGE_END_RECORD) damaged()
+            count = buffer.getLong(large.toInt() + 32)
+            position = buffer.getLong(large.toInt() + 48)
+        }
+        while (count-- > 0) {
+            if (position < 0 || position > buffer.limit() - DIRECTORY_HEADER) damaged()
+            position = readEntry(position.toInt())
+        }
+    }
+
+    /** Reads the entry of the directory at [at]; returns where the next is. */
+    private fun readEntry(at: Int): Long {
+        if (buffer.getInt(at) != DIRECTORY_MARK) damaged()
+        val nameLength = short(at + 28)
+        val extraLength = short(at + 30)
+        val next = at.toLong() + DIRECTORY_HEADER + nameLength + extraLength + short(at + 32)
+        if (next > buffer.limit()) damaged()
+        val name = String(source.bytes, at + DIRECTORY_HEADER, nameLength, Charsets.UTF_8)
+
+        // Numbers that do not fit 32 bits stand in a field of their own: both sizes and the position, where each is needed
+        val length = buffer.getInt(at + 24).toLong() and MOST_INT
+        var size = buffer.getInt(at + 20).toLong() and MOST_INT
+        var position = buffer.getInt(at + 42).toLong() and MOST_INT
+        var large = largeNumbers(at + DIRECTORY_HEADER + nameLength, extraLength) + (if (length == MOST_INT) 8 else 0)
+        if (size == MOST_INT) {
+            size = long(large)
+            large += 8
+        }
+        if (position == MOST_INT) position = long(large)
+        val isEncrypted = short(at + 8) and 1 != 0
+        entries.putIfAbsent(key(name), Entry(name, short(at + 10), isEncrypted, size, position))
+        return next
+    }
+
+    /** Returns where the 64-bit numbers begin in the extra fields at [start], or the end of the file. */
+    private fun largeNumbers(start: Int, length: Int): Int {
+        var at = start
+        while (at + 4 <= start + length) {
+            if (short(at) == 1) return at + 4
+            at += 4 + short(at + 2)
+        }
+        return buffer.limit()
+    }
+
+    private fun short(at: Int): Int = buffer.getShort(at).toInt() and 0xFFFF
+
+    private fun long(at: Int): Long = if (at <= buffer.limit() - 8) buffer.getLong(at) else damaged()
+
+    private fun damaged(): Nothing =
+        source.fail(null, "the ZIP archive's directory is damaged", "export or copy the model again")
+
+    /** Decoded bytes, none of which is made beyond the limits. */
+    private class Limited(private val source: Source, private val decoded: InputStream) : InputStream() {
+        override fun read(): Int = ByteArray(1).let { if (read(it, 0, 1) < 0) -1 else it[0].toInt() and 0xFF }
+
+        override fun read(bytes: ByteArray, offset: Int, length: Int): Int {
+            val count = decoded.read(bytes, offset, minOf(length, CHUNK))
+            if (count > 0) source.loading.decode(source, count.toLong())
+            return count
+        }
+
+        override fun close() = decoded.close()
+    }
+
+    companion object {
+        private const val MOST_INT = 0xFFFFFFFFL
+        private const val END_MARK = 0x06054B50
+        private const val END_RECORD = 22
+        private const val MOST_COMMENT = 0xFFFF
+        private const val LOCATOR_MARK = 0x07064B50
+        private const val LOCATOR = 20
+        private const val LARGE_END_RECORD = 56
+        private const val DIRECTORY_MARK = 0x02014B50
+        private const val DIRECTORY_HEADER = 46
+        private const val LOCAL_MARK = 0x04034B50
+        private const val LOCAL_HEADER = 30
+        private const val STORED = 0
+        private const val DEFLATED = 8
+        private const val CHUNK = 1 shl 16
+
+        private fun key(name: String): String = name.removePrefix("/").lowercase()
+    }
+}

@@ -1,0 +1,122 @@
+package dev.lazyz.scenes.off
+
+import dev.lazyz.Mesh
+import dev.lazyz.Rgba
+import dev.lazyz.scenes.FormatSniffer
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.triangulation.TestSources
+import dev.lazyz.scenes.triangulation.corners
+import dev.lazyz.scenes.triangulation.meshes
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class OffParserTest {
+    private val square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+
+    private fun mesh(text: String, warnings: Int = 0): Mesh {
+        val source = TestSources.of(text)
+        val mesh = OffParser.parse(source).meshes.single()
+        assertEquals(warnings, source.warnings.size, source.warnings.toString())
+        return mesh
+    }
+
+    /** The colours of each triangle's corners, as codes. */
+    private fun Mesh.codes(): List<List<String>> = triangles.toList().chunked(3) { corners ->
+        corners.map { vertex ->
+            val (r, g, b, a) = colors!!.slice(4 * vertex until 4 * vertex + 4)
+            "%08X".format(Rgba(r, g, b, a).toArgb())
+        }.distinct()
+    }
+
+    @Test
+    fun headersOfAllFormsAreRead() {
+        val expected = mesh("OFF\n4 1 0\n${square}4 0 1 2 3\n").corners()
+        assertEquals(2, expected.size / 3)
+        val commented = "# a\n\n OFF # b\n# c\n\n4 1 # d\n"
+        val headers = listOf("OFF 4 1 0\n", "OFF4 1 0\n", "4 1\n", "OFF\n4 1\n", commented, "off\r4 1 9\r")
+        for (header in headers) {
+            assertEquals(expected, mesh("$header${square}4 0 1 2 3").corners(), header)
+            if (header != "4 1\n" && '#' !in header) {
+                assertEquals(SceneFormat.OFF, FormatSniffer.format((header + square).toByteArray()), header)
+            }
+        }
+        assertEquals(listOf(0f, 0f, 1f), mesh("OFF 4 1\n${square}4 0 1 2 3").normals!!.take(3))
+    }
+
+    @Test
+    fun verticesHaveWhatTheHeaderSays() {
+        val vertices = "0 0 0 0 1 0 255 0 0 0.25 1\n1 0 0 0 1 0 0 0 255 128 0 0.75\n0 1 0 0 1 0 0 255 0 1 0\n"
+        for (header in listOf("STCNOFF", "NCSTOFF")) {
+            val mesh = mesh("$header\n3 1 0\n${vertices}3 0 1 2\n")
+            assertEquals(listOf(0f, 1f, 0f), mesh.normals!!.take(3))
+            assertEquals(listOf(0.25f, 0f, 0f, 0.25f, 1f, 1f), mesh.uvs!!.toList())
+            assertEquals(listOf(listOf("FFFF0000", "800000FF", "FF00FF00")), mesh.codes())
+        }
+        val plain = mesh("COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 0 0.5 0 1\n0 1 0\n3 0 1 2\n", warnings = 0)
+        assertEquals(listOf(listOf("FFFF0000", "FF008000", "FFFFFFFF")), plain.codes())
+    }
+
+    @Test
+    fun facesHaveColours() {
+        val faces = "3 0 1 2 255 0 0\n3 0 2 3 0 0.5 0 0.5\n3 0 1 3\n4 0 1 2 3 1 0 0 # red?\n"
+        val codes = mesh("OFF\n4 4 0\n$square$faces").codes()
+        assertEquals(listOf("FFFF0000", "80008000", "FFFFFFFF", "FFFF0000", "FFFF0000"), codes.map { it.single() })
+
+        // Among whole numbers 1 is nearly nothing, and alone it is all
+        assertEquals(listOf("FF010000", "FF00FF00"), twoFaces("1 0 0", "0 255 0"))
+        assertEquals(listOf("FFFF0000", "FF0000FF"), twoFaces("1 0 0", "0 0 1 1"))
+    }
+
+    @Test
+    fun facesMayRunOverSeveralLines() {
+        val mesh = mesh("OFF\n4 2 0\n${square}3 0 \n1 \n2 255 0 0\n\n3\n0 2 3 0 0 255\n")
+        assertEquals(listOf("FFFF0000", "FF0000FF"), mesh.codes().map { it.single() })
+    }
+
+    private fun twoFaces(first: String, second: String) =
+        mesh("OFF\n4 2 0\n${square}3 0 1 2 $first\n3 0 2 3 $second\n").codes().map { it.single() }
+
+    @Test
+    fun whatIsPassedOverGivesOneWarning() {
+        assertNull(mesh("OFF\n4 2 0\n${square}3 0 1 2 7\n3 0 2 3 1 2 3 4 5\n", warnings = 1).colors)
+        assertEquals(1, mesh("OFF\n4 3 0\n${square}3 0 1 2\n2 0 1\n1 0\n", warnings = 1).triangleCount)
+        assertEquals(1, mesh("OFF\n3 1 0\n0 0 0 9\n1 0 0\n0 1 0 9 9 9\n3 0 1 2\n", warnings = 1).triangleCount)
+        val source = TestSources.of("OFF\n1 0 0\n0 0 0\n")
+        assertEquals(0, OffParser.parse(source).surfaces.size)
+        assertEquals(1, source.warnings.size)
+    }
+
+    @Test
+    fun mistakesNameTheirLine() {
+        fun assertFails(text: String, location: String?, part: String) {
+            val error = TestSources.error(OffParser, TestSources.of(text))
+            assertEquals(location, error.location, error.message)
+            assertTrue(part in error.message!!, error.message)
+        }
+        assertFails("", null, "empty")
+        assertFails("# nothing", null, "no words")
+        assertFails("4OFF\n1 1 1\n", "line 1", "three dimensions")
+        assertFails("STCN4nOFF\n5\n1 1 1\n", "line 1", "three dimensions")
+        assertFails("OFF BINARY\n\u0000\u0000", "line 1", "binary OFF")
+        assertFails("OFF\n4\n$square", "line 2", "numbers of vertices and faces")
+        assertFails("OFF\n", "line 1", "numbers of vertices and faces")
+        assertFails("OFF\n353535235358 6 0\n$square", "line 2", "353535235358")
+        assertFails("OFF\n2000000000 6 0\n$square", "line 2", "too few")
+        assertFails("OFF\n4 1 0\n0 0 0\n1 0\n0 1 0\n0 0 0\n3 0 1 2\n", "line 4", "has 2 numbers, not 3")
+        assertFails("OFF\n4 1 0\n${square}3 0 1 4\n", "line 7", "0..3: 4")
+        assertFails("OFF\n4 1 0\n${square}3 0 1 1.5\n", "line 7", "1.5")
+        assertFails("OFF\n4 1 0\n${square}3 0 1\n", "line 7", "within a face of 3 corners")
+        assertFails("OFF\n4 1 0\n${square}3 0 1 x\n", "line 7", "\"x\"")
+        assertFails("OFF\n4 1 0\n0,5 0 0\n${square}3 0 1 x\n", "line 3", "decimal point")
+        assertFails("OFF\n4 2 0\n${square}3 0 1 2\n", "line 7", "after 1 of 2 faces")
+    }
+
+    @Test
+    fun damageIsReportedAndNothingElse() {
+        TestSources.assertSurvivesDamage(OffParser, "OFF\n4 2 0\n${square}3 0 1 2 255 0 0\n4 0 1 2 3\n".toByteArray())
+        val all = "STCNOFF 3 1\n0 0 0 0 1 0 255 0 0 0 1\n1 0 0 0 1 0 0 0 1 1 0\n0 1 0 0 1 0 1 1 1 0 0\n3 0 1 2\n"
+        TestSources.assertSurvivesDamage(OffParser, all.toByteArray())
+    }
+}

@@ -1,0 +1,134 @@
+package dev.lazyz.scenes.threemf
+
+import dev.lazyz.AlphaMode
+import dev.lazyz.Mesh
+import dev.lazyz.Rgba
+import dev.lazyz.TextureFilter
+import dev.lazyz.TextureWrap
+import dev.lazyz.scenes.images.PngFile
+import dev.lazyz.scenes.threemf.ThreeMfFiles.model
+import dev.lazyz.scenes.triangulation.TestSources
+import dev.lazyz.scenes.triangulation.meshes
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Test
+
+class ThreeMfLooksTest {
+    private val bases = "<basematerials id=\"1\"><base name=\"a\" displaycolor=\"#FF0000\"/>" +
+        "<base displaycolor=\"#0000FF80\"/><base name=\"none\"/></basematerials>"
+    private val colors =
+        "<m:colorgroup id=\"2\"><m:color color=\"#00FF00FF\"/><m:color color=\"#808080\"/></m:colorgroup>"
+
+    /** An object of triangles with the given attributes, all at one place. */
+    private fun thing(attributes: String, vararg triangles: String) = "<object $attributes><mesh><vertices>" +
+        "<vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/><vertex x=\"0\" y=\"1\" z=\"0\"/>" +
+        "</vertices><triangles>" + triangles.joinToString("") { "<triangle v1=\"0\" v2=\"1\" v3=\"2\" $it/>" } +
+        "</triangles></mesh></object>"
+
+    private fun meshes(resources: String, build: String, warnings: List<String> = emptyList()): List<Mesh> {
+        val png = PngFile.of(1, 1, 8, PngFile.GREY, listOf(PngFile.bytes(9)))
+        val bytes = ThreeMfFiles.of(model(resources, build), "3D/Textures/t.png" to png)
+        val source = TestSources.of(bytes)
+        val meshes = ThreeMfParser.parse(source).meshes
+        assertEquals(warnings.map { "test: $it" }, source.warnings)
+        return meshes
+    }
+
+    /** The colours of each corner, as codes. */
+    private fun Mesh.codes() = triangles.map { vertex ->
+        val (r, g, b, a) = colors!!.slice(4 * vertex until 4 * vertex + 4)
+        "%08X".format(Rgba(r, g, b, a).toArgb())
+    }
+
+    private val item = "<item objectid=\"9\"/>"
+
+    @Test
+    fun trianglesAndCornersHaveColours() {
+        val triangles = arrayOf("", "pid=\"2\" p1=\"1\"", "p1=\"2\"", "pid=\"2\" p1=\"0\" p2=\"1\" p3=\"0\"")
+        val mesh = meshes(bases + colors + thing("id=\"9\" pid=\"1\" pindex=\"1\"", *triangles), item).single()
+        val expected = List(3) { "800000FF" } + List(3) { "FF808080" } + List(3) { "FFFFFFFF" } +
+            listOf("FF00FF00", "FF808080", "FF00FF00")
+        assertEquals(expected, mesh.codes())
+        assertEquals(AlphaMode.BLEND, mesh.material.alphaMode)
+        val opaque = meshes(colors + thing("id=\"9\" pid=\"2\"", ""), item).single()
+        assertEquals(AlphaMode.OPAQUE, opaque.material.alphaMode)
+        assertEquals(List(3) { "FF00FF00" }, opaque.codes())
+    }
+
+    @Test
+    fun whatIsNoColourIsWhite() {
+        val all = listOf("#FF", "FF0000FF", "#GG0000", "#FF00000000", " #ff0000 ")
+        val group = "<m:colorgroup id=\"2\">" + all.joinToString("") { "<m:color color=\"$it\"/>" } + "</m:colorgroup>"
+        val triangles = all.indices.map { "pid=\"2\" p1=\"$it\"" }.toTypedArray()
+        val warning = "what is not shown: 4 colours that are not #RRGGBB or #RRGGBBAA"
+        val mesh = meshes(group + thing("id=\"9\"", *triangles), item, listOf(warning)).single()
+        assertEquals(List(12) { "FFFFFFFF" } + List(3) { "FFFF0000" }, mesh.codes())
+    }
+
+    @Test
+    fun baseMaterialsWithoutAlphaAreOpaque() {
+        val group = "<basematerials id=\"1\"><base displaycolor=\"#CAD1EE00\"/></basematerials>"
+        val mesh = meshes(group + thing("id=\"9\" pid=\"1\"", ""), item).single()
+        assertEquals("FFCAD1EE", mesh.codes()[0])
+        assertEquals(AlphaMode.OPAQUE, mesh.material.alphaMode)
+    }
+
+    @Test
+    fun prefixesNeedNoDeclaration() {
+        val group = "<x:basematerials id=\"1\"><y:base displaycolor=\"#FF0000\"/></x:basematerials>"
+        assertEquals("FFFF0000", meshes(group + thing("id=\"9\" pid=\"1\"", ""), item).single().codes()[0])
+    }
+
+    @Test
+    fun componentsWithoutLooksHaveThoseOfTheWhole() {
+        val whole = "<object id=\"9\" pid=\"2\" pindex=\"0\"><components><component objectid=\"4\"/>" +
+            "<component objectid=\"5\"/></components></object>"
+        val parts = thing("id=\"4\"", "") + thing("id=\"5\" pid=\"1\" pindex=\"0\"", "")
+        val (first, second, alone) = meshes(bases + colors + parts + whole, "$item<item objectid=\"4\"/>")
+        assertEquals("FF00FF00", first.codes()[0])
+        assertEquals("FFFF0000", second.codes()[0])
+        assertNull(alone.colors)
+    }
+
+    private val textures = "<m:texture2d id=\"3\" path=\"/3D/Textures/t.png\" contenttype=\"image/png\" " +
+        "tilestyleu=\"mirror\" tilestylev=\"clamp\" filter=\"nearest\"/><m:texture2dgroup id=\"4\" texid=\"3\">" +
+        "<m:tex2coord u=\"0\" v=\"0\"/><m:tex2coord u=\"1\" v=\"0.25\"/></m:texture2dgroup>"
+
+    @Test
+    fun texturesAreMeshesOfTheirOwn() {
+        val triangles = arrayOf("pid=\"4\" p1=\"0\" p2=\"1\" p3=\"1\"", "pid=\"1\" p1=\"0\"", "pid=\"4\" p1=\"1\"")
+        val (textured, colored) = meshes(textures + bases + thing("id=\"9\"", *triangles), item)
+        assertEquals(listOf(2, 1), listOf(textured.triangleCount, colored.triangleCount))
+        val uvs = textured.triangles.map { textured.uvs!!.slice(2 * it..2 * it + 1) }
+        assertEquals(listOf(listOf(0f, 1f)) + List(5) { listOf(1f, 0.75f) }, uvs)
+        val texture = textured.material.texture!!
+        assertEquals(listOf(TextureWrap.MIRROR, TextureWrap.CLAMP), listOf(texture.wrapU, texture.wrapV))
+        assertEquals(TextureFilter.NEAREST, texture.filter)
+        assertNull(colored.material.texture)
+    }
+
+    @Test
+    fun mixesAndLayersBecomeOneLook() {
+        val mix = "<m:compositematerials id=\"5\" matid=\"1\" matindices=\"0 2\"><m:composite values=\"3 1\"/>" +
+            "</m:compositematerials>"
+        val layers = "<m:multiproperties id=\"6\" pids=\"1 4\"><m:multi pindices=\"0 1\"/><m:multi pindices=\"0\"/>" +
+            "</m:multiproperties>"
+        val warning = listOf("what is not shown: 1 layers of multiproperties")
+        val thing = thing("id=\"9\"", "pid=\"5\" p1=\"0\"", "pid=\"6\" p1=\"0\" p2=\"1\" p3=\"1\"")
+        val (mixed, layered) = meshes(bases + textures + mix + layers + thing, item, warning)
+        assertEquals(listOf(1f, 0.25f, 0.25f, 1f), mixed.colors!!.take(4))
+        assertEquals("t.png", layered.material.texture!!.name)
+        assertEquals(listOf(1f, 0.75f, 0f, 1f), layered.uvs!!.take(4))
+    }
+
+    @Test
+    fun whatIsNotThereGivesAWarning() {
+        val warning = "3 triangles refer to colours or textures that are not there, and are drawn without"
+        val triangles = arrayOf("pid=\"2\" p1=\"2\"", "pid=\"7\" p1=\"0\"", "pid=\"2\" p1=\"0\" p2=\"9\"")
+        assertNull(meshes(colors + thing("id=\"9\"", *triangles), item, listOf(warning)).single().colors)
+        val missing = textures.replace("t.png", "u.png") + thing("id=\"9\" pid=\"4\" pindex=\"0\"", "")
+        val lost = "texture /3D/Textures/u.png is not in the package and is left out"
+        val mesh = meshes(missing, item, listOf(lost)).single()
+        assertNull(mesh.material.texture)
+    }
+}
