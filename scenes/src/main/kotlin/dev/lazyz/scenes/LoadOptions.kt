@@ -14,7 +14,7 @@ public class LoadOptions @JvmOverloads constructor(
     public val animationTime: Double? = null,
 ) {
     init {
-        require(animationTime == null || animationTime >= 0.0 && animationTime.isFinite()) {
+        require(animationTime == null || (animationTime >= 0.0 && animationTime.isFinite())) {
             "animationTime must be 0 or more: $animationTime"
         }
     }

@@ -62,9 +62,8 @@ internal class GltfAnimation(private val document: GltfDocument, private val acc
     private fun keyframes(sampler: AnimationSampler, where: String, type: ElementType, width: Int): Keyframes {
         val times = accessors.floats(sampler.input, "$where.input", ElementType.SCALAR)
         val values = accessors.floats(sampler.output, "$where.output", type)
-        val name = sampler.interpolation ?: "LINEAR"
-        val interpolation = Interpolation.entries.firstOrNull { it.name == name }
-            ?: document.fail("$where.interpolation", "there is no interpolation $name")
+        val interpolation =
+            Interpolation.entries.firstOrNull { it.name == sampler.interpolation } ?: Interpolation.LINEAR
         val expected = times.size.toLong() * width * interpolation.valuesPerKey
         if (times.isEmpty() || expected != values.size.toLong()) {
             document.fail(where, "there are ${values.size} numbers for ${times.size} moments, not $expected")

@@ -34,7 +34,8 @@ internal class GltfCompressedViews(private val document: GltfDocument) {
             // What the view has is read from the data, so the two must be equally long
             val size = data.count.toLong() * data.stride
             if (size != view.byteLength?.toLong()) {
-                document.fail("bufferViews[$index].byteLength", "it is ${view.byteLength}, but $size bytes are compressed")
+                val problem = "it is ${view.byteLength}, but $size bytes are compressed"
+                document.fail("bufferViews[$index].byteLength", problem)
             }
             document.source.loading.decode(document.source, size + bytes.capacity())
             return data.decode(ByteArray(bytes.capacity()).also { bytes.get(it) })

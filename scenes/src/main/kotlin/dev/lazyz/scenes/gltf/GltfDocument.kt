@@ -34,7 +34,8 @@ internal class GltfDocument(val source: Source, val json: GlTF, private val bina
         val view = element(json.bufferViews, index, "bufferViews", where)
         compressed.view(view, checkNotNull(index))?.let { return it }
         val here = "bufferViews[$index]"
-        return bytes(view.buffer, view.byteOffset ?: 0, view.byteLength ?: fail("$here.byteLength", "it is missing"), here)
+        val length = view.byteLength ?: fail("$here.byteLength", "it is missing")
+        return bytes(view.buffer, view.byteOffset ?: 0, length, here)
     }
 
     /** Returns bytes of a buffer, little endian; [here] is the place that refers to them. */

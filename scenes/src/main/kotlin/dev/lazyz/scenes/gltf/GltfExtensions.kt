@@ -19,7 +19,8 @@ internal object GltfExtensions {
     private const val MOST_SHOWN = 20
 
     /** Without these the picture has the right shapes, and other colours. */
-    private val appearance = listOf("KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "EXT_lights_")
+    private val appearance =
+        listOf("KHR_materials_", "KHR_techniques_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "EXT_lights_")
 
     /** Fails if the file requires an extension without which its shapes cannot be read. */
     fun check(document: GltfDocument) {

@@ -54,6 +54,15 @@ internal class DracoGeometry private constructor(private val mesh: DracoMesh) {
         private const val FACE_BYTES = 120L
         private const val VERTEX_BYTES = 120L
 
+        /** Milliseconds; some thousand times what good data takes. */
+        private const val LEAST_TIME = 5_000L
+        private const val TIME_PER_BYTE = 1L
+
+        private const val DAMAGED = "the compressed data is damaged"
+
+        /** Damaged data may make drako go round in circles. */
+        private val steps = EndlessSteps(2)
+
         /**
          * Decodes [bytes].
          *
@@ -64,8 +73,8 @@ internal class DracoGeometry private constructor(private val mesh: DracoMesh) {
             val header = DracoHeader.read(bytes)
             allow(header.faces * FACE_BYTES + header.vertices * VERTEX_BYTES)
             return guarded {
-                val mesh = Draco.decode(bytes) as? DracoMesh ?: throw DracoException("the compressed data is damaged")
-                DracoGeometry(mesh)
+                val mesh = steps.run(LEAST_TIME + bytes.size * TIME_PER_BYTE) { Draco.decode(bytes) }
+                DracoGeometry(mesh as? DracoMesh ?: throw DracoException(DAMAGED))
             }
         }
 
@@ -75,11 +84,11 @@ internal class DracoGeometry private constructor(private val mesh: DracoMesh) {
         } catch (e: DracoException) {
             throw e
         } catch (e: Exception) {
-            throw DracoException("the compressed data is damaged", e)
+            throw DracoException(DAMAGED, e)
         } catch (e: StackOverflowError) {
-            throw DracoException("the compressed data is damaged", e)
+            throw DracoException(DAMAGED, e)
         } catch (e: OutOfMemoryError) {
-            throw DracoException("the compressed data is damaged, or needs more memory than there is", e)
+            throw DracoException("$DAMAGED, or needs more memory than there is", e)
         }
     }
 }

@@ -15,7 +15,7 @@ internal class ElementDeltas(private val before: ByteArray, private val channels
     init {
         for (channel in channels) {
             val mode = channel.toInt() and 0xFF
-            if (mode and 15 > XOR || mode and 15 != XOR && mode shr 4 != 0) {
+            if (mode and 15 > XOR || (mode and 15 != XOR && mode shr 4 != 0)) {
                 throw MeshoptException("there is no channel mode $mode")
             }
         }
@@ -56,7 +56,8 @@ internal class ElementDeltas(private val before: ByteArray, private val channels
     }
 
     private fun word(bytes: ByteArray, at: Int): Int = (bytes[at].toInt() and 0xFF) or
-        (bytes[at + 1].toInt() and 0xFF shl 8) or (bytes[at + 2].toInt() and 0xFF shl 16) or (bytes[at + 3].toInt() shl 24)
+        (bytes[at + 1].toInt() and 0xFF shl 8) or (bytes[at + 2].toInt() and 0xFF shl 16) or
+        (bytes[at + 3].toInt() shl 24)
 
     private companion object {
         const val BYTES = 0

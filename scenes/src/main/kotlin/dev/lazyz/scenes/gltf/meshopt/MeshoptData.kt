@@ -17,7 +17,8 @@ internal class MeshoptData(private val mode: String, private val filter: String,
         val isAttributes = mode == "ATTRIBUTES"
         check(count >= 0, "count", "$count")
         check(isAttributes || mode == "TRIANGLES" || mode == "INDICES", "mode", mode)
-        check(if (isAttributes) stride in 4..256 && stride % 4 == 0 else stride == 2 || stride == 4, "byteStride", "$stride")
+        val strides = if (isAttributes) 4..256 step 4 else 2..4 step 2
+        check(stride in strides, "byteStride", "$stride")
         check(mode != "TRIANGLES" || count % 3 == 0, "count", "$count")
         val isFilterAllowed = when (filter) {
             "NONE" -> true
