@@ -111,7 +111,7 @@ class Version1Test {
         fails("\"indices\":\"i\"", "\"indices\":\"j\"", "meshes.m.primitives[0].indices", "accessors.j does not exist")
         fails("[\"leaf\"]", "[\"leaf\",7]", "nodes.root.children[1]", "nodes.7 does not exist")
         fails("\"scene\":\"s\"", "\"scene\":\"none\"", "scene", "scenes.none does not exist")
-        fails("\"samplers\":{\"sam\":{\"magFilter\":9728}}", "\"samplers\":{\"sam\":[]}", "samplers.sam", "no JSON object")
+        fails("\"sam\":{\"magFilter\":9728}", "\"sam\":[]", "samplers.sam", "no JSON object")
     }
 
     @Test
