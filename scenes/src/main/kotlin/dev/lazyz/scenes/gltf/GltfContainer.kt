@@ -53,7 +53,7 @@ internal object GltfContainer {
         if (end !in start..length) {
             source.fail("byte $HEADER", "the JSON ends beyond the file of $length bytes", COPY_AGAIN)
         }
-        val gltf = GltfJson.read(source, start, end.toInt() - start)
+        val gltf = GltfJson.read(source, start, end.toInt() - start, GltfJson.Container.VERSION_1)
         return GltfDocument(source, gltf, buffer.slice(end.toInt(), length - end.toInt()))
     }
 

@@ -24,7 +24,7 @@ internal class Version1Json private constructor(
         new.putObject("asset").put("version", "2.0")
         listOf("buffers", "bufferViews", "accessors", "images", "samplers", "textures", "materials").forEach(::number)
         listOf("meshes", "cameras", "nodes", "scenes").forEach(::number)
-        copies("buffers") { _, buffer -> if (buffer.path("uri").asText() == NO_DATA) buffer.remove("uri") }
+        copies("buffers")
         copies("bufferViews") { where, view -> refer(view, "buffer", "buffers", where) }
         copies("accessors", ::accessor)
         copies("images", ::image)
@@ -132,14 +132,16 @@ internal class Version1Json private constructor(
 
         private val unnumbered = setOf("COLOR", "TEXCOORD")
 
-        /** What binary files say where data is elsewhere. */
-        private const val NO_DATA = "data:,"
-
         /** Whether [tree] is of version 1.0, or of none but in its form. */
         fun isMeant(tree: JsonNode): Boolean {
             val version = tree.path("asset").path("version").asText("")
             val isInForm = listOf("meshes", "accessors", "techniques").any { tree.path(it).isObject }
             return version == "1" || version.startsWith("1.") || (version.isEmpty() && isInForm)
+        }
+
+        /** Makes the buffer that is called so the data of the binary file that [tree] is in, whatever else it says. */
+        fun referToData(tree: JsonNode) {
+            (tree.path("buffers").path(BINARY) as? ObjectNode)?.remove("uri")
         }
 
         /**

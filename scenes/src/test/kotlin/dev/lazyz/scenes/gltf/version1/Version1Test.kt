@@ -94,7 +94,7 @@ class Version1Test {
     @Test
     fun binaryFilesHoldBuffersAndPictures() {
         val image = """{"uri":"data:,","extensions":{"KHR_binary_glTF":{"bufferView":"pic","mimeType":"image/png"}}}"""
-        val text = json("""{"values":{"diffuse":"tex"}}""", "data:,", "binary_glTF", image)
+        val text = json("""{"values":{"diffuse":"tex"}}""", "elsewhere.bin", "binary_glTF", image)
         val mesh = GltfParser.parse(TestSources.of(glb(text))).meshes[0]
         assertEquals(expected, mesh.corners().flatten())
         assertEquals(1, mesh.material.texture?.width)
