@@ -29,7 +29,9 @@ class KeyframesTest {
     fun splinesHaveTangentsPerSecond() {
         // Tangent before, value, tangent after; from second 2 to 4 it is t^3 + t: 0 and 10 with slopes 1 and 13
         val spline = keyframes(Interpolation.CUBICSPLINE, floatArrayOf(9f, 0f, 0f, 9f, 0f, 1f, 13f, 10f, 9f))
-        for (t in listOf(0.0, 0.5, 1.0, 1.75, 2.0)) assertEquals(t * t * t + t, spline.at(2.0 + t).single(), 1e-12, "$t")
+        for (t in listOf(0.0, 0.5, 1.0, 1.75, 2.0)) {
+            assertEquals(t * t * t + t, spline.at(2.0 + t).single(), 1e-12, "$t")
+        }
         assertEquals(0.0, spline.at(0.0).single())
         assertEquals(10.0, spline.at(5.0).single())
     }
