@@ -9,6 +9,7 @@ dependencies {
     implementation(libs.serialization.json)
     implementation(libs.jackson.databind)
     implementation(libs.jgltf.model)
+    implementation(libs.drako)
     implementation(libs.obj)
     implementation(libs.earcut4j)
 }

@@ -12,7 +12,7 @@ import dev.lazyz.scenes.LoadedScene
 
 /** The one way from the command line to a frame: reads what [subject] names, and sets it up as the user wants it. */
 internal class FrameSource(private val subject: Subject, private val streams: Streams) {
-    val input = Input(subject.input, subject.format, subject.limits)
+    val input = Input(subject.input, subject.format, subject.loading)
 
     /** Reads the input, and tells its warnings. */
     fun load(): LoadedScene {

@@ -1,6 +1,6 @@
 package dev.lazyz.cli
 
-import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
@@ -16,7 +16,7 @@ import java.nio.file.Path
 internal class Input(
     private val word: String,
     private val format: SceneFormat?,
-    private val limits: LoadLimits = LoadLimits(),
+    private val options: LoadOptions = LoadOptions(),
 ) {
     private val isStandardInput = word == "-"
     private val builtin = if (format == null) Scenes.builtins.firstOrNull { it.id == word } else null
@@ -38,16 +38,16 @@ internal class Input(
     fun load(streams: Streams): LoadedScene {
         if (isStandardInput) {
             val known = format ?: throw Mistake("say what standard input is with --format $FORMATS")
-            return Scenes.load(streams.input, known, name, limits = limits)
+            return Scenes.load(streams.input, known, name, null, options)
         }
         if (builtin != null) return LoadedScene(builtin.scene(), emptyList(), builtin.size)
         val path = Path.of(word)
         requireFile(path)
-        if (format != null) return Scenes.load(path, format, limits)
+        if (format != null) return Scenes.load(path, format, options)
 
         // What has no ending is told by its first bytes; an ending that says nothing is a mistake
         val ending = path.fileName.toString().substringAfterLast('.', "")
-        if (ending.isEmpty() || SceneFormat.ofFileName(word) != null) return Scenes.load(path, limits)
+        if (ending.isEmpty() || SceneFormat.ofFileName(word) != null) return Scenes.load(path, options)
         throw Mistake("cannot tell from '.$ending' what $word is; say it with --format $FORMATS")
     }
 

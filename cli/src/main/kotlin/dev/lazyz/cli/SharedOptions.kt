@@ -13,6 +13,7 @@ import dev.lazyz.Points
 import dev.lazyz.RenderOptions
 import dev.lazyz.Selector
 import dev.lazyz.Shading
+import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
 
 /** What INPUT may be, for help. */
@@ -31,7 +32,7 @@ internal fun subject(
     Subject(
         input = input,
         format = reading.format,
-        limits = limits.limits(),
+        loading = LoadOptions(limits.limits(), reading.animationTime),
         up = reading.up,
         size = picture.size,
         region = picture.region,
@@ -59,6 +60,11 @@ internal class ReadingOptions : OptionGroup("Reading") {
     val up by option("--up", help = "Which axis of the model points up: y or z; default: y")
         .oneOf("AXIS", Up.entries.associateBy { it.name.lowercase() })
         .default(Up.Y)
+
+    val animationTime by option(
+        "--animation-time",
+        help = "Show the model at this moment of its first animation (glTF), 0..1000000; default: at rest",
+    ).number("SECONDS", 0.0..1e6, " seconds")
 }
 
 /** What the picture is like. */

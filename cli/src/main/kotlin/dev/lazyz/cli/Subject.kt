@@ -5,7 +5,7 @@ import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.Shading
 import dev.lazyz.scenes.ImageSize
-import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
 
 /** Which axis of the input points up. */
@@ -18,7 +18,7 @@ internal enum class Translucency { BLENDED, OPAQUE }
 internal class Subject(
     val input: String,
     val format: SceneFormat?,
-    val limits: LoadLimits,
+    val loading: LoadOptions,
     val up: Up,
     val size: ImageSize?,
     val region: Region?,

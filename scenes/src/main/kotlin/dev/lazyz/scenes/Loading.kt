@@ -4,10 +4,12 @@ import dev.lazyz.Texture
 import java.nio.file.Path
 
 /**
- * One call of [Scenes.load]: its [limits], what it has used of them so far, and the textures that it has read. All sources
+ * One call of [Scenes.load]: its [options], what it has used of them so far, and the textures that it has read. All sources
  * of the call share it. Not thread safe.
  */
-internal class Loading(val limits: LoadLimits = LoadLimits()) {
+internal class Loading(val options: LoadOptions = LoadOptions()) {
+    val limits: LoadLimits = options.limits
+
     /** Textures by the files' real paths; null for one that cannot be decoded. */
     val textures: MutableMap<Path, Texture?> = HashMap()
 

@@ -19,9 +19,9 @@ internal object SceneReading {
     private const val PIECE = 1 shl 20
 
     /** Reads a file of the given format, or of the one that its content looks like. */
-    fun read(path: Path, format: SceneFormat?, limits: LoadLimits): LoadedScene {
+    fun read(path: Path, format: SceneFormat?, options: LoadOptions): LoadedScene {
         val folder = path.toAbsolutePath().parent
-        return read(path, format, Loading(limits), folder)
+        return read(path, format, Loading(options), folder)
     }
 
     /** Reads a file as a part of a larger reading, whose references must not lead out of [root]. */
@@ -36,14 +36,14 @@ internal object SceneReading {
         format: SceneFormat,
         name: String,
         folder: Path?,
-        limits: LoadLimits,
+        options: LoadOptions,
     ): LoadedScene {
         val bytes = try {
             bytes(input, 0, name, format)
         } catch (e: IOException) {
             throw SceneFormatException(name, null, "cannot be read: ${e.message ?: e}", cause = e)
         }
-        return parse(Source(bytes, name, folder, Loading(limits)), format)
+        return parse(Source(bytes, name, folder, Loading(options)), format)
     }
 
     private fun parse(source: Source, format: SceneFormat): LoadedScene {
@@ -56,6 +56,9 @@ internal object SceneReading {
             SceneFormat.THREE_MF -> ThreeMfParser
             SceneFormat.GLTF, SceneFormat.GLB -> GltfParser
             SceneFormat.SCENE -> return SceneFileReader(source).read()
+        }
+        if (parser != GltfParser && source.loading.options.animationTime != null) {
+            source.warn("files of this format have no animation, so that the time of one changes nothing")
         }
         return LoadedScene(parser.parse(source), source.warnings.toList())
     }

@@ -37,7 +37,16 @@ public object Scenes {
     @JvmStatic
     @JvmOverloads
     public fun load(path: Path, limits: LoadLimits = LoadLimits()): LoadedScene =
-        SceneReading.read(path, SceneFormat.ofFileName(path.toString()), limits)
+        load(path, LoadOptions(limits))
+
+    /**
+     * Reads the scene in a file, in a way of one's own.
+     *
+     * @throws SceneFormatException as above
+     */
+    @JvmStatic
+    public fun load(path: Path, options: LoadOptions): LoadedScene =
+        SceneReading.read(path, SceneFormat.ofFileName(path.toString()), options)
 
     /**
      * Reads the scene in a file of the given format, whatever its name.
@@ -47,7 +56,16 @@ public object Scenes {
     @JvmStatic
     @JvmOverloads
     public fun load(path: Path, format: SceneFormat, limits: LoadLimits = LoadLimits()): LoadedScene =
-        SceneReading.read(path, format, limits)
+        load(path, format, LoadOptions(limits))
+
+    /**
+     * Reads the scene in a file of the given format, whatever its name, in a way of one's own.
+     *
+     * @throws SceneFormatException as above
+     */
+    @JvmStatic
+    public fun load(path: Path, format: SceneFormat, options: LoadOptions): LoadedScene =
+        SceneReading.read(path, format, options)
 
     /**
      * Reads the scene in a stream, up to its end; does not close it.
@@ -67,7 +85,21 @@ public object Scenes {
         name: String = "<stream>",
         folder: Path? = null,
         limits: LoadLimits = LoadLimits(),
-    ): LoadedScene = SceneReading.read(input, format, name, folder, limits)
+    ): LoadedScene = load(input, format, name, folder, LoadOptions(limits))
+
+    /**
+     * Reads the scene in a stream, up to its end, in a way of one's own; does not close it.
+     *
+     * @throws SceneFormatException as above
+     */
+    @JvmStatic
+    public fun load(
+        input: InputStream,
+        format: SceneFormat,
+        name: String,
+        folder: Path?,
+        options: LoadOptions,
+    ): LoadedScene = SceneReading.read(input, format, name, folder, options)
 
     /**
      * Returns the Utah teapot; see [Builtin].

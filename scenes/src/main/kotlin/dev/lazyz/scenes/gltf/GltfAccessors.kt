@@ -29,9 +29,6 @@ internal class GltfAccessors(private val document: GltfDocument) {
         return floats.getOrPut(checkNotNull(index)) { read(accessor, index, type) }
     }
 
-    /** Returns the type of an accessor's elements; call [floats] first, which finds it to be there. */
-    fun type(index: Int): ElementType = type(checkNotNull(document.json.accessors[index]), index)
-
     /** Returns the whole numbers of a scalar accessor; one beyond 31 bits comes out as -1. */
     fun indices(index: Int, where: String): IntArray {
         val accessor = document.element(document.json.accessors, index, "accessors", where)

@@ -16,6 +16,7 @@ import org.joml.Vector3d
 internal class GltfCameras(private val document: GltfDocument) {
     /** Returns the first camera among [nodes], or null. */
     fun first(nodes: List<PlacedNode>): Viewpoint? {
+        document.count("cameras besides the first are not used", nodes.count { it.node.camera != null } - 1)
         for (placed in nodes) {
             val index = placed.node.camera ?: continue
             val where = "nodes[${placed.index}].camera"

@@ -26,12 +26,15 @@ internal object GltfContainer {
             source.fail("byte ${source.bytes.size}", "the file ends within its header of $HEADER bytes", COPY_AGAIN)
         }
         val version = buffer.getInt(4)
-        if (version != 2) source.fail("byte 4", "the version is $version, not 2", "export the model as glTF 2.0")
+        if (version != 1 && version != 2) {
+            source.fail("byte 4", "the version is $version, not 2", "export the model as glTF 2.0")
+        }
         val length = buffer.getInt(8).toLong() and 0xFFFFFFFFL
         if (length > source.bytes.size) {
             val end = source.bytes.size
             source.fail("byte $end", "the file ends before the $length bytes that byte 8 announces", COPY_AGAIN)
         }
+        if (version == 1) return version1(source, buffer, length.toInt())
         val text = chunk(source, buffer, HEADER)
         if (text.type != JSON_CHUNK) source.fail("byte $HEADER", "the first chunk is not JSON", COPY_AGAIN)
         val gltf = GltfJson.read(source, text.start, text.length)
@@ -41,6 +44,17 @@ internal object GltfContainer {
         if (next + CHUNK_HEADER > length) return GltfDocument(source, gltf, null)
         val binary = chunk(source, buffer, next).takeIf { it.type == BINARY_CHUNK }
         return GltfDocument(source, gltf, binary?.let { buffer.slice(it.start, it.length) })
+    }
+
+    /** glTF 1.0 has two more words, the length and kind of its JSON, and the data behind that. */
+    private fun version1(source: Source, buffer: ByteBuffer, length: Int): GltfDocument {
+        val start = HEADER + CHUNK_HEADER
+        val end = if (length < start) -1L else start + (buffer.getInt(HEADER).toLong() and 0xFFFFFFFFL)
+        if (end !in start..length) {
+            source.fail("byte $HEADER", "the JSON ends beyond the file of $length bytes", COPY_AGAIN)
+        }
+        val gltf = GltfJson.read(source, start, end.toInt() - start, GltfJson.Container.VERSION_1)
+        return GltfDocument(source, gltf, buffer.slice(end.toInt(), length - end.toInt()))
     }
 
     private class Chunk(val type: Int, val start: Int, val length: Int)

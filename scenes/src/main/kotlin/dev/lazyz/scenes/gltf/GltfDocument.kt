@@ -16,7 +16,9 @@ import java.util.Base64
  */
 internal class GltfDocument(val source: Source, val json: GlTF, private val binary: ByteBuffer?) {
     private val buffers = HashMap<Int, ByteBuffer>()
+    private val compressed = GltfCompressedViews(this)
     private val warned = HashSet<String>()
+    private val counts = LinkedHashMap<String, Int>()
 
     /** Returns `list[index]`, or fails: [where] is the place that refers to it, [name] the list's. */
     fun <T : Any> element(list: List<T?>?, index: Int?, name: String, where: String): T {
@@ -30,10 +32,15 @@ internal class GltfDocument(val source: Source, val json: GlTF, private val bina
     /** Returns the bytes of a buffer view, little endian; [where] is the place that refers to it. */
     fun view(index: Int?, where: String): ByteBuffer {
         val view = element(json.bufferViews, index, "bufferViews", where)
+        compressed.view(view, checkNotNull(index))?.let { return it }
         val here = "bufferViews[$index]"
-        val buffer = buffer(view.buffer, "$here.buffer")
-        val offset = view.byteOffset ?: 0
         val length = view.byteLength ?: fail("$here.byteLength", "it is missing")
+        return bytes(view.buffer, view.byteOffset ?: 0, length, here)
+    }
+
+    /** Returns bytes of a buffer, little endian; [here] is the place that refers to them. */
+    fun bytes(index: Int?, offset: Int, length: Int, here: String): ByteBuffer {
+        val buffer = buffer(index, "$here.buffer")
         if (offset < 0 || length < 0 || offset.toLong() + length > buffer.capacity()) {
             val end = offset.toLong() + length
             fail(here, "bytes $offset until $end are not within the buffer of ${buffer.capacity()}")
@@ -99,12 +106,13 @@ internal class GltfDocument(val source: Source, val json: GlTF, private val bina
         if (warned.add(sentence)) source.warn(sentence)
     }
 
-    /** Warns of what a viewer would show and this library does not. */
-    fun warnOfTheRest() {
-        if ("KHR_lights_punctual" in json.extensionsUsed.orEmpty()) warn("lights of the file are not used")
-        if (!json.animations.isNullOrEmpty()) warn("animations are not applied")
-        if (!json.skins.isNullOrEmpty()) warn("skins are not applied; meshes are drawn in the pose they are stored in")
+    /** Counts [more] of what [sentence] says; [warnOfCounts] tells how many there were. */
+    fun count(sentence: String, more: Int = 1) {
+        if (more > 0) counts.merge(sentence, more, Int::plus)
     }
+
+    /** Warns of everything that was counted, once each. */
+    fun warnOfCounts() = counts.forEach { (sentence, count) -> warn("$sentence: $count") }
 
     fun fail(where: String, problem: String): Nothing = source.fail(where, problem, "export the model again")
 

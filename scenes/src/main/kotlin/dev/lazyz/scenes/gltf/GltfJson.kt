@@ -11,6 +11,7 @@ import de.javagl.jgltf.model.io.JacksonUtils
 import de.javagl.jgltf.model.io.JsonError
 import dev.lazyz.scenes.Loading
 import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.gltf.version1.Version1Json
 import java.io.IOException
 
 /**
@@ -22,13 +23,23 @@ import java.io.IOException
 internal object GltfJson {
     private const val REMEDY = "correct it or export the model again"
 
-    fun read(source: Source, start: Int, length: Int): GlTF {
+    /** What the JSON is in. */
+    enum class Container {
+        /** A file of its own, or a binary file of version 2. */
+        USUAL,
+
+        /** A binary file of version 1. */
+        VERSION_1,
+    }
+
+    fun read(source: Source, start: Int, length: Int, container: Container = Container.USUAL): GlTF {
         val mapper = JacksonUtils.createObjectMapper { error -> report(source, error) }
         val nesting = source.loading.limits.nesting
         mapper.factory.setStreamReadConstraints(
             StreamReadConstraints.builder().maxNestingDepth(nesting).maxStringLength(Int.MAX_VALUE).build(),
         )
-        val tree = tree(source, mapper, start, length)
+        val found = tree(source, mapper, start, length)
+        val tree = if (Version1Json.isMeant(found)) version2(source, found, container) else found
         val version = tree.path("asset").path("version").asText("")
         if (!version.startsWith("2.")) {
             source.fail("asset.version", "the version is \"$version\", not 2.0", "export the model as glTF 2.0")
@@ -40,6 +51,12 @@ internal object GltfJson {
         } catch (e: IOException) {
             source.fail(null, "the JSON is not glTF: ${brief(e.message)}", REMEDY, e)
         }
+    }
+
+    private fun version2(source: Source, tree: JsonNode, container: Container): JsonNode {
+        source.warn("the file is glTF 1.0; its shaders, skins and animations are passed over: convert it to glTF 2.0")
+        if (container == Container.VERSION_1) Version1Json.referToData(tree)
+        return Version1Json.convert(tree) { where, problem -> source.fail(where, problem, REMEDY) }
     }
 
     private fun tree(source: Source, mapper: ObjectMapper, start: Int, length: Int): JsonNode {

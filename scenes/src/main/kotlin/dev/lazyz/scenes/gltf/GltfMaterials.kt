@@ -25,7 +25,7 @@ internal class GltfMaterial(val material: Material, val texCoordSet: Int, val tr
  *   "Crafting Physically Motivated Shading Models for Game Development", SIGGRAPH 2010), fading out where the lobe is
  *   as wide as diffuse light.
  * - Light that a texture of its own gives off is left out, because the factor alone would make all of the surface glow.
- *   Metallic-roughness, normal and occlusion textures are left out without more ado.
+ *   Metallic-roughness, normal and occlusion textures are left out, too; [GltfOmissions] warns of all four.
  * - `KHR_materials_unlit` is [Shading.CONSTANT].
  */
 internal class GltfMaterials(private val document: GltfDocument) {
@@ -55,7 +55,7 @@ internal class GltfMaterials(private val document: GltfDocument) {
             shading = if (isUnlit) Shading.CONSTANT else Shading.BLINN_PHONG,
             specular = specular(base, metallic, roughness, shininess),
             shininess = shininess,
-            emission = emission(json, where),
+            emission = emission(json),
             alphaMode = alphaMode(json, where),
             alphaCutoff = fraction(json.alphaCutoff, 0.5f),
             sides = if (json.isDoubleSided == true) Sides.BOTH else Sides.FRONT,
@@ -77,12 +77,9 @@ internal class GltfMaterials(private val document: GltfDocument) {
         return Rgba(reflectance[0], reflectance[1], reflectance[2]).scaled(minOf(strength, most))
     }
 
-    private fun emission(json: MaterialJson, where: String): Rgba {
+    private fun emission(json: MaterialJson): Rgba {
+        if (json.emissiveTexture != null) return Rgba.BLACK
         val color = color(json.emissiveFactor, Rgba.BLACK)
-        if (json.emissiveTexture != null) {
-            if (color != Rgba.BLACK) document.warn("$where: light given off by a texture is left out")
-            return Rgba.BLACK
-        }
         val strength = GltfExtensions.of(json, "KHR_materials_emissive_strength")
         return if (strength ==
             null

@@ -2,6 +2,7 @@ package dev.lazyz.scenes.gltf
 
 import de.javagl.jgltf.impl.v2.Node
 import dev.lazyz.Transforms
+import dev.lazyz.scenes.gltf.animation.NodePose
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
 
@@ -15,8 +16,12 @@ import org.joml.Matrix4dc
 internal class PlacedNode(val node: Node, val index: Int, val toWorld: Matrix4dc)
 
 /** Walks the nodes of the scene that is to be seen (section 3.5). */
-internal class GltfNodes(private val document: GltfDocument) {
+internal class GltfNodes(private val document: GltfDocument, private val poses: Map<Int, NodePose>) {
     private val nodes: List<Node?> = document.json.nodes.orEmpty()
+    private val toWorld = HashMap<Int, Matrix4d>()
+    private val parents: Map<Int, Int> by lazy {
+        nodes.withIndex().flatMap { (i, node) -> children(node).filterNotNull().map { it to i } }.toMap()
+    }
 
     /**
      * Returns the nodes of the default scene, or if the file names none all nodes that are no one's child, each before
@@ -35,13 +40,34 @@ internal class GltfNodes(private val document: GltfDocument) {
             val next = pending.removeLast()
             val node = document.element(nodes, next.index, "nodes", next.where)
             if (!seen.add(next.index)) document.fail(next.where, "node ${next.index} has two parents or holds itself")
-            val toWorld = Transforms.product(next.toParent, NodeTransforms.of(node))
+            val toWorld = Transforms.product(next.toParent, NodeTransforms.of(node, poses[next.index]))
+            this.toWorld[next.index] = toWorld
             placed.add(PlacedNode(node, next.index, toWorld))
             for ((i, child) in children(node).withIndex().reversed()) {
                 pending.addLast(Pending(child ?: -1, "nodes[${next.index}].children[$i]", toWorld))
             }
         }
         return placed
+    }
+
+    /**
+     * Returns the transform from a node's space to world space, also of one that the scene does not have; [where] is the
+     * place that refers to it. Fails if a node holds itself.
+     */
+    fun toWorld(index: Int, where: String): Matrix4d {
+        // Climb to the first node whose place is known, then go down again
+        val unknown = LinkedHashSet<Int>()
+        var next: Int? = index
+        while (next != null && next !in toWorld) {
+            document.element(nodes, next, "nodes", where)
+            if (!unknown.add(next)) document.fail(where, "node $next holds itself")
+            next = parents[next]
+        }
+        for (node in unknown.reversed()) {
+            val toParent = NodeTransforms.of(checkNotNull(nodes[node]), poses[node])
+            toWorld[node] = parents[node]?.let { Transforms.product(toWorld.getValue(it), toParent) } ?: toParent
+        }
+        return toWorld.getValue(index)
     }
 
     private fun roots(): List<Pair<Int, String>> {

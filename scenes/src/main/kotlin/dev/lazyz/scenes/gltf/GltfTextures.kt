@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.gltf
 
 import de.javagl.jgltf.impl.v2.Image
+import de.javagl.jgltf.impl.v2.Texture as TextureJson
 import de.javagl.jgltf.model.GltfConstants
 import dev.lazyz.Texture
 import dev.lazyz.TextureFilter
@@ -15,15 +16,12 @@ import dev.lazyz.scenes.images.TextureFiles
 internal class GltfTextures(private val document: GltfDocument) {
     /** By the place of their bytes, which images may share: the number of a buffer view, or a URI. */
     private val images = HashMap<Any, Texture?>()
+    private val undecoded = HashSet<Int>()
 
     /** Returns texture number [index], which [where] refers to. */
     fun texture(index: Int?, where: String): Texture? {
         val texture = document.element(document.json.textures, index, "textures", where)
-        val source = texture.source
-        if (source == null) {
-            document.warn("textures[$index] has no image of a known kind and is left out")
-            return null
-        }
+        val source = texture.source ?: return withoutImage(texture, checkNotNull(index))
         val image = document.element(document.json.images, source, "images", "textures[$index].source")
         val decoded = images.getOrPut(image.bufferView ?: image.uri ?: image) { decode(image, source) } ?: return null
         if (texture.sampler == null) return decoded
@@ -36,6 +34,20 @@ internal class GltfTextures(private val document: GltfDocument) {
         )
     }
 
+    /** An extension may name an image of a format that is not decoded, and leave out the usual one. */
+    private fun withoutImage(texture: TextureJson, index: Int): Texture? {
+        val extension = formats.keys.firstOrNull { GltfExtensions.of(texture, it) != null }
+        when {
+            extension == null -> document.warn("textures[$index] has no image of a known kind and is left out")
+            undecoded.add(index) ->
+                document.count(
+                    "textures whose only image is of the extension $extension (${formats[extension]}) are left out; " +
+                        "save them as PNG or JPEG",
+                )
+        }
+        return null
+    }
+
     private fun wrap(wrap: Int?): TextureWrap = when (wrap) {
         GltfConstants.GL_CLAMP_TO_EDGE -> TextureWrap.CLAMP
         GltfConstants.GL_MIRRORED_REPEAT -> TextureWrap.MIRROR
@@ -43,26 +55,27 @@ internal class GltfTextures(private val document: GltfDocument) {
     }
 
     private fun decode(image: Image, index: Int): Texture? {
-        val uri = image.uri
-        if (image.bufferView == null && uri != null && !document.isData(uri)) return file(uri, index)
+        val uri = image.uri?.takeIf { image.bufferView == null && !document.isData(it) }
+        val label = listOfNotNull("images[$index]", (uri ?: image.name)?.let { "($it)" }).joinToString(" ")
+        if (uri != null) return file(uri, label)
         val bytes = bytes(image, index)
         if (bytes == null) {
-            document.warn("images[$index] is missing and is left out")
+            document.warn("$label is missing and is left out")
             return null
         }
         val texture = TextureFiles.decode(document.source, bytes, image.name ?: "images[$index]")
-        if (texture == null) document.warn("images[$index] ${TextureFiles.NOT_DECODED}")
+        if (texture == null) document.warn("$label ${TextureFiles.NOT_DECODED}")
         return texture
     }
 
-    private fun file(uri: String, index: Int): Texture? {
+    private fun file(uri: String, label: String): Texture? {
         val found = document.find(uri)
         if (found.file == null) {
-            document.warn("images[$index] ($uri) ${found.warning}")
+            document.warn("$label ${found.warning}")
             return null
         }
         val texture = TextureFiles.ofFile(document.source, found.file)
-        if (texture == null) document.warn("images[$index] ($uri) ${TextureFiles.NOT_DECODED}")
+        if (texture == null) document.warn("$label ${TextureFiles.NOT_DECODED}")
         return texture
     }
 
@@ -71,5 +84,15 @@ internal class GltfTextures(private val document: GltfDocument) {
         if (image.bufferView == null) return image.uri?.let { document.data(it) }
         val view = document.view(image.bufferView, "images[$index].bufferView")
         return ByteArray(view.capacity()).also { view.get(it) }
+    }
+
+    companion object {
+        /** Extensions that name images of further formats, and the formats; the usual image beside them is shown. */
+        val formats = mapOf(
+            "KHR_texture_basisu" to "KTX2",
+            "EXT_texture_webp" to "WebP",
+            "EXT_texture_avif" to "AVIF",
+            "MSFT_texture_dds" to "DDS",
+        )
     }
 }

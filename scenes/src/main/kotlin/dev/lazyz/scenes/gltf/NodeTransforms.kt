@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.gltf
 
 import de.javagl.jgltf.impl.v2.Node
+import dev.lazyz.scenes.gltf.animation.NodePose
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
 
@@ -9,10 +10,13 @@ import org.joml.Matrix4dc
  * own products may use fused multiply-add when a JVM flag says so.
  */
 internal object NodeTransforms {
-    /** Returns the transform from a node's space to its parent's: its matrix, or scale, rotation and translation. */
-    fun of(node: Node): Matrix4d {
+    /**
+     * Returns the transform from a node's space to its parent's: its matrix, or scale, rotation and translation
+     * with what [pose] makes of them.
+     */
+    fun of(node: Node, pose: NodePose?): Matrix4d {
         val m = node.matrix
-        if (m != null) {
+        if (m != null && pose?.isMoved != true) {
             // The fourth row is 0, 0, 0, 1 in every transform that the specification allows
             return Matrix4d(
                 m[0].toDouble(), m[1].toDouble(), m[2].toDouble(), 0.0,
@@ -21,25 +25,26 @@ internal object NodeTransforms {
                 m[12].toDouble(), m[13].toDouble(), m[14].toDouble(), 1.0,
             )
         }
-        val t = node.translation ?: floatArrayOf(0f, 0f, 0f)
-        val s = node.scale ?: floatArrayOf(1f, 1f, 1f)
-        val r = node.rotation ?: floatArrayOf(0f, 0f, 0f, 1f)
-        val x = r[0].toDouble()
-        val y = r[1].toDouble()
-        val z = r[2].toDouble()
-        val w = r[3].toDouble()
+        val t = pose?.translation ?: doubles(node.translation) ?: doubleArrayOf(0.0, 0.0, 0.0)
+        val (sx, sy, sz) = pose?.scale ?: doubles(node.scale) ?: doubleArrayOf(1.0, 1.0, 1.0)
+        val (x, y, z, w) = pose?.rotation ?: doubles(node.rotation) ?: doubleArrayOf(0.0, 0.0, 0.0, 1.0)
 
         // The columns of the quaternion's matrix, each as long as its scale
-        val sx = s[0].toDouble()
-        val sy = s[1].toDouble()
-        val sz = s[2].toDouble()
         return Matrix4d(
             (1.0 - 2.0 * (y * y + z * z)) * sx, 2.0 * (x * y + z * w) * sx, 2.0 * (x * z - y * w) * sx, 0.0,
             2.0 * (x * y - z * w) * sy, (1.0 - 2.0 * (x * x + z * z)) * sy, 2.0 * (y * z + x * w) * sy, 0.0,
             2.0 * (x * z + y * w) * sz, 2.0 * (y * z - x * w) * sz, (1.0 - 2.0 * (x * x + y * y)) * sz, 0.0,
-            t[0].toDouble(), t[1].toDouble(), t[2].toDouble(), 1.0,
+            t[0], t[1], t[2], 1.0,
         )
     }
+
+    private fun doubles(numbers: FloatArray?): DoubleArray? = numbers?.let {
+        DoubleArray(it.size) { i -> it[i].toDouble() }
+    }
+
+    /** Whether [m] turns left hands into right ones. */
+    fun isMirror(m: Matrix4dc): Boolean = m.m00() * (m.m11() * m.m22() - m.m12() * m.m21()) +
+        m.m01() * (m.m12() * m.m20() - m.m10() * m.m22()) + m.m02() * (m.m10() * m.m21() - m.m11() * m.m20()) < 0.0
 
     /** Whether [m] leaves every point where it is. */
     fun isIdentity(m: Matrix4dc): Boolean = (0 until 4).all { column ->

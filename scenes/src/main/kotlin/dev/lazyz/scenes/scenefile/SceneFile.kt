@@ -11,6 +11,7 @@ import dev.lazyz.Sphere
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.Loading
 import dev.lazyz.scenes.SceneFormat
@@ -46,7 +47,7 @@ public object SceneFile {
     @JvmStatic
     @JvmOverloads
     public fun read(path: Path, limits: LoadLimits = LoadLimits()): LoadedScene =
-        SceneReading.read(path, SceneFormat.SCENE, limits)
+        SceneReading.read(path, SceneFormat.SCENE, LoadOptions(limits))
 
     /**
      * Reads a scene file's text.
@@ -63,7 +64,7 @@ public object SceneFile {
         name: String = "<text>",
         folder: Path? = null,
         limits: LoadLimits = LoadLimits(),
-    ): LoadedScene = SceneFileReader(Source(text.toByteArray(), name, folder, Loading(limits))).read()
+    ): LoadedScene = SceneFileReader(Source(text.toByteArray(), name, folder, Loading(LoadOptions(limits)))).read()
 
     /**
      * Writes [scene] to a file, whole or not at all.

@@ -191,17 +191,6 @@ class GltfParserTest {
     }
 
     @Test
-    fun whatMovesGivesWarnings() {
-        val files = GltfFiles()
-        files.accessor("VEC3", FLOAT, triangle)
-        val part = """{"attributes":{"POSITION":0},"targets":[{"POSITION":0}]}"""
-        val rest = """$ONE_NODE,"meshes":[{"primitives":[$part]}],"skins":[{"joints":[0]}]"""
-        val source = TestSources.of(files.json(rest))
-        GltfParser.parse(source)
-        assertEquals(2, source.warnings.size, source.warnings.toString())
-    }
-
-    @Test
     fun realFilesAreWhole() {
         val engine = GltfParser.parse(TestSources.model("2CylinderEngine.glb"))
         assertEquals(121_496, engine.meshes.sumOf { it.triangleCount })

@@ -1,0 +1,44 @@
+package dev.lazyz.scenes.gltf
+
+import de.javagl.jgltf.model.ElementType
+import dev.lazyz.Transforms
+import org.joml.Matrix4d
+
+/** Skins (section 3.7.3): where the joints have moved to. */
+internal class GltfSkins(
+    private val document: GltfDocument,
+    private val accessors: GltfAccessors,
+    private val nodes: GltfNodes,
+) {
+    private val skins = HashMap<Int, List<DoubleArray>>()
+
+    /** Returns a matrix for each joint of skin number [index], which [where] refers to: from the mesh's to world space. */
+    fun matrices(index: Int, where: String): List<DoubleArray> {
+        val skin = document.element(document.json.skins, index, "skins", where)
+        val here = "skins[$index]"
+        return skins.getOrPut(index) {
+            val joints: List<Int?> = skin.joints.orEmpty()
+            val inverses = skin.inverseBindMatrices?.let {
+                accessors.floats(it, "$here.inverseBindMatrices", ElementType.MAT4)
+            }
+            if (inverses != null && inverses.size < 16 * joints.size) {
+                val count = inverses.size / 16
+                document.fail("$here.inverseBindMatrices", "there are $count matrices for ${joints.size} joints")
+            }
+            document.source.loading.decode(document.source, joints.size * MATRIX_BYTES)
+            joints.mapIndexed { i, joint ->
+                val toWorld = nodes.toWorld(joint ?: -1, "$here.joints[$i]")
+                if (inverses == null) elements(toWorld) else elements(Transforms.product(toWorld, matrix(inverses, i)))
+            }
+        }
+    }
+
+    private fun matrix(numbers: FloatArray, index: Int): Matrix4d =
+        Matrix4d().set(DoubleArray(16) { numbers[16 * index + it].toDouble() })
+
+    private fun elements(matrix: Matrix4d): DoubleArray = matrix.get(DoubleArray(16))
+
+    private companion object {
+        const val MATRIX_BYTES = 144L
+    }
+}

@@ -1,0 +1,94 @@
+package dev.lazyz.scenes.gltf.draco
+
+import com.openize.drako.DataType
+import com.openize.drako.Draco
+import com.openize.drako.DracoMesh
+import com.openize.drako.PointAttribute
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+
+/** A mesh out of Draco's compression, decoded by the library drako. */
+internal class DracoGeometry private constructor(private val mesh: DracoMesh) {
+    /** Number of vertices. */
+    val vertexCount: Int = mesh.numPoints
+
+    /** Three vertex numbers a triangle. */
+    val triangles: IntArray = IntArray(mesh.numFaces * 3) { mesh.readCorner(it) }
+
+    /**
+     * Returns the numbers of the attribute with the given [id], vertex by vertex, or null if there is none; as fractions
+     * if [isNormalized] and they are whole numbers.
+     *
+     * @throws DracoException if the data is damaged
+     */
+    fun floats(id: Int, isNormalized: Boolean): FloatArray? = guarded {
+        val attribute = (0 until mesh.numAttributes).map { mesh.attribute(it) }
+            .firstOrNull { it.uniqueId.toInt() and 0xFFFF == id } ?: return@guarded null
+        val width = attribute.componentsCount
+        val result = FloatArray(Math.multiplyExact(vertexCount, width))
+        val row = ByteArray(attribute.byteStride)
+        val bytes = ByteBuffer.wrap(row).order(ByteOrder.LITTLE_ENDIAN)
+        for (vertex in 0 until vertexCount) {
+            attribute.getValue(attribute.mappedIndex(vertex), row)
+            for (i in 0 until width) result[vertex * width + i] = number(attribute, bytes, i, isNormalized)
+        }
+        result
+    }
+
+    private fun number(attribute: PointAttribute, bytes: ByteBuffer, i: Int, isNormalized: Boolean): Float {
+        val (number, most) = when (attribute.dataType) {
+            DataType.FLOAT32 -> return bytes.getFloat(4 * i)
+            DataType.INT8 -> bytes.get(i).toFloat() to 127f
+            DataType.UINT8 -> (bytes.get(i).toInt() and 0xFF).toFloat() to 255f
+            DataType.INT16 -> bytes.getShort(2 * i).toFloat() to 32767f
+            DataType.UINT16 -> (bytes.getShort(2 * i).toInt() and 0xFFFF).toFloat() to 65535f
+            DataType.UINT32 -> return (bytes.getInt(4 * i).toLong() and 0xFFFFFFFFL).toFloat()
+            DataType.INT32 -> return bytes.getInt(4 * i).toFloat()
+            else -> throw DracoException("an attribute is of a kind that glTF does not have")
+        }
+        return if (isNormalized) maxOf(number / most, -1f) else number
+    }
+
+    companion object {
+        /** What drako takes for a triangle and a vertex while it decodes, with room; measured. */
+        private const val FACE_BYTES = 120L
+        private const val VERTEX_BYTES = 120L
+
+        /** Milliseconds; some thousand times what good data takes. */
+        private const val LEAST_TIME = 5_000L
+        private const val TIME_PER_BYTE = 1L
+
+        private const val DAMAGED = "the compressed data is damaged"
+
+        /** Damaged data may make drako go round in circles. */
+        private val steps = EndlessSteps(2)
+
+        /**
+         * Decodes [bytes].
+         *
+         * @param allow is asked before so many bytes are decoded, and throws if they are too many
+         * @throws DracoException if the data is damaged
+         */
+        fun decode(bytes: ByteArray, allow: (Long) -> Unit): DracoGeometry {
+            val header = DracoHeader.read(bytes)
+            allow(header.faces * FACE_BYTES + header.vertices * VERTEX_BYTES)
+            return guarded {
+                val mesh = steps.run(LEAST_TIME + bytes.size * TIME_PER_BYTE) { Draco.decode(bytes) }
+                DracoGeometry(mesh as? DracoMesh ?: throw DracoException(DAMAGED))
+            }
+        }
+
+        /** Damaged data makes drako fail at an index, a number of bytes, or the depth of its calls. */
+        private fun <T> guarded(step: () -> T): T = try {
+            step()
+        } catch (e: DracoException) {
+            throw e
+        } catch (e: Exception) {
+            throw DracoException(DAMAGED, e)
+        } catch (e: StackOverflowError) {
+            throw DracoException(DAMAGED, e)
+        } catch (e: OutOfMemoryError) {
+            throw DracoException("$DAMAGED, or needs more memory than there is", e)
+        }
+    }
+}

@@ -1,0 +1,32 @@
+package dev.lazyz.scenes.gltf.meshopt
+
+/** Decodes mode `INDICES`: whole numbers as differences from one of two that went before (appendix A, "Mode 2"). */
+internal object IndexStream {
+    private const val HEADER = 0xD1
+    private const val TAIL = 4
+
+    fun decode(bytes: ByteArray, count: Int, stride: Int): ByteArray {
+        val input = CompressedBytes(bytes, 0, bytes.size - TAIL)
+        val header = input.next()
+        if (header != HEADER) throw MeshoptException("the first byte is $header, not $HEADER")
+        val result = IndexBytes(count, stride)
+        val last = IntArray(2)
+        for (i in 0 until count) {
+            val code = input.variable()
+            val baseline = code and 1
+            last[baseline] += signed(code ushr 1)
+            result.put(i, last[baseline])
+        }
+        input.expectEnd()
+        return result.bytes
+    }
+}
+
+/** Room for whole numbers of 2 or 4 bytes, the lowest byte first; higher bits are lost. */
+internal class IndexBytes(count: Int, private val stride: Int) {
+    val bytes = ByteArray(count * stride)
+
+    fun put(place: Int, value: Int) {
+        for (byte in 0 until stride) bytes[place * stride + byte] = (value shr 8 * byte).toByte()
+    }
+}

@@ -1,0 +1,57 @@
+package dev.lazyz.scenes.gltf.meshopt
+
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+
+/**
+ * What `EXT_meshopt_compression` and `KHR_meshopt_compression` say of a buffer view (Khronos Group,
+ * "KHR_meshopt_compression", release candidate; the appendices that this package names are of that document). The two
+ * differ in what an encoder may use; either name is decoded with all of it.
+ *
+ * @property count number of elements
+ * @property stride bytes of an element
+ * @throws MeshoptException if these go together in no way that the extension allows
+ */
+internal class MeshoptData(private val mode: String, private val filter: String, val count: Int, val stride: Int) {
+    init {
+        val isAttributes = mode == "ATTRIBUTES"
+        check(count >= 0, "count", "$count")
+        check(isAttributes || mode == "TRIANGLES" || mode == "INDICES", "mode", mode)
+        val strides = if (isAttributes) 4..256 step 4 else 2..4 step 2
+        check(stride in strides, "byteStride", "$stride")
+        check(mode != "TRIANGLES" || count % 3 == 0, "count", "$count")
+        val isFilterAllowed = when (filter) {
+            "NONE" -> true
+            "OCTAHEDRAL", "COLOR" -> isAttributes && (stride == 4 || stride == 8)
+            "QUATERNION" -> isAttributes && stride == 8
+            "EXPONENTIAL" -> isAttributes
+            else -> false
+        }
+        check(isFilterAllowed, "filter", filter)
+    }
+
+    private fun check(isGood: Boolean, name: String, value: String) {
+        if (!isGood) throw MeshoptException("$name is $value, which mode $mode does not allow")
+    }
+
+    /**
+     * Returns the elements that are in [bytes].
+     *
+     * @throws MeshoptException if the bytes are damaged
+     */
+    fun decode(bytes: ByteArray): ByteBuffer {
+        val elements = when (mode) {
+            "ATTRIBUTES" -> AttributeStream.decode(bytes, count, stride)
+            "TRIANGLES" -> TriangleStream.decode(bytes, count, stride)
+            else -> IndexStream.decode(bytes, count, stride)
+        }
+        val buffer = ByteBuffer.wrap(elements).order(ByteOrder.LITTLE_ENDIAN)
+        when (filter) {
+            "OCTAHEDRAL" -> MeshoptFilter.octahedral(SmallNumbers(buffer, stride / 4))
+            "QUATERNION" -> MeshoptFilter.quaternion(SmallNumbers(buffer, 2))
+            "EXPONENTIAL" -> MeshoptFilter.exponential(buffer)
+            "COLOR" -> MeshoptFilter.color(SmallNumbers(buffer, stride / 4))
+        }
+        return buffer
+    }
+}

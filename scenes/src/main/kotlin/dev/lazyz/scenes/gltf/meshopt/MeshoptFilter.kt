@@ -1,0 +1,87 @@
+package dev.lazyz.scenes.gltf.meshopt
+
+import java.nio.ByteBuffer
+import kotlin.math.abs
+import kotlin.math.sqrt
+
+/** What is done to elements after they were decoded (appendix B), in place, in buffers of little endian. */
+internal object MeshoptFilter {
+    /** Unit vectors as two coordinates of an octahedron; the third number stands for 1. */
+    fun octahedral(numbers: SmallNumbers) {
+        for (i in 0 until numbers.count step 4) {
+            val one = numbers.signed(i + 2).toDouble()
+            var x = numbers.signed(i) / one
+            var y = numbers.signed(i + 1) / one
+            val z = 1.0 - abs(x) - abs(y)
+
+            // The lower half is folded outward
+            val fold = minOf(z, 0.0)
+            x += if (x >= 0.0) fold else -fold
+            y += if (y >= 0.0) fold else -fold
+            val scale = numbers.mostSigned / sqrt(x * x + y * y + z * z)
+            numbers.put(i, rounded(x * scale))
+            numbers.put(i + 1, rounded(y * scale))
+            numbers.put(i + 2, rounded(z * scale))
+        }
+    }
+
+    /** Unit quaternions without their largest component, whose number is in the last two bits. */
+    fun quaternion(numbers: SmallNumbers) {
+        val range = 1.0 / sqrt(2.0)
+        for (i in 0 until numbers.count step 4) {
+            val code = numbers.signed(i + 3)
+            val one = (code or 3).toDouble()
+            val x = numbers.signed(i) / one * range
+            val y = numbers.signed(i + 1) / one * range
+            val z = numbers.signed(i + 2) / one * range
+            val w = sqrt(maxOf(0.0, 1.0 - x * x - y * y - z * z))
+            val largest = code and 3
+            for ((place, number) in doubleArrayOf(w, x, y, z).withIndex()) {
+                numbers.put(i + (largest + place) % 4, rounded(number * numbers.mostSigned))
+            }
+        }
+    }
+
+    /** Floats as a whole number of 24 bits and a power of two. */
+    fun exponential(bytes: ByteBuffer) {
+        for (at in 0 until bytes.capacity() step 4) {
+            val code = bytes.getInt(at)
+            bytes.putFloat(at, StrictMath.scalb((code shl 8 shr 8).toFloat(), code shr 24))
+        }
+    }
+
+    /** Colours as brightness, two differences, and alpha with a 1 before it. */
+    fun color(numbers: SmallNumbers) {
+        for (i in 0 until numbers.count step 4) {
+            val code = numbers.unsigned(i + 3)
+            val most = (Integer.highestOneBit(code) shl 1) - 1
+            val luma = numbers.unsigned(i)
+            val orange = numbers.signed(i + 1)
+            val green = numbers.signed(i + 2)
+            val alpha = code and (most shr 1)
+            val scale = numbers.mostUnsigned / most.toDouble()
+            numbers.put(i, rounded((luma + orange - green) * scale))
+            numbers.put(i + 1, rounded((luma + green) * scale))
+            numbers.put(i + 2, rounded((luma - orange - green) * scale))
+            numbers.put(i + 3, rounded((alpha shl 1 or (alpha and 1)) * scale))
+        }
+    }
+
+    /** To the nearest, halves away from 0. */
+    private fun rounded(x: Double): Int = if (x >= 0.0) (x + 0.5).toInt() else (x - 0.5).toInt()
+}
+
+/** Whole numbers of [size] bytes, 1 or 2, in [bytes]. */
+internal class SmallNumbers(private val bytes: ByteBuffer, private val size: Int) {
+    val count: Int get() = bytes.capacity() / size
+    val mostUnsigned: Int = (1 shl 8 * size) - 1
+    val mostSigned: Int = mostUnsigned shr 1
+
+    fun signed(i: Int): Int = if (size == 1) bytes.get(i).toInt() else bytes.getShort(2 * i).toInt()
+
+    fun unsigned(i: Int): Int = signed(i) and mostUnsigned
+
+    fun put(i: Int, number: Int) {
+        if (size == 1) bytes.put(i, number.toByte()) else bytes.putShort(2 * i, number.toShort())
+    }
+}

@@ -1,0 +1,155 @@
+package dev.lazyz.scenes.gltf.version1
+
+import com.fasterxml.jackson.databind.JsonNode
+import com.fasterxml.jackson.databind.node.ArrayNode
+import com.fasterxml.jackson.databind.node.JsonNodeFactory
+import com.fasterxml.jackson.databind.node.ObjectNode
+
+/**
+ * Turns the JSON of glTF 1.0 into that of glTF 2.0 (Khronos Group, "glTF 1.0 Specification"): objects that are called by
+ * names become lists, in the order of the file, and references to names become numbers.
+ *
+ * Meshes, nodes, cameras, textures and the diffuse colour of materials ([Version1Materials]) are kept. Shaders, skins and
+ * animations are not; the meshes appear as they are stored.
+ */
+internal class Version1Json private constructor(
+    private val old: JsonNode,
+    private val fail: (String, String) -> Nothing,
+) {
+    private val new = JsonNodeFactory.instance.objectNode()
+    private val names = HashMap<String, Map<String, Int>>()
+    private val further = ArrayList<ObjectNode>()
+
+    private fun convert(): ObjectNode {
+        new.putObject("asset").put("version", "2.0")
+        listOf("buffers", "bufferViews", "accessors", "images", "samplers", "textures", "materials").forEach(::number)
+        listOf("meshes", "cameras", "nodes", "scenes").forEach(::number)
+        copies("buffers")
+        copies("bufferViews") { where, view -> refer(view, "buffer", "buffers", where) }
+        copies("accessors", ::accessor)
+        copies("images", ::image)
+        copies("samplers")
+        copies("textures") { where, texture ->
+            refer(texture, "source", "images", where)
+            refer(texture, "sampler", "samplers", where)
+        }
+        val materials = Version1Materials(old, names.getValue("textures"))
+        for (name in names.getValue("materials").keys) {
+            list("materials").add(materials.convert(old.path("materials").path(name)))
+        }
+        copies("meshes", ::mesh)
+        copies("cameras")
+        copies("nodes", ::node)
+        further.forEach { list("nodes").add(it) }
+        copies("scenes") { where, scene -> refer(scene, "nodes", "nodes", where) }
+        old["scene"]?.let { new.put("scene", index(it, "scenes", "scene")) }
+        return new
+    }
+
+    /** The data of a binary file comes first, where version 2.0 has it. */
+    private fun number(list: String) {
+        val all = old.path(list).properties().map { it.key }.sortedBy { it != BINARY }
+        names[list] = all.withIndex().associate { (i, name) -> name to i }
+    }
+
+    private fun list(name: String): ArrayNode = new.withArrayProperty(name)
+
+    private fun copies(name: String, change: (String, ObjectNode) -> Unit = { _, _ -> }) {
+        for (key in names.getValue(name).keys) {
+            val where = "$name.$key"
+            val copy = old.path(name).path(key).deepCopy<JsonNode>()
+            if (copy !is ObjectNode) fail(where, "it is no JSON object")
+            change(where, copy)
+            list(name).add(copy)
+        }
+    }
+
+    /** Replaces the name, or list of names, at [key] by numbers. */
+    private fun refer(owner: ObjectNode, key: String, list: String, where: String) {
+        val value = owner[key] ?: return
+        if (value is ArrayNode) {
+            for (i in 0 until value.size()) value.set(i, index(value[i], list, "$where.$key[$i]"))
+        } else {
+            owner.put(key, index(value, list, "$where.$key"))
+        }
+    }
+
+    private fun index(name: JsonNode, list: String, where: String): Int =
+        names.getValue(list)[name.asText()] ?: fail(where, "$list.${name.asText()} does not exist")
+
+    /** In version 2.0 the distance between elements is a property of the buffer view. */
+    private fun accessor(where: String, accessor: ObjectNode) {
+        refer(accessor, "bufferView", "bufferViews", where)
+        val stride = accessor.remove("byteStride")?.takeIf { it.asInt() != 0 } ?: return
+        val views = list("bufferViews")
+        val view = views[accessor.path("bufferView").asInt(-1)] as? ObjectNode ?: return
+        accessor.put("bufferView", views.size())
+        views.add(view.deepCopy().set<ObjectNode>("byteStride", stride))
+    }
+
+    private fun image(where: String, image: ObjectNode) {
+        val binary = (image.remove("extensions") as? ObjectNode)?.get("KHR_binary_glTF") as? ObjectNode ?: return
+        refer(binary, "bufferView", "bufferViews", where)
+        image.remove("uri")
+        binary["bufferView"]?.let { image.set<JsonNode>("bufferView", it) }
+    }
+
+    private fun mesh(where: String, mesh: ObjectNode) {
+        for ((i, primitive) in mesh.path("primitives").withIndex()) {
+            val here = "$where.primitives[$i]"
+            if (primitive !is ObjectNode) fail(here, "it is no JSON object")
+            refer(primitive, "indices", "accessors", here)
+            refer(primitive, "material", "materials", here)
+            val attributes = primitive["attributes"] as? ObjectNode ?: continue
+            for (name in attributes.fieldNames().asSequence().toList()) {
+                refer(attributes, name, "accessors", "$here.attributes")
+                if (name !in unnumbered) continue
+                attributes.set<JsonNode>("${name}_0", attributes.remove(name))
+            }
+        }
+    }
+
+    /** A node of version 2.0 has one mesh; further ones go to children of its own. */
+    private fun node(where: String, node: ObjectNode) {
+        for (key in listOf("skin", "skeletons", "jointName")) node.remove(key)
+        refer(node, "children", "nodes", where)
+        refer(node, "camera", "cameras", where)
+        refer(node, "meshes", "meshes", where)
+        val meshes = node.remove("meshes") as? ArrayNode ?: return
+        for ((i, mesh) in meshes.withIndex()) {
+            if (i == 0) {
+                node.set<JsonNode>("mesh", mesh)
+            } else {
+                node.withArrayProperty("children").add(names.getValue("nodes").size + further.size)
+                further.add(JsonNodeFactory.instance.objectNode().set("mesh", mesh))
+            }
+        }
+    }
+
+    companion object {
+        /** The buffer that is the data of a binary file. */
+        private const val BINARY = "binary_glTF"
+
+        private val unnumbered = setOf("COLOR", "TEXCOORD")
+
+        /** Whether [tree] is of version 1.0, or of none but in its form. */
+        fun isMeant(tree: JsonNode): Boolean {
+            val version = tree.path("asset").path("version").asText("")
+            val isInForm = listOf("meshes", "accessors", "techniques").any { tree.path(it).isObject }
+            return version == "1" || version.startsWith("1.") || (version.isEmpty() && isInForm)
+        }
+
+        /** Makes the buffer that is called so the data of the binary file that [tree] is in, whatever else it says. */
+        fun referToData(tree: JsonNode) {
+            (tree.path("buffers").path(BINARY) as? ObjectNode)?.remove("uri")
+        }
+
+        /**
+         * Returns the JSON of version 2.0 that shows the same.
+         *
+         * @param fail is called with the place and what is wrong there
+         */
+        fun convert(tree: JsonNode, fail: (String, String) -> Nothing): ObjectNode =
+            Version1Json(tree, fail).convert()
+    }
+}

@@ -1,0 +1,101 @@
+package dev.lazyz.scenes.gltf
+
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.ONE_NODE
+import dev.lazyz.scenes.images.PngFile
+import dev.lazyz.scenes.triangulation.TestSources
+import dev.lazyz.scenes.triangulation.meshes
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Test
+
+/** What is passed over is told once for each kind, with how many there are. */
+class GltfOmissionsTest {
+    private fun warnings(more: String, attributes: String = ""): List<String> {
+        val files = GltfFiles()
+        files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
+        files.accessor("VEC2", FLOAT, List(6) { 0 })
+        files.view(PngFile.of(1, 1, 8, PngFile.GREY, listOf(PngFile.bytes(9))))
+        val part = """{"attributes":{"POSITION":0,"TEXCOORD_0":1$attributes},"material":0}"""
+        val second = """{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":1}"""
+        val source = TestSources.of(files.json("""$ONE_NODE,"meshes":[{"primitives":[$part,$second]}]$more"""))
+        GltfParser.parse(source)
+        return source.warnings.map { it.removePrefix("test: ") }
+    }
+
+    @Test
+    fun texturesOfMaterialsAreCounted() {
+        val maps = """"normalTexture":{"index":0},"occlusionTexture":{"index":0}"""
+        val metal = """"pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}}"""
+        val materials = """[{$maps},{$maps,"emissiveTexture":{"index":0},$metal}]"""
+        val expected = listOf(
+            "normal maps are not shown: 2",
+            "metallic-roughness textures are not shown: 1",
+            "occlusion textures are not shown: 2",
+            "emissive textures are not shown: 1",
+        )
+        assertEquals(expected, warnings(""","materials":$materials,"textures":[{"source":0}]"""))
+    }
+
+    @Test
+    fun unknownExtensionsAreListedAndLightsCounted() {
+        val used = """"extensionsUsed":["KHR_lights_punctual","KHR_materials_sheen","KHR_materials_unlit","ACME_a"]"""
+        val lights = """"extensions":{"KHR_lights_punctual":{"lights":[{"type":"point"},{"type":"spot"}]}}"""
+        val expected = listOf(
+            "extensions that are not known are passed over, 2 in all: KHR_materials_sheen, ACME_a",
+            "lights of the file are not used: 2",
+        )
+        assertEquals(expected, warnings(""","materials":[{},{}],$used,$lights"""))
+    }
+
+    @Test
+    fun furtherSetsAreCounted() {
+        val sets = ""","TEXCOORD_1":1,"TEXCOORD_2":1,"COLOR_1":1"""
+        val expected = listOf(
+            "further sets of texture coordinates are passed over: 2",
+            "further sets of colours are passed over: 1",
+        )
+        assertEquals(expected, warnings(""","materials":[{},{}]""", sets))
+        val second = """{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":1}}}"""
+        val textures = ""","textures":[{"source":0}],"images":[{"bufferView":2}]"""
+        assertEquals(emptyList<String>(), warnings(""","materials":[$second,{}]$textures""", ""","TEXCOORD_1":1"""))
+    }
+
+    @Test
+    fun formatsThatAreNotDecodedAreNamedUnlessThereIsAnotherImage() {
+        val textured = { index: Int -> """{"pbrMetallicRoughness":{"baseColorTexture":{"index":$index}}}""" }
+        for ((extension, format) in mapOf("KHR_texture_basisu" to "KTX2", "EXT_texture_webp" to "WebP")) {
+            val only = """{"extensions":{"$extension":{"source":0}}}"""
+            val both = """{"source":0,"extensions":{"$extension":{"source":0}}}"""
+            val images = ""","images":[{"bufferView":2}],"extensionsRequired":["$extension"]"""
+            val materials = ""","materials":[${textured(0)},${textured(1)}]"""
+            val sentence = "textures whose only image is of the extension $extension ($format) are left out; " +
+                "save them as PNG or JPEG"
+            assertEquals(listOf("$sentence: 2"), warnings("""$materials,"textures":[$only,$only]$images"""))
+            assertEquals(emptyList<String>(), warnings("""$materials,"textures":[$both,$both]$images"""))
+        }
+    }
+
+    @Test
+    fun imagesAreCalledByTheirNames() {
+        val material = """{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}"""
+        val rest = ""","materials":[$material,{}],"textures":[{"source":0}],"""
+        assertEquals(
+            listOf("images[0] (oak) cannot be decoded and is left out; save it as PNG or JPEG"),
+            warnings("""$rest"images":[{"bufferView":0,"name":"oak"}]"""),
+        )
+    }
+
+    @Test
+    fun camerasBesidesTheFirstAreCounted() {
+        val files = GltfFiles()
+        files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
+        val cameras = """"cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":1}}]"""
+        val nodes = """"nodes":[{"mesh":0},{"camera":0},{"camera":0},{"camera":0}]"""
+        val source = TestSources.of(
+            files.json("""$nodes,"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],$cameras"""),
+        )
+        assertNotNull(GltfParser.parse(source).meshes.single())
+        assertEquals(listOf("test: cameras besides the first are not used: 2"), source.warnings)
+    }
+}
