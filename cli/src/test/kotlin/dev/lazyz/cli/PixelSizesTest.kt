@@ -16,7 +16,7 @@ class PixelSizesTest {
         {"lazyz": 1, "size": [20, 20], "camera": {"screen": {}}, "background": "white", "surfaces": [
           {"points": {"positions": [4.5, 4.5, 0.5], "size": 3}, "material": {"baseColor": "black"}},
           {"lines": {"positions": [4.5, 12.5, 0.5, 14.5, 12.5, 0.5], "segments": [0, 1]},
-           "material": {"baseColor": "red"}}
+           "material": {"baseColor": "#f00"}}
         ]}
     """.trimIndent()
 
