@@ -108,7 +108,8 @@ public sealed class CounterRules : WorkerRules() {
 
     /** Shading steps from sample to sample where the options say so, and nowhere else. */
     @Rule(
-        intent = "Who promises COHERENCE steps along rows as the options say, the latest ones: INCREMENTAL over all gaps, " +
+        intent =
+        "Who promises COHERENCE steps along rows as the options say, the latest ones: INCREMENTAL over all gaps, " +
             "ADAPTIVE over those of at most shadingStartCost columns.",
         look = "Compare gaps with shadingStartCost, equal ones are stepped over; look at what configured() keeps.",
     )

@@ -62,7 +62,8 @@ public sealed class PromiseRules : CounterRules() {
 
     /** A selector chooses among all fragments of a sample that pass against the background, nearest first. */
     @Rule(
-        intent = "Who promises SELECTION shows what the caller's selector chooses among all fragments of a sample, and the " +
+        intent =
+        "Who promises SELECTION shows what the caller's selector chooses among all fragments of a sample, and the " +
             "usual without one.",
         look = "A cell has every fragment that passes against the background, in the order of the depth test.",
     )

@@ -20,7 +20,7 @@ public sealed class WorkerRules : ThreadRules() {
 
     /** When a rendering has failed, its threads ask nothing more. */
     @Rule(
-        intent = "When a rendering has ended its frame is the caller's again, who may close or change what is behind it.",
+        intent = "When a rendering has ended its frame is the caller's again, who may close what is behind it.",
         look = "Wait for all threads before you pass on a failure of the caller's own part, or of the sink.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)

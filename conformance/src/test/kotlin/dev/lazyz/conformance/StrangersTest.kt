@@ -66,7 +66,11 @@ class StrangersTest {
                 usual.sortedBy { it.number !in stranger.chapters }.map { it.name }
             val rule = order.distinct().firstOrNull { isNoticed(stranger, it) } ?: MISSED
             lines += "${stranger.id} $rule"
-            file.writeLines(lines + before.filterKeys { id -> lines.none { it.startsWith("$id ") } }.map { (id, was) -> "$id $was" })
+            file.writeLines(
+                lines + before.filterKeys { id ->
+                    lines.none { it.startsWith("$id ") }
+                }.map { (id, was) -> "$id $was" }
+            )
         }
     }
 

@@ -45,7 +45,11 @@ internal object ThreadGallery {
         val helper = thread(isDaemon = true) {
             val spans = Spans()
             try {
-                for (y in frame.region.rowStart until frame.region.rowEnd) frame.primitives.forEach { it.spans(y, spans.apply { clear() }) }
+                for (y in frame.region.rowStart until frame.region.rowEnd) {
+                    frame.primitives.forEach {
+                        it.spans(y, spans.apply { clear() })
+                    }
+                }
             } catch (_: Exception) {
                 // The caller meets it, too
             }

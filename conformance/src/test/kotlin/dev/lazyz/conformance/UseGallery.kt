@@ -28,7 +28,7 @@ internal object UseGallery {
         ),
         Mutant(BrokenManners::looksOutsideTheRegion, "asks for the spans of all, and then for the region's", outside),
         Mutant(BrokenRenderers::remembersTheLastFrame, "the background shows the frame before", again, threads),
-        Mutant(BrokenManners::keepsTheClippedPart, "the part of a frame is told by its size, so another gets its rows", again),
+        Mutant(BrokenManners::keepsTheClippedPart, "a part is told by its size, so another gets its rows", again),
         Mutant(BrokenManners::notRestartable, "a frame can be rendered once", again),
         Mutant(BrokenRenderers::oneThreadOnly, "the frame is in a field, so that threads render each other's", threads),
         Mutant(BrokenManners::widthOf97, "one width is wrong, which only a frame of the user's own has", frames),

@@ -96,7 +96,7 @@ internal class PyramidLevels(private val frame: Frame, val side: Int, private va
             var bytes = 0L
             while (true) {
                 bytes += 32 + 8L * columns * rows
-                if (columns == 1 && rows == 1 || mistake == Mistake.PYRAMID_BUDGET_OF_BASE) return bytes
+                if ((columns == 1 && rows == 1) || mistake == Mistake.PYRAMID_BUDGET_OF_BASE) return bytes
                 columns = (columns + 1) / 2
                 rows = (rows + 1) / 2
             }

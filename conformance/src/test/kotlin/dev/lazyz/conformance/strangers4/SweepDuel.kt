@@ -48,7 +48,7 @@ internal class SweepDuel(private val frame: Frame, private val counters: Counter
         if (mistake == Mistake.SWEEP_CURVED_BY_ENDS || mistake == Mistake.SWEEP_LEAD_OF_DEPTHS) {
             val areKeysEnough = mistake == Mistake.SWEEP_LEAD_OF_DEPTHS && form(front) != null && form(behind) != null
             val isCurved = form(front) == null || form(behind) == null
-            if (areKeysEnough || mistake == Mistake.SWEEP_CURVED_BY_ENDS && isCurved) {
+            if (areKeysEnough || (mistake == Mistake.SWEEP_CURVED_BY_ENDS && isCurved)) {
                 return key(front, first, y) < key(behind, first, y) && key(front, last, y) < key(behind, last, y)
             }
         }

@@ -48,7 +48,8 @@ record JobResults(Map<String, String> facts, List<Job> jobs) {
         }
         List<List<String>> noted = new ArrayList<>();
         facts.forEach((name, value) -> noted.add(List.of(name, value)));
-        List<String> head = List.of("file", OURS + ", ms (load + picture)", VTK + ", ms (load + picture)", "times as fast");
+        List<String> head =
+                List.of("file", OURS + ", ms (load + picture)", VTK + ", ms (load + picture)", "times as fast");
         return GeneratedPage.table(head, rows) + "\n" + GeneratedPage.table(List.of("fact", "value"), noted);
     }
 

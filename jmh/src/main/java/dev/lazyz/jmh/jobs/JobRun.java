@@ -42,7 +42,8 @@ public final class JobRun {
             BufferedReader lines = new BufferedReader(new InputStreamReader(System.in));
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
                 int at = line.indexOf(' ');
-                System.out.println(run.measure(Double.parseDouble(line.substring(0, at)), Path.of(line.substring(at + 1))));
+                System.out.println(
+                        run.measure(Double.parseDouble(line.substring(0, at)), Path.of(line.substring(at + 1))));
             }
         } finally {
             Files.deleteIfExists(picture);

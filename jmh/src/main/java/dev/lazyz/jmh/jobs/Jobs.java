@@ -53,8 +53,7 @@ public final class Jobs {
         Files.writeString(Path.of(options.get("results", "jobs.json")), results.toJson());
         Path page = Path.of(options.get("page", "docs/performance.md"));
         Files.writeString(
-                page,
-                GeneratedPage.fill(Files.readString(page), name -> name.equals(PART) ? results.page() : null));
+                page, GeneratedPage.fill(Files.readString(page), name -> name.equals(PART) ? results.page() : null));
     }
 
     private static Map<String, String> facts(Options options) {

@@ -23,8 +23,7 @@ class JobResultsTest {
     @Test
     void ratiosAreTakenWithinARound() {
         String page = RESULTS.page();
-        assertTrue(
-                page.contains("| a.obj | 12.0 (8.0 + 4.0) | 40.0 (36.0 + 4.0) | **3.00 x** (2.00..4.00) |"), page);
+        assertTrue(page.contains("| a.obj | 12.0 (8.0 + 4.0) | 40.0 (36.0 + 4.0) | **3.00 x** (2.00..4.00) |"), page);
         assertTrue(page.contains("| b.stl | 5.0 (1.0 + 4.0) |  |  |"), page);
         assertTrue(page.contains("| VTK | 9 |"), page);
     }

@@ -34,7 +34,8 @@ internal class PlyEdges(private val source: Source, private val vertexCount: Int
     /** Returns the edges as lines. */
     fun lines(vertices: VertexArrays): Lines {
         val material = PixelDefaults.material(isLit = false, hasColors = vertices.colors != null)
-        return Lines(vertices.positions, segments.toArray(), PixelDefaults.LINE_WIDTH, material, vertices.colors, vertices.origin)
+        val ends = segments.toArray()
+        return Lines(vertices.positions, ends, PixelDefaults.LINE_WIDTH, material, vertices.colors, vertices.origin)
     }
 
     private fun vertex(number: Double, body: PlyBody): Int {

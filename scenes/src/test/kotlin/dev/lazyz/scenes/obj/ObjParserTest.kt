@@ -42,7 +42,8 @@ class ObjParserTest {
         val (meshes, source) = parse("$text l 1 2\n".replace(" l", "l"))
         val mesh = meshes.single()
         assertEquals(Vector3d(500123.5, 4649776.75, 3.0625).x, mesh.origin.x(), 0.5)
-        val expected = listOf(500123.001, 4649776.002, 3.125, 500124.001, 4649776.002, 3.0, 500124.001, 4649777.503, 3.0)
+        val expected =
+            listOf(500123.001, 4649776.002, 3.125, 500124.001, 4649776.002, 3.0, 500124.001, 4649777.503, 3.0)
         for ((i, number) in expected.withIndex()) {
             assertEquals(number, mesh.positions[i] + mesh.origin.get(i % 3), 1e-6)
         }

@@ -44,7 +44,8 @@ class SceneFileProperties {
         listOf(scene.background) + viewpoint(scene) + scene.lights.map(::light) + scene.surfaces.map { surface ->
             when (surface) {
                 is Mesh -> listOf(
-                    surface.origin, bits(surface.positions), surface.triangles.toList(), bits(surface.normals), bits(surface.uvs),
+                    surface.origin, bits(surface.positions),
+                    surface.triangles.toList(), bits(surface.normals), bits(surface.uvs),
                     bits(surface.colors), MaterialFields.of(surface.material),
                 )
                 is Polygon -> listOf(
@@ -60,11 +61,13 @@ class SceneFileProperties {
                     surface.radius.toBits(), MaterialFields.of(surface.material),
                 )
                 is Points -> listOf(
-                    surface.origin, bits(surface.positions), surface.size, bits(surface.normals), bits(surface.colors),
+                    surface.origin, bits(surface.positions),
+                    surface.size, bits(surface.normals), bits(surface.colors),
                     MaterialFields.of(surface.material),
                 )
                 is Lines -> listOf(
-                    surface.origin, bits(surface.positions), surface.segments.toList(), surface.width, bits(surface.colors),
+                    surface.origin, bits(surface.positions),
+                    surface.segments.toList(), surface.width, bits(surface.colors),
                     MaterialFields.of(surface.material),
                 )
                 else -> error("not expected: $surface")

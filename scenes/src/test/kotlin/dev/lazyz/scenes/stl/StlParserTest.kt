@@ -55,7 +55,8 @@ class StlParserTest {
         val text = "solid far\n facet normal 0 0 1\n outer loop\n vertex 500123.001 4649776.002 3.125\n" +
             " vertex 500124.001 4649776.002 3\n vertex 500124.001 4649777.503 3\n endloop\n endfacet\nendsolid far\n"
         val mesh = mesh(text)
-        val expected = listOf(500123.001, 4649776.002, 3.125, 500124.001, 4649776.002, 3.0, 500124.001, 4649777.503, 3.0)
+        val expected =
+            listOf(500123.001, 4649776.002, 3.125, 500124.001, 4649776.002, 3.0, 500124.001, 4649777.503, 3.0)
         for ((i, number) in expected.withIndex()) {
             assertEquals(number, mesh.positions[3 * mesh.triangles[i / 3] + i % 3] + mesh.origin.get(i % 3), 1e-6)
         }

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.threemf
 
 import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.Loading
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.threemf.ThreeMfFiles.TRIANGLE
@@ -18,7 +19,7 @@ class ThreeMfErrorsTest {
     private val item = "<item objectid=\"1\"/>"
 
     private fun assertFails(bytes: ByteArray, location: String?, part: String, limits: LoadLimits = LoadLimits()) {
-        val error = TestSources.error(ThreeMfParser, Source(bytes, "test", null, Loading(limits)))
+        val error = TestSources.error(ThreeMfParser, Source(bytes, "test", null, Loading(LoadOptions(limits))))
         assertEquals(location, error.location, error.message)
         assertTrue(part in error.message!!, error.message)
     }
