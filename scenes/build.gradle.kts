@@ -11,4 +11,5 @@ dependencies {
     implementation(libs.jgltf.model)
     implementation(libs.obj)
     implementation(libs.earcut4j)
+    testImplementation(libs.jacoco.core)
 }
