@@ -25,12 +25,12 @@ internal class FuzzTarget private constructor(val id: String, val extension: Str
 
     /** Ways to change an input, those that know the format beside those that do not. */
     val mutations: List<Mutations> = listOf(ByteMutations) + when (id) {
-        "gltf", "scene" -> listOf(JsonMutations, JsonMutations, TextMutations)
-        "glb" -> listOf(GlbMutations, GlbMutations)
-        "ply" -> listOf(HeaderMutations("end_header\n"), TextMutations)
-        "stl" -> listOf(StlMutations, TextMutations)
-        "3mf" -> listOf(ZipMutations, ZipMutations, ZipMutations)
-        else -> listOf(TextMutations, TextMutations)
+        "gltf", "scene" -> listOf(TextMutations) + List(4) { JsonMutations }
+        "glb" -> List(5) { GlbMutations }
+        "ply" -> listOf(TextMutations, TextMutations, HeaderMutations("end_header\n"))
+        "stl" -> listOf(TextMutations, StlMutations)
+        "3mf" -> List(5) { ZipMutations }
+        else -> List(3) { TextMutations }
     }
 
     /** The files of this kind in [folder] that are small, in the order of their names. */

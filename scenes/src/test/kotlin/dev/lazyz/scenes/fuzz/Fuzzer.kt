@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.fuzz
 
+import dev.lazyz.scenes.fuzz.mutations.ByteMutations
 import java.nio.file.Path
 import java.util.Random
 
@@ -12,9 +13,12 @@ internal class Fuzzer(private val target: FuzzTarget, private val settings: Fuzz
     private val coverage = Coverage()
     private val runner =
         CaseRunner(coverage.create(LoadAndDraw::class.java.name, target.id, folder) as SceneCase)
-    private val kept = ArrayList<ByteArray>()
+    private val kept = ArrayList<Kept>()
     private val kinds = HashSet<String>()
     private val statistics = FuzzStatistics()
+
+    /** An input, and whether it was loaded. */
+    private class Kept(val input: ByteArray, val isScene: Boolean)
 
     /** One line for each finding. */
     val findings = ArrayList<String>()
@@ -24,15 +28,16 @@ internal class Fuzzer(private val target: FuzzTarget, private val settings: Fuzz
         var start = 0L
         runner.use {
             for (seed in target.seeds + settings.seeds?.let { target.seeds(it) }.orEmpty()) {
-                kept.add(seed)
-                statistics.seed(probe(seed).first)
+                val (reach, outcome) = probe(seed)
+                statistics.seed(reach)
+                kept.add(Kept(seed, outcome.isScene))
             }
             start = System.nanoTime()
             while (!runner.hangs && System.nanoTime() - start < seconds * NANOS) {
                 val input = mutant()
                 val (reach, outcome) = probe(input)
                 statistics.count(reach, outcome.isScene)
-                if (reach.newProbes > 0 && !runner.hangs) kept.add(input)
+                if (reach.newProbes > 0 && !runner.hangs) kept.add(Kept(input, outcome.isScene))
             }
         }
         val taken = (System.nanoTime() - start) / NANOS
@@ -49,23 +54,26 @@ internal class Fuzzer(private val target: FuzzTarget, private val settings: Fuzz
     }
 
     private fun mutant(): ByteArray {
+        val mutations = target.mutations[random.nextInt(target.mutations.size)]
         var input = pick()
         do {
-            val mutations = target.mutations[random.nextInt(target.mutations.size)]
-            input = mutations.mutate(input, pick(), random) ?: input
-        } while (random.nextInt(3) != 0)
+            input = mutations.mutate(input, pick(), random) ?: ByteMutations.mutate(input, pick(), random)
+        } while (random.nextInt(2) == 0)
         return if (input.size > MOST_BYTES) input.copyOf(MOST_BYTES) else input
     }
 
-    /** An input that was kept, rather a new one. */
+    /** An input that was kept, rather a new one, and rather one that was loaded. */
     private fun pick(): ByteArray {
         val newest = if (random.nextBoolean()) minOf(kept.size, NEWEST) else kept.size
-        return kept[kept.size - 1 - random.nextInt(newest)]
+        var pick = kept[kept.size - 1 - random.nextInt(newest)]
+        repeat(TRIES) { if (!pick.isScene) pick = kept[kept.size - 1 - random.nextInt(newest)] }
+        return pick.input
     }
 
     private companion object {
         const val NANOS = 1e9
         const val MOST_BYTES = 98_304
-        const val NEWEST = 16
+        const val NEWEST = 32
+        const val TRIES = 2
     }
 }

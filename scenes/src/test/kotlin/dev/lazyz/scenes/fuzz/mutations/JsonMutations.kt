@@ -16,7 +16,7 @@ internal object JsonMutations : Mutations {
         val places = places(root)
         if (places.isEmpty()) return null
         val donors = parsed(other)?.let { places(it) }.orEmpty().ifEmpty { places }
-        repeat(1 + random.small(3)) {
+        repeat(1 + random.small(2)) {
             random.pick(places).let { place ->
                 place.value?.let { change(place, it, random.pick(donors).value ?: it, places, random) }
             }
@@ -25,7 +25,7 @@ internal object JsonMutations : Mutations {
     }
 
     private fun change(place: JsonPlace, value: JsonNode, donor: JsonNode, places: List<JsonPlace>, random: Random) {
-        when (random.nextInt(8)) {
+        when (random.nextInt(10)) {
             0 -> place.remove()
             1 -> place.duplicate(random.pick(places).name, random)
             2 -> place.set(donor.deepCopy())

@@ -48,17 +48,28 @@ internal object TextMutations : Mutations {
             1 -> tokens.add(at, tokens[at] + " ")
             2 -> tokens[at] = random.pick(odd)
             3 -> tokens.add(at, random.pick(odd))
-            4 -> if (other.isNotEmpty()) tokens[at] = other[place(other, random)]
-            5 -> tokens[at] = tokens[place(tokens, random)]
-            6 -> tokens[at] = (tokens[at] + " ").repeat(1 + random.small(MOST_COPIES))
-            else -> tokens[at] = random.pick(InterestingNumbers.words)
+            4 -> tokens[at] = tokens[place(tokens, random)]
+            5 -> tokens[at] = (tokens[at] + " ").repeat(1 + random.small(MOST_COPIES))
+            else -> tokens[at] = like(tokens[at], other, random)
         }
         return tokens
     }
 
+    /** Another token of the same sort: a number for a number, a word for a word. */
+    private fun like(token: String, other: List<String>, random: Random): String {
+        val isNumber = token.any { it.isDigit() }
+        if (isNumber && random.nextBoolean()) return random.pick(InterestingNumbers.words)
+        repeat(TRIES) {
+            if (other.isEmpty()) return token
+            val pick = other[place(other, random)]
+            if (pick.any { it.isDigit() } == isNumber && pick[0].isLetter() == token[0].isLetter()) return pick
+        }
+        return random.pick(InterestingNumbers.words)
+    }
+
     /** A place of a token that is not blank, if a few tries find one. */
     private fun place(tokens: List<String>, random: Random): Int {
-        repeat(4) {
+        repeat(TRIES) {
             val at = random.nextInt(tokens.size)
             if (tokens[at].isNotBlank()) return at
         }
@@ -66,4 +77,5 @@ internal object TextMutations : Mutations {
     }
 
     private const val MOST_COPIES = 300
+    private const val TRIES = 4
 }
