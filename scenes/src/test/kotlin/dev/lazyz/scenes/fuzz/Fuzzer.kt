@@ -3,6 +3,9 @@ package dev.lazyz.scenes.fuzz
 import dev.lazyz.scenes.fuzz.mutations.ByteMutations
 import java.nio.file.Path
 import java.util.Random
+import java.util.concurrent.CopyOnWriteArrayList
+import java.util.concurrent.FutureTask
+import kotlin.concurrent.thread
 
 /**
  * Changes inputs and keeps those that reach code which none reached before, to change them further. The order of inputs is
@@ -20,34 +23,53 @@ internal class Fuzzer(private val target: FuzzTarget, private val settings: Fuzz
     /** An input, and whether it was loaded. */
     private class Kept(val input: ByteArray, val isScene: Boolean)
 
-    /** One line for each finding. */
-    val findings = ArrayList<String>()
+    @Volatile
+    private var hangs = false
 
-    /** Goes on for so many seconds after the seeds, or until an input hangs; returns what was done. */
+    @Volatile
+    private var taken = 0.0
+
+    /** One line for each finding. */
+    val findings: MutableList<String> = CopyOnWriteArrayList()
+
+    /**
+     * Goes on for so many seconds after the seeds; returns what was done. An input that hangs is the end: it keeps the thread
+     * that all run on.
+     */
     fun run(seconds: Double): String {
-        var start = 0L
-        runner.use {
-            for (seed in target.seeds + settings.seeds?.let { target.seeds(it) }.orEmpty()) {
-                val (reach, outcome) = probe(seed)
-                statistics.seed(reach)
-                kept.add(Kept(seed, outcome.isScene))
-            }
-            start = System.nanoTime()
-            while (!runner.hangs && System.nanoTime() - start < seconds * NANOS) {
-                val input = mutant()
-                val (reach, outcome) = probe(input)
-                statistics.count(reach, outcome.isScene)
-                if (reach.newProbes > 0 && !runner.hangs) kept.add(Kept(input, outcome.isScene))
+        val work = FutureTask { work(seconds) }
+        val worker = thread(isDaemon = true, name = "fuzz") { work.run() }
+        while (worker.isAlive && !hangs) {
+            worker.join(WATCH_MILLIS)
+            runner.hang(worker)?.let { (input, outcome) ->
+                hangs = true
+                findings.add(Finding(target, settings, statistics.inputs, input, outcome).write())
             }
         }
-        val taken = (System.nanoTime() - start) / NANOS
+        if (!hangs) work.get()
         return "$target: ${statistics.text(taken)}, ${kept.size} kept, ${coverage.reached} probes, " +
             "${findings.size} findings"
     }
 
+    private fun work(seconds: Double) {
+        for (seed in target.seeds + settings.seeds?.let { target.seeds(it) }.orEmpty()) {
+            val (reach, outcome) = probe(seed)
+            statistics.seed(reach)
+            kept.add(Kept(seed, outcome.isScene))
+        }
+        val start = System.nanoTime()
+        while (!hangs && taken < seconds) {
+            val input = mutant()
+            val (reach, outcome) = probe(input)
+            statistics.count(reach, outcome.isScene)
+            if (reach.newProbes > 0) kept.add(Kept(input, outcome.isScene))
+            taken = (System.nanoTime() - start) / 1e9
+        }
+    }
+
     private fun probe(input: ByteArray): Pair<Coverage.Reach, CaseRunner.Outcome> {
         val outcome = runner.run(input)
-        if (outcome.fault != null && kinds.add(outcome.kind)) {
+        if (outcome.fault != null && !hangs && kinds.add(outcome.kind)) {
             findings.add(Finding(target, settings, statistics.inputs, input, outcome).write())
         }
         return coverage.take() to outcome
@@ -71,8 +93,8 @@ internal class Fuzzer(private val target: FuzzTarget, private val settings: Fuzz
     }
 
     private companion object {
-        const val NANOS = 1e9
         const val MOST_BYTES = 98_304
+        const val WATCH_MILLIS = 200L
         const val NEWEST = 32
         const val TRIES = 2
     }
