@@ -69,6 +69,7 @@ subprojects {
         include("**/*Test.class", "**/*Properties.class", "**/*Example.class")
         systemProperty("jqwik.database", "")
         systemProperty("jqwik.reporting.onlyfailures", "true")
+        systemProperties(providers.systemPropertiesPrefixedBy("lazyz.fuzz.").get())
         timeout = Duration.ofMinutes(15)
     }
 

@@ -12,4 +12,5 @@ dependencies {
     implementation(libs.drako)
     implementation(libs.obj)
     implementation(libs.earcut4j)
+    testImplementation(libs.jacoco.core)
 }

@@ -70,6 +70,7 @@ public class Camera private constructor(
     public val projection: Projection,
     public val near: Double,
     public val far: Double,
+    moved: Camera? = null,
 ) : Viewpoint {
     /** Where the camera is, world space. */
     public val eye: Vector3dc = Vector3d(eye)
@@ -90,19 +91,25 @@ public class Camera private constructor(
     internal val upward: Vector3d
 
     init {
-        require(Vectors.isFinite(eye) && Vectors.isFinite(target)) { "eye and target must be finite: $eye, $target" }
+        require(moved != null || (Vectors.isFinite(eye) && Vectors.isFinite(target))) {
+            "eye and target must be finite: $eye, $target"
+        }
         require(far > near && far.isFinite() && near.isFinite()) { "near must be less than far: $near, $far" }
         require(projection !is Projection.Perspective || near > 0.0) {
             "near must be positive under perspective: $near"
         }
-        backward =
-            Vectors.unit(Vector3d(eye.x() - target.x(), eye.y() - target.y(), eye.z() - target.z()), "line of sight")
-        val side = Vectors.cross(Vectors.unit(up, "up"), backward)
+        backward = moved?.backward
+            ?: Vectors.unit(Vector3d(eye.x() - target.x(), eye.y() - target.y(), eye.z() - target.z()), "line of sight")
+        right = moved?.right ?: rightOf(Vectors.unit(up, "up"))
+        upward = Vectors.cross(backward, right)
+    }
+
+    private fun rightOf(up: Vector3d): Vector3d {
+        val side = Vectors.cross(up, backward)
 
         // Looking along the up vector leaves the roll open: take the axis that is least along the line of sight
         val isRollOpen = Vectors.dot(side, side) < 1e-12
-        right = Vectors.unit(if (isRollOpen) Vectors.cross(leastAxis(backward), backward) else side, "right")
-        upward = Vectors.cross(backward, right)
+        return Vectors.unit(if (isRollOpen) Vectors.cross(leastAxis(backward), backward) else side, "right")
     }
 
     override fun camera(bounds: Box?, aspect: Double): Camera = this
@@ -177,11 +184,11 @@ public class Camera private constructor(
         right.z * x + upward.z * y + backward.z * z,
     )
 
-    /** Returns this camera as it is seen from [origin]. */
+    /** Returns this camera as it is seen from [origin]; it looks the same way, even where eye and target become one. */
     internal fun relativeTo(origin: Vector3dc): Camera = if (Vectors.isZero(origin)) {
         this
     } else {
-        Camera(Vectors.minus(eye, origin), Vectors.minus(target, origin), up, projection, near, far)
+        Camera(Vectors.minus(eye, origin), Vectors.minus(target, origin), up, projection, near, far, this)
     }
 
     /** Half the visible height: at distance 1 under perspective, anywhere without. Of no meaning on the screen. */

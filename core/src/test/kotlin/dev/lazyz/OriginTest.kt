@@ -60,6 +60,21 @@ class OriginTest {
     }
 
     @Test
+    fun whatIsFartherAwayThanNumbersCanTellIsNotSeen() {
+        val corners = floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 0f, 1f, 0f)
+        for (away in listOf(1e17, 1e300, Double.MAX_VALUE)) {
+            val mesh = Mesh(corners, intArrayOf(0, 1, 2), origin = Vector3d(away, away, away))
+            for (x in listOf(0.0, -0.9 * away)) {
+                val eye = Vector3d(x, 0.0, 5.0)
+                val target = Vector3d(x, 0.0, 0.0)
+                val camera = Camera.perspective(eye, target, Vector3d(0.0, 1.0, 0.0), 30.0, 1.0, 9.0)
+                val frame = Scene(listOf(mesh, Sphere(target, 1.0)), viewpoint = camera).frame(8, 8)
+                for (strategy in Renderers.builtIn) strategy.render(frame)
+            }
+        }
+    }
+
+    @Test
     fun originsAreFinite() {
         assertThrows(IllegalArgumentException::class.java) {
             Mesh(FloatArray(3), IntArray(0), origin = Vector3d(Double.NaN, 0.0, 0.0))
