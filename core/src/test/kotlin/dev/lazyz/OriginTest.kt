@@ -117,7 +117,11 @@ class OriginTest {
         val flag = listOf(Vector3d(0.0, 0.0, 0.0), Vector3d(1.0, 0.0, 0.0), Vector3d(0.0, 1.5, 0.0))
             .map { it.add(place) }.map { Vertex(it.x, it.y, it.z) }
         return Scene(
-            listOf(hill, other, Sphere(Vector3d(place).add(0.5, 0.5, 0.5), 0.5), Polygon(listOf(flag))),
+            listOf(
+                hill, other, Sphere(Vector3d(place).add(0.5, 0.5, 0.5), 0.5), Polygon(listOf(flag)),
+                Points(CORNERS, 5.0, origin = Vector3d(place).add(0.0, 0.5, 0.0)),
+                Lines(CORNERS, intArrayOf(0, 1, 1, 2), 3.0, origin = Vector3d(place).add(0.0, 0.5, 0.0)),
+            ),
             listOf(Light.Point(Vector3d(place).add(2.0, 4.0, 2.0), Rgba.WHITE)),
         ).withCameraAt(place)
     }
@@ -149,5 +153,6 @@ class OriginTest {
 
     private companion object {
         const val SIDE = 17
+        val CORNERS = floatArrayOf(-1f, 0f, 1f, 1f, 0.5f, 1f, 1f, 1f, -1f)
     }
 }

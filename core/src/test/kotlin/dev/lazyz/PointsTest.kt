@@ -143,16 +143,17 @@ class PointsTest {
 
     @Test
     fun pointsMove() {
-        val points = Points(floatArrayOf(1f, 2f, 3f), 2.0, Material(), floatArrayOf(0f, 3f, 0f))
+        val points =
+            Points(floatArrayOf(1f, 2f, 3f, 0f, 0f, 0f), 2.0, Material(), floatArrayOf(0f, 3f, 0f, 1f, 0f, 0f))
         val moved = points.transformed(Matrix4d().translate(1.0, 0.0, 0.0).scale(2.0))
-        assertArrayEquals(floatArrayOf(3f, 4f, 6f), moved.positions)
-        assertArrayEquals(floatArrayOf(0f, 1f, 0f), moved.normals)
+        assertArrayEquals(floatArrayOf(3f, 4f, 6f, 1f, 0f, 0f), moved.positions)
+        assertArrayEquals(floatArrayOf(0f, 1f, 0f, 1f, 0f, 0f), moved.normals)
         assertEquals(2.0, moved.size)
         assertEquals(5.0, moved.withSize(5.0).size)
         assertSame(moved.positions, moved.withSize(5.0).positions)
         val other = Material(name = "other")
         assertSame(other, points.withMaterials { other }.material)
-        assertEquals(Vector3d(1.0, 2.0, 3.0), points.bounds!!.center)
+        assertEquals(Vector3d(0.5, 1.0, 1.5), points.bounds!!.center)
     }
 
     @Test
