@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.fuzz
 
 import java.nio.file.Path
+import java.util.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DynamicTest
@@ -51,7 +52,7 @@ class FuzzTest {
     }
 
     private fun inputs(target: FuzzTarget): List<Int> {
-        val random = java.util.Random(1)
+        val random = Random(1)
         return List(200) { i ->
             val mutations = target.mutations[i % target.mutations.size]
             mutations.mutate(target.seeds[i % target.seeds.size], target.seeds.first(), random).contentHashCode()

@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.JsonNode
 import com.fasterxml.jackson.databind.ObjectMapper
 import com.fasterxml.jackson.databind.node.ArrayNode
 import com.fasterxml.jackson.databind.node.ObjectNode
+import java.io.CharConversionException
 import java.util.Random
 
 /** Changes members of a JSON tree, so that it stays JSON. */
@@ -21,7 +22,7 @@ internal object JsonMutations : Mutations {
                 place.value?.let { change(place, it, random.pick(donors).value ?: it, places, random) }
             }
         }
-        return mapper.writeValueAsBytes(root)
+        return written(root)
     }
 
     private fun change(place: JsonPlace, value: JsonNode, donor: JsonNode, places: List<JsonPlace>, random: Random) {
@@ -41,7 +42,14 @@ internal object JsonMutations : Mutations {
         mapper.readTree(bytes)
     } catch (_: JsonProcessingException) {
         null
-    } catch (_: java.io.CharConversionException) {
+    } catch (_: CharConversionException) {
+        null
+    }
+
+    /** Null for a tree that is too deep. */
+    private fun written(root: JsonNode): ByteArray? = try {
+        mapper.writeValueAsBytes(root)
+    } catch (_: JsonProcessingException) {
         null
     }
 

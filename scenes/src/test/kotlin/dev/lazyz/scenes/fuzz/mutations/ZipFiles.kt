@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.fuzz.mutations
 
 import java.io.ByteArrayOutputStream
+import java.time.LocalDateTime
 import java.util.zip.CRC32
 import java.util.zip.ZipEntry
 import java.util.zip.ZipException
@@ -26,7 +27,7 @@ internal object ZipFiles {
     }
 
     private fun header(name: String, bytes: ByteArray, isStored: Boolean) = ZipEntry(name.take(MOST_NAME)).apply {
-        timeLocal = java.time.LocalDateTime.of(2000, 1, 1, 0, 0)
+        timeLocal = LocalDateTime.of(2000, 1, 1, 0, 0)
         if (isStored) {
             method = ZipEntry.STORED
             size = bytes.size.toLong()
