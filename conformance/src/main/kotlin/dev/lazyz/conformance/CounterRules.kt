@@ -114,7 +114,7 @@ public sealed class CounterRules : WorkerRules() {
         look = "Compare gaps with shadingStartCost, equal ones are stepped over; look at what configured() keeps.",
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_7_6_shadingStepsAsTheOptionsSay(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+    public fun rule_8_1_shadingStepsAsTheOptionsSay(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
         requireDeclared(renderer, Capability.COHERENCE)
         requireDeclared(renderer, Capability.SHADES_ONLY_VISIBLE)

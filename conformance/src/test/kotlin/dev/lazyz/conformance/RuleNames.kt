@@ -63,7 +63,7 @@ internal object RuleNames {
     val counts = RendererConformance::rule_8_1_countersCountWhatHappens.name
     val fragments = RendererConformance::rule_8_1_fragmentsAreTheCoveredSamples.name
     val among = RendererConformance::rule_8_1_passesAreAmongTheFragments.name
-    val stepping = RendererConformance::rule_7_6_shadingStepsAsTheOptionsSay.name
+    val stepping = RendererConformance::rule_8_1_shadingStepsAsTheOptionsSay.name
     val steps = RendererConformance::rule_8_1_startsAndStepsAreCounted.name
     val passes = RendererConformance::rule_8_2_visibleSamplesArePassedAndShaded.name
     val promise = RendererConformance::rule_8_2_promiseToShadeOnlyTheVisibleIsKept.name

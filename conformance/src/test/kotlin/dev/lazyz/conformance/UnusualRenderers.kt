@@ -29,7 +29,10 @@ internal object UnusualRenderers {
 
     private fun unusual(id: String, vararg capabilities: Capability, draw: (Frame, RowSink) -> Counters): Renderer =
         BrokenRenderer(id, capabilities.toSet()) { frame, sink ->
-            require(!frame.hasTranslucency) { "$id does not blend: make the frame opaque" }
+            require(!frame.hasTranslucency) {
+                val index = frame.primitives.indexOfFirst { it.isTranslucent }
+                "primitive $index is translucent; $id does not blend: make the frame opaque"
+            }
             draw(frame, sink)
         }
 

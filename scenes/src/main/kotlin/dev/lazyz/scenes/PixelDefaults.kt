@@ -11,11 +11,12 @@ internal object PixelDefaults {
     /** Width of lines, pixels. */
     const val LINE_WIDTH = 1.0
 
-    private val dark = Material(Rgba.ofArgb(0xFF303840.toInt()))
+    private val dark = Rgba.ofArgb(0xFF303840.toInt())
 
     /**
      * Returns the material of what the file has no colour for: dark if there is no light on it, for white would not be
      * seen on white; otherwise white, as meshes are.
      */
-    fun material(isLit: Boolean, hasColors: Boolean): Material = if (isLit || hasColors) Material() else dark
+    fun material(isLit: Boolean, hasColors: Boolean, name: String = ""): Material =
+        Material(if (isLit || hasColors) Rgba.WHITE else dark, name = name)
 }

@@ -36,7 +36,7 @@ internal class MtlLibrary(private val source: Source) {
     /** Returns the material called [name]; a plain one if no library has it. */
     fun material(name: String?): MtlMaterial = materials[name] ?: missing.getOrPut(name) {
         if (name != null) source.warn("material $name is defined nowhere and becomes plain white")
-        MtlMaterial(Material(name = name ?: ""))
+        MtlMaterial(Material(name = name ?: ""), isDefined = false)
     }
 
     private fun read(file: Path) {

@@ -20,6 +20,7 @@ import java.nio.file.Path
  *
  * @property material how it looks
  * @property scaleU what texture coordinates (v upward) are multiplied by, before the offset is added
+ * @property isDefined whether some library defines it
  */
 internal class MtlMaterial(
     val material: Material,
@@ -27,6 +28,7 @@ internal class MtlMaterial(
     val scaleV: Double = 1.0,
     val offsetU: Double = 0.0,
     val offsetV: Double = 0.0,
+    val isDefined: Boolean = true,
 )
 
 /**

@@ -44,8 +44,11 @@ internal class ObjPoints {
     /** Returns what has been added, points first. */
     fun surfaces(model: ObjModel, materialOf: (String?) -> MtlMaterial): List<Surface> {
         val positions = model.positions.toArray()
-        fun material(name: String?): Material =
-            if (name != null) materialOf(name).material else PixelDefaults.material(false, model.colors.size > 0)
+
+        fun material(name: String?): Material {
+            val named = if (name == null) null else materialOf(name).takeIf { it.isDefined }
+            return named?.material ?: PixelDefaults.material(false, model.colors.size > 0, name.orEmpty())
+        }
         return points.map { (name, numbers) ->
             val vertices = IntArray(numbers.vertices.size) { numbers.vertices[it] }
             Points(

@@ -39,15 +39,14 @@ class ObjParserTest {
     @Test
     fun farFromTheOriginNoDetailIsLost() {
         val text = "v 500123.001 4649776.002 3.125\nv 500124.001 4649776.002 3\nv 500124.001 4649777.503 3\nf 1 2 3\n"
-        val (meshes, source) = parse("$text l 1 2\n".replace(" l", "l"))
+        val (meshes, source) = parse("$text\nxyz\n")
         val mesh = meshes.single()
-        assertEquals(Vector3d(500123.5, 4649776.75, 3.0625).x, mesh.origin.x(), 0.5)
         val expected =
             listOf(500123.001, 4649776.002, 3.125, 500124.001, 4649776.002, 3.0, 500124.001, 4649777.503, 3.0)
         for ((i, number) in expected.withIndex()) {
             assertEquals(number, mesh.positions[i] + mesh.origin.get(i % 3), 1e-6)
         }
-        assertEquals(source.warnings.distinct(), source.warnings)
+        assertEquals(1, source.warnings.size, source.warnings.toString())
         assertEquals(Vector3d(), mesh("v 10 0 0\nv 11 0 0\nv 11 1 0\nf 1 2 3\n").origin)
     }
 

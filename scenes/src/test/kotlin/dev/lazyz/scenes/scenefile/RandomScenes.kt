@@ -95,7 +95,8 @@ internal class RandomScenes(seed: Long) {
         )
     }
 
-    private fun origin(): Vector3d = if (random.nextBoolean()) Vector3d() else Vector3d(double(), double(), double())
+    private fun origin(): Vector3d =
+        if (random.nextBoolean()) Vector3d() else Vector3d(1e9 * random.nextGaussian(), random.nextGaussian(), -0.0)
 
     private fun vertex(): Vertex =
         if (random.nextBoolean()) {
