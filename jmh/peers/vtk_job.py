@@ -3,7 +3,8 @@
     vtk_job.py
 
 Input and output are those of JobRun.java. VTK reads the file, makes normals, renders with its default light, and writes the
-picture, all by its own classes. OBJ, PLY and STL files only. Needs vtk.
+picture, all by its own classes. OBJ, PLY and STL files only; where it reads no faces, as of PLY files with triangle strips, no
+job is done. Needs vtk.
 """
 
 import os
@@ -25,6 +26,8 @@ def job(file, picture):
     normals.SetInputConnection(reader.GetOutputPort())
     normals.Update()
     loaded = time.perf_counter()
+    if normals.GetOutput().GetNumberOfCells() == 0:
+        return None
 
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputConnection(normals.GetOutputPort())
@@ -53,7 +56,10 @@ def measure(seconds, file, picture):
     jobs = []
     end = time.perf_counter() + seconds
     while not jobs or time.perf_counter() < end:
-        jobs.append(job(file, picture))
+        done = job(file, picture)
+        if done is None:
+            return "0 0 0 0"
+        jobs.append(done)
     load, rest = min(jobs, key=sum)
     return "%d %.3f %.3f %.3f" % (len(jobs), load + rest, load, rest)
 

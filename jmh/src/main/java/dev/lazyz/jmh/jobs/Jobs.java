@@ -45,8 +45,12 @@ public final class Jobs {
             }
             for (int round = 1; round <= rounds; round++) {
                 for (String file : files) {
-                    results.jobs().add(ours.job(file, measure, round));
-                    results.jobs().add(theirs.job(file, measure, round));
+                    for (Worker worker : List.of(ours, theirs)) {
+                        JobResults.Job job = worker.job(file, measure, round);
+                        if (job.count() > 0) {
+                            results.jobs().add(job);
+                        }
+                    }
                 }
             }
         }
