@@ -69,7 +69,7 @@ subprojects {
         include("**/*Test.class", "**/*Properties.class", "**/*Example.class")
         systemProperty("jqwik.database", "")
         systemProperty("jqwik.reporting.onlyfailures", "true")
-        systemProperties(providers.systemPropertiesPrefixedBy("lazyz.fuzz.").get())
+        systemProperties(providers.systemPropertiesPrefixedBy("lazyz.").get())
         timeout = Duration.ofMinutes(15)
     }
 

@@ -19,7 +19,7 @@ internal enum class Where(
     SAME_SAMPLE(1_000),
 
     /** Wherever spans and colours are asked for: two uses of what belongs to one thread. */
-    ANY_SAMPLE(500),
+    ANY_SAMPLE(1_000),
 }
 
 /**

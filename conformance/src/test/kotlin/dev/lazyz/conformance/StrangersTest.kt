@@ -16,8 +16,8 @@ import org.junit.jupiter.api.TestFactory
 
 /**
  * What the suite notices of the strangers' wrong renderers, it goes on noticing. A file names for each of them a rule that
- * does, or `-`. The build tries every tenth; `-Dlazyz.strangers=all` tries all; `-Dlazyz.record=true` looks for the rules
- * anew, where those in the file do not notice, which takes up to a minute each.
+ * does, or `-`; see [TestEffort]. `-Dlazyz.record=true` looks for the rules anew, where those in the file do not notice, which
+ * takes up to a minute each.
  */
 class StrangersTest {
     private val file: Path = listOf("src/test/resources", "conformance/src/test/resources").map { Path.of(it) }
@@ -33,8 +33,7 @@ class StrangersTest {
         if (System.getProperty("lazyz.record") == "true") record()
         val recorded = recorded()
         val noticed = strangers.filter { recorded[it.id] != MISSED }
-        val step = if (System.getProperty("lazyz.strangers") == "all") 1 else 10
-        return noticed.filterIndexed { i, _ -> i % step == 0 }.map { stranger ->
+        return TestEffort.oneOf(10, noticed).map { stranger ->
             dynamicTest(stranger.id) {
                 val rule = recorded.getValue(stranger.id)
                 assertTrue(isNoticed(stranger, rule), "$rule does not notice ${stranger.id}: ${stranger.what}")
