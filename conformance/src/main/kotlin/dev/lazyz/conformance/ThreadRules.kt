@@ -15,7 +15,7 @@ public sealed class ThreadRules : UseRules() {
         intent = "A renderer may be used by several threads at once, at any moment of their renderings.",
         look = "Look for fragments, spans and rows in fields of the renderer, or where all renderings share them.",
     )
-    @Property(tries = 8, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 4, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_renderingsThatMeetDoNotDisturbEachOther(@ForAll salt: Long) {
         val renderer = renderer()
         val meeting = Meeting(Where.ANY_SAMPLE)

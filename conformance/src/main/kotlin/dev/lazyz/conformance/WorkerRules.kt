@@ -45,7 +45,7 @@ public sealed class WorkerRules : ThreadRules() {
         look = "Look for keys that are read, compared and written without a lock, and for rows, spans and fragments " +
             "that threads share.",
     )
-    @Property(tries = 4, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_threadsThatMeetLoseNothing(@ForAll salt: Long) {
         val configured = renderer().configured(FOUR_THREADS)
         for (where in Where.entries) {
