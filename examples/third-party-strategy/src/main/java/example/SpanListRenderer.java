@@ -45,7 +45,12 @@ public final class SpanListRenderer implements Renderer {
     @Override
     public Counters render(Frame frame, RowSink sink) {
         if (frame.getHasTranslucency()) {
-            throw new IllegalArgumentException("span-list does not blend: use Frame.asOpaque()");
+            int index = 0;
+            while (!frame.getPrimitives().get(index).isTranslucent()) {
+                index++;
+            }
+            throw new IllegalArgumentException(
+                    "primitive " + index + " is translucent; span-list does not blend: use Frame.asOpaque()");
         }
         Counters counters = new Counters();
         counters.primitives = frame.getPrimitives().size();

@@ -33,10 +33,14 @@ class StrangersTest {
         if (System.getProperty("lazyz.record") == "true") record()
         val recorded = recorded()
         val noticed = strangers.filter { recorded[it.id] != MISSED }
-        return TestEffort.oneOf(10, noticed).map { stranger ->
+        return TestEffort.oneOf(12, noticed).map { stranger ->
             dynamicTest(stranger.id) {
                 val rule = recorded.getValue(stranger.id)
-                assertTrue(isNoticed(stranger, rule), "$rule does not notice ${stranger.id}: ${stranger.what}")
+
+                // What happens where threads meet is noticed by one rule about them, or by another
+                val isNoticed =
+                    isNoticed(stranger, rule) || SuiteRun.rules.any { isChancy(it) && isNoticed(stranger, it) }
+                assertTrue(isNoticed, "$rule does not notice ${stranger.id}: ${stranger.what}")
             }
         }
     }
@@ -54,14 +58,16 @@ class StrangersTest {
     private fun isNoticed(stranger: Stranger, rule: String): Boolean =
         SuiteRun.ofRules(listOf(rule), stranger.make).report.results.any { it.outcome.isFailure }
 
+    private fun isChancy(rule: String): Boolean = "Threads" in rule || "Meet" in rule
+
     private fun record() {
-        // First what the mistake is about, then what is quick
+        // First what the mistake is about, then what is quick, and last what depends on threads that meet
         val usual = SuiteRun.of(1.0) { ZBuffer() }.report.results.sortedBy { it.milliseconds }.map { it.rule }
         val before = if (Files.exists(file)) recorded() else emptyMap()
         val lines = ArrayList<String>()
         for (stranger in strangers) {
             val order = listOfNotNull(before[stranger.id]?.takeIf { it != MISSED }) +
-                usual.sortedBy { it.number !in stranger.chapters }.map { it.name }
+                usual.sortedBy { it.number !in stranger.chapters }.map { it.name }.sortedBy(::isChancy)
             val rule = order.distinct().firstOrNull { isNoticed(stranger, it) } ?: MISSED
             lines += "${stranger.id} $rule"
             file.writeLines(
