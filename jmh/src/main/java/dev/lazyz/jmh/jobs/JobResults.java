@@ -35,8 +35,13 @@ record JobResults(Map<String, String> facts, List<Job> jobs) {
         return JsonRecords.write(facts, Map.of("jobs", jobs));
     }
 
-    /** Returns the tables: facts, then a row for each file with the median of the rounds, by our time. */
-    String page() {
+    /** Returns the page with the part "jobs" replaced by the tables of these results. */
+    String fill(String page) {
+        return GeneratedPage.fill(page, name -> name.equals("jobs") ? tables() : null);
+    }
+
+    /** Returns the tables: a row for each file with the median of the rounds, by our time; then facts. */
+    String tables() {
         List<List<String>> rows = new ArrayList<>();
         for (String file : jobs.stream().map(Job::file).distinct().toList()) {
             List<Double> ratios = ratios(file);

@@ -1,6 +1,5 @@
 package dev.lazyz.jmh.jobs;
 
-import dev.lazyz.jmh.report.GeneratedPage;
 import dev.lazyz.jmh.report.Options;
 import java.io.BufferedReader;
 import java.io.BufferedWriter;
@@ -23,9 +22,6 @@ import java.util.Set;
 public final class Jobs {
     private static final Set<String> OPTIONS =
             Set.of("ours", "vtk", "files", "rounds", "warm-up", "measure", "results", "page", "fact");
-
-    /** Name of the generated part of the page. */
-    private static final String PART = "jobs";
 
     private Jobs() {}
 
@@ -56,8 +52,7 @@ public final class Jobs {
         }
         Files.writeString(Path.of(options.get("results", "jobs.json")), results.toJson());
         Path page = Path.of(options.get("page", "docs/performance.md"));
-        Files.writeString(
-                page, GeneratedPage.fill(Files.readString(page), name -> name.equals(PART) ? results.page() : null));
+        Files.writeString(page, results.fill(Files.readString(page)));
     }
 
     private static Map<String, String> facts(Options options) {

@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.lazyz.jmh.report.JsonRecords;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -22,7 +25,7 @@ class JobResultsTest {
 
     @Test
     void ratiosAreTakenWithinARound() {
-        String page = RESULTS.page();
+        String page = RESULTS.tables();
         assertTrue(page.contains("| a.obj | 12.0 (8.0 + 4.0) | 40.0 (36.0 + 4.0) | **3.00 x** (2.00..4.00) |"), page);
         assertTrue(page.contains("| b.stl | 5.0 (1.0 + 4.0) |  |  |"), page);
         assertTrue(page.contains("| VTK | 9 |"), page);
@@ -32,6 +35,16 @@ class JobResultsTest {
     void resultsAreKept() {
         var root = JsonRecords.parse(RESULTS.toJson());
         assertEquals(RESULTS.jobs(), JsonRecords.records(root, "jobs", JobResults.Job.class));
+    }
+
+    @Test
+    void thePageShowsTheJobsBesideIt() throws IOException {
+        Path docs = Path.of("..", "docs").toAbsolutePath().normalize();
+        var root = JsonRecords.parse(Files.readString(docs.resolve("performance/jobs.json")));
+        JobResults results = new JobResults(
+                JsonRecords.texts(root, "facts"), JsonRecords.records(root, "jobs", JobResults.Job.class));
+        String page = Files.readString(docs.resolve("performance.md"));
+        assertEquals(page, results.fill(page), "run jmh/peers/whole-job");
     }
 
     private static JobResults.Job job(String file, String program, int round, double total) {
