@@ -84,9 +84,7 @@ internal class GltfPoses(
         if (weights.all { it == 0.0 }) return part.mesh
         copied(part)
         val morphs = targets.mapIndexed { i, target ->
-            if (weights[i] ==
-                0.0
-            ) {
+            if (weights[i] == 0.0) {
                 MorphTarget(null, null)
             } else {
                 target(part, target.orEmpty(), "${part.where}.targets[$i]")

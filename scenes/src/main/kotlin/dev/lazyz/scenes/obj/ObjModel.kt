@@ -3,11 +3,10 @@ package dev.lazyz.scenes.obj
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.triangulation.Floats
 import dev.lazyz.scenes.triangulation.Ints
-import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /** What an OBJ file says, as plain arrays. */
-internal class ObjModel(private val source: Source, val origin: Vector3dc = Vector3d()) {
+internal class ObjModel(private val source: Source, val origin: Vector3dc) {
     /** x, y, z of each `v`, relative to [origin]. */
     val positions = Floats()
 

@@ -2,9 +2,9 @@ package dev.lazyz.scenes.obj
 
 import dev.lazyz.Box
 import dev.lazyz.Scene
+import dev.lazyz.scenes.FarOrigin
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
-import org.joml.Vector3d
 
 /**
  * Reads Wavefront OBJ files with their material libraries (Wavefront Technologies, "Advanced Visualizer" manual,
@@ -40,13 +40,12 @@ internal object ObjParser : SceneParser {
         return Scene(meshes + model.points.surfaces(model, library::material))
     }
 
-    /** Reads the file; once more if it is so far away that positions have to be relative to an origin in its middle. */
     private fun model(source: Source): ObjModel {
-        val reader = ObjReader(source, ObjModel(source))
-        reader.read()
-        val origin = Box.around(reader.model.positions.toArray())?.origin() ?: Vector3d()
-        val last = if (origin == Vector3d()) reader else ObjReader(source, ObjModel(source, origin)).also { it.read() }
-        last.warn()
-        return last.model
+        val reader = FarOrigin.reading(
+            read = { origin -> ObjReader(source, ObjModel(source, origin)).also { it.read() } },
+            bounds = { Box.around(it.model.positions.toArray()) },
+        )
+        reader.warn()
+        return reader.model
     }
 }

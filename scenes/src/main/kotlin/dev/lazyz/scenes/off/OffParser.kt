@@ -12,10 +12,10 @@ import dev.lazyz.scenes.triangulation.PolygonMesh
  *
  * The file becomes one mesh. Of vertices, one a line, it takes x, y, z, and what the first word announces, in this order:
  * the normal (`N`), the colour (`C`), and texture coordinates (`ST`, v upward, turned to `1 - v`). Faces, one a line or
- * over several, may have any number of corners and a colour, which counts where vertices have none. Colours of three or four numbers are
- * sRGB-encoded, see [OffColors]; numbers of a colour map are passed over with a warning. Alpha goes into the vertex
- * colours as it is, and the material stays opaque. Without normals in the file they are made smooth up to creases of
- * [CREASE_ANGLE] degrees. Vertices of other than three dimensions, and the binary form, are refused.
+ * over several, may have any number of corners and a colour, which counts where vertices have none. Colours of three or
+ * four numbers are sRGB-encoded, see [OffColors]; numbers of a colour map are passed over with a warning. Alpha goes into
+ * the vertex colours as it is, and the material stays opaque. Without normals in the file they are made smooth up to
+ * creases of [CREASE_ANGLE] degrees. Vertices of other than three dimensions, and the binary form, are refused.
  */
 internal object OffParser : SceneParser {
     /** Edges sharper than this stay sharp, degrees. */

@@ -94,9 +94,7 @@ internal class OffReader(private val source: Source) {
         }
         for (i in 0 until polygonOf.size) polygons.color(polygonOf[i], number(colors, i))
         if (tooSmall > 0) source.warn("$tooSmall faces of fewer than 3 corners are left out")
-        if (oddColors >
-            0
-        ) {
+        if (oddColors > 0) {
             source.warn("$oddColors faces have a colour that is not three or four numbers; it is not used")
         }
     }

@@ -46,6 +46,17 @@ internal abstract class PlyBody(protected val source: Source, private val header
         return count.toInt()
     }
 
+    /** Returns the [number] of one of [count] vertices, as a row of this body gives it for a [part] such as a face. */
+    fun vertexNumber(number: Double, count: Int, part: String): Int {
+        if (number >= 0.0 && number < count && number == number.toInt().toDouble()) return number.toInt()
+        val shown = if (number == StrictMath.rint(number)) number.toLong().toString() else number.toString()
+        source.fail(
+            location,
+            "vertex number $shown is not one of the $count vertices, which count from 0",
+            "correct the $part or export the model again",
+        )
+    }
+
     companion object {
         /** Returns the body that [header] describes. */
         fun of(source: Source, header: PlyHeader): PlyBody = when (header.format) {

@@ -26,7 +26,7 @@ internal class PlyEdges(private val source: Source, private val vertexCount: Int
         }
         source.loading.segments(source, body.room(element).toLong())
         body.readRows(element) { _, row ->
-            for (column in columns) segments.add(vertex(row.numbers[column], body))
+            for (column in columns) segments.add(body.vertexNumber(row.numbers[column], vertexCount, "edge"))
         }
         return columns.toSet()
     }
@@ -36,15 +36,5 @@ internal class PlyEdges(private val source: Source, private val vertexCount: Int
         val material = PixelDefaults.material(isLit = false, hasColors = vertices.colors != null)
         val ends = segments.toArray()
         return Lines(vertices.positions, ends, PixelDefaults.LINE_WIDTH, material, vertices.colors, vertices.origin)
-    }
-
-    private fun vertex(number: Double, body: PlyBody): Int {
-        if (number >= 0.0 && number < vertexCount && number == number.toInt().toDouble()) return number.toInt()
-        val shown = if (number == StrictMath.rint(number)) number.toLong().toString() else number.toString()
-        source.fail(
-            body.location,
-            "vertex number $shown is not one of the $vertexCount vertices, which count from 0",
-            "correct the edge or export the model again",
-        )
     }
 }

@@ -92,17 +92,7 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
         }
     }
 
-    private fun vertex(number: Double, body: PlyBody): Int {
-        if (!(number >= 0.0 && number < vertexCount) || number != number.toInt().toDouble()) {
-            val shown = if (number == StrictMath.rint(number)) number.toLong().toString() else number.toString()
-            source.fail(
-                body.location,
-                "vertex number $shown is not one of the $vertexCount vertices, which count from 0",
-                "correct the face or export the model again",
-            )
-        }
-        return number.toInt()
-    }
+    private fun vertex(number: Double, body: PlyBody): Int = body.vertexNumber(number, vertexCount, "face")
 
     private fun indexColumn(element: PlyElement): Int =
         element.column(listOf("vertex_indices", "vertex_index"), isList = true) ?: source.fail(

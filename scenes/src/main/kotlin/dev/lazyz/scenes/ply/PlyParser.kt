@@ -3,11 +3,11 @@ package dev.lazyz.scenes.ply
 import dev.lazyz.Box
 import dev.lazyz.Points
 import dev.lazyz.Scene
+import dev.lazyz.scenes.FarOrigin
 import dev.lazyz.scenes.PixelDefaults
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.triangulation.VertexArrays
-import org.joml.Vector3d
 
 /**
  * Reads the Polygon File Format (Greg Turk, "The PLY Polygon File Format", Stanford University, 1994) in its ASCII and
@@ -30,13 +30,12 @@ internal object PlyParser : SceneParser {
         if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
         source.decodeText()
         val header = PlyHeaderReader(source).read()
-
-        // Once more if it is so far away that positions have to be relative to an origin in its middle
-        val tables = PlyTables(source, header).also { it.read() }
-        val origin = Box.around(tables.vertices.positions)?.origin() ?: Vector3d()
-        val last = if (origin == Vector3d()) tables else PlyTables(source, header, origin).also { it.read() }
-        last.warn()
-        return scene(source, header, last)
+        val tables = FarOrigin.reading(
+            read = { origin -> PlyTables(source, header, origin).also { it.read() } },
+            bounds = { Box.around(it.vertices.positions) },
+        )
+        tables.warn()
+        return scene(source, header, tables)
     }
 
     private fun scene(source: Source, header: PlyHeader, tables: PlyTables): Scene {

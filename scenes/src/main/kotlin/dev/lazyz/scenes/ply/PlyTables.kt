@@ -2,7 +2,6 @@ package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.triangulation.VertexArrays
-import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
@@ -10,11 +9,7 @@ import org.joml.Vector3dc
  *
  * @param origin what is subtracted from all positions
  */
-internal class PlyTables(
-    private val source: Source,
-    private val header: PlyHeader,
-    private val origin: Vector3dc = Vector3d(),
-) {
+internal class PlyTables(private val source: Source, private val header: PlyHeader, private val origin: Vector3dc) {
     private val vertexCount = header.elements.first { it.name == "vertex" }.count
     private val body = PlyBody.of(source, header)
     private val unused = PlyUnused()

@@ -15,7 +15,7 @@ import org.joml.Vector3dc
  *
  * @param origin what is subtracted from all positions
  */
-internal class StlAscii(private val source: Source, private val origin: Vector3dc = Vector3d()) {
+internal class StlAscii(private val source: Source, private val origin: Vector3dc) {
     private val lines = TextLines(source.bytes)
     private val decimal = Decimal()
 

@@ -3,9 +3,9 @@ package dev.lazyz.scenes.stl
 import dev.lazyz.Box
 import dev.lazyz.Mesh
 import dev.lazyz.Scene
+import dev.lazyz.scenes.FarOrigin
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
-import org.joml.Vector3d
 
 /**
  * Reads stereolithography files, ASCII and binary (3D Systems, "Stereolithography Interface Specification", 1989).
@@ -26,13 +26,10 @@ internal object StlParser : SceneParser {
         return Scene(meshes.map { it.withSmoothNormals(CREASE_ANGLE) })
     }
 
-    /** Reads a text; once more if it is so far away that positions have to be relative to an origin in its middle. */
-    private fun ascii(source: Source): List<Solid> {
-        val solids = StlAscii(source).read()
-        val bounds = solids.mapNotNull { Box.around(it.positions()) }.reduceOrNull(Box::union)
-        val origin = bounds?.origin() ?: Vector3d()
-        return if (origin == Vector3d()) solids else StlAscii(source, origin).read()
-    }
+    private fun ascii(source: Source): List<Solid> = FarOrigin.reading(
+        read = { origin -> StlAscii(source, origin).read() },
+        bounds = { solids -> solids.mapNotNull { Box.around(it.positions()) }.reduceOrNull(Box::union) },
+    )
 
     private fun meshes(source: Source): List<Mesh> {
         val solids = if (StlBinary.isBinary(source.bytes)) {

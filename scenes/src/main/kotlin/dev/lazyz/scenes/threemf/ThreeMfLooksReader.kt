@@ -36,9 +36,7 @@ internal class ThreeMfLooksReader(
         val group = ThreeMfLooks.Group()
         looks.groups[id()] = group
         part.forEachChild {
-            if (it ==
-                element
-            ) {
+            if (it == element) {
                 group.numbers.add(color(part.attribute(attribute), isOpaqueWithoutAlpha))
             }
         }

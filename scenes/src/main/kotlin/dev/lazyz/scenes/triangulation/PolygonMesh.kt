@@ -61,9 +61,7 @@ internal class PolygonMesh(
             while (3 * polygonOf.size < corners.size) polygonOf.add(polygon)
             at += count
         }
-        if (withoutVertices >
-            0
-        ) {
+        if (withoutVertices > 0) {
             source.warn("$withoutVertices faces are left out, because vertices of theirs are missing")
         }
     }
