@@ -65,7 +65,8 @@ subprojects {
 
     tasks.withType<Test>().configureEach {
         useJUnitPlatform()
-        jvmArgs("--add-modules", "jdk.incubator.vector")
+        jvmArgs("--add-modules", "jdk.incubator.vector", "-XX:+UseSerialGC")
+        maxParallelForks = 2
         include("**/*Test.class", "**/*Properties.class", "**/*Example.class")
         systemProperty("jqwik.database", "")
         systemProperty("jqwik.reporting.onlyfailures", "true")

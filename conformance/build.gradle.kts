@@ -4,10 +4,6 @@ kotlin {
     explicitApi()
 }
 
-tasks.test {
-    maxParallelForks = 2
-}
-
 dependencies {
     api(project(":core"))
     api(project(":scenes"))

@@ -23,6 +23,8 @@ class BuildsAgreeTest {
     private val pom = xml("pom.xml")
     private val catalog = Catalog(text("gradle/libs.versions.toml"))
     private val gradleRoot = text("build.gradle.kts")
+    private val surefire = pom.child("build").child("plugins").children("plugin")
+        .single { it.value("artifactId") == "maven-surefire-plugin" }
     private val modules = pom.child("modules").children("module").map { it.textContent }
 
     @Test
@@ -99,8 +101,6 @@ class BuildsAgreeTest {
 
     @Test
     fun testClasses() {
-        val surefire = pom.child("build").child("plugins").children("plugin")
-            .single { it.value("artifactId") == "maven-surefire-plugin" }
         val included = surefire.child("configuration").child("includes").children("include").map { it.textContent }
         val gradle = Regex("""\binclude\((.*)\)""").find(gradleRoot)!!
         assertEquals(included, quoted(gradle.groupValues[1]))
@@ -108,12 +108,10 @@ class BuildsAgreeTest {
 
     @Test
     fun processesOfTests() {
-        val usual = pom.child("properties").value("test.processes")
-        for (module in modules) {
-            val maven = xml("$module/pom.xml").childOrNull("properties")?.valueOrNull("test.processes") ?: usual
-            val gradle = Regex("""maxParallelForks = (\d+)""").find(gradleFile(module))?.groupValues?.get(1) ?: "1"
-            assertEquals(maven, gradle, "processes that run the tests of $module")
-        }
+        val maven = surefire.child("configuration").value("forkCount")
+        assertEquals(maven, Regex("""maxParallelForks = (\d+)""").find(gradleRoot)?.groupValues?.get(1))
+        val arguments = Regex("""\bjvmArgs\((.*)\)""").find(gradleRoot)!!
+        assertEquals(pom.child("properties").value("argLine").split(" "), quoted(arguments.groupValues[1]))
     }
 
     @Test

@@ -122,7 +122,8 @@ internal fun FrameCase.behindMany(): FrameCase {
     )
 }
 
-private const val MANY = 70_000
+/** Nearly twice 2^16: by the lower 16 bits of an index, what comes after them was submitted before what comes before them. */
+private const val MANY = 131_070
 
 /** One more primitive, just behind what is visible in [image]. */
 internal fun FrameCase.backed(image: Image): FrameCase = FrameCase(

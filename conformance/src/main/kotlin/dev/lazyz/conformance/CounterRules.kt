@@ -36,11 +36,21 @@ public sealed class CounterRules : WorkerRules() {
         look = "Count where spans are read. What is not in the region, and whole rows or tiles, are easily lost.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_8_1_fragmentsAreTheCoveredSamples(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+    public fun rule_8_1_fragmentsAreTheCoveredSamples(
+        @ForAll(supplier = MixedCases::class) case: FrameCase,
+        @ForAll salt: Int,
+    ) {
         val reference = Rendering.of(ReferenceRenderer(), case.frame)
         val covered = reference.image.counters.fragments
         val visible = reference.image.visible
-        val judgement = Judgement(renderer(), case)
+        val renderer = renderer()
+        if (Capability.TRANSPARENCY in renderer.capabilities) {
+            // However many layers it looks for, each is counted once
+            val glazed = Judgement(renderer, case.glazed(salt))
+            val counted = glazed.rendering.counters.fragments
+            if (counted > covered) glazed.fail("$covered samples are covered, $counted fragments counted")
+        }
+        val judgement = Judgement(renderer, case)
         val counted = judgement.rendering.counters.fragments
         if (counted > covered) judgement.fail("$covered samples are covered, $counted fragments counted")
         if (counted < visible) judgement.fail("$visible samples show something, $counted fragments counted")
@@ -55,7 +65,7 @@ public sealed class CounterRules : WorkerRules() {
         for (index in case.frame.primitives.indices.take(MOST_ALONE)) {
             val alone = case.alone(index)
             val all = Rendering.of(ReferenceRenderer(), alone.frame).counters.fragments
-            val itself = Judgement(renderer(), alone)
+            val itself = Judgement(renderer, alone)
             val found = itself.rendering.counters.fragments
             if (found != all) itself.fail("$all samples are covered, $found fragments counted")
         }

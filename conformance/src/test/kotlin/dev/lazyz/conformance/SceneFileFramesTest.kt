@@ -31,7 +31,7 @@ class SceneFileFramesTest {
         return Arbitraries.oneOf(kinds).withoutEdgeCases()
     }
 
-    @Property(seed = "1995", tries = 1000)
+    @Property(seed = "1995", tries = 400)
     fun sceneFileIsTheFrame(@ForAll("cases") case: FrameCase, @ForAll salt: Long) {
         assertSame(case)
 

@@ -23,11 +23,12 @@ class SuiteRun private constructor(val report: ConformanceReport) {
         fun of(tries: Double, make: () -> Renderer): SuiteRun =
             SuiteRun(Conformance(make).tries(tries).withoutShrinking().run())
 
-        /** Runs the suite [subject]. */
-        fun of(subject: KClass<out RendererConformance>, tries: Double): SuiteRun {
+        /** Runs the suite [subject]: the rules called [rules], or all. */
+        fun of(subject: KClass<out RendererConformance>, tries: Double, vararg rules: String): SuiteRun {
             val constructor = subject.java.getDeclaredConstructor().apply { isAccessible = true }
-            val conformance = Conformance { constructor.newInstance().renderer() }
-            return SuiteRun(conformance.subject(subject.java).tries(tries).withoutShrinking().run())
+            val conformance = Conformance { constructor.newInstance().renderer() }.subject(subject.java)
+            for (rule in rules) conformance.rule(rule)
+            return SuiteRun(conformance.tries(tries).withoutShrinking().run())
         }
 
         /** What is said of the rule of this name. */

@@ -38,9 +38,9 @@ class HierarchicalZBufferTest {
     fun aThousandLayersCostAsManyDepthsAsOne() {
         for (submission in Submission.entries) {
             for (count in listOf(1, 10, 1000)) {
-                val counters = counted(Stacks.layers(Raster(256, 256), count, submission))
-                assertEquals(count * 65536L, counters.fragments)
-                assertEquals(65536, counters.depthEvaluations, "$count layers $submission")
+                val counters = counted(Stacks.layers(Raster(128, 128), count, submission))
+                assertEquals(count * 16_384L, counters.fragments)
+                assertEquals(16_384, counters.depthEvaluations, "$count layers $submission")
             }
         }
     }
@@ -49,8 +49,8 @@ class HierarchicalZBufferTest {
     fun layersThatOverlapInDepthCostLittleMore() {
         // Ten of them reach before the farthest sample of the first: they are asked for block by block
         for (submission in Submission.entries) {
-            val counters = counted(Stacks.layers(Raster(256, 256), 1000, submission, steepness = 10.0))
-            assertTrue(counters.depthEvaluations <= 65536 * 1.2, "$submission $counters")
+            val counters = counted(Stacks.layers(Raster(128, 128), 1000, submission, steepness = 10.0))
+            assertTrue(counters.depthEvaluations <= 16_384 * 1.2, "$submission $counters")
         }
     }
 

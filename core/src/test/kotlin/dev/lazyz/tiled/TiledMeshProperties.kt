@@ -41,7 +41,7 @@ import org.junit.jupiter.api.Test
 
 /** Contract rules 5, 7 and 8 for meshes, which are drawn and shaded from arrays: by any kernel, threads and tiles. */
 class TiledMeshProperties {
-    @Property(tries = 150, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 100, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_meshesComeOutAsTheirTrianglesOneByOne(@ForAll seed: Long) {
         val frame = frame(Random(seed))
         assertFalse(frame.content.batches.isEmpty())
