@@ -86,6 +86,9 @@ internal object Heap {
         fail(least)
     }
 
+    /** Returns the smaller of two [measurements]: for what others are compared with, which noise must not make larger. */
+    fun less(measurements: () -> Long): Long = minOf(measurements(), measurements())
+
     /** The bytes that are held as soon as they do not become fewer. */
     private fun settled(): Long {
         var least = held()

@@ -66,9 +66,7 @@ internal class DeferredBands(frame: Frame, val height: Int, mistake: Mistake?) {
             found[size++] = index
         }
         indices = found.copyOf(size)
-        val origin = if (mistake ==
-            Mistake.DEFERRED_BANDS_OF_RASTER
-        ) {
+        val origin = if (mistake == Mistake.DEFERRED_BANDS_OF_RASTER) {
             region.rowStart / height * height
         } else {
             region.rowStart

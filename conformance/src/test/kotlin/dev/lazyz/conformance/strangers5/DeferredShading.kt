@@ -52,9 +52,7 @@ internal class DeferredShading(frame: Frame, private val lists: DeferredLists, p
 
     private fun translucent(at: Int, key: Long): Int {
         val limit = if (mistake == Mistake.DEFERRED_NO_RETEST) Long.MAX_VALUE else key
-        if (mistake ==
-            Mistake.DEFERRED_SHORT_INDEX
-        ) {
+        if (mistake == Mistake.DEFERRED_SHORT_INDEX) {
             return lists.gather(at, limit) { it ushr 32 shl 16 or (it and 0xFFFF) }
         }
         if (mistake != Mistake.DEFERRED_FLOAT_ORDER) return lists.gather(at, limit) { it }
