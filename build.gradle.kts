@@ -16,6 +16,9 @@ plugins {
 val catalog = libs
 val javaRelease = 17
 
+/** Modules of many short tests, which would mostly wait for the optimizing compiler. */
+val shortTests = listOf("scenes", "cli", "jmh")
+
 /** A jar that runs alone: its file name and main class, by module. */
 val fatJars = mapOf(
     "cli" to ("zcli" to "dev.lazyz.cli.MainKt"),
@@ -66,6 +69,7 @@ subprojects {
     tasks.withType<Test>().configureEach {
         useJUnitPlatform()
         jvmArgs("--add-modules", "jdk.incubator.vector", "-XX:+UseSerialGC")
+        if (project.name in shortTests) jvmArgs("-XX:TieredStopAtLevel=1")
         maxParallelForks = 2
         include("**/*Test.class", "**/*Properties.class", "**/*Example.class")
         systemProperty("jqwik.database", "")

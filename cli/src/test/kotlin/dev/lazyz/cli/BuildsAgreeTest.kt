@@ -110,8 +110,16 @@ class BuildsAgreeTest {
     fun processesOfTests() {
         val maven = surefire.child("configuration").value("forkCount")
         assertEquals(maven, Regex("""maxParallelForks = (\d+)""").find(gradleRoot)?.groupValues?.get(1))
-        val arguments = Regex("""\bjvmArgs\((.*)\)""").find(gradleRoot)!!
-        assertEquals(pom.child("properties").value("argLine").split(" "), quoted(arguments.groupValues[1]))
+        val (every, short) = Regex("""\bjvmArgs\((.*)\)""").findAll(gradleRoot).map {
+            quoted(it.groupValues[1])
+        }.toList()
+        assertEquals(pom.child("properties").value("argLine").split(" "), every + "\${test.compiler}")
+        val shortTests = Regex("""val shortTests = listOf\((.*)\)""").find(gradleRoot)!!
+        for (module in modules) {
+            val maven = xml("$module/pom.xml").childOrNull("properties")?.valueOrNull("test.compiler")
+            val gradle = short.joinToString(" ").takeIf { module in quoted(shortTests.groupValues[1]) }
+            assertEquals(maven, gradle, "compiler of the tests of $module")
+        }
     }
 
     @Test

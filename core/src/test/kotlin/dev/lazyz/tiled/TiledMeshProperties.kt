@@ -52,7 +52,7 @@ class TiledMeshProperties {
         for (tileSize in SIZES) {
             val counters = HashSet<String>()
             for ((name, kernel) in kernels()) {
-                for (threads in THREADS) {
+                for (threads in listOf(1, THREADS[1 + Math.floorMod(seed + tileSize, 3)])) {
                     val tiled = Tiled(Coherence.DIRECT, threads, tileSize, kernel)
                     val image = tiled.render(frame)
                     assertEquals(expected, image) { "seed $seed, $name, $threads threads, tileSize $tileSize" }
