@@ -17,7 +17,7 @@ val catalog = libs
 val javaRelease = 17
 
 /** Modules of many short tests, which would mostly wait for the optimizing compiler. */
-val shortTests = listOf("scenes", "cli", "jmh")
+val shortTests = listOf("scenes", "cli")
 
 /** A jar that runs alone: its file name and main class, by module. */
 val fatJars = mapOf(

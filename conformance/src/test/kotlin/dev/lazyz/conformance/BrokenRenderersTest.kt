@@ -16,7 +16,7 @@ class BrokenRenderersTest {
 
     /** At the suite's effort, each rule that a mutant names fails; so nobody survives, or is killed by chance only. */
     @TestFactory
-    fun mistakeIsNoticed(): List<DynamicTest> = TestEffort.oneOf(3, Gallery.all).map { mutant ->
+    fun mistakeIsNoticed(): List<DynamicTest> = TestEffort.oneOf(2, Gallery.all).map { mutant ->
         dynamicTest(mutant.id) {
             val noticed = SuiteRun.ofRules(mutant.noticedBy) { mutant.make() }.failures.keys
             assertEquals(emptyList<String>(), mutant.noticedBy - noticed, "rules that did not notice ${mutant.id}")

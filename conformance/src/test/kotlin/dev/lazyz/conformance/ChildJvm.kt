@@ -5,10 +5,11 @@ import kotlin.reflect.KClass
 
 /** Programs of the tests in a JVM of their own. */
 internal object ChildJvm {
-    /** The words that run [main] with [args] in a JVM with [options]. */
+    /** The words that run [main] with [args] in a JVM with [options], and without the optimizing compiler: it is soon over. */
     fun command(options: List<String>, main: KClass<*>, vararg args: String): List<String> {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
-        return listOf(java) + options + listOf("-cp", System.getProperty("java.class.path"), main.java.name) + args
+        val words = listOf("-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), main.java.name)
+        return listOf(java) + options + words + args
     }
 
     /** Runs [main]; standard error goes where standard output goes. */
