@@ -10,6 +10,9 @@ internal object Heap {
     private const val BLOCK = 1024
     private const val HEADER = 16
 
+    /** As many times the limit are no noise, such as a block of rows that is not garbage yet. */
+    private const val CLEAR = 8
+
     /** A quarter of the least that a rule forgives. */
     private const val TOLERANCE = 32 * BLOCK
 
@@ -70,18 +73,16 @@ internal object Heap {
     }
 
     /**
-     * Calls [fail] with the least of several [measurements] unless one of them is at most [limit]. Noise only adds, so two that
-     * are the same are right.
+     * Calls [fail] with the least of several [measurements] unless one of them is at most [limit]: noise only adds. Of what is
+     * clearly too much two are enough.
      */
     fun requireAtMost(limit: Long, measurements: () -> Long, fail: (least: Long) -> Nothing) {
         requireMeasurable()
         var least = Long.MAX_VALUE
-        repeat(ATTEMPTS) {
-            val measured = measurements()
-            val isSame = abs(measured - least) <= TOLERANCE
-            least = minOf(least, measured)
+        repeat(ATTEMPTS) { attempt ->
+            least = minOf(least, measurements())
             if (least <= limit) return
-            if (isSame) fail(least)
+            if (attempt > 0 && least > CLEAR * limit) fail(least)
         }
         fail(least)
     }

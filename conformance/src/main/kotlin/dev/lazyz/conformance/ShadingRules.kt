@@ -35,6 +35,17 @@ public sealed class ShadingRules : PointRules() {
         Judgement(renderer, case.dazzling()).equalsReference()
     }
 
+    /** What has nearly the same colour everywhere is shaded sample by sample, with a shading cursor or without. */
+    @Rule(
+        intent = "A colour belongs to its sample: that neighbours have another, or the same, says nothing about it.",
+        look = "Look for a colour found once for a run, a row or a primitive, and for runs filled between equal ends.",
+        about = [Symptom.COLOR],
+    )
+    @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_6_1_everySampleHasItsOwnColour(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        Judgement(renderer(), case.flecked()).equalsReference()
+    }
+
     /** Light that is infinite, negative or no number is packed as any other. */
     @Rule(
         intent = "A component is clamped to 0..1 and NaN is 0, whatever a shader computes.",
@@ -62,6 +73,7 @@ public sealed class ShadingRules : PointRules() {
     @Rule(
         intent = "A sample's light, texture and vertex colours are the same however many are shaded at once.",
         look = "Compare the attributes of the sample that differs with Primitive.shade: weights, normal, u and v.",
+        about = [Symptom.COLOR],
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_6_5_litAndTexturedScenesAreShadedRight(@ForAll(supplier = LongRowCases::class) case: FrameCase) {

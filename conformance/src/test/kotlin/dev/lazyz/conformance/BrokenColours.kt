@@ -41,15 +41,7 @@ object BrokenColours {
     fun oneStepShort() = stepping("one-step-short") { cursor, steps -> if (steps > 1) cursor.step() }
 
     fun oneStepTooMany() = stepping("one-step-too-many") { cursor, steps ->
-        repeat(
-            if (steps ==
-                1
-            ) {
-                2
-            } else {
-                1
-            }
-        ) { cursor.step() }
+        repeat(if (steps == 1) 2 else 1) { cursor.step() }
     }
 
     /** Shades directly for the picture, and steps though nobody asked for it. */
@@ -102,6 +94,32 @@ object BrokenColours {
 
     /** Paints the visible samples of the first primitive in the colour that its first sample has. */
     fun constantColour() = primitives("colour-of-the-first-sample") { FirstColour(it) }
+
+    fun fillsBetweenEqualEnds() = primitives("fills-between-equal-ends") { BetweenEqualEnds(it) }
+
+    private class BetweenEqualEnds(private val whole: Primitive) : Primitive by whole {
+        override fun shade(fragment: Fragment) {
+            val (x, y) = fragment.x to fragment.y
+            val ends = listOf(x - 1, x + 1).map { whole.colorAt(it, y) }
+            fragment.moveTo(if (ends[0] == ends[1]) x + 1 else x, y)
+            whole.shade(fragment)
+        }
+    }
+
+    fun oneColourWithoutCursor() = primitives("one-colour-without-cursor") { EveryEighthColour(it) }
+
+    private class EveryEighthColour(private val whole: Primitive) : Primitive by whole {
+        override fun shade(fragment: Fragment) {
+            if (whole.shadingCursor(fragment.x, fragment.y) == null) fragment.moveTo(fragment.x / 8 * 8, fragment.y)
+            whole.shade(fragment)
+        }
+    }
+
+    private fun Primitive.colorAt(x: Int, y: Int): List<Float> {
+        val fragment = Fragment().apply { moveTo(x, y) }
+        shade(fragment)
+        return with(fragment) { listOf(red, green, blue, alpha) }
+    }
 
     private class FirstColour(private val whole: Primitive) : Primitive by whole {
         override fun shade(fragment: Fragment) {

@@ -2,6 +2,7 @@ package dev.lazyz.conformance
 
 import dev.lazyz.conformance.RuleNames.blend
 import dev.lazyz.conformance.RuleNames.extremes
+import dev.lazyz.conformance.RuleNames.flecks
 import dev.lazyz.conformance.RuleNames.nearest
 import dev.lazyz.conformance.RuleNames.options
 import dev.lazyz.conformance.RuleNames.own
@@ -24,6 +25,16 @@ internal object ColourGallery {
         ),
         Mutant(BrokenRenderers::shadesTheNeighbour, "shades the sample to the left", nearest, own),
         Mutant(BrokenColours::constantColour, "shades a column once, in the primitive's first row", nearest, own),
+        Mutant(
+            BrokenColours::fillsBetweenEqualEnds,
+            "shows the colour of both neighbours where they have the same",
+            flecks,
+        ),
+        Mutant(
+            BrokenColours::oneColourWithoutCursor,
+            "shades every eighth column of primitives without a shading cursor",
+            flecks,
+        ),
         Mutant(BrokenColours::premultiplied, "hands out colours multiplied by alpha", nearest),
         Mutant(BrokenColours::alphaLost, "hands out opaque colours", nearest),
         Mutant(BrokenDepths::mergesEqualColours, "neighbours of one colour get one depth", scenes),

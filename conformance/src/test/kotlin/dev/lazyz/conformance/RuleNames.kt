@@ -19,6 +19,7 @@ internal object RuleNames {
     val refuse = RendererConformance::rule_5_6_whoCannotBlendRefuses.name
     val refuseHidden = RendererConformance::rule_5_6_hiddenTranslucencyIsRefused.name
     val extremes = RendererConformance::rule_5_5_extremesOfLightAndAlphaBlend.name
+    val flecks = RendererConformance::rule_6_1_everySampleHasItsOwnColour.name
     val packed = RendererConformance::rule_6_4_lightOfAnyStrengthIsPacked.name
     val workers = RendererConformance::rule_7_1_failuresOfItsThreadsReachTheCaller.name
     val late = RendererConformance::rule_7_1_nobodyAsksAfterTheEnd.name
