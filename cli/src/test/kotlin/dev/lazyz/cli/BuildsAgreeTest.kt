@@ -107,7 +107,7 @@ class BuildsAgreeTest {
     }
 
     @Test
-    fun processesOfTests() {
+    fun jvmsOfTests() {
         val maven = surefire.child("configuration").value("forkCount")
         assertEquals(maven, Regex("""maxParallelForks = (\d+)""").find(gradleRoot)?.groupValues?.get(1))
         val (every, short) = Regex("""\bjvmArgs\((.*)\)""").findAll(gradleRoot).map {

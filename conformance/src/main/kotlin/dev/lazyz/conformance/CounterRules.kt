@@ -44,15 +44,12 @@ public sealed class CounterRules : WorkerRules() {
         val covered = reference.image.counters.fragments
         val visible = reference.image.visible
         val renderer = renderer()
-        if (Capability.TRANSPARENCY in renderer.capabilities) {
-            // However many layers it looks for, each is counted once
-            val glazed = Judgement(renderer, case.glazed(salt))
-            val counted = glazed.rendering.counters.fragments
-            if (counted > covered) glazed.fail("$covered samples are covered, $counted fragments counted")
-        }
+
+        // Who blends counts each fragment once, however many layers it looks for
+        val isBlending = Capability.TRANSPARENCY in renderer.capabilities
+        if (isBlending) countedAtMost(covered, Judgement(renderer, case.glazed(salt)))
         val judgement = Judgement(renderer, case)
-        val counted = judgement.rendering.counters.fragments
-        if (counted > covered) judgement.fail("$covered samples are covered, $counted fragments counted")
+        val counted = countedAtMost(covered, judgement)
         if (counted < visible) judgement.fail("$visible samples show something, $counted fragments counted")
 
         // A primitive by itself, before a background that hides nothing, has nothing to be rejected for
@@ -212,6 +209,13 @@ public sealed class CounterRules : WorkerRules() {
             if (calls != showing) judgement.fail("$showing fragments show, but $calls are shaded")
             if (witness.count > showing) judgement.fail("$showing fragments show, but ${witness.count} were shaded")
         }
+    }
+
+    /** Returns how many fragments are counted, which are no more than the [covered] samples. */
+    private fun countedAtMost(covered: Long, judgement: Judgement): Long {
+        val counted = judgement.rendering.counters.fragments
+        if (counted > covered) judgement.fail("$covered samples are covered, $counted fragments counted")
+        return counted
     }
 
     private companion object {

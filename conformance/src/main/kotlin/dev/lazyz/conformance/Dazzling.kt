@@ -2,29 +2,20 @@ package dev.lazyz.conformance
 
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
-import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
-import dev.lazyz.ShadingCursor
 import dev.lazyz.scenes.Tint
 
 /**
- * A primitive whose colours are as wild as floats can be: everything else is as in [whole].
+ * Gives fragments colours as wild as floats can be.
  *
  * Light may be infinite, huge, negative, tiny or no number, and alpha is mostly exactly 0 or exactly 1. At a quarter of
- * the samples all such primitives have alpha 0, at another quarter alpha 1. Immutable and thread safe if [whole] is.
+ * the samples all of these have alpha 0, at another quarter alpha 1. Immutable and thread safe.
  *
  * @param number another one gives other colours
  */
-internal class Dazzling(private val whole: Primitive, private val number: Int) : Primitive by whole {
-    override fun shade(fragment: Fragment) {
-        whole.shade(fragment)
-        dazzle(fragment)
-    }
-
-    override fun shadingCursor(x: Int, y: Int): ShadingCursor? = whole.shadingCursor(x, y)?.recoloured(::dazzle)
-
-    private fun dazzle(fragment: Fragment) {
+private class Dazzle(private val number: Int) : (Fragment) -> Unit {
+    override fun invoke(fragment: Fragment) {
         val alpha = when (Tint.hash(ALL, fragment.x, fragment.y, 0) % 4) {
             0 -> 0f
             1 -> 1f
@@ -49,13 +40,13 @@ internal class Dazzling(private val whole: Primitive, private val number: Int) :
     }
 }
 
-/** The same frame with [Dazzling] colours, on a background that is green and has alpha 0. */
+/** The same frame with colours that [Dazzle], on a background that is green and has alpha 0. */
 internal fun FrameCase.dazzling(): FrameCase {
     val raster = with(frame.raster) {
         Raster(width, height, Rgba(0.25f, 0.5f, 0.125f, 0f), convention, depthTest, backgroundDepth)
     }
     return FrameCase(
-        Frame(raster, frame.primitives.mapIndexed { index, it -> Dazzling(it, index) }, frame.region),
+        Frame(raster, frame.primitives.mapIndexed { index, it -> it.recoloured(Dazzle(index)) }, frame.region),
         "$code // with light without bounds and alphas of mostly 0 and 1, on ${code(raster)}",
     )
 }

@@ -1,12 +1,10 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.AlphaMode
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Material
 import dev.lazyz.Polygon
 import dev.lazyz.Primitive
-import dev.lazyz.ShadingCursor
 import dev.lazyz.Surface
 
 /**
@@ -17,37 +15,14 @@ import dev.lazyz.Surface
  * @param layers alpha is divided by this, so that about as many layers show through each other; at least 1
  */
 public class Glass @JvmOverloads constructor(private val whole: Primitive, private val layers: Int = 1) :
-    Primitive by whole {
+    Primitive by whole.recoloured({ it.setColor(it.red, it.green, it.blue, it.alpha / layers) }) {
     init {
         require(layers >= 1) { "layers must be at least 1: $layers" }
     }
 
     override val isTranslucent: Boolean get() = true
 
-    override fun shade(fragment: Fragment) {
-        whole.shade(fragment)
-        thin(fragment)
-    }
-
-    override fun shadingCursor(x: Int, y: Int): ShadingCursor? = whole.shadingCursor(x, y)?.recoloured(::thin)
-
-    private fun thin(fragment: Fragment) =
-        fragment.setColor(fragment.red, fragment.green, fragment.blue, fragment.alpha / layers)
-
     override fun toString(): String = "Glass($whole, $layers)"
-}
-
-/** Steps as this cursor does, and has [change] give each fragment another colour. */
-internal fun ShadingCursor.recoloured(change: (Fragment) -> Unit): ShadingCursor {
-    val cursor = this
-    return object : ShadingCursor {
-        override fun step() = cursor.step()
-
-        override fun shade(fragment: Fragment) {
-            cursor.shade(fragment)
-            change(fragment)
-        }
-    }
 }
 
 /** The same frame, each primitive [Glass] of so many [layers]. */
