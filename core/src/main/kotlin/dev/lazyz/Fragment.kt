@@ -17,7 +17,7 @@ public class Fragment {
         private set
 
     /**
-     * Position in world space, relative to [Scene.origin]; or in screen space for primitives that were given there; 0
+     * Position in world space, relative to `Scene.origin`; or in screen space for primitives that were given there; 0
      * without.
      */
     @JvmField
@@ -43,11 +43,11 @@ public class Fragment {
     @JvmField
     public var normalZ: Float = 0f
 
-    /** Texture coordinate to the right, see [Texture]; 0 without. */
+    /** Texture coordinate to the right, see `Texture`; 0 without. */
     @JvmField
     public var u: Float = 0f
 
-    /** Texture coordinate downward, see [Texture]; 0 without. */
+    /** Texture coordinate downward, see `Texture`; 0 without. */
     @JvmField
     public var v: Float = 0f
 

@@ -1,6 +1,6 @@
 package dev.lazyz
 
-import dev.lazyz.setup.PlanarPrimitive
+import dev.lazyz.setup.Attributes
 
 /**
  * Fragments on their way to a colour, many at a time: each attribute of [Fragment] as an array, of which the first [size]
@@ -47,11 +47,11 @@ public class FragmentBatch internal constructor(capacity: Int) {
     @JvmField
     public val normalZ: FloatArray = FloatArray(capacity)
 
-    /** Texture coordinates to the right, see [Texture]. */
+    /** Texture coordinates to the right, see `Texture`. */
     @JvmField
     public val u: FloatArray = FloatArray(capacity)
 
-    /** Texture coordinates downward, see [Texture]. */
+    /** Texture coordinates downward, see `Texture`. */
     @JvmField
     public val v: FloatArray = FloatArray(capacity)
 
@@ -90,21 +90,21 @@ public class FragmentBatch internal constructor(capacity: Int) {
     private val each = Fragment()
 
     /** The attributes that the fragments have, see [begin]; the others hold what stands for none. At first colours are 0. */
-    internal var fields: Int = PlanarPrimitive.COLOR
+    internal var fields: Int = Attributes.COLOR
         private set
 
     /** Bytes held. */
     internal val bytes: Long get() = 18L * Int.SIZE_BYTES * x.size
 
-    /** Begins a batch whose fragments have the attributes [fields], bits [PlanarPrimitive.WORLD] and so on. */
+    /** Begins a batch whose fragments have the attributes [fields], bits [Attributes.WORLD] and so on. */
     internal fun begin(fields: Int) {
         size = 0
         val stale = this.fields and fields.inv()
         this.fields = fields
-        if (stale and PlanarPrimitive.WORLD != 0) for (array in listOf(worldX, worldY, worldZ)) array.fill(0f)
-        if (stale and PlanarPrimitive.NORMAL != 0) for (array in listOf(normalX, normalY, normalZ)) array.fill(0f)
-        if (stale and PlanarPrimitive.UV != 0) for (array in listOf(u, v)) array.fill(0f)
-        if (stale and PlanarPrimitive.COLOR != 0) {
+        if (stale and Attributes.WORLD != 0) for (array in listOf(worldX, worldY, worldZ)) array.fill(0f)
+        if (stale and Attributes.NORMAL != 0) for (array in listOf(normalX, normalY, normalZ)) array.fill(0f)
+        if (stale and Attributes.UV != 0) for (array in listOf(u, v)) array.fill(0f)
+        if (stale and Attributes.COLOR != 0) {
             for (array in listOf(vertexRed, vertexGreen, vertexBlue, vertexAlpha)) array.fill(1f)
         }
     }

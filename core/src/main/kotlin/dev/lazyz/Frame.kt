@@ -28,7 +28,7 @@ public class Frame internal constructor(
 
     /**
      * What to render; the position in the list is the submission index, which decides ties. Its size costs nothing; the
-     * triangles of a [Scene]'s meshes are made when the first element is asked for.
+     * triangles of a scene's meshes are made when the first element is asked for.
      */
     public val primitives: List<Primitive> get() = content.primitives
 

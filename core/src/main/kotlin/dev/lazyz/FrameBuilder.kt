@@ -1,7 +1,7 @@
 package dev.lazyz
 
+import dev.lazyz.setup.Attributes
 import dev.lazyz.setup.PlanarAssembly
-import dev.lazyz.setup.PlanarPrimitive
 import dev.lazyz.setup.ScreenGrid
 import dev.lazyz.setup.Vertices
 import dev.lazyz.setup.Viewport
@@ -77,7 +77,7 @@ public class FrameBuilder(private val raster: Raster) {
             IntArray(count) { ScreenGrid.snap(all[3 * it + 1]) },
             IntArray(count) { viewport.depthOfUnit(all[3 * it + 2]) },
         )
-        return assembly.primitive(raster, fillRule, shader, PlanarPrimitive.WORLD, 1.0, isTranslucent)
+        return assembly.primitive(raster, fillRule, shader, Attributes.WORLD, 1.0, isTranslucent)
     }
 
     private fun isInGuardBand(pixels: Double): Boolean = StrictMath.abs(pixels) <= ScreenGrid.GUARD

@@ -1,5 +1,6 @@
 package dev.lazyz
 
+import dev.lazyz.setup.triangleBatch
 import dev.lazyz.setup.ScreenGrid
 import dev.lazyz.setup.TriangleBatch
 
@@ -55,7 +56,8 @@ public class FrameNumbers @JvmOverloads constructor(
             val batched = content.batches.sumOf { it.count.toLong() }
             val step = (content.singles.size + batched) / SAMPLE + 1
             for (number in content.singles.indices step step.toInt()) tally.add(content.singles[number])
-            for (batch in content.batches) {
+            for (number in content.batches.indices) {
+                val batch = content.triangleBatch(number)
                 for (triangle in 0 until batch.count step step.toInt()) tally.add(batch, triangle)
             }
             return FrameNumbers(

@@ -1,7 +1,6 @@
 package dev.lazyz
 
-import dev.lazyz.setup.MeshGeometry
-import dev.lazyz.setup.PointGeometry
+import dev.lazyz.setup.VertexTransforms
 import org.joml.Matrix4dc
 import org.joml.Vector3d
 import org.joml.Vector3dc
@@ -71,12 +70,16 @@ public class Lines @JvmOverloads constructor(
     internal fun relativeTo(origin: Vector3dc): Lines = if (origin == this.origin) {
         this
     } else {
-        val moved = MeshGeometry.relativeTo(origin, positions, this.origin)
+        val moved = VertexTransforms.relativeTo(origin, positions, this.origin)
         Lines(moved, segments, width, material, colors, origin)
     }
 
     /** Returns these lines moved by an affine [transform], in the same width. */
-    public fun transformed(transform: Matrix4dc): Lines = PointGeometry.transformed(this, transform)
+    public fun transformed(transform: Matrix4dc): Lines {
+        val moved = VertexTransforms.origin(bounds, transform)
+        val positions = VertexTransforms.positions(positions, origin, transform, moved)
+        return Lines(positions, segments, width, material, colors, moved)
+    }
 
     override fun toString(): String = "Lines($segmentCount segments of $width pixels, $material)"
 }

@@ -1,6 +1,6 @@
 package dev.lazyz
 
-import dev.lazyz.setup.MeshGeometry
+import dev.lazyz.setup.VertexTransforms
 import dev.lazyz.setup.SmoothNormals
 import org.joml.Matrix4dc
 import org.joml.Vector3d
@@ -70,7 +70,7 @@ public class Mesh @JvmOverloads constructor(
     internal fun relativeTo(origin: Vector3dc): Mesh = if (origin == this.origin) {
         this
     } else {
-        val moved = MeshGeometry.relativeTo(origin, positions, this.origin)
+        val moved = VertexTransforms.relativeTo(origin, positions, this.origin)
         Mesh(moved, triangles, material, normals, uvs, colors, origin)
     }
 
@@ -79,7 +79,19 @@ public class Mesh @JvmOverloads constructor(
      * mirrors also turns every triangle round, so that outside stays outside. A mesh that comes to lie far away from the
      * world's origin, for its size, gets an [origin] in its middle.
      */
-    public fun transformed(transform: Matrix4dc): Mesh = MeshGeometry.transformed(this, transform)
+    public fun transformed(transform: Matrix4dc): Mesh {
+        val corners = triangles.copyOf()
+        if (VertexTransforms.isMirror(transform)) {
+            for (i in corners.indices step 3) {
+                corners[i + 1] = triangles[i + 2]
+                corners[i + 2] = triangles[i + 1]
+            }
+        }
+        val moved = VertexTransforms.origin(bounds, transform)
+        val positions = VertexTransforms.positions(positions, origin, transform, moved)
+        val normals = normals?.let { VertexTransforms.normals(it, transform) }
+        return Mesh(positions, corners, material, normals, uvs, colors, moved)
+    }
 
     /**
      * Returns this mesh with normals made of its triangles': at each vertex the mean, weighted by area, of the normals

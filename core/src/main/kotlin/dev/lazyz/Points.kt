@@ -1,7 +1,6 @@
 package dev.lazyz
 
-import dev.lazyz.setup.MeshGeometry
-import dev.lazyz.setup.PointGeometry
+import dev.lazyz.setup.VertexTransforms
 import dev.lazyz.setup.ScreenGrid
 import org.joml.Matrix4dc
 import org.joml.Vector3d
@@ -66,12 +65,17 @@ public class Points @JvmOverloads constructor(
     internal fun relativeTo(origin: Vector3dc): Points = if (origin == this.origin) {
         this
     } else {
-        val moved = MeshGeometry.relativeTo(origin, positions, this.origin)
+        val moved = VertexTransforms.relativeTo(origin, positions, this.origin)
         Points(moved, size, material, normals, colors, origin)
     }
 
     /** Returns these points moved by an affine [transform], in the same size. Normals are moved by the inverse transpose. */
-    public fun transformed(transform: Matrix4dc): Points = PointGeometry.transformed(this, transform)
+    public fun transformed(transform: Matrix4dc): Points {
+        val moved = VertexTransforms.origin(bounds, transform)
+        val positions = VertexTransforms.positions(positions, origin, transform, moved)
+        val normals = normals?.let { VertexTransforms.normals(it, transform) }
+        return Points(positions, size, material, normals, colors, moved)
+    }
 
     override fun toString(): String = "Points($pointCount points of $size pixels, $material)"
 

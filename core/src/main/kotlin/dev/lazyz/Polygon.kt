@@ -3,15 +3,6 @@ package dev.lazyz
 import org.joml.Matrix4dc
 import org.joml.Vector3dc
 
-/** Which samples lie inside a polygon whose contours overlap (contract rule 2.4). */
-public enum class FillRule {
-    /** Those from which a ray to infinity crosses the contours an odd number of times. */
-    EVEN_ODD,
-
-    /** Those that the contours wind around, by direction, not zero times. */
-    NON_ZERO,
-}
-
 /**
  * A flat polygon of any number of contours: convex, concave, with holes, or crossing itself.
  *

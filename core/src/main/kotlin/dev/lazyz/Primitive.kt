@@ -18,7 +18,7 @@ import dev.lazyz.setup.OpaquePrimitive
  * | `shade`    | [shade]                                                                  |
  *
  * Every answer is a pure function of the primitive and the sample: the same bits at every call, in any order, from any
- * thread. A primitive never covers a sample outside its raster. [dev.lazyz.SetUp] makes primitives of surfaces.
+ * thread. A primitive never covers a sample outside its raster. `SetUp` makes primitives of surfaces.
  *
  * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), section 2.
  */

@@ -64,7 +64,7 @@ internal class CornerNormals(
 
     /** Gives all the corners the sum of their faces, at unit length. */
     private fun shareMean(corners: IntArray, from: Int, until: Int) {
-        MeshGeometry.unit(sumX, sumY, sumZ, normal, 0)
+        VertexTransforms.unit(sumX, sumY, sumZ, normal, 0)
         var vertex = -1
         var copy = -1
         for (i in from until until) {
@@ -135,7 +135,7 @@ internal class CornerNormals(
             smoothY += y[j]
             smoothZ += z[j]
         }
-        MeshGeometry.unit(smoothX, smoothY, smoothZ, normal, 0)
+        VertexTransforms.unit(smoothX, smoothY, smoothZ, normal, 0)
     }
 
     /** Returns the copy of [vertex] that has [normal], a new one if there is none. */

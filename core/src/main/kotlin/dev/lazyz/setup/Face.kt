@@ -19,7 +19,7 @@ internal class Face : EdgeForms() {
     /** The three vertices that attributes are interpolated between. */
     @JvmField val vertices: Vertices = Vertices(3)
 
-    /** What [attributes] fills in: bits [PlanarPrimitive.WORLD] to [PlanarPrimitive.COLOR]. */
+    /** What [attributes] fills in: bits [Attributes.WORLD] to [Attributes.COLOR]. */
     var fields: Int = 0
         private set
 
@@ -119,7 +119,7 @@ internal class Face : EdgeForms() {
 
     private fun isUniform(): Boolean {
         if (fields == 0) return true
-        if (fields != PlanarPrimitive.COLOR) return false
+        if (fields != Attributes.COLOR) return false
         for (k in Vertices.COLOR until Vertices.COLOR + 4) {
             if (!isSame(vertices.get(0, k), vertices.get(1, k), vertices.get(2, k))) return false
         }
@@ -162,21 +162,21 @@ internal class Face : EdgeForms() {
         val w0 = part0 * scale
         val w1 = part1 * scale
         val w2 = part2 * scale
-        if (fields and PlanarPrimitive.WORLD != 0) {
+        if (fields and Attributes.WORLD != 0) {
             batch.worldX[i] = mixed(w0, w1, w2, Vertices.WORLD).toFloat()
             batch.worldY[i] = mixed(w0, w1, w2, Vertices.WORLD + 1).toFloat()
             batch.worldZ[i] = mixed(w0, w1, w2, Vertices.WORLD + 2).toFloat()
         }
-        if (fields and PlanarPrimitive.NORMAL != 0) {
+        if (fields and Attributes.NORMAL != 0) {
             batch.normalX[i] = (normalSign * mixed(w0, w1, w2, Vertices.NORMAL)).toFloat()
             batch.normalY[i] = (normalSign * mixed(w0, w1, w2, Vertices.NORMAL + 1)).toFloat()
             batch.normalZ[i] = (normalSign * mixed(w0, w1, w2, Vertices.NORMAL + 2)).toFloat()
         }
-        if (fields and PlanarPrimitive.UV != 0) {
+        if (fields and Attributes.UV != 0) {
             batch.u[i] = mixed(w0, w1, w2, Vertices.UV).toFloat()
             batch.v[i] = mixed(w0, w1, w2, Vertices.UV + 1).toFloat()
         }
-        if (fields and PlanarPrimitive.COLOR != 0) {
+        if (fields and Attributes.COLOR != 0) {
             batch.vertexRed[i] = mixed(w0, w1, w2, Vertices.COLOR).toFloat()
             batch.vertexGreen[i] = mixed(w0, w1, w2, Vertices.COLOR + 1).toFloat()
             batch.vertexBlue[i] = mixed(w0, w1, w2, Vertices.COLOR + 2).toFloat()

@@ -26,14 +26,14 @@ internal class FaceSetUp(
     val shader: Shader get() = material.shader ?: materialShader
 
     /** Whether attributes depend on which side of a face is seen, or on where it is. */
-    private val isPlaced = isPrelit || fields and (PlanarPrimitive.WORLD or PlanarPrimitive.NORMAL) != 0
+    private val isPlaced = isPrelit || fields and (Attributes.WORLD or Attributes.NORMAL) != 0
 
     /** Whether faces have only attributes that the mesh has, shared by neighbours: no light and no normals of their own. */
-    val isShared: Boolean = mesh != null && !isPrelit && (!usesFaceNormal || fields and PlanarPrimitive.NORMAL == 0)
+    val isShared: Boolean = mesh != null && !isPrelit && (!usesFaceNormal || fields and Attributes.NORMAL == 0)
 
     /** Whether a face has one colour if its vertices have. */
     private val mayBeConstant = mesh != null && material.shader == null && !isPrelit &&
-        fields and PlanarPrimitive.COLOR.inv() == 0
+        fields and Attributes.COLOR.inv() == 0
 
     /** Whether triangle [triangle] of the mesh has one colour; what is lit at its vertices may have, all the same. */
     fun isConstant(triangle: Int): Boolean {
@@ -67,8 +67,8 @@ internal class FaceSetUp(
             vertices.setWorld(to, mesh, from)
             vertices.setNormal(to, mesh, from)
         }
-        if (fields and PlanarPrimitive.UV != 0) vertices.setUv(to, mesh, from)
-        if (fields and PlanarPrimitive.COLOR != 0) vertices.setColor(to, mesh, from)
+        if (fields and Attributes.UV != 0) vertices.setUv(to, mesh, from)
+        if (fields and Attributes.COLOR != 0) vertices.setColor(to, mesh, from)
     }
 
     /** Gives a triangle of its own vertices normals and light; returns the sign that turns normals to the viewer. */
@@ -160,7 +160,7 @@ internal class FaceSetUp(
         val depths = IntArray(selection.size) { stage.viewport.depth(vertices, selection[it]) }
         val assembly = PlanarAssembly(vertices, selection, ends, xs, ys, depths)
         val isMasked = material.alphaMode == AlphaMode.MASK
-        val all = if (isMasked) fields or PlanarPrimitive.UV or PlanarPrimitive.COLOR else fields
+        val all = if (isMasked) fields or Attributes.UV or Attributes.COLOR else fields
         val isTranslucent = isTranslucent(vertices, selection)
         val whole = assembly.primitive(stage.viewport.raster, fillRule, shader, all, normalSign, isTranslucent)
         if (!isMasked) return whole

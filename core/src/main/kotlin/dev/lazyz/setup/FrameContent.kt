@@ -3,7 +3,7 @@ package dev.lazyz.setup
 import dev.lazyz.Primitive
 
 /**
- * What is in a frame: triangles in batches, and primitives one by one. Immutable and thread safe.
+ * What is in a frame: primitives in batches, and primitives one by one. Immutable and thread safe.
  *
  * @property size number of primitives, those in batches included
  * @property batches in ascending order of their submission indices
@@ -11,7 +11,7 @@ import dev.lazyz.Primitive
  */
 internal class FrameContent private constructor(
     val size: Int,
-    val batches: List<TriangleBatch>,
+    val batches: List<PrimitiveBatch>,
     val singles: List<Primitive>,
     private val indices: IntArray?,
 ) {
@@ -42,9 +42,6 @@ internal class FrameContent private constructor(
         return if (triangle < batch.count && batch.isDrawn(triangle)) low - 1 else -1
     }
 
-    /** Returns the batch that the primitive with this submission index is drawn from; there must be one. */
-    fun batch(index: Int): TriangleBatch = batches[batchNumber(index)]
-
     /** Returns this content with each single primitive replaced by what [change] makes of it. */
     fun withSingles(change: (Primitive) -> Primitive): FrameContent =
         FrameContent(size, batches, singles.map(change), indices)
@@ -70,7 +67,7 @@ internal class FrameContent private constructor(
     /** Collects a frame's content in submission order. Not thread safe. */
     class Builder {
         private var size = 0
-        private val batches = ArrayList<TriangleBatch>()
+        private val batches = ArrayList<PrimitiveBatch>()
         private val singles = ArrayList<Primitive>()
         private var indices = IntArray(16)
 
@@ -84,7 +81,7 @@ internal class FrameContent private constructor(
         }
 
         /** Adds a batch, whose first index is [next]. */
-        fun add(batch: TriangleBatch) {
+        fun add(batch: PrimitiveBatch) {
             batches.add(batch)
             for ((triangle, primitive) in batch.exceptions) addSingle(primitive, batch.first + triangle)
             size += batch.count

@@ -29,14 +29,14 @@ internal class LateShading(private val frame: Frame, private val coherence: Cohe
     private val firstColumn = frame.region.columnStart
 
     /** The chains of this row, by primitive, and the one that was used last: neighbours are mostly of one primitive. */
-    private val chains = HashMap<Int, Chain>()
-    private var last: Chain? = null
+    private val chains = HashMap<Int, ShadingChain>()
+    private var last: ShadingChain? = null
 
     /** Bytes held by chains at their most numerous, estimated by the size of their fields. */
     var peakBytes: Long = 0
         private set
 
-    private class Chain(val index: Int, val cursor: ShadingCursor, var x: Int)
+    private class ShadingChain(val index: Int, val cursor: ShadingCursor, var x: Int)
 
     /**
      * Computes the colours of row [y] for the visible primitives of [indices] (one a column, from the region's first)
@@ -99,7 +99,7 @@ internal class LateShading(private val frame: Frame, private val coherence: Cohe
         // Begin a new one
         val cursor = primitive.shadingCursor(x, y) ?: return null
         counters.shadingStarts++
-        last = Chain(index, cursor, x).also { chains[index] = it }
+        last = ShadingChain(index, cursor, x).also { chains[index] = it }
         peakBytes = maxOf(peakBytes, chains.size * CHAIN_BYTES)
         return cursor
     }

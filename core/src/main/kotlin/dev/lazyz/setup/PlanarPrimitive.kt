@@ -8,12 +8,6 @@ import dev.lazyz.ShadingCursor
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
 
-/** A primitive that can tell its interpolated attributes without shading them. */
-internal interface AttributedPrimitive : Primitive {
-    /** Fills in the attributes at the fragment's sample. */
-    fun attributes(fragment: Fragment)
-}
-
 /**
  * A flat primitive: a triangle, or a polygon of any contours.
  *
@@ -29,7 +23,7 @@ internal interface AttributedPrimitive : Primitive {
  * @param leastInverseW what the interpolated 1/w is at least: that of the vertex furthest away; 0 for a triangle, within
  *   which nothing is less
  * @param normalSign -1 to turn the vertices' normals round, to the viewer; otherwise 1
- * @param fields which attributes the vertices have and the shader wants, bits [WORLD] to [COLOR]
+ * @param fields which attributes the vertices have and the shader wants, see [Attributes]
  */
 internal class PlanarPrimitive(
     private val edges: EdgeTable,
@@ -127,13 +121,13 @@ internal class PlanarPrimitive(
         val w2 = over2 * scale
 
         // Mix what the shader wants
-        if (fields and WORLD != 0) {
+        if (fields and Attributes.WORLD != 0) {
             val i = Vertices.WORLD
             fragment.worldX = (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i]).toFloat()
             fragment.worldY = (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1]).toFloat()
             fragment.worldZ = (w0 * data[a + i + 2] + w1 * data[b + i + 2] + w2 * data[c + i + 2]).toFloat()
         }
-        if (fields and NORMAL != 0) {
+        if (fields and Attributes.NORMAL != 0) {
             val i = Vertices.NORMAL
             fragment.normalX = (normalSign * (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i])).toFloat()
             fragment.normalY =
@@ -141,12 +135,12 @@ internal class PlanarPrimitive(
             fragment.normalZ =
                 (normalSign * (w0 * data[a + i + 2] + w1 * data[b + i + 2] + w2 * data[c + i + 2])).toFloat()
         }
-        if (fields and UV != 0) {
+        if (fields and Attributes.UV != 0) {
             val i = Vertices.UV
             fragment.u = (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i]).toFloat()
             fragment.v = (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1]).toFloat()
         }
-        if (fields and COLOR != 0) {
+        if (fields and Attributes.COLOR != 0) {
             val i = Vertices.COLOR
             fragment.vertexRed = (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i]).toFloat()
             fragment.vertexGreen = (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1]).toFloat()
@@ -164,10 +158,5 @@ internal class PlanarPrimitive(
          * functions: nine objects of 40 fields, counted as if each field took 8 bytes.
          */
         private const val HELD_BYTES = 9 * 16L + 40 * 8L
-
-        const val WORLD: Int = 1
-        const val NORMAL: Int = 2
-        const val UV: Int = 4
-        const val COLOR: Int = 8
     }
 }

@@ -97,9 +97,9 @@ internal class PlanarSetUp(private val stage: VertexStage, private val lighting:
         val isLit =
             material.shader != null || material.shading == Shading.PHONG || material.shading == Shading.BLINN_PHONG
         var fields = 0
-        if (isLit) fields = fields or PlanarPrimitive.WORLD or PlanarPrimitive.NORMAL
-        if (hasUvs && (material.texture != null || material.shader != null)) fields = fields or PlanarPrimitive.UV
-        if (hasColors || isPrelit) fields = fields or PlanarPrimitive.COLOR
+        if (isLit) fields = fields or Attributes.WORLD or Attributes.NORMAL
+        if (hasUvs && (material.texture != null || material.shader != null)) fields = fields or Attributes.UV
+        if (hasColors || isPrelit) fields = fields or Attributes.COLOR
         val usesFaceNormal = !hasNormals || (material.shader == null && material.shading == Shading.FLAT)
         val shader = MaterialShader(material, lighting, isPrelit)
         return FaceSetUp(stage, material, shader, fields, isPrelit, usesFaceNormal, mesh)

@@ -18,13 +18,13 @@ internal class SmoothNormals(private val mesh: Mesh, private val creaseAngle: Do
 
     /** Returns the mesh with normals; a vertex has as many copies as its corners have different normals. */
     fun mesh(): Mesh {
-        val byPosition = CornersByPosition(mesh)
+        val byPosition = CornersByPosition(mesh.positions, mesh.triangles)
         val chunks = cornerNormals(byPosition)
         return numbered(chunks, byPosition.positionOf)
     }
 
     private fun cornerNormals(byPosition: CornersByPosition): List<CornerNormals> {
-        val faces = FaceNormals.of(mesh)
+        val faces = FaceNormals.of(mesh.positions, mesh.triangles)
         val firstCopy = IntArray(mesh.vertexCount) { -1 }
         val chunks = List((byPosition.count + CHUNK - 1) / CHUNK) {
             CornerNormals(mesh.triangles, faces, creaseAngle, firstCopy, triangles)

@@ -17,15 +17,15 @@ import dev.lazyz.Primitive
  */
 internal class TriangleBatch(
     val mesh: Mesh,
-    val first: Int,
+    override val first: Int,
     private val setUp: PlanarSetUp,
     val grid: IntArray,
     private val inverseW: DoubleArray?,
     private val hidden: LongArray?,
-    val exceptions: List<IndexedValue<Primitive>>,
-) {
+    override val exceptions: List<IndexedValue<Primitive>>,
+) : PrimitiveBatch {
     /** Number of triangles. */
-    val count: Int get() = mesh.triangleCount
+    override val count: Int get() = mesh.triangleCount
 
     /** Vertex numbers, three a triangle. */
     val corners: IntArray get() = mesh.triangles
@@ -33,9 +33,8 @@ internal class TriangleBatch(
     /** Where in [grid] the numbers of vertex [corner], 0..2, of [triangle] begin. */
     fun place(triangle: Int, corner: Int): Int = STRIDE * corners[3 * triangle + corner]
 
-    /** Whether [triangle] is drawn from this batch. */
-    fun isDrawn(triangle: Int): Boolean =
-        hidden == null || hidden[triangle ushr WORD_SHIFT] ushr triangle and 1L == 0L
+    override fun isDrawn(number: Int): Boolean =
+        hidden == null || hidden[number ushr WORD_SHIFT] ushr number and 1L == 0L
 
     /** 1 / w of a vertex. */
     fun inverseW(vertex: Int): Double = if (inverseW == null) 1.0 else inverseW[vertex]
@@ -43,8 +42,7 @@ internal class TriangleBatch(
     /** Returns what shades this batch's triangles; for one thread. */
     fun faces(): FaceSetUp = setUp.face(mesh)
 
-    /** Returns the triangles as primitives of their own. */
-    fun primitives(): Sequence<Primitive> = setUp.mesh(mesh)
+    override fun primitives(): Sequence<Primitive> = setUp.mesh(mesh)
 
     companion object {
         /** Numbers a vertex in [grid]. */
@@ -54,3 +52,9 @@ internal class TriangleBatch(
         const val WORD_SHIFT: Int = 6
     }
 }
+
+/** Returns the batch with a number in [FrameContent.batches]; batches of triangles are the only kind. */
+internal fun FrameContent.triangleBatch(number: Int): TriangleBatch = batches[number] as TriangleBatch
+
+/** Returns the batch that the primitive with a submission index is drawn from; there must be one. */
+internal fun FrameContent.triangleBatchWith(index: Int): TriangleBatch = triangleBatch(batchNumber(index))

@@ -1,5 +1,6 @@
 package dev.lazyz.tiled
 
+import dev.lazyz.setup.triangleBatchWith
 import dev.lazyz.DepthTest
 import dev.lazyz.setup.FrameContent
 import dev.lazyz.setup.TriangleBatch
@@ -43,7 +44,7 @@ internal class BatchTriangles(
     private fun batch(index: Int): TriangleBatch {
         val last = lastBatch
         if (last != null && index >= last.first && index < last.first + last.count) return last
-        return content.batch(index).also { lastBatch = it }
+        return content.triangleBatchWith(index).also { lastBatch = it }
     }
 
     private var lastBatch: TriangleBatch? = null

@@ -1,5 +1,6 @@
 package dev.lazyz.tiled
 
+import dev.lazyz.setup.triangleBatch
 import dev.lazyz.Fragment
 import dev.lazyz.setup.Face
 import dev.lazyz.setup.FaceSetUp
@@ -45,7 +46,7 @@ internal class FaceCache(private val content: FrameContent, val isUsed: Boolean)
         if (flat != null) {
             face.fill(index, flat, scratch)
         } else {
-            val batch = content.batches[number]
+            val batch = content.triangleBatch(number)
             face.fill(batch, index - batch.first, setUp(number), scratch)
         }
         return face
@@ -67,7 +68,7 @@ internal class FaceCache(private val content: FrameContent, val isUsed: Boolean)
     }
 
     /** Returns what sets up the triangles of batch [number]. */
-    fun setUp(number: Int): FaceSetUp = setUps[number] ?: content.batches[number].faces().also { setUps[number] = it }
+    fun setUp(number: Int): FaceSetUp = setUps[number] ?: content.triangleBatch(number).faces().also { setUps[number] = it }
 
     private companion object {
         /** Primitives that are remembered, a power of two. */

@@ -1,8 +1,8 @@
 package dev.lazyz.tiled
 
+import dev.lazyz.setup.Attributes
 import dev.lazyz.FragmentBatch
 import dev.lazyz.setup.Face
-import dev.lazyz.setup.PlanarPrimitive
 import dev.lazyz.setup.Vertices
 
 /**
@@ -34,21 +34,21 @@ internal abstract class FragmentKernel(private val long: Int) {
             return
         }
         weigh(face, fragments, at, x, y)
-        if (fields and PlanarPrimitive.WORLD != 0) {
+        if (fields and Attributes.WORLD != 0) {
             mix(face, Vertices.WORLD, 1.0, batch.worldX, at, count)
             mix(face, Vertices.WORLD + 1, 1.0, batch.worldY, at, count)
             mix(face, Vertices.WORLD + 2, 1.0, batch.worldZ, at, count)
         }
-        if (fields and PlanarPrimitive.NORMAL != 0) {
+        if (fields and Attributes.NORMAL != 0) {
             mix(face, Vertices.NORMAL, face.normalSign, batch.normalX, at, count)
             mix(face, Vertices.NORMAL + 1, face.normalSign, batch.normalY, at, count)
             mix(face, Vertices.NORMAL + 2, face.normalSign, batch.normalZ, at, count)
         }
-        if (fields and PlanarPrimitive.UV != 0) {
+        if (fields and Attributes.UV != 0) {
             mix(face, Vertices.UV, 1.0, batch.u, at, count)
             mix(face, Vertices.UV + 1, 1.0, batch.v, at, count)
         }
-        if (fields and PlanarPrimitive.COLOR != 0) {
+        if (fields and Attributes.COLOR != 0) {
             mix(face, Vertices.COLOR, 1.0, batch.vertexRed, at, count)
             mix(face, Vertices.COLOR + 1, 1.0, batch.vertexGreen, at, count)
             mix(face, Vertices.COLOR + 2, 1.0, batch.vertexBlue, at, count)

@@ -109,7 +109,7 @@ internal class Rendering(
         arrivals.moveTo(filled)
         if (hasBatches && filled % bandsAtOnce == 0) {
             val until = minOf(filled + bandsAtOnce, grid.bands)
-            bins = TriangleBins(frame.content, grid, test, filled, until, threads, kernels, pool)
+            bins = TriangleBins(frame.content, grid, test, filled, until, threads, kernels::coverage, pool)
                 .also { binBytes = maxOf(binBytes, it.bytes) }
         }
         bandAt(filled).fill(filled, arrivals, bins)

@@ -1,8 +1,8 @@
 package dev.lazyz.tiled
 
+import dev.lazyz.setup.Attributes
 import dev.lazyz.FragmentBatch
 import dev.lazyz.setup.FaceSetUp
-import dev.lazyz.setup.PlanarPrimitive
 import dev.lazyz.setup.ScreenGrid
 import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.setup.Vertices
@@ -43,22 +43,22 @@ internal class ScatteredAttributes {
         normalize(count)
         val mesh = triangles.mesh
         signs.fill(1.0, 0, count)
-        if (fields and PlanarPrimitive.WORLD != 0) {
+        if (fields and Attributes.WORLD != 0) {
             mix(mesh.positions, 3, 0, batch.worldX, count)
             mix(mesh.positions, 3, 1, batch.worldY, count)
             mix(mesh.positions, 3, 2, batch.worldZ, count)
         }
-        mesh.uvs?.takeIf { fields and PlanarPrimitive.UV != 0 }?.let { uvs ->
+        mesh.uvs?.takeIf { fields and Attributes.UV != 0 }?.let { uvs ->
             mix(uvs, 2, 0, batch.u, count)
             mix(uvs, 2, 1, batch.v, count)
         }
-        mesh.colors?.takeIf { fields and PlanarPrimitive.COLOR != 0 }?.let { colors ->
+        mesh.colors?.takeIf { fields and Attributes.COLOR != 0 }?.let { colors ->
             mix(colors, 4, 0, batch.vertexRed, count)
             mix(colors, 4, 1, batch.vertexGreen, count)
             mix(colors, 4, 2, batch.vertexBlue, count)
             mix(colors, 4, 3, batch.vertexAlpha, count)
         }
-        mesh.normals?.takeIf { fields and PlanarPrimitive.NORMAL != 0 }?.let { normals ->
+        mesh.normals?.takeIf { fields and Attributes.NORMAL != 0 }?.let { normals ->
             for (i in 0 until count) signs[i] = faces.normalSign(triangles, numbers[i], vertices)
             mix(normals, 3, 0, batch.normalX, count)
             mix(normals, 3, 1, batch.normalY, count)

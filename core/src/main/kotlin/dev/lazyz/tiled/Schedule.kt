@@ -5,11 +5,6 @@ import java.util.concurrent.atomic.AtomicReference
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
-/** Passed often by whoever renders; throws if there is no point in going on. */
-internal fun interface Checkpoint {
-    fun pass()
-}
-
 /**
  * Which tile is next, and whether to go on: what the threads of a rendering share.
  *

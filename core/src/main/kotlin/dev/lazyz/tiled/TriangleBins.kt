@@ -1,5 +1,6 @@
 package dev.lazyz.tiled
 
+import dev.lazyz.setup.triangleBatch
 import dev.lazyz.DepthTest
 import dev.lazyz.setup.FrameContent
 import dev.lazyz.setup.TriangleBatch
@@ -20,6 +21,7 @@ import dev.lazyz.setup.inParallel
  *
  * @param bandStart first band
  * @param bandEnd the band after the last
+ * @param coverage makes the loops over small triangles, for one thread each
  */
 internal class TriangleBins(
     private val content: FrameContent,
@@ -28,7 +30,7 @@ internal class TriangleBins(
     bandStart: Int,
     bandEnd: Int,
     threads: Int,
-    kernels: Kernels,
+    coverage: () -> CoverageKernel,
     private val pool: ArrayPool,
 ) {
     private val area = BinArea(grid, bandStart, bandEnd)
@@ -48,7 +50,7 @@ internal class TriangleBins(
 
     init {
         val fillers = List(chunks) {
-            BinFiller(it, area, grid, test, kernels.coverage(), pool, triangleEnds, fragmentEnds)
+            BinFiller(it, area, grid, test, coverage(), pool, triangleEnds, fragmentEnds)
         }
         inParallel(chunks) { forEach(it, fillers[it]::enter) }
         val wide = NearToFar()
@@ -116,7 +118,8 @@ internal class TriangleBins(
         val from = (total.toLong() * chunk / chunks).toInt()
         val until = (total.toLong() * (chunk + 1) / chunks).toInt()
         var offset = 0
-        for (batch in content.batches) {
+        for (number in content.batches.indices) {
+            val batch = content.triangleBatch(number)
             val last = minOf(until - offset, batch.count)
             for (first in maxOf(from - offset, 0) until last step CoverageKernel.COUNT) {
                 action(batch, first, minOf(last - first, CoverageKernel.COUNT))

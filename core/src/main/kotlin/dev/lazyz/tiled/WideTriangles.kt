@@ -1,5 +1,6 @@
 package dev.lazyz.tiled
 
+import dev.lazyz.setup.triangleBatchWith
 import dev.lazyz.DepthTest
 import dev.lazyz.setup.FrameContent
 import dev.lazyz.setup.TriangleForms
@@ -38,7 +39,7 @@ internal class WideTriangles(
         for (i in 0 until triangles.count) {
             val nearest = triangles[i]
             val index = test.indexOf(nearest)
-            val batch = content.batch(index)
+            val batch = content.triangleBatchWith(index)
             if (tiles.begin(batch, index - batch.first, bandStart, bandEnd) == 0) continue
             val own = forms.farthest(batch, index - batch.first)
             tiles.forEach({ nearest >= farthest[it] }) { tile, isCovered ->

@@ -117,7 +117,7 @@ class AttributeProperties {
             IntArray(points.size) { points[it].y },
             IntArray(points.size) { 1 shl 30 },
         )
-        return assembly.primitive(raster, FillRule.NON_ZERO, Shader { }, PlanarPrimitive.UV, 1.0, isTranslucent = false)
+        return assembly.primitive(raster, FillRule.NON_ZERO, Shader { }, Attributes.UV, 1.0, isTranslucent = false)
     }
 
     private companion object {

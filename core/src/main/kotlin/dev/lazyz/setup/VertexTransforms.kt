@@ -1,14 +1,13 @@
 package dev.lazyz.setup
 
 import dev.lazyz.Box
-import dev.lazyz.Mesh
 import dev.lazyz.Vectors
 import kotlin.math.sqrt
 import org.joml.Matrix4dc
 import org.joml.Vector3dc
 
-/** Moves meshes. */
-internal object MeshGeometry {
+/** Moves positions and normals, three numbers each. */
+internal object VertexTransforms {
     /** Returns positions that are relative to [origin], of those that are relative to [before]. */
     fun relativeTo(origin: Vector3dc, positions: FloatArray, before: Vector3dc): FloatArray {
         val way = Vectors.minus(before, origin)
@@ -21,19 +20,8 @@ internal object MeshGeometry {
         return moved
     }
 
-    fun transformed(mesh: Mesh, m: Matrix4dc): Mesh {
-        val triangles = mesh.triangles.copyOf()
-        if (Cofactors(m).isMirror) {
-            for (i in triangles.indices step 3) {
-                triangles[i + 1] = mesh.triangles[i + 2]
-                triangles[i + 2] = mesh.triangles[i + 1]
-            }
-        }
-        val origin = origin(mesh.bounds, m)
-        val positions = positions(mesh.positions, mesh.origin, m, origin)
-        val normals = mesh.normals?.let { normals(it, m) }
-        return Mesh(positions, triangles, mesh.material, normals, mesh.uvs, mesh.colors, origin)
-    }
+    /** Whether [m] mirrors. */
+    fun isMirror(m: Matrix4dc): Boolean = Cofactors(m).isMirror
 
     /** Returns positions, relative to [before], moved by [m], relative to [origin]. */
     fun positions(from: FloatArray, before: Vector3dc, m: Matrix4dc, origin: Vector3dc): FloatArray {
