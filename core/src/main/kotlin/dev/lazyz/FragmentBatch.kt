@@ -1,7 +1,5 @@
 package dev.lazyz
 
-import dev.lazyz.setup.Attributes
-
 /**
  * Fragments on their way to a colour, many at a time: each attribute of [Fragment] as an array, of which the first [size]
  * elements count. What a [BatchShader] reads and fills in.

@@ -1,8 +1,5 @@
 package dev.lazyz
 
-import dev.lazyz.setup.EmptyPrimitive
-import dev.lazyz.setup.FrameContent
-
 /**
  * Everything a renderer needs: a raster, primitives in submission order, set up once, and the part of the raster to render.
  *

@@ -1,7 +1,5 @@
 package dev.lazyz
 
-import dev.lazyz.setup.OpaquePrimitive
-
 /**
  * Something that covers samples of a raster: what a renderer orders.
  *

@@ -1,11 +1,5 @@
 package dev.lazyz
 
-import dev.lazyz.setup.BlendSelector
-import dev.lazyz.setup.CountSelector
-import dev.lazyz.setup.FarthestSelector
-import dev.lazyz.setup.KthNearestSelector
-import dev.lazyz.setup.NearestSelector
-
 /**
  * Chooses what a sample shows, given all its fragments: the paper's selection over a list of (depth, suspended colour).
  *

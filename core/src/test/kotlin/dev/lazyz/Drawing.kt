@@ -1,5 +1,6 @@
 package dev.lazyz
 
+import dev.lazyz.world.FrameBuilder
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators

@@ -1,6 +1,15 @@
 package dev.lazyz
 
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.geometry.Box
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.Camera
+import dev.lazyz.world.FrameBuilder
+import dev.lazyz.world.Material
+import dev.lazyz.world.SetUp
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Surface
+import dev.lazyz.world.scene
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test

@@ -1,5 +1,7 @@
 package dev.lazyz
 
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Projection
 import org.joml.Vector3d
 import org.joml.Vector4d
 

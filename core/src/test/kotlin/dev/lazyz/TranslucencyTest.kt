@@ -1,8 +1,18 @@
 package dev.lazyz
 
-import dev.lazyz.hybrid.Hybrid
-import dev.lazyz.lists.Lists
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.pipeline.Pane
+import dev.lazyz.strategies.Renderers
+import dev.lazyz.strategies.hybrid.Hybrid
+import dev.lazyz.strategies.lists.Lists
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.FrameBuilder
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Texture
+import dev.lazyz.world.scene
 import kotlinx.coroutines.flow.flowOf
 import kotlinx.coroutines.runBlocking
 import org.joml.Vector3d

@@ -1,14 +1,14 @@
 package dev.lazyz.cli
 
 import dev.lazyz.Frame
-import dev.lazyz.Material
 import dev.lazyz.Raster
 import dev.lazyz.Region
-import dev.lazyz.Scene
-import dev.lazyz.Shading
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.world.Material
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
 
 /** The one way from the command line to a frame: reads what [subject] names, and sets it up as the user wants it. */
 internal class FrameSource(private val subject: Subject, private val streams: Streams) {

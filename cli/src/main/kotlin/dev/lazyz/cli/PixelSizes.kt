@@ -1,9 +1,9 @@
 package dev.lazyz.cli
 
-import dev.lazyz.Lines
-import dev.lazyz.Points
-import dev.lazyz.Scene
-import dev.lazyz.Surface
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Points
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Surface
 
 /**
  * Sizes that the user wants instead of the input's.

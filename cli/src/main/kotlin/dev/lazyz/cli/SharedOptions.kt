@@ -8,13 +8,13 @@ import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.Coherence
 import dev.lazyz.DepthConvention
-import dev.lazyz.Fit
-import dev.lazyz.Points
 import dev.lazyz.RenderOptions
 import dev.lazyz.Selector
-import dev.lazyz.Shading
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.world.Fit
+import dev.lazyz.world.Points
+import dev.lazyz.world.Shading
 
 /** What INPUT may be, for help. */
 internal const val INPUT_HELP: String =

@@ -6,7 +6,7 @@ import dev.lazyz.PixelHash
 import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.tiled.Tiled
+import dev.lazyz.strategies.tiled.Tiled
 
 /**
  * What a rendering took, by name, in the order in which it is told. The names are an interface to scripts.

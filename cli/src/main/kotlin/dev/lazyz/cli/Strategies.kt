@@ -2,7 +2,7 @@ package dev.lazyz.cli
 
 import dev.lazyz.Capability
 import dev.lazyz.Renderer
-import dev.lazyz.Renderers
+import dev.lazyz.strategies.Renderers
 
 /** Renderers by the name that a user types, and by what they are capable of. */
 internal object Strategies {

@@ -3,9 +3,9 @@ package dev.lazyz.cli
 import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.Renderer
-import dev.lazyz.Renderers
-import dev.lazyz.StrategyEstimates
-import dev.lazyz.StrategyModel
+import dev.lazyz.strategies.Renderers
+import dev.lazyz.strategies.StrategyEstimates
+import dev.lazyz.strategies.StrategyModel
 
 /**
  * The strategy of a rendering: the one that the user named, or the first that is capable of what the flags and the

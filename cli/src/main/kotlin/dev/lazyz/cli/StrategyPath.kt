@@ -1,7 +1,7 @@
 package dev.lazyz.cli
 
 import dev.lazyz.Renderer
-import dev.lazyz.Renderers
+import dev.lazyz.strategies.Renderers
 import java.io.Closeable
 import java.io.File
 import java.io.IOException

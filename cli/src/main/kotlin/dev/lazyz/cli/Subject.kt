@@ -3,10 +3,10 @@ package dev.lazyz.cli
 import dev.lazyz.DepthConvention
 import dev.lazyz.Region
 import dev.lazyz.Rgba
-import dev.lazyz.Shading
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.world.Shading
 
 /** Which axis of the input points up. */
 internal enum class Up { Y, Z }

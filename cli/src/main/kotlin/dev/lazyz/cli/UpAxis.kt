@@ -1,16 +1,16 @@
 package dev.lazyz.cli
 
-import dev.lazyz.Camera
-import dev.lazyz.Light
-import dev.lazyz.Lines
-import dev.lazyz.Mesh
-import dev.lazyz.Points
-import dev.lazyz.Polygon
-import dev.lazyz.Projection
-import dev.lazyz.Scene
-import dev.lazyz.Sphere
-import dev.lazyz.Surface
-import dev.lazyz.Vertex
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Light
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Points
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Projection
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Surface
+import dev.lazyz.world.Vertex
 import org.joml.Vector3d
 import org.joml.Vector3dc
 

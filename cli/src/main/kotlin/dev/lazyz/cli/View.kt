@@ -1,11 +1,11 @@
 package dev.lazyz.cli
 
-import dev.lazyz.Camera
-import dev.lazyz.Fit
-import dev.lazyz.FittedViewpoint
-import dev.lazyz.Projection
-import dev.lazyz.Scene
-import dev.lazyz.Viewpoint
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Fit
+import dev.lazyz.world.FittedViewpoint
+import dev.lazyz.world.Projection
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Viewpoint
 
 /** The sides to look from that have a name; angles in degrees, as [Camera.fit] takes them. */
 internal enum class View(val azimuth: Double, val elevation: Double) {

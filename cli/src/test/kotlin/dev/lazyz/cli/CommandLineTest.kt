@@ -1,6 +1,6 @@
 package dev.lazyz.cli
 
-import dev.lazyz.Renderers
+import dev.lazyz.strategies.Renderers
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

@@ -1,6 +1,6 @@
 package dev.lazyz.cli
 
-import dev.lazyz.Renderers
+import dev.lazyz.strategies.Renderers
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
 import kotlin.io.path.writeText

@@ -3,8 +3,8 @@ package dev.lazyz.cli
 import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.Raster
-import dev.lazyz.Renderers
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.strategies.Renderers
 import java.io.ByteArrayOutputStream
 import java.io.PrintStream
 import java.nio.file.Path

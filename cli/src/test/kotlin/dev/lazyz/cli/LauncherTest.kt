@@ -1,6 +1,6 @@
 package dev.lazyz.cli
 
-import dev.lazyz.tiled.Tiled
+import dev.lazyz.strategies.tiled.Tiled
 import java.io.File
 import java.nio.channels.FileChannel
 import java.nio.file.Files

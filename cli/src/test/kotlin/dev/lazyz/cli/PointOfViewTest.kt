@@ -1,10 +1,10 @@
 package dev.lazyz.cli
 
-import dev.lazyz.Camera
-import dev.lazyz.Fit
-import dev.lazyz.FittedViewpoint
-import dev.lazyz.Scene
-import dev.lazyz.Viewpoint
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Fit
+import dev.lazyz.world.FittedViewpoint
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Viewpoint
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertSame

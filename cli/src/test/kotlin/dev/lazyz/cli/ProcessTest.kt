@@ -1,7 +1,7 @@
 package dev.lazyz.cli
 
 import dev.lazyz.Capability
-import dev.lazyz.Renderers
+import dev.lazyz.strategies.Renderers
 import java.io.ByteArrayInputStream
 import java.io.File
 import java.nio.file.Files

@@ -1,7 +1,7 @@
 package dev.lazyz.cli
 
-import dev.lazyz.Renderers
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.Renderers
+import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.nio.file.Path
 import java.util.ServiceConfigurationError
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -1,19 +1,19 @@
 package dev.lazyz.cli
 
-import dev.lazyz.Camera
 import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Image
-import dev.lazyz.Material
-import dev.lazyz.Polygon
 import dev.lazyz.Rgba
-import dev.lazyz.Scene
-import dev.lazyz.Vertex
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.scenefile.SceneFile
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Material
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Vertex
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals

@@ -4,11 +4,11 @@ import dev.lazyz.Capability
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Renderer
-import dev.lazyz.Renderers
-import dev.lazyz.hybrid.Hybrid
-import dev.lazyz.painter.Painter
-import dev.lazyz.scanline.ScanLine
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.Renderers
+import dev.lazyz.strategies.hybrid.Hybrid
+import dev.lazyz.strategies.painter.Painter
+import dev.lazyz.strategies.scanline.ScanLine
+import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.io.ByteArrayOutputStream
 import java.io.PrintStream
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -2,8 +2,8 @@ package dev.lazyz.cli
 
 import dev.lazyz.Capability
 import dev.lazyz.Coherence
-import dev.lazyz.Renderers
 import dev.lazyz.Selector
+import dev.lazyz.strategies.Renderers
 import java.nio.file.Path
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name

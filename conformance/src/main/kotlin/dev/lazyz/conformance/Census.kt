@@ -1,7 +1,7 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Frame
-import dev.lazyz.Scene
+import dev.lazyz.world.Scene
 import java.util.Collections
 import java.util.IdentityHashMap
 

@@ -2,7 +2,7 @@ package dev.lazyz.conformance
 
 import dev.lazyz.Capability
 import dev.lazyz.Renderer
-import dev.lazyz.Renderers
+import dev.lazyz.strategies.Renderers
 import java.io.File
 import java.nio.file.Path
 

@@ -1,10 +1,10 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.Camera
 import dev.lazyz.Depth
 import dev.lazyz.DepthConvention
 import dev.lazyz.FillRule
 import dev.lazyz.Raster
+import dev.lazyz.world.Camera
 import java.math.BigDecimal
 import java.math.MathContext
 import java.math.RoundingMode

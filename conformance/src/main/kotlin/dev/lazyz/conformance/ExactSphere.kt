@@ -1,13 +1,13 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.AlphaMode
-import dev.lazyz.Camera
 import dev.lazyz.Depth
 import dev.lazyz.DepthConvention
-import dev.lazyz.Projection
 import dev.lazyz.Raster
-import dev.lazyz.Sides
-import dev.lazyz.Sphere
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Projection
+import dev.lazyz.world.Sides
+import dev.lazyz.world.Sphere
 import java.math.BigDecimal
 import java.math.MathContext
 

@@ -1,14 +1,14 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Frame
-import dev.lazyz.Lines
-import dev.lazyz.Mesh
-import dev.lazyz.Points
-import dev.lazyz.Scene
-import dev.lazyz.Surface
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.scenefile.SceneFile
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Points
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Surface
 
 /**
  * A frame to try a renderer on, that prints itself as the Kotlin code that makes it.
@@ -17,7 +17,7 @@ import dev.lazyz.scenes.scenefile.SceneFile
  *
  * @property frame what to render
  * @property code a Kotlin expression whose value is a frame equal to [frame], given imports of `dev.lazyz.*`,
- *   `dev.lazyz.conformance.*` and `org.joml.Vector3d`
+ *   `dev.lazyz.conformance.*`, `dev.lazyz.world.*` and `org.joml.Vector3d`
  */
 public class FrameCase(public val frame: Frame, public val code: String) {
     /** The scene that is set up to [frame], or to what [frame] is a region of; null if there is none. */

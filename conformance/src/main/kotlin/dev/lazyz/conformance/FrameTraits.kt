@@ -1,18 +1,18 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.AlphaMode
-import dev.lazyz.Camera
 import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
-import dev.lazyz.Mesh
-import dev.lazyz.Polygon
-import dev.lazyz.Projection
 import dev.lazyz.Raster
-import dev.lazyz.Scene
 import dev.lazyz.Spans
-import dev.lazyz.Sphere
-import dev.lazyz.Surface
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Projection
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Surface
 import java.util.EnumSet
 import org.joml.Vector3d
 

@@ -89,7 +89,7 @@ public object Frames {
     /**
      * Returns frames of scenes: polygons with and without holes, meshes of one to dozens of triangles, spheres, in
      * front of the camera, behind it, and across its near and far planes, with and without perspective. Vertices have
-     * normals, texture coordinates and colours or not; materials have every [dev.lazyz.Shading], highlights, emission,
+     * normals, texture coordinates and colours or not; materials have every [dev.lazyz.world.Shading], highlights, emission,
      * textures, masks, one side or two; lights are of every kind. None is translucent.
      *
      * The camera looks at the surfaces, so that few frames are blank, and most samples are covered more than once.
@@ -102,7 +102,7 @@ public object Frames {
         WorldFrames.cases(WorldFrames.rasters(maxSide), maxSurfaces).withoutEdgeCases()
 
     /**
-     * Returns frames of scenes as [world] does, in which most materials blend ([dev.lazyz.AlphaMode.BLEND]): with the
+     * Returns frames of scenes as [world] does, in which most materials blend ([dev.lazyz.world.AlphaMode.BLEND]): with the
      * alpha of the material, of its texture, of vertex colours. Renderers that do not blend refuse most of them.
      */
     @JvmStatic

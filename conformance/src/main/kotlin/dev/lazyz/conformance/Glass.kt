@@ -1,11 +1,11 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.AlphaMode
 import dev.lazyz.Frame
-import dev.lazyz.Material
-import dev.lazyz.Polygon
 import dev.lazyz.Primitive
-import dev.lazyz.Surface
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Material
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Surface
 
 /**
  * A primitive made translucent: everything is as in [whole], and its colours' alpha counts (contract rule 5.5).

@@ -2,11 +2,11 @@ package dev.lazyz.conformance
 
 import dev.lazyz.Frame
 import dev.lazyz.Image
-import dev.lazyz.Polygon
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.Spans
+import dev.lazyz.world.Polygon
 import java.util.Random
 import java.util.concurrent.CyclicBarrier
 import java.util.concurrent.ExecutionException

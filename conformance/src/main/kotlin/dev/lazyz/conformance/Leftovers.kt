@@ -3,10 +3,10 @@ package dev.lazyz.conformance
 import dev.lazyz.Capability
 import dev.lazyz.FillRule
 import dev.lazyz.Frame
-import dev.lazyz.FrameBuilder
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
+import dev.lazyz.world.FrameBuilder
 import java.io.ByteArrayOutputStream
 import java.io.OutputStream
 import java.io.PrintStream

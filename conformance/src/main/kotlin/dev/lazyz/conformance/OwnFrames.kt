@@ -4,11 +4,11 @@ import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.Renderer
-import dev.lazyz.lists.Lists
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.strategies.lists.Lists
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path

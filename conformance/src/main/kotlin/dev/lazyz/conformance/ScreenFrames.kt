@@ -1,15 +1,15 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.Camera
 import dev.lazyz.FillRule
-import dev.lazyz.FrameBuilder
 import dev.lazyz.LinearForm
-import dev.lazyz.Material
-import dev.lazyz.Polygon
 import dev.lazyz.Raster
-import dev.lazyz.Scene
-import dev.lazyz.Surface
-import dev.lazyz.Vertex
+import dev.lazyz.world.Camera
+import dev.lazyz.world.FrameBuilder
+import dev.lazyz.world.Material
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Surface
+import dev.lazyz.world.Vertex
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators

@@ -4,12 +4,12 @@ import dev.lazyz.Depth
 import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.FillRule
-import dev.lazyz.FrameBuilder
 import dev.lazyz.Image
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
+import dev.lazyz.world.FrameBuilder
 
 /**
  * Tries [renderer] on every ordered pair of a few dozen shapes, on a raster of 3 x 2 samples, under all four depth

@@ -1,11 +1,11 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.Camera
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
-import dev.lazyz.Projection
-import dev.lazyz.Scene
 import dev.lazyz.Spans
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Projection
+import dev.lazyz.world.Scene
 import java.util.EnumSet
 
 /** Reads the [Symptom]s of a failure off its frame and its pictures. */

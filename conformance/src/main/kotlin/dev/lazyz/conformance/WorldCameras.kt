@@ -1,7 +1,7 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.Camera
 import dev.lazyz.Raster
+import dev.lazyz.world.Camera
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 import org.joml.Vector3d

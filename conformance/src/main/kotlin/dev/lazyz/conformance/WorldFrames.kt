@@ -1,9 +1,9 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.Light
 import dev.lazyz.Raster
-import dev.lazyz.Scene
-import dev.lazyz.Surface
+import dev.lazyz.world.Light
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Surface
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators

@@ -1,6 +1,6 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.Light
+import dev.lazyz.world.Light
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators

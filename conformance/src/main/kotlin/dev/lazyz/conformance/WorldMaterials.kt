@@ -1,14 +1,14 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.AlphaMode
-import dev.lazyz.Material
 import dev.lazyz.Rgba
-import dev.lazyz.Shading
-import dev.lazyz.Sides
-import dev.lazyz.Texture
-import dev.lazyz.TextureFilter
-import dev.lazyz.TextureWrap
 import dev.lazyz.scenes.Tint
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Material
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Sides
+import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators

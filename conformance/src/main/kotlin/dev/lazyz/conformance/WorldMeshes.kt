@@ -1,8 +1,8 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.Material
-import dev.lazyz.Mesh
-import dev.lazyz.Surface
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Surface
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 import org.joml.Vector3d

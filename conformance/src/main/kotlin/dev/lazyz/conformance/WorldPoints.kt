@@ -1,9 +1,9 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.Lines
-import dev.lazyz.Material
-import dev.lazyz.Points
-import dev.lazyz.Surface
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Material
+import dev.lazyz.world.Points
+import dev.lazyz.world.Surface
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 

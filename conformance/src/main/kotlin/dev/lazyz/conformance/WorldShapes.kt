@@ -1,12 +1,12 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.FillRule
-import dev.lazyz.Material
-import dev.lazyz.Polygon
 import dev.lazyz.Rgba
-import dev.lazyz.Sphere
-import dev.lazyz.Surface
-import dev.lazyz.Vertex
+import dev.lazyz.world.Material
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Surface
+import dev.lazyz.world.Vertex
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators

@@ -11,8 +11,8 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
 import dev.lazyz.ShadingCursor
-import dev.lazyz.lazy.LazyZBuffer
-import dev.lazyz.painter.Painter
+import dev.lazyz.strategies.lazy.LazyZBuffer
+import dev.lazyz.strategies.painter.Painter
 
 /** Renderers that are right but for colours, and when they are made. */
 object BrokenColours {

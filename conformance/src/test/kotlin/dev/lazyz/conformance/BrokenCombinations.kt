@@ -3,8 +3,8 @@ package dev.lazyz.conformance
 import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
-import dev.lazyz.lists.Lists
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.lists.Lists
+import dev.lazyz.strategies.zbuffer.ZBuffer
 
 /** Renderers that are right as long as one thing at a time is not as usual. */
 object BrokenCombinations {

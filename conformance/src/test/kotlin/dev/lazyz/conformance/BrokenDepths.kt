@@ -8,7 +8,7 @@ import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Spans
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
 
 /** Renderers that are right but for depths, and how they are compared. */
 object BrokenDepths {

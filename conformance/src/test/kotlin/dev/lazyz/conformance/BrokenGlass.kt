@@ -8,7 +8,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.Selector
 import dev.lazyz.ShadingCursor
-import dev.lazyz.lists.Lists
+import dev.lazyz.strategies.lists.Lists
 
 /** Renderers that are right but for extremes of alpha and light, and for what is hidden behind glass. */
 object BrokenGlass {

@@ -7,7 +7,7 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.util.Collections
 import java.util.IdentityHashMap
 

@@ -12,12 +12,12 @@ import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Selector
 import dev.lazyz.Spans
-import dev.lazyz.hierarchical.HierarchicalZBuffer
-import dev.lazyz.hybrid.Hybrid
-import dev.lazyz.lazy.LazyZBuffer
-import dev.lazyz.lists.Lists
-import dev.lazyz.tiled.Tiled
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
+import dev.lazyz.strategies.hybrid.Hybrid
+import dev.lazyz.strategies.lazy.LazyZBuffer
+import dev.lazyz.strategies.lists.Lists
+import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.zbuffer.ZBuffer
 
 /** Renderers that are right but promise too much, or count wrongly. */
 object BrokenPromises {

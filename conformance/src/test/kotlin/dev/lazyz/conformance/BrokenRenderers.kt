@@ -9,8 +9,8 @@ import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.Selector
-import dev.lazyz.lists.Lists
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.lists.Lists
+import dev.lazyz.strategies.zbuffer.ZBuffer
 
 /**
  * Renderers that are right but for one mistake.

@@ -4,10 +4,10 @@ import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Rgba
-import dev.lazyz.TextureFilter
-import dev.lazyz.TextureWrap
-import dev.lazyz.lists.Lists
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.lists.Lists
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
 
 /** Renderers that are right but for normals, light, textures, masks, and what blends. */
 object BrokenShading {

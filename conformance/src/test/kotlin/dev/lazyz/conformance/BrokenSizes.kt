@@ -9,8 +9,8 @@ import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.Selector
 import dev.lazyz.Spans
-import dev.lazyz.lists.Lists
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.lists.Lists
+import dev.lazyz.strategies.zbuffer.ZBuffer
 
 /** Renderers that are right as long as nothing is large. */
 object BrokenSizes {

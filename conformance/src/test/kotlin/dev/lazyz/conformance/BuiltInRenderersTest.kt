@@ -1,9 +1,9 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
-import dev.lazyz.Renderers
-import dev.lazyz.lists.Lists
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.Renderers
+import dev.lazyz.strategies.lists.Lists
+import dev.lazyz.strategies.zbuffer.ZBuffer
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DynamicTest

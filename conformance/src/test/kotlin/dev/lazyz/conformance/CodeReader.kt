@@ -4,10 +4,10 @@ import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.FillRule
 import dev.lazyz.Frame
-import dev.lazyz.FrameBuilder
 import dev.lazyz.LinearForm
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
+import dev.lazyz.world.FrameBuilder
 
 /** Reads the Kotlin code of frames on the screen, as strictly as a compiler would: every character has its place. */
 internal class CodeReader(private val code: String) {

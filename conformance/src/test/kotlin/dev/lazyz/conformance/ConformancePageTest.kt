@@ -2,7 +2,7 @@ package dev.lazyz.conformance
 
 import dev.lazyz.conformance.fuzz.DifferentialFuzzing
 import dev.lazyz.scenes.Scenes
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration

@@ -1,7 +1,7 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Capability
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.io.ByteArrayOutputStream
 import java.io.PrintStream
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -1,7 +1,7 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.Camera
 import dev.lazyz.Raster
+import dev.lazyz.world.Camera
 import org.joml.Vector3d
 
 /**

@@ -1,11 +1,11 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.Camera
-import dev.lazyz.Light
-import dev.lazyz.Material
-import dev.lazyz.Projection
 import dev.lazyz.Rgba
-import dev.lazyz.Shading
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Light
+import dev.lazyz.world.Material
+import dev.lazyz.world.Projection
+import dev.lazyz.world.Shading
 import org.joml.Vector3d
 import org.joml.Vector3dc
 

@@ -1,9 +1,9 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.Camera
-import dev.lazyz.Projection
 import dev.lazyz.Raster
-import dev.lazyz.Sphere
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Projection
+import dev.lazyz.world.Sphere
 import org.joml.Vector3d
 
 /** The ray through a sample: contract rule 2.6 in world space and double precision. */

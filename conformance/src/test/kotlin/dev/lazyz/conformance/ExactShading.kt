@@ -1,17 +1,17 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.AlphaMode
-import dev.lazyz.Camera
-import dev.lazyz.Light
-import dev.lazyz.Material
-import dev.lazyz.Mesh
-import dev.lazyz.Polygon
 import dev.lazyz.Raster
-import dev.lazyz.Scene
-import dev.lazyz.Shading
-import dev.lazyz.Sides
-import dev.lazyz.Sphere
-import dev.lazyz.Surface
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Light
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Sides
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Surface
 import org.joml.Vector3d
 
 /** Which colours the contract permits at a sample. */
@@ -50,7 +50,7 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         return Corner(n)
     }
 
-    private fun corner(vertex: dev.lazyz.Vertex): Corner {
+    private fun corner(vertex: dev.lazyz.world.Vertex): Corner {
         val color = vertex.color
         val n = DoubleArray(Corner.SIZE)
         doubleArrayOf(vertex.x, vertex.y, vertex.z).copyInto(n, Corner.WORLD)

@@ -2,8 +2,8 @@ package dev.lazyz.conformance
 
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
-import dev.lazyz.Material
 import dev.lazyz.Spans
+import dev.lazyz.world.Material
 import java.util.Random
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Example

@@ -1,8 +1,8 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.Texture
-import dev.lazyz.TextureFilter
-import dev.lazyz.TextureWrap
+import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
 
 /** Reads a texture by the words of contract rule 6.6, in double precision. */
 internal class ExactTexture(private val texture: Texture) {

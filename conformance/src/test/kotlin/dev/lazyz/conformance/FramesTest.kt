@@ -4,11 +4,11 @@ import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.FillRule
 import dev.lazyz.Frame
-import dev.lazyz.FrameBuilder
 import dev.lazyz.LinearForm
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.Spans
+import dev.lazyz.world.FrameBuilder
 import java.util.Random
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Example

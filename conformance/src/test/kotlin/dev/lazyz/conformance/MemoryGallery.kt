@@ -8,8 +8,8 @@ import dev.lazyz.conformance.RuleNames.arrivals
 import dev.lazyz.conformance.RuleNames.heap
 import dev.lazyz.conformance.RuleNames.kept
 import dev.lazyz.conformance.RuleNames.memory
-import dev.lazyz.hybrid.Hybrid
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.hybrid.Hybrid
+import dev.lazyz.strategies.zbuffer.ZBuffer
 
 /** The gallery's part about memory that is held and not told: all counters are as they should be. */
 internal object MemoryGallery {

@@ -1,8 +1,8 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
-import dev.lazyz.Renderers
 import dev.lazyz.conformance.strangers.Galleries
+import dev.lazyz.strategies.Renderers
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.DynamicTest
 import org.junit.jupiter.api.DynamicTest.dynamicTest

@@ -3,7 +3,7 @@ package dev.lazyz.conformance
 import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Renderer
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
 import kotlin.io.path.createFile

@@ -4,7 +4,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Region
 import dev.lazyz.Renderer
-import dev.lazyz.Renderers
+import dev.lazyz.strategies.Renderers
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll

@@ -1,7 +1,7 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Frame
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.util.concurrent.CountDownLatch
 
 /** Renderers that would end a run, or make it tell something else each time. None is in [Gallery]: they take time. */

@@ -1,13 +1,13 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.Camera
 import dev.lazyz.DepthTest
 import dev.lazyz.FillRule
 import dev.lazyz.Frame
-import dev.lazyz.FrameBuilder
-import dev.lazyz.Polygon
 import dev.lazyz.Raster
 import dev.lazyz.scenes.scenefile.SceneFile
+import dev.lazyz.world.Camera
+import dev.lazyz.world.FrameBuilder
+import dev.lazyz.world.Polygon
 import java.util.Random
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary

@@ -1,10 +1,10 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Fragment
-import dev.lazyz.FrameBuilder
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Spans
+import dev.lazyz.world.FrameBuilder
 import java.util.Random
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.EdgeCasesMode

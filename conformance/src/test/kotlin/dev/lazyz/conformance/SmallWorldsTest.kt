@@ -7,9 +7,9 @@ import dev.lazyz.Image
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Renderer
-import dev.lazyz.Renderers
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
+import dev.lazyz.strategies.Renderers
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

@@ -2,7 +2,7 @@ package dev.lazyz.conformance
 
 import dev.lazyz.conformance.strangers.Galleries
 import dev.lazyz.conformance.strangers.Stranger
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.readLines

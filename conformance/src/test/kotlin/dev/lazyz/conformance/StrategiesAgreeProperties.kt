@@ -7,7 +7,7 @@ import dev.lazyz.Image
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
-import dev.lazyz.Renderers
+import dev.lazyz.strategies.Renderers
 import java.util.Random
 import java.util.function.Predicate
 import net.jqwik.api.Arbitraries

@@ -13,7 +13,7 @@ import dev.lazyz.conformance.RuleNames.meets
 import dev.lazyz.conformance.RuleNames.overwrites
 import dev.lazyz.conformance.RuleNames.status
 import dev.lazyz.conformance.RuleNames.workers
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
 import kotlin.concurrent.thread
 
 /** The gallery's part about threads, and the sink. */

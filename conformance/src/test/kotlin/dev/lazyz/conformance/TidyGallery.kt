@@ -1,7 +1,7 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Frame
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.nio.file.Files
 import java.util.Locale
 import java.util.concurrent.CountDownLatch

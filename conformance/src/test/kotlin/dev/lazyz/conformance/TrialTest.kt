@@ -2,11 +2,11 @@ package dev.lazyz.conformance
 
 import dev.lazyz.Counters
 import dev.lazyz.Frame
-import dev.lazyz.FrameBuilder
 import dev.lazyz.Raster
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.FrameBuilder
 import java.lang.reflect.Proxy
 import java.net.URLClassLoader
 import java.nio.file.Files

@@ -11,7 +11,7 @@ import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.util.Random
 
 /** Renderers that work in ways of their own, and are right: the suite must not take the unusual for wrong. */

@@ -2,8 +2,8 @@ package dev.lazyz.conformance
 
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
-import dev.lazyz.Mesh
 import dev.lazyz.Spans
+import dev.lazyz.world.Mesh
 import java.util.Random
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Example

@@ -5,7 +5,7 @@ import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
 
 /** Right, without promises. */
 open class PlainRenderer(override val id: String = "plain") : Renderer {

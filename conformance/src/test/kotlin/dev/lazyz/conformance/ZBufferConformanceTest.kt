@@ -1,7 +1,7 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
 
 class ZBufferConformanceTest : RendererConformance() {
     override fun renderer(): Renderer = ZBuffer()

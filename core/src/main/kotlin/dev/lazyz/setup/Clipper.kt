@@ -1,5 +1,7 @@
 package dev.lazyz.setup
 
+import dev.lazyz.shading.Vertices
+
 /**
  * Cuts polygons at the near plane, the far plane and the guard band, in homogeneous space (contract rule 9).
  *

@@ -3,6 +3,9 @@ package dev.lazyz.setup
 import dev.lazyz.Fragment
 import dev.lazyz.LinearForm
 import dev.lazyz.Spans
+import dev.lazyz.raster.RowHull
+import dev.lazyz.raster.ScreenGrid
+import dev.lazyz.shading.AttributedPrimitive
 
 /**
  * A line segment on the raster: a quad around its snapped ends, and the two samples that are nearest to them (contract

@@ -1,12 +1,18 @@
 package dev.lazyz.setup
 
-import dev.lazyz.AlphaMode
+import dev.lazyz.EmptyPrimitive
 import dev.lazyz.Fragment
-import dev.lazyz.Lines
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Shader
-import dev.lazyz.Shading
+import dev.lazyz.raster.ScreenGrid
+import dev.lazyz.shading.Lighting
+import dev.lazyz.shading.MaskedPrimitive
+import dev.lazyz.shading.MaterialShader
+import dev.lazyz.shading.Vertices
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Shading
 
 /** Sets up the segments of one surface, and is what they have in common. Immutable and thread safe. */
 internal class LineStrokes(private val lines: Lines, private val stage: VertexStage, lighting: Lighting) {

@@ -1,14 +1,18 @@
 package dev.lazyz.setup
 
-import dev.lazyz.AlphaMode
+import dev.lazyz.EmptyPrimitive
 import dev.lazyz.Fragment
-import dev.lazyz.Material
-import dev.lazyz.Points
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Shader
-import dev.lazyz.Shading
-import dev.lazyz.Sides
+import dev.lazyz.raster.ScreenGrid
+import dev.lazyz.shading.Lighting
+import dev.lazyz.shading.MaterialShader
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Material
+import dev.lazyz.world.Points
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Sides
 
 /** Sets up the points of one surface, and is what they have in common. Immutable and thread safe. */
 internal class PointCloud(private val points: Points, private val stage: VertexStage, lighting: Lighting) {

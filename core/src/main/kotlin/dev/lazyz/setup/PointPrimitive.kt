@@ -3,6 +3,8 @@ package dev.lazyz.setup
 import dev.lazyz.Fragment
 import dev.lazyz.LinearForm
 import dev.lazyz.Spans
+import dev.lazyz.raster.ScreenGrid
+import dev.lazyz.shading.AttributedPrimitive
 
 /**
  * A point on the raster: a square around its snapped vertex, of one depth (contract rule 2.9).

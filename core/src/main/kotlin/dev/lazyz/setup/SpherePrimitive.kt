@@ -1,13 +1,14 @@
 package dev.lazyz.setup
 
-import dev.lazyz.AlphaMode
-import dev.lazyz.Camera
 import dev.lazyz.Fragment
-import dev.lazyz.Projection
 import dev.lazyz.Shader
-import dev.lazyz.Sides
 import dev.lazyz.Spans
-import dev.lazyz.Sphere
+import dev.lazyz.shading.AttributedPrimitive
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Projection
+import dev.lazyz.world.Sides
+import dev.lazyz.world.Sphere
 
 /**
  * A sphere on the raster: at every sample the ray through it is cut with the sphere (contract rule 2.6).

@@ -1,10 +1,14 @@
 package dev.lazyz.setup
 
-import dev.lazyz.AlphaMode
-import dev.lazyz.Camera
+import dev.lazyz.EmptyPrimitive
 import dev.lazyz.Primitive
-import dev.lazyz.Shading
-import dev.lazyz.Sphere
+import dev.lazyz.shading.Lighting
+import dev.lazyz.shading.MaskedPrimitive
+import dev.lazyz.shading.MaterialShader
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Sphere
 
 /** Makes primitives of spheres. */
 internal object SphereSetUp {

@@ -1,8 +1,10 @@
 package dev.lazyz.setup
 
-import dev.lazyz.Camera
-import dev.lazyz.Mesh
-import dev.lazyz.Projection
+import dev.lazyz.raster.ScreenGrid
+import dev.lazyz.shading.Vertices
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Projection
 
 /** What all vertices of a frame go through: from the world to clip space, and on to the raster. Immutable and thread safe. */
 internal class VertexStage(camera: Camera, val viewport: Viewport) {

@@ -1,10 +1,12 @@
 package dev.lazyz.setup
 
-import dev.lazyz.Camera
 import dev.lazyz.Depth
 import dev.lazyz.DepthConvention
-import dev.lazyz.Projection
 import dev.lazyz.Raster
+import dev.lazyz.raster.ScreenGrid
+import dev.lazyz.shading.Vertices
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Projection
 
 /** From clip space to the raster's grid: the one place where a vertex is rounded (contract rules 1.3 and 4.2). */
 internal open class Viewport(val raster: Raster) {

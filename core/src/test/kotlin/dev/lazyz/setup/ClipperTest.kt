@@ -1,5 +1,6 @@
 package dev.lazyz.setup
 
+import dev.lazyz.shading.Vertices
 import java.util.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse

@@ -30,7 +30,7 @@ public final class ColdStartPhases {
     static {
         PHASES.put("JVM", "dev.lazyz.cli.MainKt");
         PHASES.put("command line", "dev.lazyz.cli.RenderJob");
-        PHASES.put("scene", "dev.lazyz.setup.PlanarSetUp");
+        PHASES.put("scene", "dev.lazyz.setup.planar.PlanarSetUp");
         PHASES.put("set-up", "dev.lazyz.cli.MemoryNeed");
         PHASES.put("render, encode", "java.lang.Shutdown");
         PHASES.put("exit", "");

@@ -1,10 +1,10 @@
 package dev.lazyz.jmh;
 
 import dev.lazyz.Renderer;
-import dev.lazyz.Scene;
 import dev.lazyz.jmh.workload.MeshFiles;
 import dev.lazyz.scenes.LoadedScene;
 import dev.lazyz.scenes.Scenes;
+import dev.lazyz.world.Scene;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

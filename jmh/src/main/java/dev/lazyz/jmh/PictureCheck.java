@@ -4,7 +4,7 @@ import dev.lazyz.Counters;
 import dev.lazyz.Frame;
 import dev.lazyz.PixelHash;
 import dev.lazyz.Renderer;
-import dev.lazyz.Renderers;
+import dev.lazyz.strategies.Renderers;
 import org.openjdk.jmh.infra.Blackhole;
 
 /** What keeps a benchmark from measuring a wrong picture: pixel hashes (contract rule 7.2). */

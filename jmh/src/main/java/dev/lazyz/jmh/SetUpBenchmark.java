@@ -1,8 +1,8 @@
 package dev.lazyz.jmh;
 
 import dev.lazyz.Frame;
-import dev.lazyz.Scene;
 import dev.lazyz.jmh.workload.Workloads;
+import dev.lazyz.world.Scene;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;

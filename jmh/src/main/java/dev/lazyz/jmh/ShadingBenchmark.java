@@ -1,13 +1,13 @@
 package dev.lazyz.jmh;
 
 import dev.lazyz.Fragment;
-import dev.lazyz.Material;
-import dev.lazyz.Mesh;
 import dev.lazyz.Primitive;
 import dev.lazyz.Rgba;
-import dev.lazyz.Scene;
-import dev.lazyz.Shading;
 import dev.lazyz.ShadingCursor;
+import dev.lazyz.world.Material;
+import dev.lazyz.world.Mesh;
+import dev.lazyz.world.Scene;
+import dev.lazyz.world.Shading;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;

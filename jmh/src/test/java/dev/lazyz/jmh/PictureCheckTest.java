@@ -1,18 +1,17 @@
 package dev.lazyz.jmh;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
-
 import dev.lazyz.Counters;
 import dev.lazyz.Frame;
 import dev.lazyz.Renderer;
-import dev.lazyz.Renderers;
 import dev.lazyz.RowSink;
 import dev.lazyz.jmh.workload.Workloads;
-import dev.lazyz.zbuffer.ZBuffer;
+import dev.lazyz.strategies.Renderers;
+import dev.lazyz.strategies.zbuffer.ZBuffer;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.openjdk.jmh.annotations.Param;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 class PictureCheckTest {
     @Test

@@ -1,6 +1,6 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.Scene
+import dev.lazyz.world.Scene
 
 /**
  * A scene that comes with the library, to try things out on without a file; see [Scenes.builtins].

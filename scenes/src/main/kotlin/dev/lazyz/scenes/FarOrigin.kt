@@ -1,6 +1,6 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.Box
+import dev.lazyz.geometry.Box
 import org.joml.Vector3d
 import org.joml.Vector3dc
 

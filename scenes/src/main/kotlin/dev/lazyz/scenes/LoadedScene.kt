@@ -1,7 +1,7 @@
 package dev.lazyz.scenes
 
 import dev.lazyz.Raster
-import dev.lazyz.Scene
+import dev.lazyz.world.Scene
 
 /**
  * A scene that was read, and what the reader had to pass over.

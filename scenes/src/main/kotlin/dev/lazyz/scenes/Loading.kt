@@ -1,6 +1,6 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.Texture
+import dev.lazyz.world.Texture
 import java.nio.file.Path
 
 /**

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.Material
 import dev.lazyz.Rgba
+import dev.lazyz.world.Material
 
 /** How points and lines of model files look, which say neither their size nor, mostly, their colour. */
 internal object PixelDefaults {

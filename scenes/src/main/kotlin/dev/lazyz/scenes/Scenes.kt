@@ -1,7 +1,7 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.Scene
 import dev.lazyz.scenes.builtin.Builtins
+import dev.lazyz.world.Scene
 import java.io.InputStream
 import java.nio.file.Path
 

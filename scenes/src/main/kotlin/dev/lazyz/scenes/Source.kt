@@ -1,8 +1,8 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.Scene
 import dev.lazyz.scenes.images.FileReferences
 import dev.lazyz.scenes.triangulation.TextEncoding
+import dev.lazyz.world.Scene
 import java.nio.file.Path
 
 /**

@@ -1,22 +1,22 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.AlphaMode
-import dev.lazyz.Camera
 import dev.lazyz.FillRule
-import dev.lazyz.Light
-import dev.lazyz.Material
-import dev.lazyz.Mesh
-import dev.lazyz.Polygon
 import dev.lazyz.Rgba
-import dev.lazyz.Scene
-import dev.lazyz.Shading
-import dev.lazyz.Sides
-import dev.lazyz.Sphere
-import dev.lazyz.Surface
-import dev.lazyz.Texture
-import dev.lazyz.TextureFilter
-import dev.lazyz.TextureWrap
-import dev.lazyz.Vertex
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Light
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Sides
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Surface
+import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.Vertex
 import org.joml.Vector3d
 
 /** Small scenes for [GoldenTest], a feature each: what the built-in scenes, made to look good, do not show. */

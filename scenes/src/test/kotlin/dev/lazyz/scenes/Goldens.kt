@@ -3,7 +3,7 @@ package dev.lazyz.scenes
 import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.Renderer
-import dev.lazyz.Renderers
+import dev.lazyz.strategies.Renderers
 
 /** The built-in scenes and [GoldenScenes], and the identities of their pictures as they are committed. */
 internal object Goldens {

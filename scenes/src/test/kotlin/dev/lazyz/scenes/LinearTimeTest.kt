@@ -1,7 +1,7 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.Mesh
 import dev.lazyz.scenes.triangulation.TestSources
+import dev.lazyz.world.Mesh
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.file.Files

@@ -1,18 +1,18 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.AlphaMode
 import dev.lazyz.Capability
 import dev.lazyz.Frame
-import dev.lazyz.Material
-import dev.lazyz.Renderers
 import dev.lazyz.Rgba
-import dev.lazyz.Scene
-import dev.lazyz.Shading
-import dev.lazyz.Sides
-import dev.lazyz.Texture
-import dev.lazyz.TextureFilter
 import dev.lazyz.scenes.triangulation.AwkwardMesh
 import dev.lazyz.scenes.triangulation.TestSources
+import dev.lazyz.strategies.Renderers
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Material
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Sides
+import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureFilter
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DynamicTest

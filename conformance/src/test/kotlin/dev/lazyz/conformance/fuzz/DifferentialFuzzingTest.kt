@@ -2,9 +2,9 @@ package dev.lazyz.conformance.fuzz
 
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.BrokenRenderers
-import dev.lazyz.hierarchical.HierarchicalZBuffer
 import dev.lazyz.scenes.Scenes
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Random

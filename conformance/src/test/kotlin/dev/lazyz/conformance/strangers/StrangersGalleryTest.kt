@@ -6,13 +6,13 @@ import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
-import dev.lazyz.FrameBuilder
 import dev.lazyz.Image
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.Spans
+import dev.lazyz.world.FrameBuilder
 import kotlin.random.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test

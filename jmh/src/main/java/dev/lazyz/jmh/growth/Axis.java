@@ -1,13 +1,13 @@
 package dev.lazyz.jmh.growth;
 
-import dev.lazyz.Material;
 import dev.lazyz.Rgba;
-import dev.lazyz.Scene;
-import dev.lazyz.Shading;
 import dev.lazyz.jmh.workload.Growing;
 import dev.lazyz.jmh.workload.RoundsShader;
 import dev.lazyz.jmh.workload.Workloads;
 import dev.lazyz.scenes.Scenes;
+import dev.lazyz.world.Material;
+import dev.lazyz.world.Scene;
+import dev.lazyz.world.Shading;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.LongStream;

@@ -4,15 +4,15 @@ import com.sun.management.ThreadMXBean;
 import dev.lazyz.Capability;
 import dev.lazyz.Coherence;
 import dev.lazyz.Counters;
-import dev.lazyz.FrameNumbers;
 import dev.lazyz.Raster;
 import dev.lazyz.RenderOptions;
 import dev.lazyz.Renderer;
-import dev.lazyz.Renderers;
 import dev.lazyz.Rgba;
 import dev.lazyz.RowSink;
-import dev.lazyz.Scene;
 import dev.lazyz.jmh.report.Options;
+import dev.lazyz.strategies.FrameNumbers;
+import dev.lazyz.strategies.Renderers;
+import dev.lazyz.world.Scene;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
@@ -27,7 +27,7 @@ import java.util.Set;
 
 /**
  * Measures how time and memory of every built-in strategy grow with triangles, pixels, depth complexity, shading and threads;
- * then {@link GrowthPage} writes tables, charts and the coefficients of {@link dev.lazyz.StrategyModel}.
+ * then {@link GrowthPage} writes tables, charts and the coefficients of {@link dev.lazyz.strategies.StrategyModel}.
  *
  * <p>A frame is {@code scene.frame(raster)} and a rendering into a sink that drops the rows. At each point all strategies'
  * pictures are compared first, which warms them up as well; then they take turns, round by round. Where a first frame
@@ -84,7 +84,7 @@ public final class Growth {
         facts.put("limit, s", Double.toString(limit));
         facts.put("rounds", Integer.toString(rounds));
         facts.put("processors", Integer.toString(Runtime.getRuntime().availableProcessors()));
-        facts.put("Java", Runtime.version() + ", kernel of tiled: " + new dev.lazyz.tiled.Tiled().getKernel());
+        facts.put("Java", Runtime.version() + ", kernel of tiled: " + new dev.lazyz.strategies.tiled.Tiled().getKernel());
         facts.put("system", System.getProperty("os.name") + " " + System.getProperty("os.arch"));
         Path processors = Path.of("/proc/cpuinfo");
         if (Files.exists(processors)) {

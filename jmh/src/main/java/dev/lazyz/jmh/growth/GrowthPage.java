@@ -1,7 +1,7 @@
 package dev.lazyz.jmh.growth;
 
-import dev.lazyz.StrategyModel;
 import dev.lazyz.jmh.report.GeneratedPage;
+import dev.lazyz.strategies.StrategyModel;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,12 +12,12 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 
 /**
- * Writes the tables of {@code docs/growth.md}, the charts beside it, and the coefficients of {@link dev.lazyz.StrategyModel}, from the
+ * Writes the tables of {@code docs/growth.md}, the charts beside it, and the coefficients of {@link dev.lazyz.strategies.StrategyModel}, from the
  * results of {@link Growth}.
  */
 public final class GrowthPage {
     /** Where the model's coefficients are, from the project's folder. */
-    static final String COSTS = "core/src/main/kotlin/dev/lazyz/StrategyCosts.kt";
+    static final String COSTS = "core/src/main/kotlin/dev/lazyz/strategies/StrategyCosts.kt";
 
     /** How much slower than the fastest the model's choice may be to count as good. */
     static final double TOLERANCE = 1.5;
@@ -250,7 +250,7 @@ public final class GrowthPage {
                 .orElseThrow();
     }
 
-    /** What {@link dev.lazyz.StrategyEstimates#getBest} would be. */
+    /** What {@link dev.lazyz.strategies.StrategyEstimates#getBest} would be. */
     private String chosen(GrowthResults.Point point, List<String> strategies) {
         String usual = strategies.get(0);
         String fastest = strategies.stream()

@@ -1,9 +1,9 @@
 package dev.lazyz.jmh.growth;
 
-import dev.lazyz.FrameNumbers;
 import dev.lazyz.Renderer;
-import dev.lazyz.Renderers;
 import dev.lazyz.jmh.report.JsonRecords;
+import dev.lazyz.strategies.FrameNumbers;
+import dev.lazyz.strategies.Renderers;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,9 +1,9 @@
 package dev.lazyz.jmh.growth;
 
 import dev.lazyz.Capability;
-import dev.lazyz.FrameNumbers;
-import dev.lazyz.Renderers;
-import dev.lazyz.StrategyModel;
+import dev.lazyz.strategies.FrameNumbers;
+import dev.lazyz.strategies.Renderers;
+import dev.lazyz.strategies.StrategyModel;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;

@@ -1,10 +1,10 @@
 package dev.lazyz.jmh.peers;
 
-import dev.lazyz.Projection;
 import dev.lazyz.jmh.report.JsonRecords;
 import dev.lazyz.jmh.report.Options;
 import dev.lazyz.jmh.workload.Triangles;
 import dev.lazyz.jmh.workload.Workloads;
+import dev.lazyz.world.Projection;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;

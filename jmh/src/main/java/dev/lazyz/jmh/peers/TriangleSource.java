@@ -1,10 +1,10 @@
 package dev.lazyz.jmh.peers;
 
-import dev.lazyz.Scene;
 import dev.lazyz.jmh.workload.Baked;
 import dev.lazyz.jmh.workload.Triangles;
 import dev.lazyz.jmh.workload.Workloads;
 import dev.lazyz.scenes.Scenes;
+import dev.lazyz.world.Scene;
 import java.nio.file.Path;
 
 /** Finds triangles by name: S1 to S6, a built-in scene, or a file that the library can load. */

@@ -1,14 +1,14 @@
 package dev.lazyz.jmh.workload;
 
-import dev.lazyz.Camera;
-import dev.lazyz.Material;
-import dev.lazyz.Mesh;
-import dev.lazyz.Polygon;
 import dev.lazyz.Rgba;
-import dev.lazyz.Scene;
-import dev.lazyz.Sphere;
-import dev.lazyz.Surface;
-import dev.lazyz.Vertex;
+import dev.lazyz.world.Camera;
+import dev.lazyz.world.Material;
+import dev.lazyz.world.Mesh;
+import dev.lazyz.world.Polygon;
+import dev.lazyz.world.Scene;
+import dev.lazyz.world.Sphere;
+import dev.lazyz.world.Surface;
+import dev.lazyz.world.Vertex;
 import java.io.ByteArrayOutputStream;
 import java.util.Arrays;
 import java.util.List;

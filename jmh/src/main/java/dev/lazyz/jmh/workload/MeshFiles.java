@@ -1,13 +1,13 @@
 package dev.lazyz.jmh.workload;
 
-import dev.lazyz.Camera;
-import dev.lazyz.Fit;
-import dev.lazyz.Material;
-import dev.lazyz.Mesh;
 import dev.lazyz.Rgba;
-import dev.lazyz.Scene;
-import dev.lazyz.Shading;
-import dev.lazyz.Surface;
+import dev.lazyz.world.Camera;
+import dev.lazyz.world.Fit;
+import dev.lazyz.world.Material;
+import dev.lazyz.world.Mesh;
+import dev.lazyz.world.Scene;
+import dev.lazyz.world.Shading;
+import dev.lazyz.world.Surface;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

@@ -1,13 +1,13 @@
 package dev.lazyz.jmh.workload;
 
-import dev.lazyz.Camera;
-import dev.lazyz.Material;
-import dev.lazyz.Mesh;
-import dev.lazyz.Projection;
 import dev.lazyz.Rgba;
-import dev.lazyz.Scene;
-import dev.lazyz.Shading;
-import dev.lazyz.Viewpoint;
+import dev.lazyz.world.Camera;
+import dev.lazyz.world.Material;
+import dev.lazyz.world.Mesh;
+import dev.lazyz.world.Projection;
+import dev.lazyz.world.Scene;
+import dev.lazyz.world.Shading;
+import dev.lazyz.world.Viewpoint;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

@@ -1,8 +1,8 @@
 package dev.lazyz.jmh.workload;
 
-import dev.lazyz.Scene;
 import dev.lazyz.scenes.Builtin;
 import dev.lazyz.scenes.Scenes;
+import dev.lazyz.world.Scene;
 import java.util.ArrayList;
 import java.util.List;
 

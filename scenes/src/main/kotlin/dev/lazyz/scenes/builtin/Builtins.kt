@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.builtin
 
-import dev.lazyz.Scene
-import dev.lazyz.Surface
 import dev.lazyz.scenes.Builtin
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.scenefile.JsonNode
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Surface
 
 /** The list of the built-in scenes, and how scene files ask for them. */
 internal object Builtins {

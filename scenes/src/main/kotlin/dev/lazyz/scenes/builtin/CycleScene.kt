@@ -1,14 +1,14 @@
 package dev.lazyz.scenes.builtin
 
-import dev.lazyz.Camera
-import dev.lazyz.Fit
-import dev.lazyz.Light
-import dev.lazyz.Material
-import dev.lazyz.Polygon
 import dev.lazyz.Rgba
-import dev.lazyz.Scene
-import dev.lazyz.Shading
-import dev.lazyz.Vertex
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Fit
+import dev.lazyz.world.Light
+import dev.lazyz.world.Material
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Vertex
 import org.joml.Vector3d
 
 /** Three bars along the sides of a triangle; each begins in front of the one before and ends behind the next. */

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.builtin
 
-import dev.lazyz.Texture
-import dev.lazyz.TextureFilter
-import dev.lazyz.TextureWrap
+import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
 
 /** Walls with windows, as textures: four by four windows, the colours left pale for the house to tint. */
 internal object Facade {

@@ -1,12 +1,12 @@
 package dev.lazyz.scenes.builtin
 
-import dev.lazyz.Camera
-import dev.lazyz.Light
-import dev.lazyz.Material
-import dev.lazyz.Mesh
 import dev.lazyz.Rgba
-import dev.lazyz.Scene
-import dev.lazyz.Shading
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Light
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
 import org.joml.Vector3d
 
 /** A twisted stack of squares, the lowest first. */

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.builtin
 
-import dev.lazyz.Material
-import dev.lazyz.Mesh
 import dev.lazyz.Rgba
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
 
 /** Collects quads with texture coordinates and colours, and makes one mesh of them. */
 internal class MeshBuilder {

@@ -1,16 +1,16 @@
 package dev.lazyz.scenes.builtin
 
-import dev.lazyz.Camera
-import dev.lazyz.Light
-import dev.lazyz.Material
 import dev.lazyz.Rgba
-import dev.lazyz.Scene
-import dev.lazyz.Shading
-import dev.lazyz.Sphere
-import dev.lazyz.Surface
-import dev.lazyz.Texture
-import dev.lazyz.TextureFilter
-import dev.lazyz.TextureWrap
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Light
+import dev.lazyz.world.Material
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Surface
+import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
 import org.joml.Vector3d
 
 /** A chequered plane of two triangles, and a few things on it. */

@@ -1,9 +1,9 @@
 package dev.lazyz.scenes.gltf
 
 import de.javagl.jgltf.impl.v2.Camera as CameraJson
-import dev.lazyz.Box
-import dev.lazyz.Camera
-import dev.lazyz.Viewpoint
+import dev.lazyz.geometry.Box
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Viewpoint
 import org.joml.Matrix4dc
 import org.joml.Vector3d
 

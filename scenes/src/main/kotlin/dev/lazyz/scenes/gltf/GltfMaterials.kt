@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.gltf
 
 import de.javagl.jgltf.impl.v2.Material as MaterialJson
-import dev.lazyz.AlphaMode
-import dev.lazyz.Material
 import dev.lazyz.Rgba
-import dev.lazyz.Shading
-import dev.lazyz.Sides
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Material
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Sides
 
 /**
  * A material and where its texture's coordinates come from.

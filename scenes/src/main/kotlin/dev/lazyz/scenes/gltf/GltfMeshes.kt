@@ -2,11 +2,11 @@ package dev.lazyz.scenes.gltf
 
 import de.javagl.jgltf.impl.v2.MeshPrimitive
 import de.javagl.jgltf.model.ElementType
-import dev.lazyz.Lines
-import dev.lazyz.Mesh
-import dev.lazyz.Points
-import dev.lazyz.Surface
 import dev.lazyz.scenes.images.withoutTexture
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Points
+import dev.lazyz.world.Surface
 
 /**
  * Meshes (section 3.7): each primitive becomes a [Mesh], without the texture if it has no coordinates for it, or [Points]

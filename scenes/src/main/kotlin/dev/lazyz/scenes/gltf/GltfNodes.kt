@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.gltf
 
 import de.javagl.jgltf.impl.v2.Node
-import dev.lazyz.Transforms
+import dev.lazyz.geometry.Transforms
 import dev.lazyz.scenes.gltf.animation.NodePose
 import org.joml.Matrix4d
 import org.joml.Matrix4dc

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.gltf
 
-import dev.lazyz.Scene
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
+import dev.lazyz.world.Scene
 
 /**
  * Reads glTF 2.0, as JSON (`.gltf`) and in one binary file (`.glb`); which one is told from the content (Khronos Group,

@@ -1,10 +1,10 @@
 package dev.lazyz.scenes.gltf
 
-import dev.lazyz.Lines
-import dev.lazyz.Material
-import dev.lazyz.Points
-import dev.lazyz.Surface
 import dev.lazyz.scenes.PixelDefaults
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Material
+import dev.lazyz.world.Points
+import dev.lazyz.world.Surface
 
 /** Points, and the three ways to string vertices together to lines (section 3.7.2.1). */
 internal object GltfPoints {

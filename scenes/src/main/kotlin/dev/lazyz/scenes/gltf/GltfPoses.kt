@@ -3,14 +3,14 @@ package dev.lazyz.scenes.gltf
 import de.javagl.jgltf.impl.v2.Mesh as MeshJson
 import de.javagl.jgltf.impl.v2.MeshPrimitive
 import de.javagl.jgltf.model.ElementType
-import dev.lazyz.Lines
-import dev.lazyz.Mesh
-import dev.lazyz.Points
-import dev.lazyz.Surface
 import dev.lazyz.scenes.gltf.animation.JointWeights
 import dev.lazyz.scenes.gltf.animation.MeshDeformation
 import dev.lazyz.scenes.gltf.animation.MorphTarget
 import dev.lazyz.scenes.gltf.animation.NodePose
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Points
+import dev.lazyz.world.Surface
 
 /**
  * A primitive as the file stores it.

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.gltf
 
 import de.javagl.jgltf.model.ElementType
-import dev.lazyz.Transforms
+import dev.lazyz.geometry.Transforms
 import org.joml.Matrix4d
 
 /** Skins (section 3.7.3): where the joints have moved to. */

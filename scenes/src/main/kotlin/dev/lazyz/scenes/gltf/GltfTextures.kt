@@ -3,10 +3,10 @@ package dev.lazyz.scenes.gltf
 import de.javagl.jgltf.impl.v2.Image
 import de.javagl.jgltf.impl.v2.Texture as TextureJson
 import de.javagl.jgltf.model.GltfConstants
-import dev.lazyz.Texture
-import dev.lazyz.TextureFilter
-import dev.lazyz.TextureWrap
 import dev.lazyz.scenes.images.TextureFiles
+import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
 
 /**
  * Textures (section 3.8): images in buffer views, data URIs and files, each decoded once, with their samplers.

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.images
 
-import dev.lazyz.Texture
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Source
+import dev.lazyz.world.Texture
 import java.io.ByteArrayInputStream
 import java.io.IOException
 import java.nio.file.Path

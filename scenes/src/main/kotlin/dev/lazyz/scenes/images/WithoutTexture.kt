@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.images
 
-import dev.lazyz.Material
+import dev.lazyz.world.Material
 
 /** Returns this material without its texture, for surfaces that have no texture coordinates. */
 internal fun Material.withoutTexture(): Material = if (texture == null) {

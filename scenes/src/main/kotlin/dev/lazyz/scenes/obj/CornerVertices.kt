@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.DistinctTriples
+import dev.lazyz.geometry.DistinctTriples
 
 /**
  * Numbers the different corners of faces: two corners with the same position, texture coordinate and normal are one

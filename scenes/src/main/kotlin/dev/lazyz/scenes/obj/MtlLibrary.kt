@@ -1,12 +1,12 @@
 package dev.lazyz.scenes.obj
 
 import de.javagl.obj.MtlReader
-import dev.lazyz.Material
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.FileReferences
 import dev.lazyz.scenes.triangulation.TextEncoding
 import dev.lazyz.scenes.triangulation.TextLines
+import dev.lazyz.world.Material
 import java.io.IOException
 import java.nio.file.Path
 

@@ -2,17 +2,17 @@ package dev.lazyz.scenes.obj
 
 import de.javagl.obj.FloatTuple
 import de.javagl.obj.Mtl
-import dev.lazyz.AlphaMode
-import dev.lazyz.Material
 import dev.lazyz.Rgba
-import dev.lazyz.Shading
-import dev.lazyz.Texture
-import dev.lazyz.TextureFilter
-import dev.lazyz.TextureWrap
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.SrgbDecoding
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.triangulation.KindCounts
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Material
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
 import java.nio.file.Path
 
 /**

@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.Mesh
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.withoutTexture
 import dev.lazyz.scenes.triangulation.Ints
 import dev.lazyz.scenes.triangulation.MeshParts
 import dev.lazyz.scenes.triangulation.Triangulation
+import dev.lazyz.world.Mesh
 
 /**
  * Makes meshes of faces: for each object, in the order of the file, one for each material and kind of normals, in the

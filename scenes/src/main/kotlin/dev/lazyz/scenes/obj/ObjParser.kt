@@ -1,10 +1,10 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.Box
-import dev.lazyz.Scene
+import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.FarOrigin
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
+import dev.lazyz.world.Scene
 
 /**
  * Reads Wavefront OBJ files with their material libraries (Wavefront Technologies, "Advanced Visualizer" manual,

@@ -1,12 +1,12 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.Lines
-import dev.lazyz.Material
-import dev.lazyz.Points
-import dev.lazyz.Surface
 import dev.lazyz.scenes.PixelDefaults
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.triangulation.Ints
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Material
+import dev.lazyz.world.Points
+import dev.lazyz.world.Surface
 
 /** Points and lines of an OBJ file, by material in the order of the file; without texture coordinates. Not thread safe. */
 internal class ObjPoints {

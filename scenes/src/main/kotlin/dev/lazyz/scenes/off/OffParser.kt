@@ -1,10 +1,10 @@
 package dev.lazyz.scenes.off
 
-import dev.lazyz.Material
-import dev.lazyz.Scene
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.triangulation.PolygonMesh
+import dev.lazyz.world.Material
+import dev.lazyz.world.Scene
 
 /**
  * Reads the Object File Format in its ASCII form (M. Phillips, S. Levy and T. Munzner, "Geomview Manual", version 1.9,

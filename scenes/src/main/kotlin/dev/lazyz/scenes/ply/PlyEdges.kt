@@ -1,10 +1,10 @@
 package dev.lazyz.scenes.ply
 
-import dev.lazyz.Lines
 import dev.lazyz.scenes.PixelDefaults
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.triangulation.Ints
 import dev.lazyz.scenes.triangulation.VertexArrays
+import dev.lazyz.world.Lines
 
 /**
  * The edges of a file, each between two vertices. They are kept until the vertices are known, which may stand behind

@@ -1,8 +1,5 @@
 package dev.lazyz.scenes.ply
 
-import dev.lazyz.Material
-import dev.lazyz.Mesh
-import dev.lazyz.Texture
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.triangulation.Ints
@@ -10,6 +7,9 @@ import dev.lazyz.scenes.triangulation.MeshParts
 import dev.lazyz.scenes.triangulation.PolygonMesh
 import dev.lazyz.scenes.triangulation.Polygons
 import dev.lazyz.scenes.triangulation.VertexArrays
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Texture
 
 /**
  * Makes meshes of [polygons]: one, or one for each texture.

@@ -1,13 +1,13 @@
 package dev.lazyz.scenes.ply
 
-import dev.lazyz.Box
-import dev.lazyz.Points
-import dev.lazyz.Scene
+import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.FarOrigin
 import dev.lazyz.scenes.PixelDefaults
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.triangulation.VertexArrays
+import dev.lazyz.world.Points
+import dev.lazyz.world.Scene
 
 /**
  * Reads the Polygon File Format (Greg Turk, "The PLY Polygon File Format", Stanford University, 1994) in its ASCII and

@@ -1,10 +1,10 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.Camera
-import dev.lazyz.Fit
-import dev.lazyz.Light
 import dev.lazyz.Rgba
-import dev.lazyz.Viewpoint
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Fit
+import dev.lazyz.world.Light
+import dev.lazyz.world.Viewpoint
 import org.joml.Vector3d
 
 /** Reads where a scene is seen from and what lights it. */

@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.Texture
-import dev.lazyz.TextureFilter
-import dev.lazyz.TextureWrap
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.writers.PngSink
+import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
 import java.io.ByteArrayOutputStream
 import java.util.Base64
 

@@ -1,12 +1,12 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.Material
-import dev.lazyz.Texture
-import dev.lazyz.TextureFilter
-import dev.lazyz.TextureWrap
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.images.TextureFiles
+import dev.lazyz.world.Material
+import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
 
 /** Reads materials and the textures they wear; a picture that several wear is read once. */
 internal class MaterialReader(private val source: Source) {

@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.Material
 import dev.lazyz.Rgba
-import dev.lazyz.Texture
-import dev.lazyz.TextureFilter
-import dev.lazyz.TextureWrap
 import dev.lazyz.scenes.Tint
+import dev.lazyz.world.Material
+import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
 
 /** Gives every material of a scene a name, and writes them. */
 internal class MaterialWriter(materials: Iterable<Material>) {

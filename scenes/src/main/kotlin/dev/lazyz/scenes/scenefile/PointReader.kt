@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.Lines
-import dev.lazyz.Points
 import dev.lazyz.scenes.Source
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Points
 
 /** Reads points and lines that a scene file has as numbers. */
 internal class PointReader(private val source: Source) {

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.Lines
-import dev.lazyz.Points
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Points
 
 /** Writes points and lines as numbers. */
 internal object PointWriter {

@@ -1,13 +1,5 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.Camera
-import dev.lazyz.FittedViewpoint
-import dev.lazyz.Lines
-import dev.lazyz.Mesh
-import dev.lazyz.Points
-import dev.lazyz.Polygon
-import dev.lazyz.Scene
-import dev.lazyz.Sphere
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
@@ -20,6 +12,14 @@ import dev.lazyz.scenes.SceneReading
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.writers.AtomicFile
+import dev.lazyz.world.Camera
+import dev.lazyz.world.FittedViewpoint
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Points
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Sphere
 import java.io.IOException
 import java.nio.channels.Channels
 import java.nio.file.Path

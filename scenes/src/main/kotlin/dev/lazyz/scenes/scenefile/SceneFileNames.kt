@@ -1,14 +1,14 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.AlphaMode
 import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.FillRule
-import dev.lazyz.Fit
-import dev.lazyz.Shading
-import dev.lazyz.Sides
-import dev.lazyz.TextureFilter
-import dev.lazyz.TextureWrap
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Fit
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Sides
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
 
 /** How a scene file spells the library's enums: lower case, with hyphens. */
 internal object SceneFileNames {

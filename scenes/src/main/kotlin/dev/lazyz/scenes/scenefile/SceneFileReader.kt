@@ -1,13 +1,13 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.Camera
 import dev.lazyz.DepthConvention
 import dev.lazyz.Rgba
-import dev.lazyz.Scene
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.Source
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Scene
 import kotlinx.serialization.json.JsonObject
 
 /** Reads a whole scene file; docs/scene-file.md describes it. */

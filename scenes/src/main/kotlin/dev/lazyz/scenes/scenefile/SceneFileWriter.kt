@@ -1,23 +1,23 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.Camera
 import dev.lazyz.FillRule
-import dev.lazyz.FittedViewpoint
-import dev.lazyz.Light
-import dev.lazyz.Lines
-import dev.lazyz.Material
-import dev.lazyz.Mesh
-import dev.lazyz.Points
-import dev.lazyz.Polygon
-import dev.lazyz.Projection
 import dev.lazyz.Rgba
-import dev.lazyz.Scene
-import dev.lazyz.Sphere
-import dev.lazyz.Surface
-import dev.lazyz.Vertex
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.Tint
+import dev.lazyz.world.Camera
+import dev.lazyz.world.FittedViewpoint
+import dev.lazyz.world.Light
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Points
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Projection
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Surface
+import dev.lazyz.world.Vertex
 
 /** Writes a whole scene file. */
 internal class SceneFileWriter(private val out: Appendable) {

@@ -1,19 +1,19 @@
 package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.FillRule
-import dev.lazyz.Lines
-import dev.lazyz.Material
-import dev.lazyz.Mesh
-import dev.lazyz.Points
-import dev.lazyz.Polygon
 import dev.lazyz.Rgba
-import dev.lazyz.Sphere
-import dev.lazyz.Surface
-import dev.lazyz.Vertex
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneReading
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.builtin.Builtins
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Points
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Surface
+import dev.lazyz.world.Vertex
 import java.nio.file.Path
 import org.joml.Matrix4d
 import org.joml.Vector3d

@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.Transforms
+import dev.lazyz.geometry.Transforms
 import org.joml.Matrix4d
 
 /**

@@ -1,13 +1,13 @@
 package dev.lazyz.scenes.stl
 
-import dev.lazyz.DistinctTriples
-import dev.lazyz.Material
-import dev.lazyz.Mesh
+import dev.lazyz.geometry.DistinctTriples
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.triangulation.CornerMesh
 import dev.lazyz.scenes.triangulation.Ints
 import dev.lazyz.scenes.triangulation.Palette
 import dev.lazyz.scenes.triangulation.VertexArrays
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
 import org.joml.Vector3d
 import org.joml.Vector3dc
 

@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.stl
 
-import dev.lazyz.Box
-import dev.lazyz.Mesh
-import dev.lazyz.Scene
+import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.FarOrigin
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Scene
 
 /**
  * Reads stereolithography files, ASCII and binary (3D Systems, "Stereolithography Interface Specification", 1989).

@@ -1,10 +1,10 @@
 package dev.lazyz.scenes.threemf
 
-import dev.lazyz.Mesh
-import dev.lazyz.Transforms
+import dev.lazyz.geometry.Transforms
 import dev.lazyz.scenes.Loading
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.triangulation.KindCounts
+import dev.lazyz.world.Mesh
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
 

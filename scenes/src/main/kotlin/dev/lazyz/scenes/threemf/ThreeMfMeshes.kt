@@ -1,13 +1,13 @@
 package dev.lazyz.scenes.threemf
 
-import dev.lazyz.AlphaMode
-import dev.lazyz.Material
-import dev.lazyz.Mesh
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.triangulation.CornerMesh
 import dev.lazyz.scenes.triangulation.Ints
 import dev.lazyz.scenes.triangulation.MeshParts
 import dev.lazyz.scenes.triangulation.VertexArrays
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
 
 /** A group and a number in it, for triangles without looks of their own; the group is -1 if there are none. */
 internal data class DefaultLook(val group: Int, val index: Int)

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.threemf
 
-import dev.lazyz.Scene
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
+import dev.lazyz.world.Scene
 
 /**
  * Reads the 3D Manufacturing Format: a ZIP archive of XML (3MF Consortium, "3MF Core Specification", version 1.3.0).

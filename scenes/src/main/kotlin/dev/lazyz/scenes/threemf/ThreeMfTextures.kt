@@ -1,10 +1,10 @@
 package dev.lazyz.scenes.threemf
 
-import dev.lazyz.Texture
-import dev.lazyz.TextureFilter
-import dev.lazyz.TextureWrap
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.TextureFiles
+import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
 
 /** The textures of a package, each decoded once. Not thread safe. */
 internal class ThreeMfTextures(private val source: Source, private val archive: ThreeMfPackage) {

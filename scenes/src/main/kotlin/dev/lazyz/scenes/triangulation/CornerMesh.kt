@@ -1,9 +1,9 @@
 package dev.lazyz.scenes.triangulation
 
-import dev.lazyz.DistinctTriples
-import dev.lazyz.Material
-import dev.lazyz.Mesh
+import dev.lazyz.geometry.DistinctTriples
 import dev.lazyz.scenes.Source
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
 
 /**
  * Triangles whose corners may have a colour and texture coordinates of their own, instead of their vertex's. Corners of

@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.triangulation
 
-import dev.lazyz.Mesh
+import dev.lazyz.world.Mesh
 
 /**
  * Takes a mesh apart into groups of its triangles, each with the vertices that it uses. Not thread safe.

@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.triangulation
 
-import dev.lazyz.DistinctTriples
+import dev.lazyz.geometry.DistinctTriples
 
 /** Numbers the different colours of a file from 0: red, green, blue in linear light, and alpha. Not thread safe. */
 internal class Palette {

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.triangulation
 
-import dev.lazyz.Material
-import dev.lazyz.Mesh
 import dev.lazyz.scenes.Source
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
 
 /** Cuts [polygons] into triangles, and makes a mesh of them. Not thread safe. */
 internal class PolygonMesh(

@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.triangulation
 
-import dev.lazyz.DistinctTriples
+import dev.lazyz.geometry.DistinctTriples
 
 /** Numbers the different texture coordinates of a file from 0. Not thread safe. */
 internal class TexturePlaces {

@@ -4,7 +4,7 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * The vertices of a file: arrays as [dev.lazyz.Mesh] wants them, null for what the file does not have.
+ * The vertices of a file: arrays as [dev.lazyz.world.Mesh] wants them, null for what the file does not have.
  *
  * @property positions x, y, z of each
  * @property normals x, y, z of each

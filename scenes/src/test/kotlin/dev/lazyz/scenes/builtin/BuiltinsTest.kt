@@ -1,14 +1,14 @@
 package dev.lazyz.scenes.builtin
 
-import dev.lazyz.Material
-import dev.lazyz.Mesh
-import dev.lazyz.Scene
-import dev.lazyz.Sides
-import dev.lazyz.Sphere
 import dev.lazyz.scenes.Builtin
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.scenefile.SceneFile
-import dev.lazyz.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Sides
+import dev.lazyz.world.Sphere
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse

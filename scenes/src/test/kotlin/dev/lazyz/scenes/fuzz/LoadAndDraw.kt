@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.fuzz
 
-import dev.lazyz.Renderers
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.strategies.Renderers
 import java.nio.file.Files
 import java.nio.file.Path
 

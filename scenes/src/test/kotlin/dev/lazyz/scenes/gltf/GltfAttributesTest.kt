@@ -1,6 +1,5 @@
 package dev.lazyz.scenes.gltf
 
-import dev.lazyz.Mesh
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.BYTE
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.ONE_NODE
@@ -10,6 +9,7 @@ import dev.lazyz.scenes.gltf.GltfFiles.Companion.UINT
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.USHORT
 import dev.lazyz.scenes.triangulation.TestSources
 import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.world.Mesh
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

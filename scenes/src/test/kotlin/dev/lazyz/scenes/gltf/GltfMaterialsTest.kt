@@ -1,18 +1,18 @@
 package dev.lazyz.scenes.gltf
 
-import dev.lazyz.AlphaMode
-import dev.lazyz.Material
 import dev.lazyz.Rgba
-import dev.lazyz.Shading
-import dev.lazyz.Sides
-import dev.lazyz.TextureFilter
-import dev.lazyz.TextureWrap
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.ONE_NODE
 import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.triangulation.TestSources
 import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Material
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Sides
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Base64

@@ -1,10 +1,5 @@
 package dev.lazyz.scenes.gltf
 
-import dev.lazyz.Camera
-import dev.lazyz.Lines
-import dev.lazyz.Mesh
-import dev.lazyz.Projection
-import dev.lazyz.Scene
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.ONE_NODE
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.UBYTE
@@ -13,6 +8,11 @@ import dev.lazyz.scenes.gltf.GltfFiles.Companion.USHORT
 import dev.lazyz.scenes.triangulation.TestSources
 import dev.lazyz.scenes.triangulation.corners
 import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Projection
+import dev.lazyz.world.Scene
 import java.nio.file.Files
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertArrayEquals

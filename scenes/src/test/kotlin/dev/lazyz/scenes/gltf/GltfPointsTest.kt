@@ -1,10 +1,10 @@
 package dev.lazyz.scenes.gltf
 
-import dev.lazyz.Lines
-import dev.lazyz.Points
 import dev.lazyz.Rgba
-import dev.lazyz.Surface
 import dev.lazyz.scenes.triangulation.TestSources
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Points
+import dev.lazyz.world.Surface
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals

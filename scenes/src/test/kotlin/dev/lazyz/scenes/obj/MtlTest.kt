@@ -1,13 +1,13 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.AlphaMode
-import dev.lazyz.Mesh
 import dev.lazyz.Rgba
-import dev.lazyz.Shading
-import dev.lazyz.TextureWrap
 import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.triangulation.TestSources
 import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Shading
+import dev.lazyz.world.TextureWrap
 import java.nio.file.Files
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals

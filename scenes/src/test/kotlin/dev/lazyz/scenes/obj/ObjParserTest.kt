@@ -1,12 +1,12 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.Mesh
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.triangulation.AwkwardMesh
 import dev.lazyz.scenes.triangulation.TestSources
 import dev.lazyz.scenes.triangulation.corners
 import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.world.Mesh
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -1,12 +1,12 @@
 package dev.lazyz.scenes.off
 
-import dev.lazyz.Mesh
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.FormatSniffer
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.triangulation.TestSources
 import dev.lazyz.scenes.triangulation.corners
 import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.world.Mesh
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -1,12 +1,12 @@
 package dev.lazyz.scenes.ply
 
-import dev.lazyz.Mesh
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.triangulation.TestSources
 import dev.lazyz.scenes.triangulation.corners
 import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.world.Mesh
 import java.nio.file.Files
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals

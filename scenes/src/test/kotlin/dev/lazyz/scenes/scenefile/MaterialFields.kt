@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.Material
+import dev.lazyz.world.Material
 
 /** All that a material is made of, to compare. */
 internal object MaterialFields {

@@ -1,16 +1,16 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.Box
-import dev.lazyz.Camera
-import dev.lazyz.Light
-import dev.lazyz.Lines
-import dev.lazyz.Mesh
-import dev.lazyz.Points
-import dev.lazyz.Polygon
-import dev.lazyz.Projection
-import dev.lazyz.Scene
-import dev.lazyz.Sphere
+import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Light
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Points
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Projection
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Sphere
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -1,17 +1,17 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.Camera
-import dev.lazyz.Light
-import dev.lazyz.Material
-import dev.lazyz.Mesh
-import dev.lazyz.Projection
 import dev.lazyz.Rgba
-import dev.lazyz.Scene
-import dev.lazyz.Sphere
-import dev.lazyz.Texture
-import dev.lazyz.TextureWrap
-import dev.lazyz.Viewpoint
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Light
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Projection
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.Viewpoint
 import java.nio.file.Files
 import java.nio.file.Path
 import org.joml.Vector3d

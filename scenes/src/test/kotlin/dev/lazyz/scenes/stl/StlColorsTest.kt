@@ -1,10 +1,10 @@
 package dev.lazyz.scenes.stl
 
-import dev.lazyz.Mesh
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.triangulation.TestSources
 import dev.lazyz.scenes.triangulation.corners
 import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.world.Mesh
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import org.junit.jupiter.api.Assertions.assertEquals

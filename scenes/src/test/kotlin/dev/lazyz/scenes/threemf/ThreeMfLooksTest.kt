@@ -1,14 +1,14 @@
 package dev.lazyz.scenes.threemf
 
-import dev.lazyz.AlphaMode
-import dev.lazyz.Mesh
 import dev.lazyz.Rgba
-import dev.lazyz.TextureFilter
-import dev.lazyz.TextureWrap
 import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.threemf.ThreeMfFiles.model
 import dev.lazyz.scenes.triangulation.TestSources
 import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Test

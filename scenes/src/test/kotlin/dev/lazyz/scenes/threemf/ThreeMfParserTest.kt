@@ -1,6 +1,5 @@
 package dev.lazyz.scenes.threemf
 
-import dev.lazyz.Mesh
 import dev.lazyz.scenes.FormatSniffer
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.threemf.ThreeMfFiles.TRIANGLE
@@ -8,6 +7,7 @@ import dev.lazyz.scenes.threemf.ThreeMfFiles.model
 import dev.lazyz.scenes.triangulation.TestSources
 import dev.lazyz.scenes.triangulation.corners
 import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.world.Mesh
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.triangulation
 
-import dev.lazyz.Material
-import dev.lazyz.Mesh
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
 
 /**
  * A lumpy ball with the defects that real meshes have: T-junctions, slivers, triangles without area, faces that are

@@ -1,10 +1,10 @@
 package dev.lazyz.scenes.triangulation
 
-import dev.lazyz.Mesh
-import dev.lazyz.Scene
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Scene
 import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration

@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.gltf.animation
 
-import dev.lazyz.Mesh
+import dev.lazyz.world.Mesh
 import kotlin.math.sqrt
 
 /**

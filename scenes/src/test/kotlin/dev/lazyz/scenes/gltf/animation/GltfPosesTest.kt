@@ -1,6 +1,5 @@
 package dev.lazyz.scenes.gltf.animation
 
-import dev.lazyz.Mesh
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.Loading
 import dev.lazyz.scenes.SceneFormatException
@@ -12,6 +11,7 @@ import dev.lazyz.scenes.gltf.GltfFiles.Companion.USHORT
 import dev.lazyz.scenes.gltf.GltfParser
 import dev.lazyz.scenes.triangulation.TestSources
 import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.world.Mesh
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

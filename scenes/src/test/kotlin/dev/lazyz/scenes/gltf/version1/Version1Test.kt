@@ -1,8 +1,6 @@
 package dev.lazyz.scenes.gltf.version1
 
-import dev.lazyz.AlphaMode
 import dev.lazyz.Rgba
-import dev.lazyz.Sides
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.gltf.GltfFiles
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
@@ -12,6 +10,8 @@ import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.triangulation.TestSources
 import dev.lazyz.scenes.triangulation.corners
 import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Sides
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.util.Base64

@@ -1,0 +1,17 @@
+package dev.lazyz
+
+/** The primitive that covers nothing; it stands for whatever is degenerate or out of sight (contract rule 9.4). */
+internal object EmptyPrimitive : Primitive {
+    override val rowStart: Int get() = 0
+    override val rowEnd: Int get() = 0
+    override val columnStart: Int get() = 0
+    override val columnEnd: Int get() = 0
+
+    override fun spans(y: Int, spans: Spans) = Unit
+
+    override fun depth(x: Int, y: Int): Int = error("an empty primitive has no depth")
+
+    override fun shade(fragment: Fragment) = error("an empty primitive has no colour")
+
+    override fun toString(): String = "EmptyPrimitive"
+}

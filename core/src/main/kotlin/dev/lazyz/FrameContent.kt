@@ -1,0 +1,107 @@
+package dev.lazyz
+
+/**
+ * What is in a frame: primitives in batches, and primitives one by one. Immutable and thread safe.
+ *
+ * @property size number of primitives, those in batches included
+ * @property batches in ascending order of their submission indices
+ * @property singles the primitives that are in no batch, and those that a batch leaves out, in submission order
+ */
+internal class FrameContent private constructor(
+    val size: Int,
+    val batches: List<PrimitiveBatch>,
+    val singles: List<Primitive>,
+    private val indices: IntArray?,
+) {
+    /** Returns the submission index of [singles]`[number]`. */
+    fun index(number: Int): Int = if (indices == null) number else indices[number]
+
+    /** Whether some primitive is translucent; those in batches are opaque. */
+    val hasTranslucency: Boolean by lazy { singles.any { it.isTranslucent } }
+
+    /** All primitives by submission index. Those in batches are made when the first element is asked for. */
+    val primitives: List<Primitive> = if (batches.isEmpty()) singles else AllPrimitives()
+
+    /** Returns the single primitive with a submission index; it must be one. */
+    fun single(index: Int): Primitive =
+        singles[if (indices == null) index else java.util.Arrays.binarySearch(indices, index)]
+
+    /** Returns the number in [batches] of the one that the primitive with this submission index is drawn from, or -1. */
+    fun batchNumber(index: Int): Int {
+        var low = 0
+        var high = batches.size
+        while (low < high) {
+            val middle = (low + high) ushr 1
+            if (batches[middle].first <= index) low = middle + 1 else high = middle
+        }
+        if (low == 0) return -1
+        val batch = batches[low - 1]
+        val triangle = index - batch.first
+        return if (triangle < batch.count && batch.isDrawn(triangle)) low - 1 else -1
+    }
+
+    /** Returns this content with each single primitive replaced by what [change] makes of it. */
+    fun withSingles(change: (Primitive) -> Primitive): FrameContent =
+        FrameContent(size, batches, singles.map(change), indices)
+
+    private inner class AllPrimitives : AbstractList<Primitive>() {
+        private val all by lazy {
+            val all = ArrayList<Primitive>(this@FrameContent.size)
+            var number = 0
+            for (batch in batches) {
+                while (all.size < batch.first) all.add(singles[number++])
+                all.addAll(batch.primitives())
+                while (number < singles.size && this@FrameContent.index(number) < all.size) number++
+            }
+            while (number < singles.size) all.add(singles[number++])
+            all
+        }
+
+        override val size: Int get() = this@FrameContent.size
+
+        override fun get(index: Int): Primitive = all[index]
+    }
+
+    /** Collects a frame's content in submission order. Not thread safe. */
+    class Builder {
+        private var size = 0
+        private val batches = ArrayList<PrimitiveBatch>()
+        private val singles = ArrayList<Primitive>()
+        private var indices = IntArray(16)
+
+        /** Submission index of what is added next. */
+        val next: Int get() = size
+
+        /** Adds a primitive. */
+        fun add(primitive: Primitive) {
+            addSingle(primitive, size)
+            size++
+        }
+
+        /** Adds a batch, whose first index is [next]. */
+        fun add(batch: PrimitiveBatch) {
+            batches.add(batch)
+            for ((triangle, primitive) in batch.exceptions) addSingle(primitive, batch.first + triangle)
+            size += batch.count
+        }
+
+        private fun addSingle(primitive: Primitive, index: Int) {
+            if (singles.size == indices.size) indices = indices.copyOf(2 * indices.size)
+            indices[singles.size] = index
+            singles.add(primitive)
+        }
+
+        /** Returns what has been added. */
+        fun build(): FrameContent = if (batches.isEmpty()) {
+            of(singles)
+        } else {
+            FrameContent(size, batches, singles, indices.copyOf(singles.size))
+        }
+    }
+
+    companion object {
+        /** Returns the content that has the given primitives and no batch. */
+        fun of(primitives: List<Primitive>): FrameContent =
+            FrameContent(primitives.size, emptyList(), primitives, null)
+    }
+}

@@ -1,0 +1,91 @@
+package dev.lazyz.geometry
+
+import kotlin.math.sqrt
+import org.joml.Matrix4dc
+import org.joml.Vector3dc
+
+/** Moves positions and normals, three numbers each. */
+internal object VertexTransforms {
+    /** Returns positions that are relative to [origin], of those that are relative to [before]. */
+    fun relativeTo(origin: Vector3dc, positions: FloatArray, before: Vector3dc): FloatArray {
+        val way = Vectors.minus(before, origin)
+        val moved = FloatArray(positions.size)
+        for (i in moved.indices step 3) {
+            moved[i] = (positions[i] + way.x).toFloat()
+            moved[i + 1] = (positions[i + 1] + way.y).toFloat()
+            moved[i + 2] = (positions[i + 2] + way.z).toFloat()
+        }
+        return moved
+    }
+
+    /** Whether [m] mirrors. */
+    fun isMirror(m: Matrix4dc): Boolean = Cofactors(m).isMirror
+
+    /** Returns positions, relative to [before], moved by [m], relative to [origin]. */
+    fun positions(from: FloatArray, before: Vector3dc, m: Matrix4dc, origin: Vector3dc): FloatArray {
+        val to = FloatArray(from.size)
+        for (i in to.indices step 3) {
+            val x = from[i] + before.x()
+            val y = from[i + 1] + before.y()
+            val z = from[i + 2] + before.z()
+            to[i] = (m.m00() * x + m.m10() * y + m.m20() * z + m.m30() - origin.x()).toFloat()
+            to[i + 1] = (m.m01() * x + m.m11() * y + m.m21() * z + m.m31() - origin.y()).toFloat()
+            to[i + 2] = (m.m02() * x + m.m12() * y + m.m22() * z + m.m32() - origin.z()).toFloat()
+        }
+        return to
+    }
+
+    /** Returns the origin that what fills [box] should have when it was moved by [m]. */
+    fun origin(box: Box?, m: Matrix4dc): Vector3dc {
+        if (box == null) return Vectors.ZERO
+        val corners = List(8) { box.corner(it) }
+        val moved = Box.around(8) { corner, axis ->
+            val at = corners[corner]
+            m.get(0, axis) * at.x + m.get(1, axis) * at.y + m.get(2, axis) * at.z + m.get(3, axis)
+        }
+        return moved?.origin() ?: Vectors.ZERO
+    }
+
+    /** Returns normals moved by the inverse transpose of [m], of unit length. */
+    fun normals(from: FloatArray, m: Matrix4dc): FloatArray {
+        val c = Cofactors(m)
+        val sign = if (c.isMirror) -1.0 else 1.0
+        val to = FloatArray(from.size)
+        for (i in to.indices step 3) {
+            val x = from[i].toDouble()
+            val y = from[i + 1].toDouble()
+            val z = from[i + 2].toDouble()
+            unit(
+                sign * (c.c00 * x + c.c10 * y + c.c20 * z),
+                sign * (c.c01 * x + c.c11 * y + c.c21 * z),
+                sign * (c.c02 * x + c.c12 * y + c.c22 * z),
+                to,
+                i,
+            )
+        }
+        return to
+    }
+
+    /** The cofactors are the inverse transpose times the determinant; its sign is what mirrors. */
+    private class Cofactors(m: Matrix4dc) {
+        val c00 = m.m11() * m.m22() - m.m12() * m.m21()
+        val c01 = m.m12() * m.m20() - m.m10() * m.m22()
+        val c02 = m.m10() * m.m21() - m.m11() * m.m20()
+        val c10 = m.m21() * m.m02() - m.m22() * m.m01()
+        val c11 = m.m22() * m.m00() - m.m20() * m.m02()
+        val c12 = m.m20() * m.m01() - m.m21() * m.m00()
+        val c20 = m.m01() * m.m12() - m.m02() * m.m11()
+        val c21 = m.m02() * m.m10() - m.m00() * m.m12()
+        val c22 = m.m00() * m.m11() - m.m01() * m.m10()
+        val isMirror = m.m00() * c00 + m.m01() * c01 + m.m02() * c02 < 0.0
+    }
+
+    /** Writes (x, y, z) with unit length to three places of [out]; a vector without length stays 0. */
+    fun unit(x: Double, y: Double, z: Double, out: FloatArray, at: Int) {
+        val length = sqrt(x * x + y * y + z * z)
+        val scale = if (length > 0.0 && length.isFinite()) 1.0 / length else 0.0
+        out[at] = (x * scale).toFloat()
+        out[at + 1] = (y * scale).toFloat()
+        out[at + 2] = (z * scale).toFloat()
+    }
+}

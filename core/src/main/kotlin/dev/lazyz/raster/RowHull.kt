@@ -1,0 +1,49 @@
+package dev.lazyz.raster
+
+/** From the first to the last of the samples of row [y] that some shapes on the 1/256 pixel grid cover. */
+internal class RowHull(private val y: Int) {
+    /** First column. */
+    var start: Int = Int.MAX_VALUE
+        private set
+
+    /** The column after the last. */
+    var end: Int = Int.MIN_VALUE
+        private set
+
+    /** Columns of the crossings of the shape that is under way. */
+    private var left = Int.MAX_VALUE
+    private var right = Int.MIN_VALUE
+
+    /** Adds an edge of a convex shape, of which two cross the row or none (contract rule 2.1). */
+    fun addEdge(fromX: Int, fromY: Int, toX: Int, toY: Int) {
+        val isDown = fromY < toY
+        val upperX = if (isDown) fromX else toX
+        val upperY = if (isDown) fromY else toY
+        val lowerX = if (isDown) toX else fromX
+        val lowerY = if (isDown) toY else fromY
+        if (y < ScreenGrid.firstSample(upperY) || y >= ScreenGrid.firstSample(lowerY)) return
+        val dy = (lowerY - upperY).toLong()
+        val down = (y * ScreenGrid.STEPS + ScreenGrid.CENTER - upperY).toLong()
+        val crossing = (upperX - ScreenGrid.CENTER) * dy + down * (lowerX - upperX)
+        val column = EdgeTable.ceilDiv(crossing, ScreenGrid.STEPS * dy).toInt()
+        left = minOf(left, column)
+        right = maxOf(right, column)
+    }
+
+    /** Adds the samples between the crossings of the shape whose edges have been added. */
+    fun endShape() {
+        if (left < right) add(left, right)
+    }
+
+    /** Adds the sample of the square of one pixel around a grid point. */
+    fun addPixel(pointX: Int, pointY: Int) {
+        if (ScreenGrid.firstSample(pointY - ScreenGrid.CENTER) != y) return
+        val column = ScreenGrid.firstSample(pointX - ScreenGrid.CENTER)
+        add(column, column + 1)
+    }
+
+    private fun add(from: Int, until: Int) {
+        start = minOf(start, from)
+        end = maxOf(end, until)
+    }
+}

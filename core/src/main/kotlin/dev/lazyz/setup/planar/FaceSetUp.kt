@@ -1,0 +1,255 @@
+package dev.lazyz.setup.planar
+
+import dev.lazyz.Attributes
+import dev.lazyz.EmptyPrimitive
+import dev.lazyz.FillRule
+import dev.lazyz.Primitive
+import dev.lazyz.Shader
+import dev.lazyz.setup.VertexStage
+import dev.lazyz.shading.MaskedPrimitive
+import dev.lazyz.shading.MaterialShader
+import dev.lazyz.shading.Vertices
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Sides
+import kotlin.math.sqrt
+
+/** Sets up the faces of one surface. Belongs to one thread. */
+internal class FaceSetUp(
+    private val stage: VertexStage,
+    private val material: Material,
+    private val materialShader: MaterialShader,
+    val fields: Int,
+    private val isPrelit: Boolean,
+    private val usesFaceNormal: Boolean,
+    private val mesh: Mesh?,
+) {
+    private val normal = DoubleArray(3)
+
+    /** What colours the faces. */
+    val shader: Shader get() = material.shader ?: materialShader
+
+    /** Whether attributes depend on which side of a face is seen, or on where it is. */
+    private val isPlaced = isPrelit || fields and (Attributes.WORLD or Attributes.NORMAL) != 0
+
+    /** Whether faces have only attributes that the mesh has, shared by neighbours: no light and no normals of their own. */
+    val isShared: Boolean = mesh != null && !isPrelit && (!usesFaceNormal || fields and Attributes.NORMAL == 0)
+
+    /** Whether a face has one colour if its vertices have. */
+    private val mayBeConstant = mesh != null && material.shader == null && !isPrelit &&
+        fields and Attributes.COLOR.inv() == 0
+
+    /** Whether triangle [triangle] of the mesh has one colour; what is lit at its vertices may have, all the same. */
+    fun isConstant(triangle: Int): Boolean {
+        val mesh = mesh!!
+        val colors = mesh.colors
+        if (!mayBeConstant || fields == 0 || colors == null) return mayBeConstant
+        val a = 4 * mesh.triangles[3 * triangle]
+        val b = 4 * mesh.triangles[3 * triangle + 1]
+        val c = 4 * mesh.triangles[3 * triangle + 2]
+        for (k in 0 until 4) {
+            val bits = colors[a + k].toRawBits()
+            if (colors[b + k].toRawBits() != bits || colors[c + k].toRawBits() != bits) return false
+        }
+        return true
+    }
+
+    /** Returns the sign that turns the normals of [triangle] to the viewer, if these faces [isShared]; [vertices] is scratch. */
+    fun normalSign(batch: TriangleBatch, triangle: Int, vertices: Vertices): Double {
+        for (i in 0 until 3) {
+            val corner = batch.corners[3 * triangle + i]
+            vertices.setWorld(i, batch.mesh, corner)
+            vertices.setNormal(i, batch.mesh, corner)
+        }
+        return turn(vertices)
+    }
+
+    /** Sets vertex [to] to the attributes of the mesh's vertex [from], as far as they matter. */
+    fun load(vertices: Vertices, to: Int, from: Int) {
+        val mesh = mesh!!
+        if (isPlaced) {
+            vertices.setWorld(to, mesh, from)
+            vertices.setNormal(to, mesh, from)
+        }
+        if (fields and Attributes.UV != 0) vertices.setUv(to, mesh, from)
+        if (fields and Attributes.COLOR != 0) vertices.setColor(to, mesh, from)
+    }
+
+    /** Gives a triangle of its own vertices normals and light; returns the sign that turns normals to the viewer. */
+    fun turn(vertices: Vertices): Double {
+        if (!isPlaced) return 1.0
+        newellNormal(vertices, TRIANGLE, TRIANGLE_END)
+        return turn(vertices, TRIANGLE, stage.towardEye(vertices, 0, normal) >= 0.0)
+    }
+
+    /** Whether triangle [triangle] of the mesh shows its back; [vertices] is scratch. */
+    fun isBack(triangle: Int, vertices: Vertices): Boolean {
+        val mesh = mesh!!
+        for (i in 0 until 3) vertices.setWorld(i, mesh, mesh.triangles[3 * triangle + i])
+        newellNormal(vertices, TRIANGLE, TRIANGLE_END)
+        return !(stage.towardEye(vertices, 0, normal) >= 0.0)
+    }
+
+    /** Returns triangle [triangle] of the mesh with vertices of its own. */
+    fun primitive(triangle: Int): Primitive {
+        val mesh = mesh!!
+        val vertices = Vertices(3)
+        for (i in 0 until 3) stage.place(vertices, i, mesh, mesh.triangles[3 * triangle + i])
+        return primitive(vertices, TRIANGLE, TRIANGLE_END, FillRule.NON_ZERO)
+    }
+
+    /** Returns the face with the given contours, ready for a renderer. */
+    fun primitive(shared: Vertices, corners: IntArray, contourEnds: IntArray, fillRule: FillRule): Primitive {
+        if (corners.any { !shared.isFinite(it) }) return EmptyPrimitive
+
+        // Drop what is outside one plane or shows the wrong side
+        var outside = -1
+        var planes = 0
+        for (corner in corners) {
+            val code = stage.clipper.outcode(shared, corner)
+            outside = outside and code
+            planes = planes or code
+        }
+        if (outside != 0) return EmptyPrimitive
+        newellNormal(shared, corners, contourEnds)
+        val isFront = stage.towardEye(shared, corners[0], normal) >= 0.0
+        if (!isFront && material.sides == Sides.FRONT) return EmptyPrimitive
+
+        // Give the face vertices of its own where they differ from its neighbours'
+        var vertices = shared
+        var selection = corners
+        if (usesFaceNormal || isPrelit) {
+            vertices = shared.copyOf(corners)
+            selection = IntArray(corners.size) { it }
+        }
+        val normalSign = turn(vertices, selection, isFront)
+
+        // Cut, project and snap
+        var ends = contourEnds
+        if (planes != 0) {
+            if (vertices === shared) {
+                vertices = shared.copyOf(corners)
+                selection = IntArray(corners.size) { it }
+            }
+            val contours = stage.clipper.clip(vertices, split(selection, ends), planes)
+            selection = contours.flatMap { it.asIterable() }.toIntArray()
+            if (selection.size < 3 || selection.any { !vertices.isFinite(it) }) return EmptyPrimitive
+            ends = IntArray(contours.size)
+            var end = 0
+            for (i in contours.indices) {
+                end += contours[i].size
+                ends[i] = end
+            }
+        }
+        return assemble(vertices, selection, ends, fillRule, normalSign).orEmpty()
+    }
+
+    /** Gives vertices of a face's own normals and light, where it needs them; returns the sign for shared ones. */
+    private fun turn(vertices: Vertices, corners: IntArray, isFront: Boolean): Double {
+        if (!usesFaceNormal && !isPrelit) return if (pointsToEye(vertices, corners, isFront)) 1.0 else -1.0
+        ownNormals(vertices, isFront)
+        if (isPrelit) light(vertices)
+        return 1.0
+    }
+
+    private fun assemble(
+        vertices: Vertices,
+        selection: IntArray,
+        ends: IntArray,
+        fillRule: FillRule,
+        normalSign: Double,
+    ): Primitive? {
+        val xs = IntArray(selection.size) { stage.viewport.gridX(vertices, selection[it]) }
+        val ys = IntArray(selection.size) { stage.viewport.gridY(vertices, selection[it]) }
+        val depths = IntArray(selection.size) { stage.viewport.depth(vertices, selection[it]) }
+        val assembly = PlanarAssembly(vertices, selection, ends, xs, ys, depths)
+        val isMasked = material.alphaMode == AlphaMode.MASK
+        val all = if (isMasked) fields or Attributes.UV or Attributes.COLOR else fields
+        val isTranslucent = isTranslucent(vertices, selection)
+        val whole = assembly.primitive(stage.viewport.raster, fillRule, shader, all, normalSign, isTranslucent)
+        if (!isMasked) return whole
+        return whole?.let { MaskedPrimitive(it, materialShader, material.alphaCutoff) }
+    }
+
+    /** Whether some sample may be translucent: the material's doing or a vertex colour's. */
+    private fun isTranslucent(vertices: Vertices, corners: IntArray): Boolean {
+        if (material.isTranslucent) return true
+        return material.alphaMode == AlphaMode.BLEND && corners.any { vertices.get(it, Vertices.COLOR + 3) != 1.0 }
+    }
+
+    /** The contours' common normal in world space (Newell's method), to scale; into [normal]. */
+    private fun newellNormal(vertices: Vertices, corners: IntArray, contourEnds: IntArray) {
+        normal.fill(0.0)
+        var start = 0
+        for (end in contourEnds) {
+            var previous = corners[end - 1]
+            for (i in start until end) {
+                val current = corners[i]
+                val px = vertices.get(previous, Vertices.WORLD)
+                val py = vertices.get(previous, Vertices.WORLD + 1)
+                val pz = vertices.get(previous, Vertices.WORLD + 2)
+                val cx = vertices.get(current, Vertices.WORLD)
+                val cy = vertices.get(current, Vertices.WORLD + 1)
+                val cz = vertices.get(current, Vertices.WORLD + 2)
+                normal[0] += (py - cy) * (pz + cz)
+                normal[1] += (pz - cz) * (px + cx)
+                normal[2] += (px - cx) * (py + cy)
+                previous = current
+            }
+            start = end
+        }
+    }
+
+    /** Whether the vertices' own normals, on the whole, point to the side that the viewer sees. */
+    private fun pointsToEye(vertices: Vertices, corners: IntArray, isFront: Boolean): Boolean {
+        var along = 0.0
+        for (corner in corners) {
+            for (k in 0 until 3) along += vertices.get(corner, Vertices.NORMAL + k) * normal[k]
+        }
+        return (along >= 0.0) == isFront
+    }
+
+    /** Gives all vertices normals that face the viewer: the face's, or their own turned round where necessary. */
+    private fun ownNormals(vertices: Vertices, isFront: Boolean) {
+        val all = IntArray(vertices.count) { it }
+        val sign = when {
+            usesFaceNormal -> if (isFront) 1.0 else -1.0
+            else -> if (pointsToEye(vertices, all, isFront)) 1.0 else -1.0
+        }
+        val length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2])
+        for (vertex in all) {
+            for (k in 0 until 3) {
+                val component = if (usesFaceNormal) {
+                    if (length > 0.0) normal[k] / length else 0.0
+                } else {
+                    vertices.get(vertex, Vertices.NORMAL + k)
+                }
+                vertices.set(vertex, Vertices.NORMAL + k, sign * component)
+            }
+        }
+    }
+
+    /** Lights each vertex; under flat shading all of them as the middle of the face. */
+    private fun light(vertices: Vertices) {
+        if (material.shading == Shading.FLAT) {
+            for (k in 0 until 3) {
+                var sum = 0.0
+                for (vertex in 0 until vertices.count) sum += vertices.get(vertex, Vertices.WORLD + k)
+                val mean = sum / vertices.count
+                for (vertex in 0 until vertices.count) vertices.set(vertex, Vertices.WORLD + k, mean)
+            }
+        }
+        val scratch = FloatArray(6)
+        for (vertex in 0 until vertices.count) materialShader.litColor(vertices, vertex, scratch)
+    }
+
+    private fun split(selection: IntArray, ends: IntArray): List<IntArray> =
+        ends.indices.map { selection.copyOfRange(if (it == 0) 0 else ends[it - 1], ends[it]) }
+
+    private companion object {
+        val TRIANGLE = intArrayOf(0, 1, 2)
+        val TRIANGLE_END = intArrayOf(3)
+    }
+}

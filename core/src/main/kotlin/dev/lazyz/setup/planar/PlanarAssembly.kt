@@ -1,0 +1,109 @@
+package dev.lazyz.setup.planar
+
+import dev.lazyz.EmptyPrimitive
+import dev.lazyz.FillRule
+import dev.lazyz.LinearForm
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Shader
+import dev.lazyz.raster.EdgeTable
+import dev.lazyz.raster.ReferenceTriangle
+import dev.lazyz.raster.ScreenGrid
+import dev.lazyz.shading.AttributedPrimitive
+import dev.lazyz.shading.Vertices
+
+/**
+ * The last step of set-up: snapped vertices become a primitive (contract rules 2 to 4).
+ *
+ * @param vertices where attributes come from
+ * @param selection the contours' vertices within [vertices], contour after contour
+ * @param contourEnds for each contour the number of vertices up to its end
+ * @param xs column positions on the 1/256 pixel grid, in the order of [selection]
+ * @param ys row positions, likewise
+ * @param depths depths, likewise
+ */
+internal class PlanarAssembly(
+    private val vertices: Vertices,
+    private val selection: IntArray,
+    private val contourEnds: IntArray,
+    private val xs: IntArray,
+    private val ys: IntArray,
+    private val depths: IntArray,
+) {
+    fun primitive(
+        raster: Raster,
+        fillRule: FillRule,
+        shader: Shader,
+        fields: Int,
+        normalSign: Double,
+        isTranslucent: Boolean,
+    ): AttributedPrimitive? {
+        // Bounds, and edges that cross rows; without them nothing is covered
+        val columnStart = maxOf(ScreenGrid.firstSample(xs.min()), 0)
+        val columnEnd = minOf(ScreenGrid.firstSample(xs.max()), raster.width)
+        if (columnStart >= columnEnd) return null
+        val edges = EdgeTable(xs, ys, contourEnds, fillRule, raster.width, raster.height)
+        if (edges.count == 0) return null
+
+        // The forms pass through three vertices that lie well apart
+        val (a, b, c) = referenceCorners()
+        val reference = ReferenceTriangle(xs[a], ys[a], xs[b], ys[b], xs[c], ys[c])
+        val depthForm = depthForm(reference, a, b, c)
+        val corners = intArrayOf(selection[a], selection[b], selection[c])
+        val isLevel = depthForm.dx == 0L && depthForm.dy == 0L
+        val depthsOfForm = if (isLevel) intArrayOf(depths[a]) else cornerDepths(reference, a, b, c)
+        return PlanarPrimitive(
+            edges, columnStart, columnEnd, depthForm, isTriangle, reference, vertices, corners, leastInverseW(),
+            normalSign, fields, shader,
+            maxOf(depthsOfForm.min() - 1, 0), minOf(depthsOfForm.max(), Int.MAX_VALUE - 1) + 1, isTranslucent,
+        )
+    }
+
+    /**
+     * Returns three positions in the contours: of a triangle its own; of more vertices the first, the one furthest from
+     * it, and the one furthest from the line through both. Seen from those, no vertex has a barycentric coordinate above
+     * 4 in absolute value, so planes and attributes are never extrapolated far.
+     */
+    private fun referenceCorners(): IntArray {
+        if (xs.size == 3) return intArrayOf(0, 1, 2)
+        val second = xs.indices.maxBy {
+            val dx = (xs[it] - xs[0]).toLong()
+            val dy = (ys[it] - ys[0]).toLong()
+            dx * dx + dy * dy
+        }
+        val runX = (xs[second] - xs[0]).toLong()
+        val runY = (ys[second] - ys[0]).toLong()
+        val third = xs.indices.maxBy { Math.abs(runX * (ys[it] - ys[0]) - runY * (xs[it] - xs[0])) }
+        return intArrayOf(0, second, third)
+    }
+
+    private val isTriangle: Boolean get() = xs.size == 3 && contourEnds.size == 1
+
+    /** 1/w of the vertex furthest away, or 0 if there are but three. */
+    private fun leastInverseW(): Double =
+        if (isTriangle) 0.0 else selection.minOf { 1.0 / vertices.get(it, Vertices.W) }
+
+    /** The plane's depth at every vertex, rounded; within the range of depths by [depthForm]. */
+    private fun cornerDepths(reference: ReferenceTriangle, a: Int, b: Int, c: Int): IntArray =
+        if (xs.size == 3) {
+            depths
+        } else {
+            IntArray(xs.size) {
+                StrictMath.rint(reference.valueAt(xs[it], ys[it], depths[a], depths[b], depths[c])).toInt()
+            }
+        }
+
+    /** The plane of depth; constant if it would come within a unit of leaving the range of depths (rule 3.4). */
+    private fun depthForm(reference: ReferenceTriangle, a: Int, b: Int, c: Int): LinearForm {
+        if (xs.size > 3) {
+            for (i in xs.indices) {
+                val depth = reference.valueAt(xs[i], ys[i], depths[a], depths[b], depths[c])
+                if (!(depth > 1.0 && depth < Int.MAX_VALUE - 1.0)) return LinearForm.constant(depths[a])
+            }
+        }
+        return reference.form(depths[a], depths[b], depths[c])
+    }
+}
+
+/** This primitive, or the one that covers nothing. */
+internal fun Primitive?.orEmpty(): Primitive = this ?: EmptyPrimitive

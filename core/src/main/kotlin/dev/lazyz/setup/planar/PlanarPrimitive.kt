@@ -1,0 +1,169 @@
+package dev.lazyz.setup.planar
+
+import dev.lazyz.Attributes
+import dev.lazyz.Fragment
+import dev.lazyz.LinearForm
+import dev.lazyz.Primitive
+import dev.lazyz.Shader
+import dev.lazyz.ShadingCursor
+import dev.lazyz.SpanCursor
+import dev.lazyz.Spans
+import dev.lazyz.raster.EdgeFunctions
+import dev.lazyz.raster.EdgeTable
+import dev.lazyz.raster.ReferenceTriangle
+import dev.lazyz.raster.TrapezoidCursor
+import dev.lazyz.shading.AttributedPrimitive
+import dev.lazyz.shading.Vertices
+
+/**
+ * A flat primitive: a triangle, or a polygon of any contours.
+ *
+ * Attributes are interpolated by three weights, one for each vertex of the reference triangle: the edge function opposite
+ * to it, over its w. Dividing by their sum makes the weights perspective-correct, and one set-up serves any number of
+ * attributes (contract rule 3.6). The edge functions are made when the primitive is first shaded.
+ *
+ * Source: James Blinn, "Hyperbolic Interpolation", IEEE Computer Graphics and Applications 12 (1992).
+ *
+ * @param isTriangle whether this is a triangle, and no other polygon: the [reference] triangle
+ * @param reference the reference triangle on the grid
+ * @param corners the reference triangle's vertices within [vertices]
+ * @param leastInverseW what the interpolated 1/w is at least: that of the vertex furthest away; 0 for a triangle, within
+ *   which nothing is less
+ * @param normalSign -1 to turn the vertices' normals round, to the viewer; otherwise 1
+ * @param fields which attributes the vertices have and the shader wants, see [Attributes]
+ */
+internal class PlanarPrimitive(
+    private val edges: EdgeTable,
+    override val columnStart: Int,
+    override val columnEnd: Int,
+    override val depthForm: LinearForm,
+    val isTriangle: Boolean,
+    val reference: ReferenceTriangle,
+    val vertices: Vertices,
+    val corners: IntArray,
+    val leastInverseW: Double,
+    val normalSign: Double,
+    val fields: Int,
+    val shader: Shader,
+    override val leastDepth: Int,
+    override val greatestDepth: Int,
+    override val isTranslucent: Boolean,
+) : AttributedPrimitive {
+    override val rowStart: Int get() = edges.rowStart
+    override val rowEnd: Int get() = edges.rowEnd
+
+    /** Without [vertices], which the triangles of a mesh share. */
+    override val heldBytes: Long get() = HELD_BYTES + edges.heldBytes
+
+    /** Immutable, and the same whoever makes it: a race is harmless. */
+    private var edgeFunctions: EdgeFunctions? = null
+
+    override fun spans(y: Int, spans: Spans) {
+        edges.spans(y, spans)
+    }
+
+    override fun cursor(y: Int): SpanCursor = TrapezoidCursor(edges, y)
+
+    override fun depth(x: Int, y: Int): Int = (depthForm.at(x, y) shr 32).toInt()
+
+    override fun shade(fragment: Fragment) {
+        attributes(fragment)
+        shader.shade(fragment)
+    }
+
+    override fun attributes(fragment: Fragment) {
+        if (fields == 0) return
+        val forms = edgeFunctions()
+        mix(
+            fragment,
+            forms.first.at(fragment.x, fragment.y),
+            forms.second.at(fragment.x, fragment.y),
+            forms.third.at(fragment.x, fragment.y),
+        )
+    }
+
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor? =
+        if (fields == 0) null else WeightCursor(edgeFunctions(), x, y)
+
+    /**
+     * Measured: three additions, to fields of a cursor, take no less time than six multiplications and nine additions
+     * (docs/algorithms/coherent-shading.md).
+     */
+    override val shadingStartCost: Int get() = 0
+
+    private fun edgeFunctions(): EdgeFunctions =
+        edgeFunctions ?: EdgeFunctions(reference).also { edgeFunctions = it }
+
+    /** Steps the three edge functions along a row. */
+    private inner class WeightCursor(private val forms: EdgeFunctions, x: Int, y: Int) : ShadingCursor {
+        private var first = forms.first.at(x, y)
+        private var second = forms.second.at(x, y)
+        private var third = forms.third.at(x, y)
+
+        override fun step() {
+            first += forms.first.dx
+            second += forms.second.dx
+            third += forms.third.dx
+        }
+
+        override fun shade(fragment: Fragment) {
+            mix(fragment, first, second, third)
+            shader.shade(fragment)
+        }
+    }
+
+    /** Fills in the attributes from the values of the three edge functions. */
+    private fun mix(fragment: Fragment, first: Long, second: Long, third: Long) {
+        // Perspective-correct weights: the one division of the fragment
+        val data = vertices.data
+        val a = Vertices.STRIDE * corners[0]
+        val b = Vertices.STRIDE * corners[1]
+        val c = Vertices.STRIDE * corners[2]
+        val over0 = first.toDouble() * (1.0 / data[a + Vertices.W])
+        val over1 = second.toDouble() * (1.0 / data[b + Vertices.W])
+        val over2 = third.toDouble() * (1.0 / data[c + Vertices.W])
+        val scale = 1.0 / maxOf(over0 + over1 + over2, reference.size.toDouble() * leastInverseW)
+        val w0 = over0 * scale
+        val w1 = over1 * scale
+        val w2 = over2 * scale
+
+        // Mix what the shader wants
+        if (fields and Attributes.WORLD != 0) {
+            val i = Vertices.WORLD
+            fragment.worldX = (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i]).toFloat()
+            fragment.worldY = (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1]).toFloat()
+            fragment.worldZ = (w0 * data[a + i + 2] + w1 * data[b + i + 2] + w2 * data[c + i + 2]).toFloat()
+        }
+        if (fields and Attributes.NORMAL != 0) {
+            val i = Vertices.NORMAL
+            fragment.normalX = (normalSign * (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i])).toFloat()
+            fragment.normalY =
+                (normalSign * (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1])).toFloat()
+            fragment.normalZ =
+                (normalSign * (w0 * data[a + i + 2] + w1 * data[b + i + 2] + w2 * data[c + i + 2])).toFloat()
+        }
+        if (fields and Attributes.UV != 0) {
+            val i = Vertices.UV
+            fragment.u = (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i]).toFloat()
+            fragment.v = (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1]).toFloat()
+        }
+        if (fields and Attributes.COLOR != 0) {
+            val i = Vertices.COLOR
+            fragment.vertexRed = (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i]).toFloat()
+            fragment.vertexGreen = (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1]).toFloat()
+            fragment.vertexBlue = (w0 * data[a + i + 2] + w1 * data[b + i + 2] + w2 * data[c + i + 2]).toFloat()
+            fragment.vertexAlpha = (w0 * data[a + i + 3] + w1 * data[b + i + 3] + w2 * data[c + i + 3]).toFloat()
+        }
+    }
+
+    override fun toString(): String =
+        "PlanarPrimitive(rows $rowStart..<$rowEnd, columns $columnStart..<$columnEnd, $depthForm)"
+
+    companion object {
+        /**
+         * This object, the reference triangle, the corners, the depth form and, once it has been shaded, the edge
+         * functions: nine objects of 40 fields, counted as if each field took 8 bytes.
+         */
+        private const val HELD_BYTES = 9 * 16L + 40 * 8L
+    }
+}

@@ -1,0 +1,119 @@
+package dev.lazyz.setup.planar
+
+import dev.lazyz.Attributes
+import dev.lazyz.EmptyPrimitive
+import dev.lazyz.FillRule
+import dev.lazyz.Primitive
+import dev.lazyz.inParallel
+import dev.lazyz.setup.VertexStage
+import dev.lazyz.shading.Lighting
+import dev.lazyz.shading.MaterialShader
+import dev.lazyz.shading.Vertices
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Sides
+
+/** Makes primitives of triangles and polygons. */
+internal class PlanarSetUp(private val stage: VertexStage, private val lighting: Lighting) {
+    fun mesh(mesh: Mesh): Sequence<Primitive> = sequence {
+        val vertices = meshVertices(mesh)
+        val face = face(mesh)
+        val ends = intArrayOf(3)
+        for (i in mesh.triangles.indices step 3) {
+            val corners = intArrayOf(mesh.triangles[i], mesh.triangles[i + 1], mesh.triangles[i + 2])
+            yield(face.primitive(vertices, corners, ends, FillRule.NON_ZERO))
+        }
+    }
+
+    /** Returns [mesh] as a batch whose first triangle has the submission index [first], if it is opaque; or null. */
+    fun batch(mesh: Mesh, first: Int): TriangleBatch? {
+        if (mesh.material.alphaMode != AlphaMode.OPAQUE) return null
+        val snapped = SnappedVertices(stage, mesh)
+        val chunks = (mesh.vertexCount - 1) / CHUNK + 1
+        inParallel(chunks) { snapped.snap(it * CHUNK, minOf((it + 1) * CHUNK, mesh.vertexCount)) }
+
+        // Triangles that have to be cut are set up one by one; those that show the wrong side are left out
+        var hidden: LongArray? = null
+        val exceptions = ArrayList<IndexedValue<Primitive>>()
+        val isOneSided = mesh.material.sides == Sides.FRONT
+        if (snapped.isOutside != null || isOneSided) {
+            val bits = LongArray(mesh.triangleCount + Long.SIZE_BITS - 1 ushr TriangleBatch.WORD_SHIFT)
+            val face = face(mesh)
+            val vertices = Vertices(3)
+            for (triangle in 0 until mesh.triangleCount) {
+                val isOutside = snapped.isOutside(triangle)
+                if (!isOutside && !(isOneSided && face.isBack(triangle, vertices))) continue
+                bits[triangle ushr TriangleBatch.WORD_SHIFT] =
+                    bits[triangle ushr TriangleBatch.WORD_SHIFT] or (1L shl triangle)
+                if (!isOutside) continue
+                val primitive = face.primitive(triangle)
+                if (primitive !== EmptyPrimitive) exceptions.add(IndexedValue(triangle, primitive))
+            }
+            hidden = bits
+        }
+        return TriangleBatch(mesh, first, this, snapped.grid, snapped.inverseW, hidden, exceptions)
+    }
+
+    fun polygon(polygon: Polygon): Primitive {
+        val contours = polygon.contours.filter { it.isNotEmpty() }
+        val corners = contours.flatten()
+        if (corners.size < 3) return EmptyPrimitive
+        val vertices = Vertices(corners.size)
+        for ((i, corner) in corners.withIndex()) {
+            stage.place(vertices, i, corner.x, corner.y, corner.z)
+            vertices.set(i, Vertices.UV, corner.u.toDouble())
+            vertices.set(i, Vertices.UV + 1, corner.v.toDouble())
+            vertices.set(i, Vertices.COLOR, corner.color.red.toDouble())
+            vertices.set(i, Vertices.COLOR + 1, corner.color.green.toDouble())
+            vertices.set(i, Vertices.COLOR + 2, corner.color.blue.toDouble())
+            vertices.set(i, Vertices.COLOR + 3, corner.color.alpha.toDouble())
+        }
+        val ends = IntArray(contours.size)
+        var end = 0
+        for ((i, contour) in contours.withIndex()) {
+            end += contour.size
+            ends[i] = end
+        }
+        val face = face(polygon.material, hasNormals = false, hasUvs = true, hasColors = true)
+        return face.primitive(vertices, IntArray(corners.size) { it }, ends, polygon.fillRule)
+    }
+
+    /** Transforms all vertices of [mesh]. */
+    private fun meshVertices(mesh: Mesh): Vertices {
+        val vertices = Vertices(mesh.vertexCount)
+        for (i in 0 until mesh.vertexCount) stage.place(vertices, i, mesh, i)
+        return vertices
+    }
+
+    /** Returns what sets up and shades the triangles of [mesh]; for one thread. */
+    fun face(mesh: Mesh): FaceSetUp =
+        face(mesh.material, mesh.normals != null, mesh.uvs != null, mesh.colors != null, mesh)
+
+    private fun face(
+        material: Material,
+        hasNormals: Boolean,
+        hasUvs: Boolean,
+        hasColors: Boolean,
+        mesh: Mesh? = null,
+    ): FaceSetUp {
+        val isPrelit = material.shader == null &&
+            (material.shading == Shading.FLAT || material.shading == Shading.GOURAUD)
+        val isLit =
+            material.shader != null || material.shading == Shading.PHONG || material.shading == Shading.BLINN_PHONG
+        var fields = 0
+        if (isLit) fields = fields or Attributes.WORLD or Attributes.NORMAL
+        if (hasUvs && (material.texture != null || material.shader != null)) fields = fields or Attributes.UV
+        if (hasColors || isPrelit) fields = fields or Attributes.COLOR
+        val usesFaceNormal = !hasNormals || (material.shader == null && material.shading == Shading.FLAT)
+        val shader = MaterialShader(material, lighting, isPrelit)
+        return FaceSetUp(stage, material, shader, fields, isPrelit, usesFaceNormal, mesh)
+    }
+
+    private companion object {
+        /** Vertices that a thread snaps at a time. */
+        const val CHUNK = 16_384
+    }
+}

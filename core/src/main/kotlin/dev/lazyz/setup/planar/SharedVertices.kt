@@ -1,0 +1,14 @@
+package dev.lazyz.setup.planar
+
+import dev.lazyz.OpaquePrimitive
+import dev.lazyz.Primitive
+import dev.lazyz.shading.MaskedPrimitive
+import dev.lazyz.shading.Vertices
+
+/** The vertices that this primitive shares with others and keeps alive, or null if it is known to share none. */
+internal fun Primitive.sharedVertices(): Vertices? = when (this) {
+    is PlanarPrimitive -> vertices
+    is MaskedPrimitive -> whole.sharedVertices()
+    is OpaquePrimitive -> whole.sharedVertices()
+    else -> null
+}

@@ -1,0 +1,50 @@
+package dev.lazyz.shading
+
+import dev.lazyz.Fragment
+import dev.lazyz.LinearForm
+import dev.lazyz.Primitive
+import dev.lazyz.ShadingCursor
+import dev.lazyz.Spans
+
+/**
+ * A primitive cut out by its own opacity: it covers the samples whose alpha reaches the cutoff (contract rule 2.7).
+ *
+ * Making the mask part of coverage, not of shading, keeps it out of every renderer's way: a hole is a hole before any
+ * depth is compared. Cost: one look at the texture for each covered sample of each row that is asked for.
+ */
+internal class MaskedPrimitive(
+    val whole: AttributedPrimitive,
+    private val shader: MaterialShader,
+    private val cutoff: Float,
+) : Primitive {
+    override val rowStart: Int get() = whole.rowStart
+    override val rowEnd: Int get() = whole.rowEnd
+    override val columnStart: Int get() = whole.columnStart
+    override val columnEnd: Int get() = whole.columnEnd
+    override val depthForm: LinearForm? get() = whole.depthForm
+    override val leastDepth: Int get() = whole.leastDepth
+    override val greatestDepth: Int get() = whole.greatestDepth
+    override val heldBytes: Long get() = whole.heldBytes
+    override val shadingStartCost: Int get() = whole.shadingStartCost
+
+    override fun spans(y: Int, spans: Spans) {
+        val uncut = Spans()
+        whole.spans(y, uncut)
+        val fragment = Fragment()
+        for (i in 0 until uncut.count) {
+            for (x in uncut.start(i) until uncut.end(i)) {
+                fragment.moveTo(x, y)
+                whole.attributes(fragment)
+                if (shader.alphaAt(fragment) >= cutoff) spans.add(x, x + 1)
+            }
+        }
+    }
+
+    override fun depth(x: Int, y: Int): Int = whole.depth(x, y)
+
+    override fun shade(fragment: Fragment): Unit = whole.shade(fragment)
+
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor? = whole.shadingCursor(x, y)
+
+    override fun toString(): String = "MaskedPrimitive($whole)"
+}

@@ -1,0 +1,161 @@
+package dev.lazyz.strategies.hierarchical
+
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.LinearForm
+import dev.lazyz.Primitive
+import dev.lazyz.Region
+import dev.lazyz.Spans
+import dev.lazyz.hierarchical.DepthPyramid.Companion.BLOCK
+import dev.lazyz.raster.AreaBounds
+import dev.lazyz.raster.VisibilityOrder
+
+/**
+ * Draws primitives on a [DepthPyramid], one at a time: first asks for all of it, then block by block, and only then
+ * sample by sample. What is hidden has no depth evaluated.
+ */
+internal class PyramidDrawing(private val frame: Frame, private val counters: Counters) {
+    private val region = frame.region
+    private val test = frame.raster.depthTest
+    private val order = VisibilityOrder(test)
+    private val bounds = AreaBounds(test, counters)
+
+    /** What has been drawn so far. */
+    val pyramid: DepthPyramid = DepthPyramid(region, test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND))
+
+    private val spans = Spans(region)
+
+    /** What is known of each block in the current row of blocks. */
+    private val answers = ByteArray((region.width + BLOCK - 1) / BLOCK)
+
+    /** The primitive that is drawn, its index, and bounds of the keys of all its fragments. */
+    private lateinit var primitive: Primitive
+    private var index = 0
+    private var nearestKey = 0L
+    private var farthestKey = 0L
+
+    /** The part of the region that it may cover. */
+    private lateinit var box: Region
+
+    /** The visible key of each sample, in rows from the region's top. */
+    val keys: LongArray get() = pyramid.keys
+
+    /** Bytes held. */
+    val bytes: Long get() = pyramid.bytes + answers.size + spans.bytes
+
+    /** Draws the primitive [index]. */
+    fun draw(index: Int) {
+        this.index = index
+        primitive = frame.primitives[index]
+        nearestKey = order.nearestKey(primitive, index)
+        farthestKey = order.farthestKey(primitive, index)
+        box = boxOf(primitive) ?: return
+        val isHidden = isHidden()
+
+        // Of what is hidden the samples are counted, and that is all
+        val cursor = primitive.cursor(box.rowStart)
+        for (y in box.rowStart until box.rowEnd) {
+            cursor.next(spans)
+            if (isHidden) {
+                for (i in 0 until spans.count) counters.fragments += spans.end(i) - spans.start(i)
+                continue
+            }
+            if (y == box.rowStart || (y - region.rowStart) % BLOCK == 0) forgetBlocks()
+            for (i in 0 until spans.count) drawSpan(y, spans.start(i), spans.end(i))
+        }
+    }
+
+    private fun boxOf(primitive: Primitive): Region? {
+        val columnStart = maxOf(primitive.columnStart, region.columnStart)
+        val columnEnd = minOf(primitive.columnEnd, region.columnEnd)
+        val rowStart = maxOf(primitive.rowStart, region.rowStart)
+        val rowEnd = minOf(primitive.rowEnd, region.rowEnd)
+        if (columnStart >= columnEnd || rowStart >= rowEnd) return null
+        return Region(columnStart, rowStart, columnEnd, rowEnd)
+    }
+
+    private fun blockColumn(x: Int): Int = (x - region.columnStart) / BLOCK
+
+    private fun blockRow(y: Int): Int = (y - region.rowStart) / BLOCK
+
+    /** Whether the primitive is hidden wherever it may be. */
+    private fun isHidden(): Boolean = pyramid.isHidden(
+        nearestKey,
+        blockColumn(box.columnStart),
+        blockRow(box.rowStart),
+        blockColumn(box.columnEnd - 1),
+        blockRow(box.rowEnd - 1),
+    )
+
+    private fun forgetBlocks() {
+        answers.fill(UNKNOWN, blockColumn(box.columnStart), blockColumn(box.columnEnd - 1) + 1)
+    }
+
+    /** Draws a span, a run of it for each block that it crosses. */
+    private fun drawSpan(y: Int, start: Int, end: Int) {
+        counters.fragments += end - start
+        var x = start
+        while (x < end) {
+            val block = blockColumn(x)
+            val runEnd = minOf(end, region.columnStart + (block + 1) * BLOCK)
+            if (answers[block] == UNKNOWN) answers[block] = if (isHidden(block, blockRow(y))) HIDDEN else OPEN
+            if (answers[block] == OPEN) drawRun(y, x, runEnd, block)
+            x = runEnd
+        }
+    }
+
+    /** Whether the primitive is hidden in a block. */
+    private fun isHidden(column: Int, row: Int): Boolean {
+        // The primitive's own bounds decide most blocks, one way or the other
+        if (pyramid.isHidden(nearestKey, 0, column, row)) return true
+        if (primitive.depthForm == null || pyramid.upperBound(column, row) > farthestKey) return false
+
+        // Otherwise its plane may: one depth for up to 64
+        val x = region.columnStart + column * BLOCK
+        val y = region.rowStart + row * BLOCK
+        val area = Region(
+            maxOf(x, box.columnStart),
+            maxOf(y, box.rowStart),
+            minOf(x + BLOCK, box.columnEnd),
+            minOf(y + BLOCK, box.rowEnd),
+        )
+        return pyramid.isHidden(bounds.nearestKey(primitive, index, area), 0, column, row)
+    }
+
+    /** Draws the columns [start] until [end] of row [y], in the block at [column]: samples keep the lesser key. */
+    private fun drawRun(y: Int, start: Int, end: Int, column: Int) {
+        counters.depthEvaluations += end - start
+        val form: LinearForm? = primitive.depthForm
+        var z = form?.at(start, y) ?: 0L
+        val step = form?.dx ?: 0L
+        val row = blockRow(y)
+        val farthest = if (pyramid.isCurrent(column, row)) pyramid.upperBound(column, row) else NO_KEY
+        val keys = pyramid.keys
+        var at = (y - region.rowStart) * region.width + (start - region.columnStart)
+        var passes = 0
+        var replaced = 0
+        for (x in start until end) {
+            // One addition a sample where depth is linear
+            val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
+            z += step
+            val key = test.key(depth, index)
+            val old = keys[at]
+            if (key < old) {
+                keys[at] = key
+                passes++
+                if (old == farthest) replaced++
+            }
+            at++
+        }
+        counters.depthPasses += passes
+        if (replaced > 0) pyramid.replaced(column, row, replaced)
+    }
+
+    private companion object {
+        const val UNKNOWN: Byte = 0
+        const val HIDDEN: Byte = 1
+        const val OPEN: Byte = 2
+        const val NO_KEY = -1L
+    }
+}

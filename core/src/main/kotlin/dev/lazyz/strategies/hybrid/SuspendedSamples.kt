@@ -1,0 +1,186 @@
+package dev.lazyz.strategies.hybrid
+
+import dev.lazyz.Coherence
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.RenderOptions
+import dev.lazyz.RowSink
+import dev.lazyz.Spans
+import dev.lazyz.raster.reaches
+import dev.lazyz.shading.LateShading
+
+/**
+ * The image: for each sample a visibility key and a colour, which may be suspended.
+ *
+ * 12 bytes a sample and no more, as three arrays of ints, so that rows can be handed out of the very arrays. The two
+ * halves of a key have 31 bits each; the sign of the lower half tells that the colour is suspended, and in the colour's
+ * place is the slot of the record that holds the suspension.
+ */
+internal class SuspendedSamples(private val frame: Frame, options: RenderOptions, cost: PrimitiveCost) {
+    private val raster = frame.raster
+    private val region = frame.region
+    private val width = region.width
+    private val test = raster.depthTest
+    private val spans = Spans(region)
+    private val counters = Counters()
+
+    private val argb: IntArray
+    private val uppers: IntArray
+    private val lowers: IntArray
+    private val suspensions: Suspensions
+    private val shading: LateShading
+
+    /** The record of the primitive in hand, if it has one. */
+    private var record: Record? = null
+
+    /** Whether the primitive in hand finds no room for a record, so that its colours cannot be suspended. */
+    private var isEager = false
+
+    init {
+        require(region.size <= MAX_SAMPLES) { "an image holds at most $MAX_SAMPLES samples: ${region.size}" }
+        val size = region.size.toInt()
+        argb = IntArray(size)
+        uppers = IntArray(size)
+        lowers = IntArray(size)
+        val background = test.key(raster.backgroundDepth, DepthTest.BACKGROUND)
+        argb.fill(raster.background.toArgb())
+        uppers.fill((background ushr 32).toInt())
+        lowers.fill(background.toInt())
+
+        // The state of incremental shading is part of the budget; without room for it, shade directly
+        val budget = options.memoryBudget ?: Long.MAX_VALUE
+        val isStepping = options.coherence != Coherence.DIRECT && budget >= CHAIN_BYTES
+        suspensions = Suspensions(budget, if (isStepping) CHAIN_BYTES else 0, cost)
+        shading = LateShading(frame, if (isStepping) options.coherence else Coherence.DIRECT, counters)
+    }
+
+    fun draw(primitive: Primitive) {
+        check(counters.primitives < Int.MAX_VALUE) { "more than 2^31-2 primitives" }
+        val index = counters.primitives++.toInt()
+        val rowStart = maxOf(primitive.rowStart, region.rowStart)
+        val rowEnd = minOf(primitive.rowEnd, region.rowEnd)
+        if (!primitive.reaches(region)) return
+        record = null
+        isEager = false
+        val cursor = primitive.cursor(rowStart)
+        for (y in rowStart until rowEnd) {
+            cursor.next(spans)
+            shading.beginRow()
+            for (i in 0 until spans.count) drawSpan(primitive, index, y, spans.start(i), spans.end(i))
+        }
+        record = null
+    }
+
+    private fun drawSpan(primitive: Primitive, index: Int, y: Int, start: Int, end: Int) {
+        counters.fragments += end - start
+        counters.depthEvaluations += end - start
+        val form = primitive.depthForm
+        var z = form?.at(start, y) ?: 0L
+        val step = form?.dx ?: 0L
+        val offset = (y - region.rowStart) * width - region.columnStart
+        var run = start
+        for (x in start until end) {
+            // One addition a sample where depth is linear
+            val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
+            z += step
+            val key = test.key(depth, index)
+            if (isNearer(key, offset + x)) {
+                if (run == x) beginRun(primitive, index)
+                replace(primitive, x, y, offset + x, key)
+            } else {
+                if (run < x) record?.add(offset + run, x - run)
+                run = x + 1
+            }
+        }
+        if (run < end) record?.add(offset + run, end - run)
+    }
+
+    private fun isNearer(key: Long, at: Int): Boolean {
+        val upper = (key ushr 32).toInt()
+        return upper < uppers[at] || (upper == uppers[at] && key.toInt() < (lowers[at] and SUSPENDED.inv()))
+    }
+
+    /** Sees to it that there is a record with room for one run more, or else that nothing is suspended. */
+    private fun beginRun(primitive: Primitive, index: Int) {
+        if (isEager) return
+        val present = record ?: suspensions.open(primitive, index).also { record = it }
+        if (present != null && suspensions.makeRoom(present)) return
+
+        // What would not fit alone is shaded as it is drawn
+        isEager = !suspensions.couldOpen(primitive)
+        if (isEager && present == null) return
+
+        // Desperate: force everything, and go on lazily
+        forceAll()
+        record = if (isEager) null else suspensions.open(primitive, index)
+    }
+
+    /** Puts a fragment in the place of one that it hides. */
+    private fun replace(primitive: Primitive, x: Int, y: Int, at: Int, key: Long) {
+        counters.depthPasses++
+        if (lowers[at] < 0) suspensions.drop(argb[at])
+        uppers[at] = (key ushr 32).toInt()
+        val holder = record
+        if (holder != null) {
+            lowers[at] = key.toInt() or SUSPENDED
+            argb[at] = holder.slot
+            suspensions.suspend(holder)
+        } else {
+            lowers[at] = key.toInt()
+            argb[at] = shading.shaded(x, y, test.indexOf(key), primitive).toArgb()
+        }
+    }
+
+    /** Computes all suspended colours, record by record, and frees the records. */
+    private fun forceAll() {
+        suspensions.forEach { record ->
+            var row = -1
+            for (run in 0 until record.runCount) {
+                // A chain of steps lives no longer than a row of its primitive
+                val start = record.runStart(run)
+                if (start / width != row) shading.beginRow()
+                row = start / width
+                for (at in start until start + record.runLength(run)) {
+                    if (lowers[at] >= 0 || argb[at] != record.slot) continue
+                    val x = region.columnStart + at - row * width
+                    argb[at] = shading.shaded(x, region.rowStart + row, record.index, record.primitive).toArgb()
+                    lowers[at] = lowers[at] and SUSPENDED.inv()
+                }
+            }
+            shading.beginRow()
+        }
+        suspensions.clear()
+    }
+
+    /** Forces what is suspended and hands out the rows. */
+    fun finish(sink: RowSink): Counters {
+        forceAll()
+        counters.peakSuspensions = suspensions.peakAlive
+        counters.peakBytes = BYTES_PER_SAMPLE * region.size + suspensions.peakBytes
+        for (row in 0 until region.height) {
+            // Decode the row in place, at the front, where rows that have been handed out leave room
+            val from = row * width
+            for (i in 0 until width) {
+                val key = uppers[from + i].toLong() shl 32 or lowers[from + i].toLong()
+                argb[i] = argb[from + i]
+                uppers[i] = test.depthOf(key)
+                lowers[i] = test.indexOf(key)
+            }
+            sink.row(region.rowStart + row, argb, uppers, lowers)
+        }
+        return counters
+    }
+
+    private companion object {
+        const val BYTES_PER_SAMPLE = 12L
+        const val MAX_SAMPLES = Int.MAX_VALUE - 8L
+
+        /** The sign of a key's lower half. */
+        const val SUSPENDED = 1 shl 31
+
+        /** A hash map with its table, and one chain of steps: no more than one is alive. */
+        const val CHAIN_BYTES = 512L
+    }
+}

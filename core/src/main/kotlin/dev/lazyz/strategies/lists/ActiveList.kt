@@ -1,0 +1,81 @@
+package dev.lazyz.strategies.lists
+
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.SpanCursor
+import dev.lazyz.Spans
+import dev.lazyz.raster.reaches
+
+/**
+ * The primitives that may cover the current row, each with a cursor; a primitive joins at its first row and leaves after
+ * its last. Their order does not matter: the fragments of a sample are sorted by key.
+ */
+internal class ActiveList(private val frame: Frame) {
+    private val region = frame.region
+    private val spans = Spans(region)
+
+    /** First row and index of each primitive that may cover the region, sorted. */
+    private val arrivals: LongArray
+    private var arrived = 0
+
+    private var indices = IntArray(INITIAL)
+    private var cursors = arrayOfNulls<SpanCursor>(INITIAL)
+    private var count = 0
+
+    init {
+        var used = 0
+        val keys = LongArray(frame.primitives.count { it.reaches(region) })
+        for ((index, primitive) in frame.primitives.withIndex()) {
+            if (primitive.reaches(region)) keys[used++] = firstRow(primitive).toLong() shl 32 or index.toLong()
+        }
+        keys.sort()
+        arrivals = keys
+    }
+
+    /** Bytes held: the list never shrinks. */
+    val peakBytes: Long get() = 8L * arrivals.size + (Int.SIZE_BYTES + REFERENCE_BYTES) * indices.size
+
+    private fun firstRow(primitive: Primitive): Int = maxOf(primitive.rowStart, region.rowStart)
+
+    /** Adds the spans of row [y], the row after that of the last call, to [fragments]. */
+    fun moveTo(y: Int, fragments: RowFragments) {
+        // Let in the primitives that begin here
+        while (arrived < arrivals.size &&
+            (arrivals[arrived] ushr 32).toInt() == y
+        ) {
+            admit(arrivals[arrived++].toInt(), y)
+        }
+
+        // Ask each for its spans, and let go those that end here
+        fragments.clear()
+        var i = 0
+        while (i < count) {
+            val index = indices[i]
+            checkNotNull(cursors[i]).next(spans)
+            for (span in 0 until spans.count) fragments.add(index, spans.start(span), spans.end(span))
+            if (y + 1 < frame.primitives[index].rowEnd) i++ else dismiss(i)
+        }
+    }
+
+    private fun admit(index: Int, y: Int) {
+        if (count == indices.size) {
+            indices = indices.copyOf(2 * count)
+            cursors = cursors.copyOf(2 * count)
+        }
+        indices[count] = index
+        cursors[count] = frame.primitives[index].cursor(y)
+        count++
+    }
+
+    private fun dismiss(i: Int) {
+        count--
+        indices[i] = indices[count]
+        cursors[i] = cursors[count]
+        cursors[count] = null
+    }
+
+    private companion object {
+        const val INITIAL = 16
+        const val REFERENCE_BYTES = 8L
+    }
+}

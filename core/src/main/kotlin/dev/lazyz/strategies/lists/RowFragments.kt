@@ -1,0 +1,122 @@
+package dev.lazyz.strategies.lists
+
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+
+/**
+ * The fragments of one row, a piece of the row at a time, as visibility keys grouped by column.
+ *
+ * A fragment is 8 bytes: its key holds depth and primitive, and those two, with the sample, are the suspended colour.
+ * Grouping is a counting sort: the spans tell in advance how many fragments each column gets.
+ */
+internal class RowFragments(private val frame: Frame, private val counters: Counters) {
+    private val first = frame.region.columnStart
+    private val width = frame.width
+    private val test = frame.raster.depthTest
+    private val backgroundKey = test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND)
+
+    /** The row's spans: primitive, first column, column after the last; columns count from the region's first. */
+    private var spans = IntArray(3 * INITIAL)
+    private var spanCount = 0
+
+    /** How many spans more cover a column than the one before. */
+    private val changes = IntArray(width + 1)
+    private var covering = 0
+
+    private val starts = IntArray(width)
+    private val ends = IntArray(width)
+
+    /** The piece's fragments; those of a column lie together. */
+    var keys: LongArray = LongArray(INITIAL)
+        private set
+
+    /** Bytes held: the arrays never shrink. */
+    val peakBytes: Long
+        get() = 4L * (spans.size + changes.size + starts.size + ends.size) + 8L * keys.size
+
+    /** Position within [keys] of the first fragment of a column of the piece. */
+    fun start(column: Int): Int = starts[column]
+
+    /** Position after its last. */
+    fun end(column: Int): Int = ends[column]
+
+    /** Begins a row. */
+    fun clear() {
+        spanCount = 0
+        covering = 0
+        changes.fill(0)
+    }
+
+    /** Adds a span of the primitive [index]: raster columns [from] until [until], within the region. */
+    fun add(index: Int, from: Int, until: Int) {
+        val at = 3 * spanCount++
+        if (at == spans.size) spans = spans.copyOf(2 * at)
+        spans[at] = index
+        spans[at + 1] = from - first
+        spans[at + 2] = until - first
+        changes[from - first]++
+        changes[until - first]--
+    }
+
+    /**
+     * Gathers the fragments of row [y] from column [from] on, as many columns as [AT_ONCE] fragments reach, at least one.
+     * Pieces follow each other from left to right. Returns the column after the piece.
+     */
+    fun fill(y: Int, from: Int): Int {
+        // Give each column its place
+        var total = 0
+        var until = from
+        while (until < width) {
+            val count = covering + changes[until]
+            if (until > from && total > AT_ONCE - count) break
+            covering = count
+            starts[until] = total
+            ends[until] = total
+            total += count
+            until++
+        }
+        if (total > keys.size) {
+            // Drop the old array before there is a new one: the old contents are not wanted
+            val size = maxOf(total, minOf(2 * keys.size, AT_ONCE))
+            keys = LongArray(0)
+            keys = LongArray(size)
+        }
+
+        // Walk the spans
+        for (i in 0 until spanCount) {
+            val start = maxOf(spans[3 * i + 1], from)
+            val end = minOf(spans[3 * i + 2], until)
+            if (start < end) walk(spans[3 * i], y, start, end)
+        }
+        var held = 0L
+        for (column in from until until) held += ends[column] - starts[column]
+        counters.peakSuspensions = maxOf(counters.peakSuspensions, held)
+        return until
+    }
+
+    private fun walk(index: Int, y: Int, start: Int, end: Int) {
+        counters.fragments += end - start
+        counters.depthEvaluations += end - start
+        val primitive = frame.primitives[index]
+        val form = primitive.depthForm
+        var z = form?.at(first + start, y) ?: 0L
+        val step = form?.dx ?: 0L
+        for (column in start until end) {
+            // One addition a sample where depth is linear
+            val depth = if (form != null) (z shr 32).toInt() else primitive.depth(first + column, y)
+            z += step
+            val key = test.key(depth, index)
+
+            // What is behind the background is not there
+            if (key < backgroundKey) keys[ends[column]++] = key
+        }
+    }
+
+    companion object {
+        /** Fragments held at once, unless a single sample has more: 8 megabytes. */
+        const val AT_ONCE: Int = 1 shl 20
+
+        private const val INITIAL = 64
+    }
+}

@@ -1,0 +1,200 @@
+package dev.lazyz.strategies.scanline
+
+import dev.lazyz.Counters
+import dev.lazyz.Frame
+import dev.lazyz.SpanCursor
+import dev.lazyz.Spans
+import dev.lazyz.raster.reaches
+
+/**
+ * The active edge list: the ends of all spans of the current row, in order of columns.
+ *
+ * A span has a number that stays the same from row to row while its primitive has as many spans; so its two edges keep
+ * their places in the list, and sorting has to mend only what has changed. A primitive's own cursor steps its edges, by
+ * exact increments where it is a polygon. Span 0 is the background's: as wide as the region, it has no edges and no
+ * cursor.
+ *
+ * Source: Chris Wylie, Gordon Romney, David Evans, Alan Erdahl, "Half-tone perspective drawings by computer" (1967).
+ * There a table has a bucket of edges for each row; here waiting primitives are sorted by first row, which takes no
+ * memory for rows.
+ */
+internal class ActiveEdges(private val frame: Frame, private val counters: Counters) {
+    private val region = frame.region
+
+    /** The edge table: primitives not yet active, first row in the upper half, index in the lower, ascending. */
+    private val waiting = waiting()
+    private var entered = 0
+
+    /** A primitive that the current row may cut, and the numbers of its spans. */
+    private class Active(val primitive: Int, val rowEnd: Int, val cursor: SpanCursor) {
+        var spans = IntArray(1)
+        var count = 0
+    }
+
+    private var actives = arrayOfNulls<Active>(INITIAL)
+    private var activeCount = 0
+    private val row = Spans(region)
+
+    /** First column of each span, column after the last (0 for a number not in use), and primitive. */
+    private var starts = IntArray(INITIAL)
+    private var ends = IntArray(INITIAL)
+    private var primitives = IntArray(INITIAL)
+    private var numbers = 1
+    private var free = IntArray(INITIAL)
+    private var freeCount = 0
+
+    /** The list itself: column in the upper half, in the lower twice the span, plus one at its end. */
+    private var edges = LongArray(INITIAL)
+
+    /** Number of edges. */
+    var count: Int = 0
+        private set
+
+    init {
+        starts[BACKGROUND_SPAN] = region.columnStart
+        ends[BACKGROUND_SPAN] = region.columnEnd
+        primitives[BACKGROUND_SPAN] = -1
+    }
+
+    /** Span numbers are below this one. */
+    val spanLimit: Int get() = starts.size
+
+    /** Bytes held at present. A cursor belongs to its primitive; it is estimated by that of a triangle. */
+    val bytes: Long
+        get() = 8L * (waiting.size + edges.size + actives.size) +
+            4L * (starts.size + ends.size + primitives.size + free.size) +
+            ACTIVE_BYTES * activeCount
+
+    /** Column of edge [i]. */
+    fun column(i: Int): Int = (edges[i] shr 32).toInt()
+
+    /** The span that edge [i] begins or ends. */
+    fun span(i: Int): Int = edges[i].toInt() ushr 1
+
+    /** Whether its span begins at edge [i]. */
+    fun isStart(i: Int): Boolean = edges[i] and 1L == 0L
+
+    /** The column after the last of [span]. */
+    fun end(span: Int): Int = ends[span]
+
+    /** The submission index of the primitive that [span] belongs to. */
+    fun primitive(span: Int): Int = primitives[span]
+
+    /** Goes to row [y]; called for each row of the region, in order. */
+    fun moveTo(y: Int) {
+        // Primitives join at their first row
+        while (entered < waiting.size && (waiting[entered] shr 32).toInt() == y) enter(waiting[entered++].toInt(), y)
+
+        // Those whose rows are over leave, the others step
+        var kept = 0
+        for (i in 0 until activeCount) {
+            val active = actives[i]!!
+            row.clear()
+            if (y < active.rowEnd) active.cursor.next(row)
+            place(active)
+            if (y < active.rowEnd) actives[kept++] = active
+        }
+        actives.fill(null, kept, activeCount)
+        activeCount = kept
+
+        // Give the edges their new columns, and put them in order
+        renew()
+        sort()
+    }
+
+    private fun waiting(): LongArray {
+        val all = LongArray(frame.primitives.size)
+        var used = 0
+        for ((index, primitive) in frame.primitives.withIndex()) {
+            val rowStart = maxOf(primitive.rowStart, region.rowStart)
+            if (primitive.reaches(region)) all[used++] = rowStart.toLong() shl 32 or index.toLong()
+        }
+        return all.copyOf(used).apply { sort() }
+    }
+
+    private fun enter(index: Int, y: Int) {
+        if (activeCount == actives.size) actives = actives.copyOf(2 * activeCount)
+        val primitive = frame.primitives[index]
+        actives[activeCount++] = Active(index, primitive.rowEnd, primitive.cursor(y))
+    }
+
+    /** Gives the primitive's spans of this row their numbers, as far as possible those of the last row. */
+    private fun place(active: Active) {
+        while (active.count > row.count) ends[active.spans[--active.count]] = UNUSED
+        while (active.count < row.count) {
+            if (active.count == active.spans.size) active.spans = active.spans.copyOf(2 * active.count)
+            active.spans[active.count++] = number(active.primitive)
+        }
+        for (i in 0 until row.count) {
+            val span = active.spans[i]
+            starts[span] = row.start(i)
+            ends[span] = row.end(i)
+            counters.fragments += row.end(i) - row.start(i)
+        }
+    }
+
+    /** Returns a number for a new span, and lists its edges, for the time being at the end. */
+    private fun number(primitive: Int): Int {
+        if (freeCount == 0 && numbers == starts.size) {
+            starts = starts.copyOf(2 * numbers)
+            ends = ends.copyOf(2 * numbers)
+            primitives = primitives.copyOf(2 * numbers)
+            free = free.copyOf(2 * numbers)
+        }
+        val span = if (freeCount > 0) free[--freeCount] else numbers++
+        primitives[span] = primitive
+        if (count + 2 > edges.size) edges = edges.copyOf(2 * edges.size)
+        edges[count++] = 2L * span
+        edges[count++] = 2L * span + 1
+        return span
+    }
+
+    /** Gives the edges their columns on this row. The numbers of spans that are over become free. */
+    private fun renew() {
+        var kept = 0
+        for (i in 0 until count) {
+            val span = span(i)
+            val column = if (isStart(i)) starts[span] else ends[span]
+            if (ends[span] != UNUSED) {
+                edges[kept++] = column.toLong() shl 32 or (edges[i] and LOWER_HALF)
+            } else if (isStart(i)) {
+                free[freeCount++] = span
+            }
+        }
+        count = kept
+    }
+
+    /** Sorts by insertion: from row to row few edges pass each other. If many do, sorts anew. */
+    private fun sort() {
+        var moves = 0L
+        for (i in 1 until count) {
+            val edge = edges[i]
+            var at = i
+            while (at > 0 && edges[at - 1] > edge) {
+                edges[at] = edges[at - 1]
+                at--
+            }
+            edges[at] = edge
+            moves += i - at
+            if (moves > MOVES_PER_EDGE * count) {
+                edges.sort(0, count)
+                return
+            }
+        }
+    }
+
+    companion object {
+        /** The span of the background. */
+        const val BACKGROUND_SPAN: Int = 0
+
+        private const val UNUSED = 0
+        private const val INITIAL = 16
+        private const val LOWER_HALF = 0xFFFFFFFFL
+
+        /** Moves an edge, on average, after which sorting anew costs less than going on by insertion. */
+        private const val MOVES_PER_EDGE = 8L
+
+        /** An active primitive with its array of spans, and the cursor of a triangle: six arrays of three numbers. */
+        private const val ACTIVE_BYTES = 320L
+    }
+}

@@ -1,0 +1,72 @@
+package dev.lazyz.strategies.tiled
+
+import dev.lazyz.DepthTest
+import dev.lazyz.FrameContent
+import dev.lazyz.setup.planar.TriangleBatch
+import dev.lazyz.setup.planar.triangleBatchWith
+import dev.lazyz.strategies.tiled.binning.NearToFar
+import dev.lazyz.strategies.tiled.binning.TriangleBins
+import dev.lazyz.strategies.tiled.raster.Checkpoint
+import dev.lazyz.strategies.tiled.raster.TileKeys
+import dev.lazyz.strategies.tiled.raster.TriangleForms
+
+/**
+ * Draws the batches' triangles of one tile from near to far, so that what is hidden is found to be so before it is drawn.
+ * Belongs to one thread; used for tile after tile.
+ */
+internal class BatchTriangles(
+    private val content: FrameContent,
+    private val test: DepthTest,
+    private val keys: TileKeys,
+    private val drawing: TileTriangles,
+    private val checkpoint: Checkpoint,
+) {
+    private val forms = TriangleForms(test)
+
+    /** The triangles' nearest keys. */
+    private val triangles = NearToFar()
+
+    /** Bytes held. */
+    val bytes: Long get() = triangles.bytes
+
+    /** Draws what [bins] has for the tile [column] of band number [band]. */
+    fun draw(bins: TriangleBins, band: Int, column: Int) {
+        drawing.lower(bins, band, column)
+        bins.copyTriangles(band, column, triangles.begin(bins.triangleCount(band, column)))
+        triangles.sort()
+        for (i in 0 until triangles.count) {
+            checkpoint.pass()
+            val nearest = triangles[i]
+            if (nearest >= keys.farthest()) continue
+            val index = test.indexOf(nearest)
+            val batch = batch(index)
+            draw(batch, index - batch.first)
+        }
+    }
+
+    /** The batch of a triangle, mostly that of the one before. */
+    private fun batch(index: Int): TriangleBatch {
+        val last = lastBatch
+        if (last != null && index >= last.first && index < last.first + last.count) return last
+        return content.triangleBatchWith(index).also { lastBatch = it }
+    }
+
+    private var lastBatch: TriangleBatch? = null
+
+    private fun draw(batch: TriangleBatch, triangle: Int) {
+        val grid = batch.grid
+        val a = batch.place(triangle, 0)
+        val b = batch.place(triangle, 1)
+        val c = batch.place(triangle, 2)
+        val ax = grid[a]
+        val ay = grid[a + 1]
+        val bx = grid[b]
+        val by = grid[b + 1]
+        val cx = grid[c]
+        val cy = grid[c + 1]
+        if (!drawing.begin(ax, ay, bx, by, cx, cy)) return
+        forms.depth(batch, triangle)
+        forms.moveTo(keys.columnStart, keys.rowStart)
+        drawing.draw(forms, ax, ay, bx, by, cx, cy)
+    }
+}

@@ -1,0 +1,134 @@
+package dev.lazyz.strategies.tiled
+
+import dev.lazyz.Coherence
+import dev.lazyz.Counters
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.Spans
+import dev.lazyz.raster.TrapezoidCursor
+import dev.lazyz.setup.planar.PlanarPrimitive
+import dev.lazyz.strategies.tiled.binning.Band
+import dev.lazyz.strategies.tiled.binning.BandSpans
+import dev.lazyz.strategies.tiled.binning.isOpaqueTriangle
+import dev.lazyz.strategies.tiled.raster.Checkpoint
+import dev.lazyz.strategies.tiled.raster.TileGrid
+import dev.lazyz.strategies.tiled.raster.TileKeys
+import dev.lazyz.strategies.tiled.raster.TriangleForms
+import dev.lazyz.strategies.tiled.resolve.TileLayers
+import dev.lazyz.strategies.tiled.resolve.TileShading
+
+/** Renders tiles, one after the other: what a thread holds for itself. */
+internal class TileRenderer(
+    private val frame: Frame,
+    private val grid: TileGrid,
+    coherence: Coherence,
+    kernels: Kernels,
+    private val checkpoint: Checkpoint,
+) {
+    /** What has been done here. */
+    val counters: Counters = Counters()
+
+    private val test = frame.raster.depthTest
+    private val content = frame.content
+    private val hasTranslucency = content.hasTranslucency
+    private val keys = TileKeys(grid, frame.raster, counters)
+    private val layers = TileLayers(keys, test, counters)
+    private val spans = Spans(frame.region)
+    private val drawing = TileTriangles(keys, kernels.blocks(), counters)
+    private val batches = BatchTriangles(content, test, keys, drawing, checkpoint)
+    private val forms = TriangleForms(test)
+    private val shading = TileShading(frame, keys, layers, coherence, kernels.fragments(), counters, checkpoint)
+    private var cursorBytes = 0L
+
+    /** Bytes held at most. */
+    val bytes: Long get() = keys.bytes + layers.bytes + spans.bytes + batches.bytes + cursorBytes + shading.bytes
+
+    /** Renders the tile [column] of [band]. */
+    fun render(band: Band, column: Int) {
+        if (band.isEmpty(column)) return shading.clear(band, grid.columnStart(column), grid.columnEnd(column))
+        keys.begin(grid.columnStart(column), grid.columnEnd(column), band.rowStart, band.rowEnd)
+        layers.begin()
+        band.bins?.let { batches.draw(it, band.number, column) }
+        if (hasTranslucency) {
+            // What is opaque hides some of what is not, whatever the order of submission
+            drawAll(band, column) { !it.isTranslucent }
+            drawAll(band, column) { it.isTranslucent }
+            layers.order()
+        } else {
+            drawAll(band, column) { true }
+        }
+        shading.shade(band, band.isFine(column))
+    }
+
+    private inline fun drawAll(band: Band, column: Int, isWanted: (Primitive) -> Boolean) {
+        band.forEachMember(column) { member ->
+            checkpoint.pass()
+            val primitive = content.singles[band.single(member)]
+            if (isWanted(primitive)) draw(band, member, primitive, content.index(band.single(member)))
+        }
+    }
+
+    private fun draw(band: Band, member: Int, primitive: Primitive, index: Int) {
+        // What is behind all that the tile shows is hidden
+        if (band.nearest(member) >= keys.farthest()) return
+        val shared = band.spans(member)
+        when {
+            shared != null -> drawShared(shared.rows(spans, counters, checkpoint), primitive, index)
+            primitive.isOpaqueTriangle() -> drawTriangle(primitive, index)
+            else -> drawAlone(primitive, index)
+        }
+    }
+
+    /** Draws what this tile sees of a triangle. */
+    private fun drawTriangle(primitive: PlanarPrimitive, index: Int) {
+        val t = primitive.reference
+        if (!drawing.begin(t.x0, t.y0, t.x1, t.y1, t.x2, t.y2)) return
+        forms.depth(index, primitive.depthForm, primitive.leastDepth, primitive.greatestDepth)
+        forms.moveTo(keys.columnStart, keys.rowStart)
+        if (t.size > 0) drawing.draw(forms, t.x0, t.y0, t.x1, t.y1, t.x2, t.y2)
+    }
+
+    /** Draws a primitive that this tile is the only one of its band to see. */
+    private fun drawAlone(primitive: Primitive, index: Int) {
+        val rowStart = maxOf(primitive.rowStart, keys.rowStart)
+        val rowEnd = minOf(primitive.rowEnd, keys.rowEnd)
+        val cursor = primitive.cursor(rowStart)
+        cursorBytes = maxOf(cursorBytes, if (cursor is TrapezoidCursor) cursor.bytes else CURSOR_BYTES)
+        keys.choose(primitive, index)
+        for (y in rowStart until rowEnd) {
+            cursor.next(spans)
+            for (i in 0 until spans.count) {
+                counters.fragments += spans.end(i) - spans.start(i)
+                drawSpan(primitive, index, y, spans.start(i), spans.end(i))
+            }
+        }
+    }
+
+    /** Draws what this tile sees of a primitive whose rows it shares with others. */
+    private fun drawShared(rows: BandSpans.Rows, primitive: Primitive, index: Int) {
+        keys.choose(primitive, index)
+        for (row in 0 until rows.count) {
+            var at = rows.firstBehind(row, keys.columnStart)
+            val end = rows.end(row)
+            while (at < end && rows.start(at) < keys.columnEnd) {
+                drawSpan(primitive, index, rows.first + row, rows.start(at), rows.until(at))
+                at += 2
+            }
+        }
+    }
+
+    private fun drawSpan(primitive: Primitive, index: Int, y: Int, start: Int, end: Int) {
+        if (isTranslucent(primitive)) {
+            layers.add(primitive, index, y, start, end)
+        } else {
+            keys.draw(y, start, end)
+        }
+    }
+
+    private fun isTranslucent(primitive: Primitive): Boolean = hasTranslucency && primitive.isTranslucent
+
+    private companion object {
+        /** A cursor that evaluates each row on its own; what a user's own holds is not known. */
+        const val CURSOR_BYTES = 24L
+    }
+}

@@ -1,0 +1,104 @@
+package dev.lazyz.strategies.tiled.binning
+
+import dev.lazyz.Frame
+import dev.lazyz.raster.reaches
+import dev.lazyz.strategies.tiled.raster.TileGrid
+
+/**
+ * Brings the primitives that are in no batch to the bands, from the top: which of them may cover samples of the current band.
+ *
+ * They wait in the order of their first bands, and those that have begun and not yet ended are carried from band to
+ * band; so what is held does not grow with the number of bands that a primitive covers. Belongs to one thread.
+ */
+internal class Arrivals(frame: Frame, private val grid: TileGrid) {
+    private val region = frame.region
+    private val singles = frame.content.singles
+
+    /** The primitives of the region, sorted by first band, then by index. */
+    private val waiting: IntArray
+    private var entered = 0
+
+    /** Numbers of the primitives of the current band, ascending; the first [count] are valid. */
+    var present: IntArray = IntArray(CAPACITY)
+        private set
+
+    /** Number of primitives of the current band. */
+    var count: Int = 0
+        private set
+
+    private var spare = IntArray(CAPACITY)
+
+    init {
+        // Find the primitives that may cover samples of the region
+        val all = IntArray(singles.size)
+        val firstBand = IntArray(singles.size)
+        var found = 0
+        for ((index, primitive) in singles.withIndex()) {
+            if (!primitive.reaches(region)) continue
+            firstBand[index] = grid.bandOf(maxOf(primitive.rowStart, region.rowStart))
+            all[found++] = index
+        }
+        waiting = sorted(all.copyOf(found), firstBand)
+    }
+
+    /** Bytes held at most: while sorting, or later by who waits and who is present. */
+    val bytes: Long
+        get() = Int.SIZE_BYTES * (
+            waiting.size.toLong() +
+                maxOf(2L * singles.size + waiting.size, present.size.toLong() + spare.size)
+            )
+
+    /** Goes to [band]; called for each, in order. */
+    fun moveTo(band: Int) {
+        // Merge those who begin here with those who are present, both in submission order; drop those who have ended
+        val rowStart = grid.rowStart(band)
+        val rowEnd = grid.rowEnd(band)
+        var merged = 0
+        var next = 0
+        while (true) {
+            while (next < count && singles[present[next]].rowEnd <= rowStart) next++
+            val old = if (next < count) present[next] else NOBODY
+            val new = if (entered < waiting.size && begins(waiting[entered], rowEnd)) waiting[entered] else NOBODY
+            if (old == NOBODY && new == NOBODY) break
+            if (merged == spare.size) spare = spare.copyOf(2 * merged)
+            spare[merged++] = minOf(old, new)
+            if (old < new) next++ else entered++
+        }
+        val before = present
+        present = spare
+        spare = before
+        count = merged
+    }
+
+    private fun begins(index: Int, rowEnd: Int): Boolean = singles[index].rowStart < rowEnd
+
+    /**
+     * Sorts [indices] by their [keys] and keeps the order among equals: two counting sorts, by the lower bits and by
+     * the upper. Two, because the counts of one would grow with the number of bands.
+     */
+    private fun sorted(indices: IntArray, keys: IntArray): IntArray {
+        val other = IntArray(indices.size)
+        countingSort(indices, other, keys, 0)
+        if (grid.bands <= DIGITS) return other
+        countingSort(other, indices, keys, DIGIT_BITS)
+        return indices
+    }
+
+    private fun countingSort(from: IntArray, to: IntArray, keys: IntArray, shift: Int) {
+        val ends = IntArray(DIGITS + 1)
+        for (index in from) ends[(keys[index] shr shift and DIGITS - 1) + 1]++
+        for (digit in 0 until DIGITS) ends[digit + 1] += ends[digit]
+        for (index in from) to[ends[keys[index] shr shift and DIGITS - 1]++] = index
+    }
+
+    private companion object {
+        const val CAPACITY = 64
+
+        /** Behind all indices. */
+        const val NOBODY = Int.MAX_VALUE
+
+        /** Half the bits of the number of a band: there are at most 2^18, as many as rows. */
+        const val DIGIT_BITS = 9
+        const val DIGITS = 1 shl DIGIT_BITS
+    }
+}

@@ -1,0 +1,220 @@
+package dev.lazyz.strategies.tiled.binning
+
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.RowSink
+import dev.lazyz.raster.VisibilityOrder
+import dev.lazyz.setup.planar.PlanarPrimitive
+import dev.lazyz.strategies.tiled.raster.TileGrid
+import java.util.concurrent.atomic.AtomicInteger
+import java.util.concurrent.atomic.AtomicLong
+import kotlin.contracts.ExperimentalContracts
+import kotlin.contracts.contract
+
+/**
+ * A row of tiles: the bins with what each has to draw, and room for what comes out.
+ *
+ * Filled by the calling thread, read by all, each of which writes the samples of its own tile; then used again for a
+ * later band. A *member* is a primitive of the band, by its place in submission order within it.
+ */
+internal class Band(frame: Frame, private val grid: TileGrid, private val pool: ArrayPool) {
+    private val order = VisibilityOrder(frame.raster.depthTest)
+    private val region = frame.region
+    private val content = frame.content
+
+    /** First row of samples. */
+    var rowStart: Int = 0
+        private set
+
+    /** The row after the last. */
+    var rowEnd: Int = 0
+        private set
+
+    /** Number of the band. */
+    var number: Int = 0
+        private set
+
+    /** The triangles of batches that reach its tiles, or null if there are no batches. */
+    var bins: TriangleBins? = null
+        private set
+
+    private var count = 0
+    private var singles = IntArray(0)
+    private var nearest = LongArray(0)
+    private var spans = arrayOfNulls<BandSpans>(0)
+
+    /** First and last tile of each member. */
+    private var firstColumns = IntArray(0)
+    private var lastColumns = IntArray(0)
+
+    /** The bins: what tile c has to draw is `entries[ends[c - 1]]` until `entries[ends[c]]`, and its part of [wide]. */
+    private val ends = IntArray(grid.columns + 1)
+    private var entries = IntArray(0)
+    private var wide = IntArray(0)
+    private var wideCount = 0
+
+    /** What is visible, row by row, from the region's first column. */
+    val argb: Array<IntArray> = Array(grid.tileHeight) { pool.ints(region.width) }
+    val depth: Array<IntArray> = Array(grid.tileHeight) { pool.ints(region.width) }
+    val primitive: Array<IntArray> = Array(grid.tileHeight) { pool.ints(region.width) }
+
+    private val remaining = AtomicInteger()
+
+    /** Bytes of the spans that members share, in this band and in the fullest so far. */
+    private val spanBytes = AtomicLong()
+    private var peakSpanBytes = 0L
+
+    /** Whether all tiles have been rendered. */
+    val isComplete: Boolean get() = remaining.get() == 0
+
+    /** Bytes held at most. */
+    val bytes: Long
+        get() = 3L * Int.SIZE_BYTES * grid.tileHeight * region.width +
+            Int.SIZE_BYTES * (singles.size + firstColumns.size + lastColumns.size + ends.size).toLong() +
+            Int.SIZE_BYTES * (entries.size + wide.size).toLong() + Long.SIZE_BYTES * nearest.size +
+            REFERENCE_BYTES * spans.size + maxOf(peakSpanBytes, spanBytes.get())
+
+    /** The number of a member among the frame's single primitives. */
+    fun single(member: Int): Int = singles[member]
+
+    /** A key that no fragment of a member is before. */
+    fun nearest(member: Int): Long = nearest[member]
+
+    /** The rows of a member that covers more than one tile and is no triangle; null for others. */
+    fun spans(member: Int): BandSpans? = spans[member]
+
+    /** Fills the bins of band number [band] with what has [arrivals]; those of batches are [bins]. */
+    fun fill(band: Int, arrivals: Arrivals, bins: TriangleBins?) {
+        number = band
+        this.bins = bins
+        rowStart = grid.rowStart(band)
+        rowEnd = grid.rowEnd(band)
+        remaining.set(grid.columns)
+        peakSpanBytes = maxOf(peakSpanBytes, spanBytes.getAndSet(0))
+        enter(arrivals)
+
+        // Count the members of each tile, but not those of many tiles
+        ends.fill(0)
+        wideCount = 0
+        for (member in 0 until count) {
+            if (isWide(member)) wideCount++ else tiles(member) { ends[it + 1]++ }
+        }
+
+        // Sum up, so that each tile knows where its members begin
+        for (column in 0 until grid.columns) ends[column + 1] += ends[column]
+        val size = ends[grid.columns]
+        if (entries.size < size) entries = IntArray(size + size / 4)
+        if (wide.size < wideCount) wide = IntArray(wideCount + wideCount / 4)
+
+        // Put the members in; where they begin becomes where they end
+        wideCount = 0
+        for (member in 0 until count) {
+            if (isWide(member)) wide[wideCount++] = member else tiles(member) { entries[ends[it]++] = member }
+        }
+    }
+
+    private fun enter(arrivals: Arrivals) {
+        count = arrivals.count
+        if (singles.size < count) reserve(count + count / 4)
+        for (member in 0 until count) {
+            val single = arrivals.present[member]
+            val primitive = content.singles[single]
+            val first = grid.columnOf(maxOf(primitive.columnStart, region.columnStart))
+            val last = grid.columnOf(minOf(primitive.columnEnd, region.columnEnd) - 1)
+            singles[member] = single
+            nearest[member] = order.nearestKey(primitive, content.index(single))
+            firstColumns[member] = first
+            lastColumns[member] = last
+            spans[member] = if (first == last || primitive.isOpaqueTriangle()) {
+                null
+            } else {
+                BandSpans(primitive, maxOf(primitive.rowStart, rowStart), minOf(primitive.rowEnd, rowEnd), spanBytes)
+            }
+        }
+        spans.fill(null, count)
+    }
+
+    private fun reserve(size: Int) {
+        singles = IntArray(size)
+        nearest = LongArray(size)
+        firstColumns = IntArray(size)
+        lastColumns = IntArray(size)
+        spans = arrayOfNulls(size)
+    }
+
+    private fun isWide(member: Int): Boolean = lastColumns[member] - firstColumns[member] >= WIDE
+
+    private inline fun tiles(member: Int, action: (column: Int) -> Unit) {
+        for (column in firstColumns[member]..lastColumns[member]) action(column)
+    }
+
+    /** Whether nothing is to be drawn into the tile [column]. */
+    fun isEmpty(column: Int): Boolean {
+        forEachMember(column) { return false }
+        val bins = bins ?: return true
+        return bins.triangleCount(number, column) == 0 && bins.fragmentCount(number, column) == 0
+    }
+
+    /** Whether the tile [column] has more fragments of small triangles than other triangles. */
+    fun isFine(column: Int): Boolean {
+        val bins = bins ?: return false
+        return bins.fragmentCount(number, column) > bins.triangleCount(number, column)
+    }
+
+    /** Calls [action] for each member that may cover samples of the tile [column], in submission order. */
+    inline fun forEachMember(column: Int, action: (member: Int) -> Unit) {
+        var entry = if (column == 0) 0 else ends[column - 1]
+        val entryEnd = ends[column]
+        var wideEntry = 0
+        while (true) {
+            // Two ascending lists: whoever was submitted first is next
+            val narrow = if (entry < entryEnd) entries[entry] else NOBODY
+            val broad = if (wideEntry < wideCount) wide[wideEntry] else NOBODY
+            if (narrow == NOBODY && broad == NOBODY) return
+            if (narrow < broad) {
+                entry++
+                action(narrow)
+            } else {
+                wideEntry++
+                if (column in firstColumns[broad]..lastColumns[broad]) action(broad)
+            }
+        }
+    }
+
+    /** Notes that one more tile has been rendered, and returns whether it was the last. */
+    fun finishTile(): Boolean = remaining.decrementAndGet() == 0
+
+    /** Hands the rows to [sink], with a look at [checkpoint] before each. */
+    inline fun sendTo(sink: RowSink, checkpoint: () -> Unit) {
+        for (row in 0 until rowEnd - rowStart) {
+            checkpoint()
+            sink.row(rowStart + row, argb[row], depth[row], primitive[row])
+        }
+    }
+
+    /** Gives the rows' memory back; to be called last. */
+    fun release() {
+        for (rows in listOf(argb, depth, primitive)) rows.forEach(pool::release)
+    }
+
+    companion object {
+        /** Behind all members. */
+        private const val NOBODY = Int.MAX_VALUE
+
+        /**
+         * Members that reach this many tiles beyond their first are not entered tile by tile, so that bins take at most
+         * so many entries a member, however small the tiles.
+         */
+        private const val WIDE = 8
+
+        /** Of a Java heap beyond 32 gigabytes; half as much below. */
+        private const val REFERENCE_BYTES = 8L
+    }
+}
+
+/** Whether this is a triangle that is drawn in blocks, like those of batches. */
+@OptIn(ExperimentalContracts::class)
+internal fun Primitive.isOpaqueTriangle(): Boolean {
+    contract { returns(true) implies (this@isOpaqueTriangle is PlanarPrimitive) }
+    return this is PlanarPrimitive && isTriangle && !isTranslucent
+}

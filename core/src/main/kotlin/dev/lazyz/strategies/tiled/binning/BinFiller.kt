@@ -1,0 +1,116 @@
+package dev.lazyz.strategies.tiled.binning
+
+import dev.lazyz.DepthTest
+import dev.lazyz.setup.planar.TriangleBatch
+import dev.lazyz.strategies.tiled.raster.SmallCoverage
+import dev.lazyz.strategies.tiled.raster.TileGrid
+import dev.lazyz.strategies.tiled.raster.TileKeys
+import dev.lazyz.strategies.tiled.raster.TriangleForms
+
+/**
+ * What one chunk of a frame's triangles brings to [TriangleBins], in the order in which it was found. Belongs to one thread at
+ * a time.
+ *
+ * @param number number of the chunk
+ */
+internal class BinFiller(
+    private val number: Int,
+    private val area: BinArea,
+    grid: TileGrid,
+    test: DepthTest,
+    private val coverage: CoverageKernel,
+    pool: ArrayPool,
+    private val triangleEnds: BinEnds,
+    private val fragmentEnds: BinEnds,
+) {
+    private val row = WideTriangles.ROW + 1 + number
+    private val stride = TileKeys.stride(grid)
+    private val forms = TriangleForms(test)
+    private val tiles = TriangleTiles(area, grid)
+
+    /** Nearest key of each triangle that is neither small nor wide, and a tile that it reaches. */
+    private val triangles = KeyedPlaces(pool)
+
+    /** Nearest keys of those that are wide. */
+    val wide: NearToFar = NearToFar()
+
+    /** Key of each fragment; its tile and its place there, [TILE_SHIFT] bits apart. */
+    private val fragments = KeyedPlaces(pool)
+
+    /** Bytes held. */
+    val bytes: Long get() = triangles.bytes + wide.bytes + fragments.bytes
+
+    /** Draws triangles that are small, and notes the others for their tiles, or as [wide]. */
+    fun enter(batch: TriangleBatch, first: Int, count: Int) {
+        coverage.cover(batch, first, count)
+        for (i in 0 until count) {
+            val covered = coverage.covered[i]
+            if (covered == 0 || !batch.isDrawn(first + i)) continue
+            if (covered == CoverageKernel.LARGE) {
+                enterLarge(batch, first + i)
+            } else {
+                draw(batch, first + i, coverage.left[i], coverage.top[i], covered)
+            }
+        }
+    }
+
+    private fun enterLarge(batch: TriangleBatch, triangle: Int) {
+        val reached = tiles.begin(batch, triangle)
+        if (reached == 0) return
+        val nearest = forms.nearest(batch, triangle)
+        if (reached >= WideTriangles.TILES) return wide.add(nearest)
+        tiles.forEach({ false }) { tile, _ ->
+            triangleEnds.count(row, tile)
+            triangles.add(nearest, tile)
+        }
+    }
+
+    /** Draws the samples [covered] of the square from ([left], [top]) on. */
+    private fun draw(batch: TriangleBatch, triangle: Int, left: Int, top: Int, covered: Int) {
+        var rest = covered
+        if (left < area.columnStart || left + SmallCoverage.SIDE > area.columnEnd || top < area.rowStart ||
+            top + SmallCoverage.SIDE > area.rowEnd
+        ) {
+            rest = rest and here(left, top)
+        }
+        if (rest == 0) return
+        forms.depth(batch, triangle)
+        while (rest != 0) {
+            val place = Integer.numberOfTrailingZeros(rest)
+            val x = left + SmallCoverage.column(place)
+            val y = top + SmallCoverage.row(place)
+            val tile = area.tileAt(x, y)
+            fragmentEnds.count(number, tile)
+            fragments.add(forms.keyAt(x, y), tile shl TILE_SHIFT or area.placeInTile(x, y, stride))
+            rest = rest and (rest - 1)
+        }
+    }
+
+    /** Returns the bits of the samples that are in these tiles, of the square from ([left], [top]) on. */
+    private fun here(left: Int, top: Int): Int = SmallCoverage.within(
+        (area.columnStart - left).coerceIn(0, SmallCoverage.SIDE),
+        (area.columnEnd - left).coerceIn(0, SmallCoverage.SIDE),
+        (area.rowStart - top).coerceIn(0, SmallCoverage.SIDE),
+        (area.rowEnd - top).coerceIn(0, SmallCoverage.SIDE),
+    )
+
+    /** Puts triangles and fragments where they belong; nothing is left here. */
+    fun distribute(triangleKeys: LongArray, keys: LongArray, places: IntArray) {
+        triangles.forEach { nearest, tile -> triangleKeys[triangleEnds.next(row, tile)] = nearest }
+        fragments.forEach { key, place ->
+            val to = fragmentEnds.next(number, place ushr TILE_SHIFT)
+            keys[to] = key
+            places[to] = place and (1 shl TILE_SHIFT) - 1
+        }
+        triangles.release()
+        fragments.release()
+    }
+
+    companion object {
+        /** Most tiles that bins are made for at a time: 12 bits. */
+        const val MOST_TILES: Int = 1 shl 12
+
+        /** A tile has at most 2^18 places. */
+        private const val TILE_SHIFT = 18
+    }
+}

@@ -1,0 +1,64 @@
+package dev.lazyz.strategies.tiled.binning
+
+import dev.lazyz.raster.ScreenGrid
+import dev.lazyz.setup.planar.TriangleBatch
+import dev.lazyz.strategies.tiled.raster.SmallCoverage
+
+/**
+ * Finds out what small triangles cover, many at a time: half of the triangles of a fine mesh cover nothing.
+ *
+ * All kernels give the same bits. Holds the answer until the next question; belongs to one thread.
+ */
+internal abstract class CoverageKernel {
+    /** First column of each triangle's square of [SmallCoverage.SIDE] x [SmallCoverage.SIDE] samples. */
+    @JvmField val left: IntArray = IntArray(COUNT)
+
+    /** First row of each square. */
+    @JvmField val top: IntArray = IntArray(COUNT)
+
+    /** The samples covered, see [SmallCoverage], or [LARGE] for a triangle whose bounds have more than a square. */
+    @JvmField val covered: IntArray = IntArray(COUNT)
+
+    /** Answers for the triangles [first] until [first] + [count] of [batch], at most [COUNT]. */
+    abstract fun cover(batch: TriangleBatch, first: Int, count: Int)
+
+    /** Answers for one triangle, in place [i]. */
+    protected fun coverOne(batch: TriangleBatch, triangle: Int, i: Int) {
+        val grid = batch.grid
+        val a = batch.place(triangle, 0)
+        val b = batch.place(triangle, 1)
+        val c = batch.place(triangle, 2)
+        val ax = grid[a]
+        val ay = grid[a + 1]
+        val bx = grid[b]
+        val by = grid[b + 1]
+        val cx = grid[c]
+        val cy = grid[c + 1]
+        val column = ScreenGrid.firstSample(minOf(ax, minOf(bx, cx)))
+        val columnEnd = ScreenGrid.firstSample(maxOf(ax, maxOf(bx, cx)))
+        val row = ScreenGrid.firstSample(minOf(ay, minOf(by, cy)))
+        val rowEnd = ScreenGrid.firstSample(maxOf(ay, maxOf(by, cy)))
+        left[i] = column
+        top[i] = row
+        covered[i] = if (columnEnd - column <= SmallCoverage.SIDE && rowEnd - row <= SmallCoverage.SIDE) {
+            SmallCoverage.of(ax, ay, bx, by, cx, cy, column, row)
+        } else {
+            LARGE
+        }
+    }
+
+    companion object {
+        /** Triangles at a time. */
+        const val COUNT: Int = 256
+
+        /** Instead of samples: the triangle is not small. */
+        const val LARGE: Int = -1
+    }
+}
+
+/** One triangle after the other. */
+internal class ScalarCoverageKernel : CoverageKernel() {
+    override fun cover(batch: TriangleBatch, first: Int, count: Int) {
+        for (i in 0 until count) coverOne(batch, first + i, i)
+    }
+}

@@ -1,0 +1,101 @@
+package dev.lazyz.strategies.tiled.binning
+
+import dev.lazyz.raster.ScreenGrid
+import dev.lazyz.setup.planar.TriangleBatch
+import dev.lazyz.strategies.tiled.raster.TileGrid
+
+/** The tiles of [area] that a triangle reaches, one triangle after the other. Belongs to one thread. */
+internal class TriangleTiles(private val area: BinArea, private val grid: TileGrid) {
+    private var ax = 0
+    private var ay = 0
+    private var bx = 0
+    private var by = 0
+    private var cx = 0
+    private var cy = 0
+    private var firstColumn = 0
+    private var lastColumn = 0
+    private var firstBand = 0
+    private var lastBand = 0
+
+    /** Whether the bounds are one tile wide or high, so that edges tell little. */
+    private var isOne = false
+
+    /**
+     * Begins a triangle, and returns the number of tiles that its bounds reach, of the bands number [bandStart] until
+     * [bandEnd] of the area; for 0 there is no [forEach].
+     */
+    fun begin(batch: TriangleBatch, triangle: Int, bandStart: Int = 0, bandEnd: Int = area.bands): Int {
+        val a = batch.place(triangle, 0)
+        val b = batch.place(triangle, 1)
+        val c = batch.place(triangle, 2)
+        ax = batch.grid[a]
+        ay = batch.grid[a + 1]
+        bx = batch.grid[b]
+        by = batch.grid[b + 1]
+        cx = batch.grid[c]
+        cy = batch.grid[c + 1]
+        val left = maxOf(ScreenGrid.firstSample(minOf(ax, minOf(bx, cx))), area.columnStart)
+        val right = minOf(ScreenGrid.firstSample(maxOf(ax, maxOf(bx, cx))), area.columnEnd)
+        val top = maxOf(ScreenGrid.firstSample(minOf(ay, minOf(by, cy))), area.rowStart)
+        val bottom = minOf(ScreenGrid.firstSample(maxOf(ay, maxOf(by, cy))), area.rowEnd)
+        if (left >= right || top >= bottom) return 0
+        firstColumn = grid.columnOf(left)
+        lastColumn = grid.columnOf(right - 1)
+        firstBand = grid.bandOf(top)
+        lastBand = grid.bandOf(bottom - 1)
+        isOne = firstColumn == lastColumn || firstBand == lastBand
+        firstBand = maxOf(firstBand, area.band(bandStart))
+        lastBand = minOf(lastBand, area.band(bandEnd) - 1)
+        return maxOf(0, (lastColumn - firstColumn + 1) * (lastBand - firstBand + 1))
+    }
+
+    /**
+     * Calls [action] for each of these tiles, unless it [isHidden] there or one of its edges has the tile outside; `isCovered`
+     * only if all samples of the tile are.
+     */
+    inline fun forEach(isHidden: (tile: Int) -> Boolean, action: (tile: Int, isCovered: Boolean) -> Unit) {
+        val isClockwise = (bx - ax).toLong() * (cy - ay) - (cx - ax).toLong() * (by - ay) >= 0
+        val sign = if (isClockwise) 1L else -1L
+        var first0 = greatest(sign, ax, ay, bx, by)
+        var first1 = greatest(sign, bx, by, cx, cy)
+        var first2 = greatest(sign, cx, cy, ax, ay)
+        val range0 = range(ax, ay, bx, by)
+        val range1 = range(bx, by, cx, cy)
+        val range2 = range(cx, cy, ax, ay)
+        val step = sign * grid.size * ScreenGrid.STEPS
+        for (band in firstBand..lastBand) {
+            var e0 = first0
+            var e1 = first1
+            var e2 = first2
+            for (column in firstColumn..lastColumn) {
+                val tile = area.tile(band, column)
+                if (!isHidden(tile) && (isOne || (e0 or e1 or e2) >= 0)) {
+                    action(tile, (e0 - range0 or (e1 - range1) or (e2 - range2)) >= 0)
+                }
+                e0 -= step * (by - ay)
+                e1 -= step * (cy - by)
+                e2 -= step * (ay - cy)
+            }
+            first0 += step * (bx - ax)
+            first1 += step * (cx - bx)
+            first2 += step * (ax - cx)
+        }
+    }
+
+    /** Returns the most that an edge function is anywhere in the first tile, as if the tile were whole. */
+    fun greatest(sign: Long, fromX: Int, fromY: Int, toX: Int, toY: Int): Long {
+        val runX = sign * (toX - fromX)
+        val runY = sign * (toY - fromY)
+        val x = grid.columnStart(firstColumn) + if (runY < 0) grid.size - 1 else 0
+        val y = grid.rowStart(firstBand) + if (runX > 0) grid.size - 1 else 0
+        return runX * (y * ScreenGrid.STEPS + ScreenGrid.CENTER - fromY) -
+            runY * (x * ScreenGrid.STEPS + ScreenGrid.CENTER - fromX)
+    }
+
+    /**
+     * Returns how far below the most that it is in a tile an edge function has to stay positive there, for all samples to be
+     * inside, whether the edge owns those on it or not.
+     */
+    fun range(fromX: Int, fromY: Int, toX: Int, toY: Int): Long =
+        (grid.size - 1L) * ScreenGrid.STEPS * (Math.abs((toX - fromX).toLong()) + Math.abs((toY - fromY).toLong())) + 1
+}

@@ -1,0 +1,206 @@
+package dev.lazyz.strategies.tiled.resolve
+
+import dev.lazyz.Attributes
+import dev.lazyz.Fragment
+import dev.lazyz.FragmentBatch
+import dev.lazyz.Shader
+import dev.lazyz.raster.ScreenGrid
+import dev.lazyz.setup.planar.FaceSetUp
+import dev.lazyz.setup.planar.PlanarAssembly
+import dev.lazyz.setup.planar.PlanarPrimitive
+import dev.lazyz.setup.planar.TriangleBatch
+import dev.lazyz.shading.MaterialShader
+import dev.lazyz.shading.Vertices
+import dev.lazyz.strategies.tiled.raster.EdgeForms
+
+/**
+ * A flat primitive as those see it who shade many samples of it: what [PlanarPrimitive] knows of itself, in a form that is
+ * filled again for one after the other. Belongs to one thread.
+ *
+ * Attributes are what [PlanarPrimitive] says they are, to the bit. Edge functions are each opposite to a vertex, their origin is
+ * sample (0, 0).
+ */
+internal class Face : EdgeForms() {
+    /** Submission index of the primitive that this is, or -1. */
+    var index: Int = -1
+        private set
+
+    /** The three vertices that attributes are interpolated between. */
+    @JvmField val vertices: Vertices = Vertices(3)
+
+    /** What [attributes] fills in: bits [Attributes.WORLD] to [Attributes.COLOR]. */
+    var fields: Int = 0
+        private set
+
+    /** -1 to turn normals round, otherwise 1. */
+    @JvmField var normalSign: Double = 1.0
+
+    /** 1/w of each vertex. */
+    @JvmField var over0: Double = 1.0
+
+    @JvmField var over1: Double = 1.0
+
+    @JvmField var over2: Double = 1.0
+
+    /** What the sum of the edge functions, each over its w, is at least. */
+    @JvmField var least: Double = 0.0
+
+    /** What colours the primitive. */
+    lateinit var shader: Shader
+        private set
+
+    /** Whether all samples have one colour, [argb]: nothing varies that a material's shader depends on. */
+    var isConstant: Boolean = false
+        private set
+
+    /** The colour, packed, if it [isConstant]. */
+    var argb: Int = 0
+        private set
+
+    /**
+     * Whether the edge functions are exact as doubles at the primitive's samples, at all others of a tile that has some of them,
+     * and in steps from one to the other. Their sum is the same everywhere, and at the primitive's samples none is more than
+     * four times that, 2^52: see [PlanarAssembly], which chooses the triangle of a polygon. A step by a column or row is at most
+     * 2^36, within a tile 2^45: see [ScreenGrid.GUARD].
+     */
+    val isExact: Boolean get() = e0 + e1 + e2 < EXACT
+
+    /** Makes this triangle [triangle] of [batch]; [scratch] is for its colour. */
+    fun fill(batch: TriangleBatch, triangle: Int, faces: FaceSetUp, scratch: Fragment) {
+        index = batch.first + triangle
+        shader = faces.shader
+        fields = faces.fields
+        val a = batch.corners[3 * triangle]
+        val b = batch.corners[3 * triangle + 1]
+        val c = batch.corners[3 * triangle + 2]
+        faces.load(vertices, 0, a)
+        faces.load(vertices, 1, b)
+        faces.load(vertices, 2, c)
+        normalSign = faces.turn(vertices)
+        least = 0.0
+        if (findConstant(scratch)) return
+        over0 = batch.inverseW(a)
+        over1 = batch.inverseW(b)
+        over2 = batch.inverseW(c)
+        val grid = batch.grid
+        val ga = TriangleBatch.STRIDE * a
+        val gb = TriangleBatch.STRIDE * b
+        val gc = TriangleBatch.STRIDE * c
+        edges(grid[ga], grid[ga + 1], grid[gb], grid[gb + 1], grid[gc], grid[gc + 1])
+    }
+
+    /** Makes this the [primitive] with submission index [index]; [scratch] is for its colour. */
+    fun fill(index: Int, primitive: PlanarPrimitive, scratch: Fragment) {
+        this.index = index
+        shader = primitive.shader
+        fields = primitive.fields
+        for (i in 0 until 3) vertices.copy(primitive.vertices, primitive.corners[i], i)
+        normalSign = primitive.normalSign
+        val t = primitive.reference
+        least = t.size.toDouble() * primitive.leastInverseW
+        if (findConstant(scratch)) return
+        over0 = 1.0 / vertices.get(0, Vertices.W)
+        over1 = 1.0 / vertices.get(1, Vertices.W)
+        over2 = 1.0 / vertices.get(2, Vertices.W)
+        edges(t.x0, t.y0, t.x1, t.y1, t.x2, t.y2)
+    }
+
+    private fun findConstant(scratch: Fragment): Boolean {
+        isConstant = shader is MaterialShader && isUniform()
+        if (isConstant) {
+            shadeConstant(scratch)
+            argb = scratch.toArgb()
+        }
+        return isConstant
+    }
+
+    /** Gives [fragment] the colour, if it [isConstant]. */
+    fun shadeConstant(fragment: Fragment) {
+        fragment.moveTo(0, 0)
+        if (fields != 0) {
+            fragment.vertexRed = vertices.get(0, Vertices.COLOR).toFloat()
+            fragment.vertexGreen = vertices.get(0, Vertices.COLOR + 1).toFloat()
+            fragment.vertexBlue = vertices.get(0, Vertices.COLOR + 2).toFloat()
+            fragment.vertexAlpha = vertices.get(0, Vertices.COLOR + 3).toFloat()
+        }
+        shader.shade(fragment)
+    }
+
+    private fun isUniform(): Boolean {
+        if (fields == 0) return true
+        if (fields != Attributes.COLOR) return false
+        for (k in Vertices.COLOR until Vertices.COLOR + 4) {
+            if (!isSame(vertices.get(0, k), vertices.get(1, k), vertices.get(2, k))) return false
+        }
+        return true
+    }
+
+    /**
+     * Whether interpolation between these values of the three vertices gives the first of them, to the bit, when it is rounded
+     * to single precision. Beyond the vertices, where a polygon may reach, equal ones need not.
+     */
+    fun isSame(a: Double, b: Double, c: Double): Boolean {
+        val bits = a.toRawBits()
+        return bits == b.toRawBits() && bits == c.toRawBits() && a.isFinite() && a.toFloat().toDouble() == a &&
+            least == 0.0
+    }
+
+    private fun edges(ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int) {
+        val sign = if ((bx - ax).toLong() * (cy - ay) - (cx - ax).toLong() * (by - ay) < 0) -1L else 1L
+        val steps = sign * ScreenGrid.STEPS
+        e0dx = -steps * (cy - by)
+        e0dy = steps * (cx - bx)
+        e0 = sign * edge(bx, by, cx, cy)
+        e1dx = -steps * (ay - cy)
+        e1dy = steps * (ax - cx)
+        e1 = sign * edge(cx, cy, ax, ay)
+        e2dx = -steps * (by - ay)
+        e2dy = steps * (bx - ax)
+        e2 = sign * edge(ax, ay, bx, by)
+    }
+
+    private fun edge(fromX: Int, fromY: Int, toX: Int, toY: Int): Long =
+        (toX - fromX).toLong() * (ScreenGrid.CENTER - fromY) - (toY - fromY).toLong() * (ScreenGrid.CENTER - fromX)
+
+    /** Fills in the attributes of one sample, at place [i] of [batch]. */
+    fun attributes(batch: FragmentBatch, i: Int, x: Int, y: Int) {
+        val part0 = (e0 + e0dx * x + e0dy * y).toDouble() * over0
+        val part1 = (e1 + e1dx * x + e1dy * y).toDouble() * over1
+        val part2 = (e2 + e2dx * x + e2dy * y).toDouble() * over2
+        val scale = 1.0 / maxOf(part0 + part1 + part2, least)
+        val w0 = part0 * scale
+        val w1 = part1 * scale
+        val w2 = part2 * scale
+        if (fields and Attributes.WORLD != 0) {
+            batch.worldX[i] = mixed(w0, w1, w2, Vertices.WORLD).toFloat()
+            batch.worldY[i] = mixed(w0, w1, w2, Vertices.WORLD + 1).toFloat()
+            batch.worldZ[i] = mixed(w0, w1, w2, Vertices.WORLD + 2).toFloat()
+        }
+        if (fields and Attributes.NORMAL != 0) {
+            batch.normalX[i] = (normalSign * mixed(w0, w1, w2, Vertices.NORMAL)).toFloat()
+            batch.normalY[i] = (normalSign * mixed(w0, w1, w2, Vertices.NORMAL + 1)).toFloat()
+            batch.normalZ[i] = (normalSign * mixed(w0, w1, w2, Vertices.NORMAL + 2)).toFloat()
+        }
+        if (fields and Attributes.UV != 0) {
+            batch.u[i] = mixed(w0, w1, w2, Vertices.UV).toFloat()
+            batch.v[i] = mixed(w0, w1, w2, Vertices.UV + 1).toFloat()
+        }
+        if (fields and Attributes.COLOR != 0) {
+            batch.vertexRed[i] = mixed(w0, w1, w2, Vertices.COLOR).toFloat()
+            batch.vertexGreen[i] = mixed(w0, w1, w2, Vertices.COLOR + 1).toFloat()
+            batch.vertexBlue[i] = mixed(w0, w1, w2, Vertices.COLOR + 2).toFloat()
+            batch.vertexAlpha[i] = mixed(w0, w1, w2, Vertices.COLOR + 3).toFloat()
+        }
+    }
+
+    private fun mixed(w0: Double, w1: Double, w2: Double, field: Int): Double =
+        w0 * vertices.get(0, field) + w1 * vertices.get(1, field) + w2 * vertices.get(2, field)
+
+    companion object {
+        /** Eight times this is an integer up to which all are exact as doubles. */
+        private const val EXACT = 1L shl 50
+
+        /** Bytes of a face: two objects, one of 22 fields, and the vertices' numbers. */
+        const val BYTES: Long = 2 * 16L + 22 * 8L + 16L + 3 * Vertices.STRIDE * 8L
+    }
+}

@@ -1,0 +1,54 @@
+package dev.lazyz.strategies.tiled.resolve
+
+import dev.lazyz.FragmentBatch
+import dev.lazyz.Srgb
+import dev.lazyz.shading.Vertices
+
+/** The loops as any JVM runs them: those over arrays are such that C2 makes vectors of them. */
+internal class ScalarFragmentKernel : FragmentKernel(long = 12) {
+    override fun weigh(face: Face, fragments: WaitingFragments, at: Int, x: Int, y: Int) {
+        val first0 = (face.e0 + face.e0dx * x + face.e0dy * y).toDouble()
+        val first1 = (face.e1 + face.e1dx * x + face.e1dy * y).toDouble()
+        val first2 = (face.e2 + face.e2dx * x + face.e2dy * y).toDouble()
+        val right0 = face.e0dx.toDouble()
+        val right1 = face.e1dx.toDouble()
+        val right2 = face.e2dx.toDouble()
+        val down0 = face.e0dy.toDouble()
+        val down1 = face.e1dy.toDouble()
+        val down2 = face.e2dy.toDouble()
+        val columns = fragments.columns
+        val rows = fragments.rows
+        for (i in 0 until fragments.size - at) {
+            val column = columns[at + i]
+            val row = rows[at + i]
+            val part0 = (first0 + column * right0 + row * down0) * face.over0
+            val part1 = (first1 + column * right1 + row * down1) * face.over1
+            val part2 = (first2 + column * right2 + row * down2) * face.over2
+            val scale = 1.0 / maxOf(part0 + part1 + part2, face.least)
+            weight0[i] = part0 * scale
+            weight1[i] = part1 * scale
+            weight2[i] = part2 * scale
+        }
+    }
+
+    override fun mix(face: Face, field: Int, sign: Double, out: FloatArray, at: Int, count: Int) {
+        val a = face.vertices.get(0, field)
+        val b = face.vertices.get(1, field)
+        val c = face.vertices.get(2, field)
+        if (face.isSame(a, b, c)) return out.fill((sign * a).toFloat(), at, at + count)
+        for (i in 0 until count) out[at + i] = (sign * (weight0[i] * a + weight1[i] * b + weight2[i] * c)).toFloat()
+    }
+
+    override fun runEnd(keys: LongArray, from: Int, until: Int): Int {
+        val rank = keys[from].toInt()
+        var at = from + 1
+        while (at < until && keys[at].toInt() == rank) at++
+        return at
+    }
+
+    override fun pack(batch: FragmentBatch, argb: IntArray) {
+        for (i in 0 until batch.size) {
+            argb[i] = Srgb.pack(batch.red[i], batch.green[i], batch.blue[i], batch.alpha[i])
+        }
+    }
+}

@@ -1,0 +1,104 @@
+package dev.lazyz.strategies.tiled.resolve
+
+import dev.lazyz.Blending
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Fragment
+import dev.lazyz.Primitive
+import dev.lazyz.Rgba
+import dev.lazyz.strategies.tiled.raster.TileKeys
+
+/**
+ * The translucent fragments of one tile that lie before what is opaque, by sample and nearest first. Belongs to one
+ * thread; used for tile after tile.
+ *
+ * They are noted as they are found, and then brought into order: a counting sort by sample, a sort of each sample's
+ * few by key. Nothing is held for tiles without translucent primitives.
+ *
+ * @param opaque the keys of what is opaque, final before the first fragment comes
+ */
+internal class TileLayers(private val opaque: TileKeys, private val test: DepthTest, private val counters: Counters) {
+    /** Key and sample of each fragment, in order of arrival. */
+    private var keys = LongArray(0)
+    private var samples = IntArray(0)
+    private var count = 0
+
+    /** The keys by sample: those of sample s end at `ends[s]`, where those of s + 1 begin. */
+    private var ordered = LongArray(0)
+    private var ends = IntArray(0)
+
+    private val blending = Blending()
+
+    /** Whether there is nothing to blend. */
+    val isEmpty: Boolean get() = count == 0
+
+    /** Bytes held at most. */
+    val bytes: Long get() = Long.SIZE_BYTES * (keys.size + ordered.size) +
+        Int.SIZE_BYTES * (samples.size + ends.size).toLong()
+
+    /** Begins a tile. */
+    fun begin() {
+        count = 0
+    }
+
+    /** Notes a span of a translucent primitive on row [y], as far as it is within the tile and in front. */
+    fun add(primitive: Primitive, index: Int, y: Int, start: Int, end: Int) {
+        val from = maxOf(start, opaque.columnStart)
+        val until = minOf(end, opaque.columnEnd)
+        if (from >= until) return
+        reserve(count + until - from)
+        counters.depthEvaluations += until - from
+        val before = count
+        val form = primitive.depthForm
+        var z = form?.at(from, y) ?: 0L
+        val step = form?.dx ?: 0L
+        for (x in from until until) {
+            // One addition a sample where depth is linear
+            val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
+            z += step
+            val key = test.key(depth, index)
+            if (key < opaque.at(x, y)) {
+                keys[count] = key
+                samples[count++] = opaque.place(x, y)
+            }
+        }
+        counters.depthPasses += count - before
+    }
+
+    private fun reserve(size: Int) {
+        if (size <= keys.size) return
+        keys = keys.copyOf(size + size / 2)
+        samples = samples.copyOf(size + size / 2)
+    }
+
+    /** Brings the fragments into order, once all have been noted. */
+    fun order() {
+        if (isEmpty) return
+        if (ends.isEmpty()) ends = IntArray(opaque.size + 1)
+        if (ordered.size < count) ordered = LongArray(keys.size)
+        ends.fill(0)
+        for (i in 0 until count) ends[samples[i] + 1]++
+        for (sample in 0 until opaque.size) ends[sample + 1] += ends[sample]
+        for (i in 0 until count) ordered[ends[samples[i]]++] = keys[i]
+        for (sample in 0 until opaque.size) if (end(sample) > start(sample)) ordered.sort(start(sample), end(sample))
+    }
+
+    private fun start(sample: Int): Int = if (sample == 0) 0 else ends[sample - 1]
+
+    private fun end(sample: Int): Int = ends[sample]
+
+    /** Returns the nearest key at a [sample], or [none] if nothing translucent is there. */
+    fun nearest(sample: Int, none: Long): Long = if (start(sample) < end(sample)) ordered[start(sample)] else none
+
+    /**
+     * Blends what is at a [sample] with what is behind (contract rule 5.5), and returns the colour, packed. [shade] gives
+     * the colour of the fragment with a key; [backdrop] is the key of what is opaque, or null for [background].
+     */
+    inline fun blend(sample: Int, backdrop: Long?, background: Rgba, shade: (key: Long) -> Fragment): Int {
+        blending.clear()
+        var i = start(sample)
+        while (i < end(sample) && blending.isOpen) blending.add(shade(ordered[i++]))
+        if (blending.isOpen && backdrop != null) blending.end(shade(backdrop)) else blending.end(background)
+        return blending.toArgb()
+    }
+}

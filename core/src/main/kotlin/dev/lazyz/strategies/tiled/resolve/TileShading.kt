@@ -1,0 +1,298 @@
+package dev.lazyz.strategies.tiled.resolve
+
+import dev.lazyz.BatchShader
+import dev.lazyz.Coherence
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Fragment
+import dev.lazyz.FragmentBatch
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.Shader
+import dev.lazyz.shading.LateShading
+import dev.lazyz.strategies.tiled.binning.Band
+import dev.lazyz.strategies.tiled.raster.Checkpoint
+import dev.lazyz.strategies.tiled.raster.TileKeys
+
+/**
+ * Computes the colours of one tile, now that it is known what is visible: those of flat primitives many at a time,
+ * others one by one. Belongs to one thread; used for tile after tile.
+ *
+ * What is known of a flat primitive is fetched once, for all its samples of the tile: these are gathered, primitive after
+ * primitive, until the shader or the attributes change or the batch is full. Of primitives with very few samples not even that
+ * is fetched.
+ */
+internal class TileShading(
+    private val frame: Frame,
+    private val keys: TileKeys,
+    private val layers: TileLayers,
+    coherence: Coherence,
+    private val kernel: FragmentKernel,
+    private val counters: Counters,
+    private val checkpoint: Checkpoint,
+) {
+    private val content = frame.content
+    private val test = frame.raster.depthTest
+
+    /** What turns the upper half of a key into a depth: all its bits, where the greatest wins; see [DepthTest.depthOf]. */
+    private val depthTurn = test.depthOf(0)
+    private val background = frame.raster.background.toArgb()
+    private val single = LateShading(frame, coherence, counters)
+    private val firstColumn = frame.region.columnStart
+
+    /** None where attributes are stepped along rows. */
+    private val faces = FaceCache(content, coherence != Coherence.INCREMENTAL)
+    private val packed = IntArray(FragmentBatch.ROOM)
+    private val runs = PrimitiveRuns()
+
+    /** Fragments that wait for their colour, all of one shader and the same attributes, which are known. */
+    private val waiting = WaitingFragments()
+    private var shader: Shader? = null
+
+    /** Fragments of triangles so small that it is not worth to know all of them: [smallTriangles] of batch number [smallBatch]. */
+    private val waitingSmall = WaitingFragments()
+    private val smallTriangles = IntArray(FragmentBatch.CAPACITY)
+    private var smallBatch = -1
+    private val scattered = ScatteredAttributes()
+    private var isFine = false
+
+    private val alone = FragmentBatch(1)
+    private val fragment = Fragment()
+    private lateinit var band: Band
+
+    /** Bytes held at most. */
+    val bytes: Long
+        get() = runs.bytes + waiting.bytes + waitingSmall.bytes + scattered.bytes + faces.bytes + single.peakBytes +
+            Int.SIZE_BYTES * (packed.size + smallTriangles.size.toLong())
+
+    /**
+     * Fills in colour, depth and primitive of the tile in [band].
+     *
+     * @param isFine whether most triangles are thought to be so small that they are met once; this is for speed only
+     */
+    fun shade(band: Band, isFine: Boolean) {
+        this.band = band
+        this.isFine = isFine
+        runs.begin()
+        val shadedBefore = counters.shadingCalls
+        for (y in keys.rowStart until keys.rowEnd) {
+            checkpoint.pass()
+            single.beginRow()
+            if (layers.isEmpty) shadeRow(y) else blendRow(y)
+        }
+        for (number in 0 until runs.count) shadeAll(number)
+        flush()
+        flushSmall()
+        counters.peakSuspensions = maxOf(counters.peakSuspensions, counters.shadingCalls - shadedBefore)
+    }
+
+    /** Fills in background at all samples of a tile, the columns [columnStart] until [columnEnd] of [band]. */
+    fun clear(band: Band, columnStart: Int, columnEnd: Int) {
+        for (row in 0 until band.rowEnd - band.rowStart) {
+            band.argb[row].fill(background, columnStart - firstColumn, columnEnd - firstColumn)
+            band.depth[row].fill(frame.raster.backgroundDepth, columnStart - firstColumn, columnEnd - firstColumn)
+            band.primitive[row].fill(DepthTest.BACKGROUND, columnStart - firstColumn, columnEnd - firstColumn)
+        }
+    }
+
+    private fun shadeRow(y: Int) {
+        val row = y - keys.rowStart
+        val all = keys.keys
+        val first = keys.place(keys.columnStart, y)
+        val width = keys.columnEnd - keys.columnStart
+        val toColumn = keys.columnStart - firstColumn
+        val depths = band.depth[row]
+        for (i in 0 until width) depths[toColumn + i] = (all[first + i] ushr Int.SIZE_BITS).toInt() xor depthTurn
+        val indices = band.primitive[row]
+        var at = 0
+        while (at < width) {
+            val end = kernel.runEnd(all, first + at, first + width) - first
+            val index = test.indexOf(all[first + at])
+            for (i in at until end) indices[toColumn + i] = index
+            shadeRun(keys.columnStart + at, keys.columnStart + end, y, row, index)
+            at = end
+        }
+    }
+
+    /** Computes the colours of the samples [from] until [until] of row [y], all of the primitive [index]. */
+    private fun shadeRun(from: Int, until: Int, y: Int, row: Int, index: Int) {
+        val colors = band.argb[row]
+        if (index == DepthTest.BACKGROUND) {
+            colors.fill(background, from - firstColumn, until - firstColumn)
+            return
+        }
+        var number = runs.find(index)
+        if (number == PrimitiveRuns.NONE) {
+            if (isFine && until - from < FEW && canGatherSmall(index, until - from)) {
+                count(until - from)
+                return gatherSmall(index, PrimitiveRuns.place(row, from - keys.columnStart), until - from)
+            }
+            number = note(index)
+        }
+        when (number) {
+            PrimitiveRuns.APART -> {
+                val primitive = primitive(index)
+                for (x in from until until) colors[x - firstColumn] = single.shaded(x, y, index, primitive).toArgb()
+            }
+            PrimitiveRuns.CONSTANT -> {
+                count(until - from)
+                colors.fill(runs.color(index), from - firstColumn, until - firstColumn)
+            }
+            else -> {
+                count(until - from)
+                runs.add(number, PrimitiveRuns.place(row, from - keys.columnStart), until - from)
+            }
+        }
+    }
+
+    /** Notes a primitive that is met for the first time, see [PrimitiveRuns.find]. */
+    private fun note(index: Int): Int {
+        if (!faces.isFlat(index)) return runs.noteApart(index)
+        val constant = faces.constant(index) ?: return runs.note(index)
+        return runs.noteConstant(index, constant.argb)
+    }
+
+    /** Counts the calls of a shader. */
+    private fun count(calls: Int) {
+        counters.shadingCalls += calls
+        counters.shadingStarts += calls
+    }
+
+    /** Computes the colours of all samples of primitive [number] of [runs], or lets them wait. */
+    private fun shadeAll(number: Int) {
+        val index = runs.index(number)
+        if (runs.size(number) < FEW && canGatherSmall(index, runs.size(number))) {
+            return runs.forEach(number) { start, length -> gatherSmall(index, start, length) }
+        }
+        val face = faces.face(index)!!
+        if (face.isConstant) fill(number, face.argb) else gather(number, face)
+    }
+
+    private fun fill(number: Int, argb: Int) {
+        val tileColumn = keys.columnStart - firstColumn
+        runs.forEach(number) { start, length ->
+            val column = tileColumn + PrimitiveRuns.column(start)
+            band.argb[PrimitiveRuns.row(start)].fill(argb, column, column + length)
+        }
+    }
+
+    /** Adds the samples of a face to those that wait. */
+    private fun gather(number: Int, face: Face) {
+        if (face.shader !== shader || face.fields != waiting.batch.fields) {
+            flush()
+            shader = face.shader
+            waiting.batch.begin(face.fields)
+        }
+        var first = waiting.size
+        runs.forEach(number) { start, length ->
+            var done = 0
+            while (done < length) {
+                if (waiting.room == 0) {
+                    kernel.attributes(face, waiting, first, keys.columnStart, keys.rowStart)
+                    flush()
+                    first = 0
+                }
+                val count = minOf(length - done, waiting.room)
+                waiting.add(start + done, count)
+                done += count
+            }
+        }
+        kernel.attributes(face, waiting, first, keys.columnStart, keys.rowStart)
+    }
+
+    /** Makes room for [count] more samples of primitive [index] among those of small triangles, if it can be one of them. */
+    private fun canGatherSmall(index: Int, count: Int): Boolean {
+        val batch = if (faces.isUsed) faces.batch(index) else -1
+        if (batch < 0 || !faces.setUp(batch).isShared) return false
+        if (batch != smallBatch || count > waitingSmall.room) {
+            flushSmall()
+            smallBatch = batch
+            waitingSmall.batch.begin(faces.setUp(batch).fields)
+        }
+        return true
+    }
+
+    /** Adds samples of primitive [index], of which [canGatherSmall] has been asked, to those of small triangles that wait. */
+    private fun gatherSmall(index: Int, start: Int, length: Int) {
+        val first = waitingSmall.size
+        waitingSmall.add(start, length)
+        smallTriangles.fill(index - content.batches[smallBatch].first, first, first + length)
+    }
+
+    /** Shades the fragments whose attributes are known. */
+    private fun flush() {
+        if (waiting.size == 0) return
+        waiting.locate(keys.columnStart, keys.rowStart)
+        shade(waiting, shader!!)
+    }
+
+    /** Finds the attributes of small triangles' fragments, and shades them. */
+    private fun flushSmall() {
+        if (waitingSmall.size == 0) return
+        val setUp = faces.setUp(smallBatch)
+        waitingSmall.locate(keys.columnStart, keys.rowStart)
+        scattered.fill(waitingSmall.batch, content.batches[smallBatch], smallTriangles, setUp)
+        shade(waitingSmall, setUp.shader)
+    }
+
+    private fun shade(fragments: WaitingFragments, shader: Shader) {
+        checkpoint.pass()
+        val batch = fragments.batch
+        if (shader is BatchShader) {
+            batch.alpha.fill(1f, 0, batch.size)
+            shader.shade(batch)
+        } else {
+            batch.shadeEach(shader)
+        }
+        kernel.pack(batch, packed)
+        fragments.takeOut(packed, band.argb, keys.columnStart - firstColumn)
+    }
+
+    /** Returns the primitive [index], which has no face. */
+    private fun primitive(index: Int): Primitive =
+        if (faces.isUsed) content.single(index) else frame.primitives[index]
+
+    private fun blendRow(y: Int) {
+        val row = y - keys.rowStart
+        val colors = band.argb[row]
+        val depths = band.depth[row]
+        val indices = band.primitive[row]
+        for (x in keys.columnStart until keys.columnEnd) {
+            val opaque = keys.at(x, y)
+            val key = layers.nearest(keys.place(x, y), opaque)
+            val index = test.indexOf(key)
+            depths[x - firstColumn] = test.depthOf(key)
+            indices[x - firstColumn] = index
+            if (key == opaque) shadeRun(x, x + 1, y, row, index) else colors[x - firstColumn] = blend(x, y, opaque)
+        }
+    }
+
+    /** Returns the colour of a sample at which a translucent primitive is in front of what is [opaque]. */
+    private fun blend(x: Int, y: Int, opaque: Long): Int {
+        val backdrop = if (test.indexOf(opaque) == DepthTest.BACKGROUND) null else opaque
+        return layers.blend(keys.place(x, y), backdrop, frame.raster.background) { key ->
+            shaded(x, y, test.indexOf(key))
+        }
+    }
+
+    /** Returns a fragment with the colour of the primitive [index], not packed. */
+    private fun shaded(x: Int, y: Int, index: Int): Fragment {
+        val face = faces.face(index) ?: return single.shaded(x, y, index, primitive(index))
+        count(1)
+        if (face.isConstant) {
+            face.shadeConstant(fragment)
+        } else {
+            alone.begin(face.fields)
+            alone.place(0, x, y, 1)
+            face.attributes(alone, 0, x, y)
+            alone.moveTo(fragment, 0)
+            face.shader.shade(fragment)
+        }
+        return fragment
+    }
+
+    private companion object {
+        /** Samples from which on it pays to know a triangle. */
+        const val FEW = 4
+    }
+}

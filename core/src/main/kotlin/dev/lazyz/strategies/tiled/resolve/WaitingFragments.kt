@@ -1,0 +1,74 @@
+package dev.lazyz.strategies.tiled.resolve
+
+import dev.lazyz.FragmentBatch
+
+/** Fragments of a tile that wait for their colour, and where they are in the tile. Belongs to one thread. */
+internal class WaitingFragments {
+    /** Attributes and colours of the fragments; their number and their samples only after [locate]. */
+    val batch: FragmentBatch = FragmentBatch(FragmentBatch.ROOM)
+
+    /** The place of each in the tile, see [PrimitiveRuns.place]. */
+    private val places = IntArray(FragmentBatch.CAPACITY)
+
+    /** Columns and rows of the tile, as numbers to calculate with. */
+    val columns: DoubleArray = DoubleArray(FragmentBatch.ROOM)
+    val rows: DoubleArray = DoubleArray(FragmentBatch.ROOM)
+
+    /** Number of fragments. */
+    var size: Int = 0
+        private set
+
+    /** Number of fragments for which there is room. */
+    val room: Int get() = FragmentBatch.CAPACITY - size
+
+    /** Bytes held. */
+    val bytes: Long get() = batch.bytes + Int.SIZE_BYTES * places.size.toLong() +
+        Double.SIZE_BYTES * (columns.size + rows.size.toLong())
+
+    /** Adds [length] fragments, for which there has to be [room], from [start] on. */
+    fun add(start: Int, length: Int) {
+        val column = PrimitiveRuns.column(start)
+        val row = PrimitiveRuns.row(start).toDouble()
+        if (length < LONG) {
+            for (i in 0 until length) {
+                places[size + i] = start + i
+                columns[size + i] = COLUMNS[column + i]
+                rows[size + i] = row
+            }
+        } else {
+            for (i in 0 until length) places[size + i] = start + i
+            System.arraycopy(COLUMNS, column, columns, size, length)
+            rows.fill(row, size, size + length)
+        }
+        size += length
+    }
+
+    /** Completes the [batch], for a tile whose first sample is ([x], [y]). */
+    fun locate(x: Int, y: Int) {
+        batch.size = size
+        for (i in 0 until size) {
+            batch.x[i] = x + PrimitiveRuns.column(places[i])
+            batch.y[i] = y + PrimitiveRuns.row(places[i])
+        }
+    }
+
+    /**
+     * Puts the fragments' colours, packed in [argb], where they belong among the rows [to], where the tile begins at
+     * [column], and starts anew.
+     */
+    fun takeOut(argb: IntArray, to: Array<IntArray>, column: Int) {
+        for (i in 0 until size) {
+            val place = places[i]
+            to[PrimitiveRuns.row(place)][column + PrimitiveRuns.column(place)] = argb[i]
+        }
+        size = 0
+    }
+
+    private companion object {
+        /** Samples from which on it pays to fill arrays whole. */
+        const val LONG = 12
+
+        /** The columns of the widest tile. */
+        val COLUMNS = DoubleArray(512) { it.toDouble() }
+    }
+}

@@ -1,0 +1,95 @@
+package dev.lazyz.strategies.warnock
+
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Region
+import dev.lazyz.raster.VisibilityOrder
+
+/** The visibility keys of a band of rows, and the two ways in which they are set: without comparing, and by minimum. */
+internal class BandPainting(frame: Frame, bandHeight: Int, private val counters: Counters) {
+    private val region = frame.region
+    private val order = VisibilityOrder(frame.raster.depthTest)
+    private val test = frame.raster.depthTest
+    private val backgroundKey = test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND)
+    private var firstRow = 0
+
+    /** The key of each sample, in rows from the top of the band. */
+    val keys: LongArray = LongArray(region.width * bandHeight)
+
+    /** Bytes held. */
+    val bytes: Long get() = Long.SIZE_BYTES * keys.size.toLong()
+
+    /** Goes to [band]. */
+    fun begin(band: Region) {
+        firstRow = band.rowStart
+    }
+
+    private fun at(x: Int, y: Int): Int = (y - firstRow) * region.width + (x - region.columnStart)
+
+    /** Sets all samples of [area] to the [cover] that covers them all, or to the background: nothing is compared. */
+    fun fill(area: Region, cover: Footprint?) {
+        if (cover == null) {
+            for (y in area.rowStart until area.rowEnd) {
+                val start = at(area.columnStart, y)
+                keys.fill(backgroundKey, start, start + area.width)
+            }
+            return
+        }
+        counters.depthEvaluations += area.size
+        counters.depthPasses += area.size
+        val primitive = cover.primitive
+        val form = primitive.depthForm
+        for (y in area.rowStart until area.rowEnd) {
+            var at = at(area.columnStart, y)
+            if (form == null) {
+                for (x in area.columnStart until area.columnEnd) {
+                    keys[at++] =
+                        test.key(primitive.depth(x, y), cover.index)
+                }
+                continue
+            }
+            var z = form.at(area.columnStart, y)
+            for (x in area.columnStart until area.columnEnd) {
+                keys[at++] = order.key(z, cover.index)
+                z += form.dx
+            }
+        }
+    }
+
+    /** Scan-converts the [candidate] in [area]: each sample keeps the lesser key. */
+    fun draw(area: Region, candidate: Footprint) {
+        val box = candidate.boxIn(area)
+        for (y in box.rowStart until box.rowEnd) {
+            var position = candidate.firstSpan(y, box.columnStart)
+            val end = candidate.endOfRow(y)
+            while (position < end && candidate.start(position) < box.columnEnd) {
+                val from = maxOf(candidate.start(position), box.columnStart)
+                drawSpan(candidate, y, from, minOf(candidate.end(position), box.columnEnd))
+                position += 2
+            }
+        }
+    }
+
+    private fun drawSpan(candidate: Footprint, y: Int, start: Int, end: Int) {
+        counters.depthEvaluations += end - start
+        val primitive = candidate.primitive
+        val form = primitive.depthForm
+        var z = form?.at(start, y) ?: 0L
+        val step = form?.dx ?: 0L
+        var at = at(start, y)
+        var passes = 0
+        for (x in start until end) {
+            // One addition a sample where depth is linear
+            val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
+            z += step
+            val key = test.key(depth, candidate.index)
+            if (key < keys[at]) {
+                keys[at] = key
+                passes++
+            }
+            at++
+        }
+        counters.depthPasses += passes
+    }
+}

@@ -1,0 +1,79 @@
+package dev.lazyz.strategies.warnock
+
+import dev.lazyz.Counters
+import dev.lazyz.Frame
+import dev.lazyz.Region
+import dev.lazyz.Spans
+import dev.lazyz.raster.VisibilityOrder
+import dev.lazyz.raster.reaches
+import java.util.Arrays
+
+/**
+ * The primitives that the current band of rows may show, nearest first.
+ *
+ * They wait in the order of their first rows, join at the band in which that lies, and leave after their last.
+ */
+internal class Footprints(private val frame: Frame, private val counters: Counters) {
+    private val region = frame.region
+    private val order = VisibilityOrder(frame.raster.depthTest)
+    private val spans = Spans(region)
+
+    /** First row in the upper half, index in the lower, ascending. */
+    private val waiting = waiting()
+    private var joined = 0
+    private var active = arrayOfNulls<Footprint>(INITIAL)
+
+    /** Number of those that cover something in the band, or may do so in the next. */
+    var count: Int = 0
+        private set
+
+    /** Bytes held at present: twice the list of references, because sorting it may take as much again. */
+    var bytes: Long = 0
+        private set
+
+    /** Returns one of them; those whose nearest possible fragment is nearer have lower numbers. */
+    operator fun get(number: Int): Footprint = active[number]!!
+
+    /** Goes to [band], which follows the last one. */
+    fun moveTo(band: Region) {
+        // Join
+        while (joined < waiting.size && (waiting[joined] shr 32).toInt() < band.rowEnd) {
+            if (count == active.size) active = active.copyOf(2 * count)
+            val index = waiting[joined].toInt()
+            active[count++] = Footprint(frame.primitives[index], index, order, (waiting[joined] shr 32).toInt())
+            joined++
+        }
+
+        // Leave
+        var kept = 0
+        for (i in 0 until count) if (get(i).primitive.rowEnd > band.rowStart) active[kept++] = active[i]
+        active.fill(null, kept, count)
+        count = kept
+
+        // Write down what is covered, and put the nearest first
+        bytes = Long.SIZE_BYTES * (waiting.size + 2L * active.size) + spans.bytes
+        for (i in 0 until count) {
+            val footprint = get(i)
+            footprint.moveTo(band, spans)
+            counters.fragments += footprint.samples
+            bytes += footprint.bytes
+        }
+        Arrays.sort(active, 0, count, NEAREST_FIRST)
+    }
+
+    private fun waiting(): LongArray {
+        val all = LongArray(frame.primitives.size)
+        var used = 0
+        for ((index, primitive) in frame.primitives.withIndex()) {
+            val rowStart = maxOf(primitive.rowStart, region.rowStart)
+            if (primitive.reaches(region)) all[used++] = rowStart.toLong() shl 32 or index.toLong()
+        }
+        return all.copyOf(used).apply { sort() }
+    }
+
+    private companion object {
+        const val INITIAL = 16
+
+        val NEAREST_FIRST = Comparator<Footprint?> { a, b -> a!!.nearestKey.compareTo(b!!.nearestKey) }
+    }
+}

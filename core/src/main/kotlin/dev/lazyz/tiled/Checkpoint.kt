@@ -1,7 +1,0 @@
-package dev.lazyz.tiled
-
-/** Called often during a rendering. */
-internal fun interface Checkpoint {
-    /** Returns, or throws if the rendering is to end. */
-    fun pass()
-}

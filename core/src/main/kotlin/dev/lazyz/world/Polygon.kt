@@ -1,0 +1,87 @@
+package dev.lazyz.world
+
+import dev.lazyz.FillRule
+import dev.lazyz.Primitive
+import dev.lazyz.Rgba
+import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.Vectors
+import org.joml.Matrix4dc
+import org.joml.Vector3dc
+
+/**
+ * A flat polygon of any number of contours: convex, concave, with holes, or crossing itself.
+ *
+ * Each contour is closed by itself. Depth and attributes are those of the plane through a reference triangle of the
+ * polygon's vertices (contract rule 3.5), so vertices should lie in one plane; where they do not, the plane is drawn.
+ * Immutable if the vertices are left alone; thread safe.
+ *
+ * @property contours closed runs of vertices, world space; the outer one counter-clockwise seen from the front
+ * @property material how it looks
+ * @property fillRule what is inside
+ */
+public class Polygon @JvmOverloads constructor(
+    public val contours: List<List<Vertex>>,
+    public val material: Material = Material(),
+    public val fillRule: FillRule = FillRule.EVEN_ODD,
+) : Surface {
+    override val bounds: Box? by lazy {
+        val all = contours.flatten()
+        Box.around(all.size) { vertex, axis -> all[vertex].position(axis) }
+    }
+
+    override fun primitives(setUp: SetUp): Sequence<Primitive> = sequenceOf(this).map { setUp.polygon(it) }
+
+    override fun withMaterials(change: (Material) -> Material): Polygon = Polygon(contours, change(material), fillRule)
+
+    /** Returns this polygon moved by an affine [transform]. */
+    public fun transformed(transform: Matrix4dc): Polygon =
+        Polygon(contours.map { contour -> contour.map { it.transformed(transform) } }, material, fillRule)
+
+    /** Returns this polygon as it is seen from [origin]. */
+    internal fun relativeTo(origin: Vector3dc): Polygon = if (Vectors.isZero(origin)) {
+        this
+    } else {
+        Polygon(contours.map { contour -> contour.map { it.relativeTo(origin) } }, material, fillRule)
+    }
+
+    override fun toString(): String = "Polygon(${contours.map { it.size }} vertices, $fillRule, $material)"
+}
+
+/**
+ * A corner of a [Polygon]. Immutable.
+ *
+ * @property x position, world space
+ * @property y see [x]
+ * @property z see [x]
+ * @property u texture coordinate to the right, see [Texture]
+ * @property v texture coordinate downward, see [Texture]
+ * @property color vertex colour, multiplies the material's
+ */
+public class Vertex @JvmOverloads constructor(
+    public val x: Double,
+    public val y: Double,
+    public val z: Double,
+    public val u: Float = 0f,
+    public val v: Float = 0f,
+    public val color: Rgba = Rgba.WHITE,
+) {
+    internal fun position(axis: Int): Double = when (axis) {
+        0 -> x
+        1 -> y
+        else -> z
+    }
+
+    internal fun transformed(m: Matrix4dc): Vertex = Vertex(
+        m.m00() * x + m.m10() * y + m.m20() * z + m.m30(),
+        m.m01() * x + m.m11() * y + m.m21() * z + m.m31(),
+        m.m02() * x + m.m12() * y + m.m22() * z + m.m32(),
+        u,
+        v,
+        color,
+    )
+
+    internal fun relativeTo(origin: Vector3dc): Vertex =
+        Vertex(x - origin.x(), y - origin.y(), z - origin.z(), u, v, color)
+
+    override fun toString(): String = "Vertex($x, $y, $z)"
+}

@@ -1,0 +1,48 @@
+package dev.lazyz.geometry
+
+import java.time.Duration
+import java.util.Random
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively
+import org.junit.jupiter.api.Test
+
+class DistinctTriplesTest {
+    @Test
+    fun numbersAreThoseOfAMap() {
+        val random = Random(1)
+        for (expected in listOf(0, 1000, 100_000)) {
+            val triples = DistinctTriples(expected)
+            val map = HashMap<List<Int>, Int>()
+            repeat(50_000) {
+                val triple = List(3) { random.nextInt(30) - 15 }
+                val number = map.getOrPut(triple) { map.size }
+                assertEquals(number, triples.add(triple[0], triple[1], triple[2]))
+                assertEquals(triple, List(3) { triples.get(number, it) })
+            }
+            assertEquals(map.size, triples.size)
+        }
+        assertThrows(IllegalArgumentException::class.java) { DistinctTriples(-1) }
+    }
+
+    @Test
+    fun triplesThatCollideElsewhereAreFoundInTime() {
+        // All of one hash code where that is 31 * (31 * a + b) + c; few bits that differ; all in one line
+        val families = listOf<(Int) -> List<Int>>(
+            { listOf(it, -31 * it, 0) },
+            { listOf(0, it, -31 * it) },
+            { listOf(it shl 16, 0, 0) },
+            { listOf(it, it, it) },
+            { listOf(0, 0, (it * 0.001f).toBits()) },
+        )
+        for (family in families) {
+            assertTimeoutPreemptively(Duration.ofSeconds(20)) {
+                val triples = DistinctTriples()
+                val seen = HashMap<List<Int>, Int>()
+                for (i in 0 until 200_000) family(i).let { (a, b, c) -> triples.add(a, b, c) }
+                for (i in 0 until 1000) seen.getOrPut(family(i)) { seen.size }
+                for ((triple, number) in seen) assertEquals(number, triples.add(triple[0], triple[1], triple[2]))
+            }
+        }
+    }
+}

@@ -1,0 +1,198 @@
+package dev.lazyz.raster
+
+import dev.lazyz.Depth
+import dev.lazyz.DepthConvention
+import dev.lazyz.DepthTest
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.Rgba
+import dev.lazyz.SampleScenes
+import dev.lazyz.samples
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.FrameBuilder
+import dev.lazyz.world.scene
+import java.util.Random
+import net.jqwik.api.Arbitraries
+import net.jqwik.api.Arbitrary
+import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.ForAll
+import net.jqwik.api.Property
+import net.jqwik.api.Provide
+import net.jqwik.api.constraints.IntRange
+import org.junit.jupiter.api.Assertions.assertEquals
+
+/** Contract rules 4.3 and 5: which fragment is visible. */
+class VisibilityProperties {
+    @Provide
+    fun tests(): Arbitrary<DepthTest> = Arbitraries.of(DepthTest::class.java)
+
+    @Property(seed = "1995", tries = 1000)
+    fun rule_5_1_keysSortByDepthAndThenByIndex(
+        @ForAll("tests") test: DepthTest,
+        @ForAll @IntRange(min = 0) depthA: Int,
+        @ForAll @IntRange(min = 0) depthB: Int,
+        @ForAll @IntRange(min = -1, max = Int.MAX_VALUE - 1) indexA: Int,
+        @ForAll @IntRange(min = -1, max = Int.MAX_VALUE - 1) indexB: Int,
+    ) {
+        val key = test.key(depthA, indexA)
+        assertEquals(depthA, test.depthOf(key))
+        assertEquals(indexA, test.indexOf(key))
+        val isGreater = test == DepthTest.GREATER || test == DepthTest.GREATER_OR_EQUAL
+        val isLast = test == DepthTest.LESS_OR_EQUAL || test == DepthTest.GREATER_OR_EQUAL
+        val byDepth = if (isGreater) depthB.compareTo(depthA) else depthA.compareTo(depthB)
+        val byIndex = if (isLast) indexB.compareTo(indexA) else indexA.compareTo(indexB)
+        val expected = if (byDepth != 0) byDepth else byIndex
+        assertEquals(expected, Integer.signum(key.compareTo(test.key(depthB, indexB))))
+        assertEquals(byIndex, Integer.signum(key.compareTo(test.key(depthA, indexB))))
+    }
+
+    @Property(seed = "1995", tries = 200, edgeCases = EdgeCasesMode.NONE)
+    fun rule_5_1_whatIsVisibleIsTheLeastByDepthAndIndex(
+        @ForAll random: Random,
+        @ForAll("tests") test: DepthTest,
+        @ForAll @IntRange(min = 0, max = 12) count: Int,
+        @ForAll @IntRange(min = 0, max = 3) quarter: Int,
+    ) {
+        val background = listOf(test.farthest(), Depth.ofUnit(0.25 * quarter)).random(random)
+        val raster = Raster(16, 16, Rgba.BLACK, depthTest = test, backgroundDepth = background)
+        val frame = SampleScenes.drawn(random, raster, count)
+        val image = ZBuffer().render(frame)
+        val covered = frame.primitives.map { it.samples(raster) }
+        val fragment = Fragment()
+        for (y in 0 until 16) {
+            for (x in 0 until 16) {
+                // The plain minimum, in the words of rules 5.1 to 5.3
+                var index = -1
+                var depth = background
+                for ((i, primitive) in frame.primitives.withIndex()) {
+                    if (!covered[i][x, y]) continue
+                    val candidate = primitive.depth(x, y)
+                    val passes = when (test) {
+                        DepthTest.LESS -> candidate < depth
+                        DepthTest.LESS_OR_EQUAL -> candidate <= depth
+                        DepthTest.GREATER -> candidate > depth
+                        DepthTest.GREATER_OR_EQUAL -> candidate >= depth
+                    }
+                    if (!passes) continue
+                    index = i
+                    depth = candidate
+                }
+                assertEquals(index, image.primitive(x, y)) { "visible at $x, $y" }
+                assertEquals(depth, image.depth(x, y)) { "depth at $x, $y" }
+                var argb = Rgba.BLACK.toArgb()
+                if (index >= 0) {
+                    fragment.moveTo(x, y)
+                    frame.primitives[index].shade(fragment)
+                    argb = fragment.toArgb()
+                }
+                assertEquals(argb, image.argb(x, y)) { "colour at $x, $y" }
+            }
+        }
+    }
+
+    private fun DepthTest.farthest(): Int =
+        if (this == DepthTest.LESS || this == DepthTest.LESS_OR_EQUAL) Int.MAX_VALUE else 0
+
+    private fun <T> List<T>.random(random: Random): T = this[random.nextInt(size)]
+
+    @Property(seed = "1995", tries = 100, edgeCases = EdgeCasesMode.NONE)
+    fun rule_5_2_coincidentSurfacesShowTheFirst(@ForAll random: Random, @ForAll("tests") test: DepthTest) {
+        val raster = Raster(16, 16, depthTest = test, backgroundDepth = test.farthest())
+        val one = SampleScenes.drawn(random, raster, 1).primitives
+        val image = ZBuffer().render(Frame(raster, one + one + one))
+        val isLast = test == DepthTest.LESS_OR_EQUAL || test == DepthTest.GREATER_OR_EQUAL
+        val covered = one.single().samples(raster)
+        for (y in 0 until 16) {
+            for (x in 0 until 16) {
+                val expected = if (!covered[x, y]) {
+                    DepthTest.BACKGROUND
+                } else if (isLast) {
+                    2
+                } else {
+                    0
+                }
+                assertEquals(expected, image.primitive(x, y))
+            }
+        }
+    }
+
+    @Property(seed = "1995", tries = 100, edgeCases = EdgeCasesMode.NONE)
+    fun rule_5_4_orderIsIrrelevantWithoutTies(@ForAll random: Random, @ForAll("tests") test: DepthTest) {
+        val raster = Raster(16, 16, depthTest = test, backgroundDepth = test.farthest())
+        val builder = FrameBuilder(raster)
+        repeat(8) { i ->
+            val contour = DoubleArray(9) {
+                if (it % 3 ==
+                    2
+                ) {
+                    (i + 0.5 * random.nextDouble()) / 8
+                } else {
+                    random.nextInt(40) - 10.0
+                }
+            }
+            builder.polygon(Rgba(random.nextFloat(), random.nextFloat(), i / 8f), contour)
+        }
+        val primitives = builder.build().primitives
+        val order = primitives.indices.shuffled(random)
+        val before = ZBuffer().render(Frame(raster, primitives))
+        val after = ZBuffer().render(Frame(raster, order.map { primitives[it] }))
+        assertEquals(before.argb.toList(), after.argb.toList())
+        assertEquals(before.depth.toList(), after.depth.toList())
+        assertEquals(before.primitive.toList(), after.primitive.map { if (it < 0) it else order[it] })
+    }
+
+    @Property(seed = "1995", tries = 50, edgeCases = EdgeCasesMode.NONE)
+    fun rule_5_4_aSurfaceBehindOthersChangesNothing(@ForAll random: Random) {
+        val raster = Raster(16, 16)
+        val wall = doubleArrayOf(-1.0, -1.0, 0.3, 40.0, -1.0, 0.3, -1.0, 40.0, 0.3)
+        fun image(contour: DoubleArray): Image = ZBuffer().render(
+            FrameBuilder(raster).polygon(Rgba.BLACK, contour).polygon(Rgba.WHITE, wall).build(),
+        )
+        val hidden = {
+            DoubleArray(9) {
+                if (it % 3 ==
+                    2
+                ) {
+                    0.4 + 0.5 * random.nextDouble()
+                } else {
+                    random.nextDouble() * 16
+                }
+            }
+        }
+        assertEquals(image(hidden()), image(hidden()))
+    }
+
+    @Property(seed = "1995", tries = 30, edgeCases = EdgeCasesMode.NONE)
+    fun rule_4_1_bothConventionsShowTheSame(@ForAll random: Random) {
+        val scene = SampleScenes.mixed(random)
+        val usual = ZBuffer().render(scene.frame(Raster(24, 20)))
+        val mirrored = ZBuffer().render(scene.frame(Raster(24, 20, convention = DepthConvention.LARGER_IS_NEARER)))
+        assertEquals(usual.argb.toList(), mirrored.argb.toList())
+        assertEquals(usual.primitive.toList(), mirrored.primitive.toList())
+        for (i in usual.depth.indices) assertEquals(0, (Int.MAX_VALUE - mirrored.depth[i] - usual.depth[i]) / 2)
+    }
+
+    @Property(seed = "1995", tries = 60, edgeCases = EdgeCasesMode.NONE)
+    fun rule_5_1_partsMergeIntoTheWhole(@ForAll random: Random, @ForAll("tests") test: DepthTest) {
+        val raster = Raster(16, 12, depthTest = test, backgroundDepth = test.farthest())
+        val frame = SampleScenes.drawn(random, raster, 9)
+        val whole = ZBuffer().render(frame)
+
+        // Split by primitives, in three
+        val part = IntArray(9) { random.nextInt(3) }
+        val parts = List(3) { p -> ZBuffer().render(frame.keeping { part[it] == p }) }
+        val (a, b, c) = parts.shuffled(random)
+        assertEquals(whole, Image.merge(Image.merge(a, b, raster), c, raster))
+        assertEquals(whole, Image.merge(a, Image.merge(c, b, raster), raster))
+        assertEquals(whole, Image.merge(whole, a, raster))
+
+        // Split by regions, in two
+        val column = 1 + random.nextInt(15)
+        val left = ZBuffer().render(frame.within(Region(0, 0, column, 12)))
+        val right = ZBuffer().render(frame.within(Region(column, 0, 16, 12)))
+        assertEquals(whole, Image.merge(right, left, raster))
+    }
+}

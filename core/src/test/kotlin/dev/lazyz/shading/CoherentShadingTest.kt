@@ -1,0 +1,201 @@
+package dev.lazyz.shading
+
+import dev.lazyz.Capability
+import dev.lazyz.Coherence
+import dev.lazyz.Counters
+import dev.lazyz.FillRule
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.SampleScenes
+import dev.lazyz.Shader
+import dev.lazyz.ShadingCursor
+import dev.lazyz.Spans
+import dev.lazyz.strategies.Renderers
+import dev.lazyz.world.FrameBuilder
+import java.util.Random
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.DynamicTest
+import org.junit.jupiter.api.DynamicTest.dynamicTest
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.TestFactory
+
+/** What the three ways of late shading cost, in starts and steps, by every renderer that offers them. */
+class CoherentShadingTest {
+    private val raster = Raster(512, 8)
+
+    /** One wall, visible everywhere, whose starts are expensive. */
+    private val wall = frame(wallCost = 64, pickets = 0, pitch = 1) { it }
+
+    /** The wall behind pickets that let it through at every 32nd column only; steps have nothing to do with pickets. */
+    private val fence = frame(wallCost = 4, pickets = 16, pitch = 32) { Plain(it) }
+
+    @TestFactory
+    fun incrementalWinsOnAWall(): List<DynamicTest> = forEachRenderer { renderer ->
+        val direct = counters(renderer, wall, Coherence.DIRECT)
+        val incremental = counters(renderer, wall, Coherence.INCREMENTAL)
+        assertEquals(512L * 8, direct.shadingStarts)
+        assertEquals(0, direct.shadingSteps)
+        assertEquals(8, incremental.shadingStarts)
+        assertEquals(511L * 8, incremental.shadingSteps)
+        assertEquals(1, incremental.longestChain)
+        assertTrue(64 * incremental.shadingStarts + incremental.shadingSteps < 0.02 * 64 * direct.shadingStarts)
+
+        // Adaptive is as good as the better
+        val adaptive = counters(renderer, wall, Coherence.ADAPTIVE)
+        assertEquals(incremental.shadingStarts, adaptive.shadingStarts)
+        assertEquals(incremental.shadingSteps, adaptive.shadingSteps)
+    }
+
+    @TestFactory
+    fun directWinsBehindAFence(): List<DynamicTest> = forEachRenderer { renderer ->
+        val direct = counters(renderer, fence, Coherence.DIRECT)
+        val incremental = counters(renderer, fence, Coherence.INCREMENTAL)
+        assertEquals(512L * 8, direct.shadingStarts)
+        assertEquals(8 + PICKETS, incremental.shadingStarts)
+        assertEquals(15L * 8 * 32, incremental.shadingSteps)
+        assertEquals(32, incremental.longestChain)
+
+        // Of the wall itself, seen through the gaps
+        val gaps = direct.shadingStarts - PICKETS
+        assertTrue(4 * gaps < 0.2 * (4 * 8 + incremental.shadingSteps))
+
+        // Adaptive is as good as the better
+        val adaptive = counters(renderer, fence, Coherence.ADAPTIVE)
+        assertEquals(direct.shadingStarts, adaptive.shadingStarts)
+        assertEquals(0, adaptive.shadingSteps)
+    }
+
+    @TestFactory
+    fun adaptiveIsNeverDearerThanTheBetter(): List<DynamicTest> = forEachRenderer { renderer ->
+        for (seed in 1L..20L) {
+            val mixed = SampleScenes.mixed(Random(seed)).frame(60, 40)
+            val cost = seed.toInt()
+            val frame = Frame(mixed.raster, mixed.primitives.map { Expensive(it, cost) })
+            val costs = Coherence.entries.associateWith { coherence ->
+                counters(renderer, frame, coherence).let { it.shadingStarts * cost + it.shadingSteps }
+            }
+            val better = minOf(costs.getValue(Coherence.DIRECT), costs.getValue(Coherence.INCREMENTAL))
+            assertTrue(costs.getValue(Coherence.ADAPTIVE) <= better) { "$seed: $costs" }
+        }
+    }
+
+    @TestFactory
+    fun stepsSaveWorkWhereStartsAreDear(): List<DynamicTest> = forEachRenderer { renderer ->
+        val work = Coherence.entries.associateWith { coherence ->
+            val ripple = Ripple(raster)
+            counters(renderer, Frame(raster, listOf(ripple)), coherence)
+            ripple.additions
+        }
+        assertEquals(8 * 512 * 513L / 2, work[Coherence.DIRECT])
+        assertEquals(8 * 512L, work[Coherence.INCREMENTAL])
+        assertEquals(8 * 512L, work[Coherence.ADAPTIVE])
+    }
+
+    @TestFactory
+    fun linearAttributesAreNotSteppedWithoutNeed(): List<DynamicTest> = forEachRenderer { renderer ->
+        val plain = SampleScenes.mixed(Random(3)).frame(60, 40)
+        assertTrue(counters(renderer, plain, Coherence.INCREMENTAL).shadingSteps > 0)
+        assertEquals(0, counters(renderer, plain, Coherence.ADAPTIVE).shadingSteps)
+    }
+
+    @TestFactory
+    fun memoryIsWhatTheChainsOfARowTake(): List<DynamicTest> = forEachRenderer { renderer ->
+        val crowd = frame(wallCost = 0, pickets = 256, pitch = 2) { it }
+        val direct = counters(renderer, crowd, Coherence.DIRECT).peakBytes
+        val incremental = counters(renderer, crowd, Coherence.INCREMENTAL).peakBytes
+        val chains = 257 * 152L
+        assertTrue(incremental in chains..direct + chains + 512) { "$incremental, $direct" }
+
+        // In place of chains tiles hold which samples show each primitive
+        if (renderer.id != "tiled") assertTrue(incremental > direct) { "$incremental, $direct" }
+    }
+
+    @TestFactory
+    fun adaptiveHeedsWhatAPrimitiveSaysOfItsStarts(): List<DynamicTest> = forEachRenderer { renderer ->
+        for (cost in listOf(0, 31, 32)) {
+            val expensive = Frame(raster, fence.primitives.map { Expensive(it, cost) })
+            val starts = counters(renderer, expensive, Coherence.ADAPTIVE).shadingStarts
+            val ofWall = if (cost < 32) 16L * 8 else 8
+            assertEquals(ofWall + PICKETS, starts) { "$cost" }
+        }
+    }
+
+    @Test
+    fun severalRenderersShadeLate() {
+        assertTrue(lateRenderers().size >= 5) { "${lateRenderers()}" }
+    }
+
+    /** In tiles as wide as the raster, if there are tiles: chains end with a tile's row. */
+    private fun counters(renderer: Renderer, frame: Frame, coherence: Coherence): Counters =
+        renderer.configured(RenderOptions(coherence, threads = 1, tileSize = 512)).render(frame).counters
+
+    private fun lateRenderers(): List<Renderer> = Renderers.builtIn.filter { Capability.COHERENCE in it.capabilities }
+
+    private fun forEachRenderer(test: (Renderer) -> Unit): List<DynamicTest> =
+        lateRenderers().map { renderer -> dynamicTest(renderer.id) { test(renderer) } }
+
+    /** A wall behind [pickets], each of which leaves one column free of [pitch]. */
+    private fun frame(wallCost: Int, pickets: Int, pitch: Int, picket: (Primitive) -> Primitive): Frame {
+        val builder = FrameBuilder(raster)
+        val shader = Shader { it.setColor(it.worldX, it.worldY, it.worldZ) }
+        fun box(from: Int, until: Int, depth: Double) = doubleArrayOf(
+            from.toDouble(), 0.0, depth, until.toDouble(), 0.0, depth, until.toDouble(), 8.0, depth,
+            from.toDouble(), 8.0, depth,
+        )
+        builder.polygon(shader, FillRule.NON_ZERO, box(0, raster.width, 0.75))
+        for (i in 0 until pickets) builder.polygon(shader, FillRule.NON_ZERO, box(i * pitch + 1, (i + 1) * pitch, 0.25))
+        val primitives = builder.build().primitives
+        return Frame(raster, listOf(Expensive(primitives[0], wallCost)) + primitives.drop(1).map(picket))
+    }
+
+    /** A primitive whose colours cannot be stepped. */
+    private class Plain(whole: Primitive) : Primitive by whole {
+        override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
+    }
+
+    /** A primitive that says what its starts cost. */
+    private class Expensive(whole: Primitive, override val shadingStartCost: Int) : Primitive by whole
+
+    /** A primitive whose colour is a sum along the row: a start is as many additions as there are columns before it. */
+    private class Ripple(private val raster: Raster) : Primitive {
+        var additions = 0L
+
+        override val rowStart: Int get() = 0
+        override val rowEnd: Int get() = raster.height
+        override val columnStart: Int get() = 0
+        override val columnEnd: Int get() = raster.width
+        override val shadingStartCost: Int get() = raster.width
+
+        override fun spans(y: Int, spans: Spans): Unit = spans.add(0, raster.width)
+
+        override fun depth(x: Int, y: Int): Int = 1000
+
+        override fun shade(fragment: Fragment) = shadingCursor(fragment.x, fragment.y).shade(fragment)
+
+        override fun shadingCursor(x: Int, y: Int) = object : ShadingCursor {
+            private var sum = 0f
+            private var column = -1
+
+            init {
+                repeat(x + 1) { step() }
+            }
+
+            override fun step() {
+                additions++
+                sum += 1f / (1 + ++column)
+            }
+
+            override fun shade(fragment: Fragment) = fragment.setColor(sum / 8, sum / 16, 0.5f)
+        }
+    }
+
+    private companion object {
+        /** Samples of the fence at which a picket is visible. */
+        const val PICKETS = 16L * 31 * 8
+    }
+}

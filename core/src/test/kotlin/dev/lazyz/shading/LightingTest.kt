@@ -1,0 +1,210 @@
+package dev.lazyz.shading
+
+import dev.lazyz.Fragment
+import dev.lazyz.Rgba
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Light
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Texture
+import java.util.Random
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Contract rule 6.5: ambient light, Lambert's cosine, and highlights. */
+class LightingTest {
+    private val camera = Camera.perspective(
+        Vector3d(0.0, 0.0, 4.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 60.0, 1.0, 10.0,
+    )
+
+    /** The linear colour of a large wall at z = 0, seen at the middle of a 1 x 1 raster. */
+    private fun seen(material: Material, vararg lights: Light): Rgba = color(shaded(material, Z, lights.toList()))
+
+    private fun color(fragment: Fragment): Rgba = Rgba(fragment.red, fragment.green, fragment.blue, fragment.alpha)
+
+    private fun shaded(material: Material, normal: Vector3d, lights: List<Light>): Fragment {
+        val normals = FloatArray(9) { normal[it % 3].toFloat() }
+        val wall = Mesh(floatArrayOf(-9f, -9f, 0f, 9f, -9f, 0f, 0f, 12f, 0f), intArrayOf(0, 1, 2), material, normals)
+        val frame = Scene(listOf(wall), lights, camera).frame(1, 1)
+        val fragment = Fragment()
+        fragment.moveTo(0, 0)
+        frame.primitives.single().shade(fragment)
+        return fragment
+    }
+
+    private fun assertColor(red: Double, green: Double, blue: Double, actual: Rgba) {
+        val difference = listOf(actual.red - red, actual.green - green, actual.blue - blue)
+        assertTrue(difference.all { Math.abs(it) < 2e-6 }) { "$actual instead of $red, $green, $blue" }
+    }
+
+    @Test
+    fun rule_6_5_ambientLightIsMultiplied() {
+        val lights = arrayOf<Light>(Light.Ambient(Rgba(0.25f, 0.5f, 0.75f)), Light.Ambient(Rgba(0.25f, 0f, 0f)))
+        for (shading in Shading.entries - Shading.CONSTANT) {
+            assertColor(0.25, 0.125, 0.75, seen(Material(Rgba(0.5f, 0.25f, 1f), shading = shading), *lights))
+        }
+    }
+
+    @Test
+    fun rule_6_5_withoutLightThereIsEmissionAlone() {
+        val dark = Light.Ambient(Rgba.BLACK)
+        for (shading in Shading.entries - Shading.CONSTANT) {
+            val material = Material(shading = shading, emission = Rgba(0.1f, 0.2f, 0.3f), specular = Rgba.WHITE)
+            assertColor(0.1, 0.2, 0.3, seen(material, dark))
+        }
+        val constant = Material(Rgba(0.5f, 0.5f, 0.5f), shading = Shading.CONSTANT, emission = Rgba(0.1f, 0.2f, 0.3f))
+        assertColor(0.6, 0.7, 0.8, seen(constant, dark))
+    }
+
+    @Test
+    fun rule_6_5_lambertsCosine() {
+        // 60 degrees from the normal: half the light; from behind the wall: none
+        val slanted = Vector3d(StrictMath.sqrt(3.0), 0.0, -1.0)
+        for (shading in Shading.entries - Shading.CONSTANT) {
+            val material = Material(Rgba(1f, 0.5f, 0.25f), shading = shading)
+            assertColor(0.5, 0.25, 0.125, seen(material, Light.Directional(slanted, Rgba.WHITE)))
+            assertColor(0.0, 0.0, 0.0, seen(material, Light.Directional(Vector3d(0.0, 0.0, 1.0), Rgba.WHITE)))
+        }
+        val point = Light.Point(Vector3d(StrictMath.sqrt(3.0) * 2, 0.0, 2.0), Rgba(2f, 2f, 2f))
+        assertColor(1.0, 1.0, 1.0, seen(Material(), point))
+    }
+
+    @Test
+    fun rule_6_5_highlightsByHand() {
+        // Light from 60 degrees off the line of sight, which is the normal
+        val light = Light.Directional(Vector3d(-StrictMath.sqrt(3.0), 0.0, -1.0), Rgba.WHITE)
+        val black = Material(Rgba.BLACK, specular = Rgba(1f, 0.5f, 0.25f), shininess = 3)
+        // Phong: reflected ray and viewer are 60 degrees apart, (1/2)^3
+        assertColor(0.125, 0.0625, 0.03125, seen(black, light))
+        // Blinn: normal and halfway vector are 30 degrees apart, (3/4)^(3/2)
+        val strength = StrictMath.pow(0.75, 1.5)
+        assertColor(strength, strength / 2, strength / 4, seen(black.withShading(Shading.BLINN_PHONG), light))
+    }
+
+    @Test
+    fun rule_6_5_highlightsOfOneComponentAlone() {
+        val light = Light.Directional(Vector3d(0.0, 0.0, -1.0), Rgba.WHITE)
+        for (shading in listOf(Shading.PHONG, Shading.BLINN_PHONG)) {
+            for (k in 0 until 3) {
+                val (red, green, blue) = List(3) { if (it == k) 0.5f else 0f }
+                val material = Material(Rgba.BLACK, shading = shading, specular = Rgba(red, green, blue))
+                assertColor(red.toDouble(), green.toDouble(), blue.toDouble(), seen(material, light))
+            }
+        }
+    }
+
+    @Test
+    fun rule_6_5_aLightAlongTheSurfaceAddsNothing() {
+        // Its cosine is 0, though the highlight's would be above 0
+        for (shading in Shading.entries - Shading.CONSTANT) {
+            for (direction in listOf(Vector3d(1.0, 0.0, 0.0), Vector3d(0.0, -1.0, 0.0))) {
+                val material = Material(shading = shading, specular = Rgba.WHITE, shininess = 1)
+                assertColor(0.0, 0.0, 0.0, seen(material, Light.Directional(direction, Rgba.WHITE)))
+            }
+        }
+    }
+
+    @Test
+    fun rule_6_5_aNormalWithoutLengthPointsToTheViewer() {
+        val light = Light.Directional(Vector3d(StrictMath.sqrt(3.0), 0.0, -1.0), Rgba.WHITE)
+        for (shading in listOf(Shading.PHONG, Shading.BLINN_PHONG)) {
+            val fragment = shaded(Material(shading = shading), Vector3d(), listOf(light))
+            assertColor(0.5, 0.5, 0.5, color(fragment))
+        }
+    }
+
+    @Test
+    fun rule_6_5_theFormulaInDoublePrecision() {
+        val random = Random(4)
+        repeat(300) {
+            val unit = { Vector3d(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).normalize() }
+            val normal = unit().also { it.z = Math.abs(it.z) + 0.01 }
+            val light = unit().mul(-1.0)
+            val shading = if (random.nextBoolean()) Shading.PHONG else Shading.BLINN_PHONG
+            val shininess = 1 + random.nextInt(60)
+            val diffuse = listOf(0.8, 0.4, 0.2)
+            val specular = listOf(0.3, 0.6, 0.9)
+            val material = Material(
+                Rgba(0.8f, 0.4f, 0.2f), shading = shading, specular = Rgba(0.3f, 0.6f, 0.9f), shininess = shininess,
+            )
+            val fragment = shaded(material, normal, listOf(Light.Directional(light, Rgba.WHITE)))
+
+            // The same with double precision, from the fragment's own position
+            val n = Vector3d(normal).normalize()
+            val toLight = Vector3d(light).mul(-1.0).normalize()
+            val world = Vector3d(fragment.worldX.toDouble(), fragment.worldY.toDouble(), fragment.worldZ.toDouble())
+            val toEye = Vector3d(camera.eye).sub(world).normalize()
+            val cosine = n.dot(toLight)
+            var expected = listOf(0.0, 0.0, 0.0)
+            if (cosine > 0) {
+                val reflected = Vector3d(n).mul(2 * cosine).sub(toLight)
+                val halfway = Vector3d(toLight).add(toEye).normalize()
+                val base = if (shading == Shading.PHONG) reflected.dot(toEye) else n.dot(halfway)
+                val strength = StrictMath.pow(maxOf(base, 0.0), shininess.toDouble())
+                expected = diffuse.zip(specular) { d, s -> d * cosine + s * strength }
+            }
+            val actual = listOf(fragment.red, fragment.green, fragment.blue)
+            val error = actual.zip(expected) { a, e -> Math.abs(a - e) }.max()
+            assertTrue(error < 2e-5) { "$actual instead of $expected" }
+        }
+    }
+
+    @Test
+    fun rule_6_5_theBackIsLitAsAFront() {
+        // Seen from behind, the normal is turned to the viewer's side, whichever way it pointed
+        val light = Light.Directional(Vector3d(0.0, 0.0, -1.0), Rgba.WHITE)
+        for (shading in Shading.entries - Shading.CONSTANT) {
+            for (normals in listOf(null, FloatArray(9) { if (it % 3 == 2) -1f else 0f })) {
+                val positions = floatArrayOf(-9f, -9f, 0f, 0f, 12f, 0f, 9f, -9f, 0f)
+                val wall = Mesh(positions, intArrayOf(0, 1, 2), Material(shading = shading), normals)
+                val image = ZBuffer().render(Scene(listOf(wall), listOf(light), camera).frame(1, 1))
+                assertEquals(-1, image.argb(0, 0)) { "$shading" }
+            }
+        }
+    }
+
+    @Test
+    fun rule_6_5_gouraudInterpolatesColoursAndFlatHasOne() {
+        val light = Light.Point(Vector3d(-3.0, 0.0, 1.0), Rgba.WHITE)
+        fun row(shading: Shading): Set<Int> {
+            val positions = floatArrayOf(-2f, -2f, 0f, 2f, -2f, 0f, 0f, 3f, 0f)
+            val mesh = Mesh(positions, intArrayOf(0, 1, 2), Material(shading = shading))
+            val image = ZBuffer().render(Scene(listOf(mesh), listOf(light), camera).frame(64, 64))
+            return (0 until 64).filter { image.primitive(it, 40) == 0 }.map { image.argb(it, 40) }.toSet()
+        }
+        assertEquals(1, row(Shading.FLAT).size)
+        assertTrue(row(Shading.GOURAUD).size > 5)
+        assertTrue(row(Shading.PHONG).size > 5)
+        assertTrue(row(Shading.PHONG) != row(Shading.GOURAUD))
+    }
+
+    @Test
+    fun rule_6_5_coloursAndTexturesAreMultiplied() {
+        val texture = Texture(1, 1, intArrayOf(Rgba(0.5f, 0.5f, 1f, 1f).toArgb()))
+        val texel = Rgba.ofArgb(texture.texel(0, 0))
+        for (shading in Shading.entries) {
+            val material = Material(Rgba(0.5f, 1f, 1f), texture, shading)
+            val colors = FloatArray(12) { if (it % 4 == 1) 0.5f else 1f }
+            val mesh = Mesh(
+                floatArrayOf(-9f, -9f, 0f, 9f, -9f, 0f, 0f, 12f, 0f), intArrayOf(0, 1, 2), material,
+                uvs = FloatArray(6), colors = colors,
+            )
+            val frame = Scene(listOf(mesh), listOf(Light.Ambient(Rgba.WHITE)), camera).frame(1, 1)
+            val fragment = Fragment()
+            frame.primitives.single().shade(fragment)
+            assertColor(
+                0.5 * texel.red, 0.5 * texel.green, texel.blue.toDouble(),
+                Rgba(fragment.red, fragment.green, fragment.blue),
+            )
+        }
+    }
+
+    private companion object {
+        val Z = Vector3d(0.0, 0.0, 1.0)
+    }
+}

@@ -1,0 +1,153 @@
+package dev.lazyz.shading
+
+import dev.lazyz.BatchShader
+import dev.lazyz.Fragment
+import dev.lazyz.FragmentBatch
+import dev.lazyz.Rgba
+import dev.lazyz.samples
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Light
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.Vertex
+import java.util.Random
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Contract rule 6.1 for materials: one by one or in batches, of meshes or of polygons, colours are the same. */
+class MaterialShaderTest {
+    private val texture = Texture(2, 2, intArrayOf(-0x1, 0x40ff0000, 0x4000ff00, -0xffff01), TextureFilter.BILINEAR)
+    private val lights = listOf(
+        Light.Ambient(Rgba(0.1f, 0.2f, 0.3f)), Light.Directional(Vector3d(-1.0, -2.0, -3.0), Rgba(0.7f, 0.6f, 0.5f)),
+    )
+    private val camera =
+        Camera.perspective(Vector3d(0.3, 0.4, 4.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 40.0, 1.0, 10.0)
+
+    private fun materials(): List<Material> = Shading.entries.flatMap { shading ->
+        AlphaMode.entries.flatMap { mode ->
+            listOf(null, texture).map { texture ->
+                Material(
+                    Rgba(0.9f, 0.8f, 0.7f, 0.6f), texture, shading, Rgba(0.3f, 0.2f, 0.1f), 8,
+                    Rgba(0.1f, 0.2f, 0.3f), mode,
+                )
+            }
+        }
+    }
+
+    @Test
+    fun rule_6_1_aBatchIsColouredAsItsFragmentsOneByOne() {
+        val random = Random(6)
+        for (material in materials()) {
+            for (isPrelit in listOf(false, true)) {
+                val shader: BatchShader = MaterialShader(material, Lighting(lights, camera), isPrelit)
+                val batch = FragmentBatch.of(5)
+                val fields = listOf(
+                    batch.worldX, batch.worldY, batch.worldZ, batch.normalX, batch.normalY, batch.normalZ,
+                    batch.u, batch.v, batch.vertexRed, batch.vertexGreen, batch.vertexBlue, batch.vertexAlpha,
+                )
+                for (array in fields) for (i in 0 until 5) array[i] = random.nextFloat()
+                shader.shade(batch)
+                for (i in 0 until 5) {
+                    val fragment = Fragment()
+                    batch.moveTo(fragment, i)
+                    shader.shade(fragment)
+                    val colors = listOf(batch.red[i], batch.green[i], batch.blue[i], batch.alpha[i])
+                    assertEquals(listOf(fragment.red, fragment.green, fragment.blue, fragment.alpha), colors) {
+                        "${material.shading}, ${material.alphaMode}, ${material.texture}"
+                    }
+                }
+                // What lies behind the last fragment is left alone
+                assertEquals(listOf(0f, 1f), listOf(batch.red[5], batch.alpha[5]))
+            }
+        }
+    }
+
+    @Test
+    fun rule_6_5_alphaIsBaseTimesVertexTimesTexture() {
+        val material = Material(Rgba(1f, 1f, 1f, 0.75f), texture, Shading.CONSTANT, alphaMode = AlphaMode.BLEND)
+        val texel = FloatArray(4)
+        for (isPrelit in listOf(false, true)) {
+            val shader = MaterialShader(material, Lighting(lights, camera), isPrelit)
+            val fragment = Fragment()
+            fragment.vertexAlpha = 0.5f
+            fragment.u = 0.3f
+            fragment.v = 0.4f
+            texture.sample(0.3f, 0.4f, texel)
+            shader.shade(fragment)
+            val alpha = if (isPrelit) 0.5f * texel[3] else 0.5f * 0.75f * texel[3]
+            assertEquals(alpha, fragment.alpha)
+            assertEquals(alpha, shader.alphaAt(fragment))
+        }
+    }
+
+    @Test
+    fun aShaderOfOnesOwnSeesTextureCoordinatesWithoutATexture() {
+        val material = Material(shader = { it.setColor(it.u, it.v, it.vertexRed) })
+        val positions = floatArrayOf(-9f, -9f, 0f, 9f, -9f, 0f, 0f, 12f, 0f)
+        val uvs = FloatArray(6) { if (it % 2 == 0) 0.75f else -3f }
+        val mesh = Mesh(positions, intArrayOf(0, 1, 2), material, uvs = uvs)
+        val fragment = Fragment()
+        Scene(listOf(mesh), lights, camera).frame(1, 1).primitives.single().shade(fragment)
+        assertEquals(listOf(0.75f, -3f, 1f), listOf(fragment.red, fragment.green, fragment.blue))
+    }
+
+    @Test
+    fun rule_6_6_aTextureIsReadAtTheMeshsCoordinates() {
+        val positions = floatArrayOf(-9f, -9f, 0f, 9f, -9f, 0f, 0f, 12f, 0f)
+        val texel = FloatArray(4)
+        for (place in listOf(0.25f, 0.4f, 0.75f)) {
+            val mesh = Mesh(
+                positions, intArrayOf(0, 1, 2), Material(texture = texture, shading = Shading.CONSTANT),
+                uvs = FloatArray(6) { place },
+            )
+            val fragment = Fragment()
+            Scene(listOf(mesh), lights, camera).frame(1, 1).primitives.single().shade(fragment)
+            texture.sample(place, place, texel)
+            assertEquals(texel.take(3), listOf(fragment.red, fragment.green, fragment.blue))
+        }
+    }
+
+    @Test
+    fun rule_6_1_aPolygonIsColouredAsATriangleOfAMesh() {
+        val random = Random(7)
+        var samples = 0
+        for (material in materials()) {
+            if (material.alphaMode == AlphaMode.MASK) continue
+            val positions = FloatArray(9) { (random.nextFloat() * 2 - 1) * if (it % 3 == 2) 0.3f else 1.5f }
+            val uvs = FloatArray(6) { random.nextFloat() * 3 - 1 }
+            val colors = FloatArray(12) { random.nextFloat() }
+            val corners = List(3) { i ->
+                Vertex(
+                    positions[3 * i].toDouble(), positions[3 * i + 1].toDouble(), positions[3 * i + 2].toDouble(),
+                    uvs[2 * i], uvs[2 * i + 1],
+                    Rgba(colors[4 * i], colors[4 * i + 1], colors[4 * i + 2], colors[4 * i + 3]),
+                )
+            }
+            val mesh = Mesh(positions, intArrayOf(0, 1, 2), material, null, uvs, colors)
+            val frame = Scene(listOf(mesh, Polygon(listOf(corners), material)), lights, camera).frame(16, 16)
+            val (triangle, polygon) = frame.primitives
+            val covered = triangle.samples(frame.raster)
+            assertEquals(covered, polygon.samples(frame.raster))
+            for (place in 0 until 16 * 16) {
+                if (!covered[place % 16, place / 16]) continue
+                samples++
+                val (expected, actual) = listOf(triangle, polygon).map { primitive ->
+                    val fragment = Fragment()
+                    fragment.moveTo(place % 16, place / 16)
+                    primitive.shade(fragment)
+                    listOf(fragment.red, fragment.green, fragment.blue, fragment.alpha)
+                }
+                assertEquals(expected, actual)
+            }
+        }
+        assertTrue(samples > 200) { "$samples" }
+    }
+}

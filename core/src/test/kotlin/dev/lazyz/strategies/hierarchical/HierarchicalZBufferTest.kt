@@ -1,0 +1,205 @@
+package dev.lazyz.strategies.hierarchical
+
+import dev.lazyz.Counters
+import dev.lazyz.DepthConvention
+import dev.lazyz.DepthTest
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Rgba
+import dev.lazyz.Spans
+import dev.lazyz.strategies.scanline.City
+import dev.lazyz.strategies.warnock.AreaFrames
+import dev.lazyz.strategies.warnock.Stacks
+import dev.lazyz.strategies.warnock.Submission
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.FrameBuilder
+import kotlin.random.Random
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class HierarchicalZBufferTest {
+    private fun counted(frame: Frame): Counters {
+        val image = HierarchicalZBuffer().render(frame)
+        assertEquals(ZBuffer().render(frame), image)
+        assertEquals(image.visible.toLong(), image.counters.shadingCalls)
+        return image.counters
+    }
+
+    private fun rectangle(left: Int, top: Int, right: Int, bottom: Int, near: Double, far: Double): DoubleArray {
+        val (x0, x1) = listOf(left.toDouble(), right.toDouble())
+        val (y0, y1) = listOf(top.toDouble(), bottom.toDouble())
+        return doubleArrayOf(x0, y0, near, x1, y0, near, x1, y1, far, x0, y1, far)
+    }
+
+    @Test
+    fun aThousandLayersCostAsManyDepthsAsOne() {
+        for (submission in Submission.entries) {
+            for (count in listOf(1, 10, 1000)) {
+                val counters = counted(Stacks.layers(Raster(128, 128), count, submission))
+                assertEquals(count * 16_384L, counters.fragments)
+                assertEquals(16_384, counters.depthEvaluations, "$count layers $submission")
+            }
+        }
+    }
+
+    @Test
+    fun layersThatOverlapInDepthCostLittleMore() {
+        // Ten of them reach before the farthest sample of the first: they are asked for block by block
+        for (submission in Submission.entries) {
+            val counters = counted(Stacks.layers(Raster(128, 128), 1000, submission, steepness = 10.0))
+            assertTrue(counters.depthEvaluations <= 16_384 * 1.2, "$submission $counters")
+        }
+    }
+
+    @Test
+    fun everyDepthTestRejects() {
+        for (test in DepthTest.entries) {
+            val behind = if (test.key(0, 0) < test.key(1, 0)) Int.MAX_VALUE else 0
+            for (convention in DepthConvention.entries) {
+                val raster = Raster(128, 128, Rgba.WHITE, convention, test, behind)
+                val counters = counted(Stacks.layers(raster, 100, Submission.SHUFFLED, steepness = 5.0))
+                assertTrue(counters.depthEvaluations < 128 * 128 * 1.2, "$test $convention $counters")
+            }
+        }
+    }
+
+    @Test
+    fun aHiddenPrimitiveIsNotEvaluated() {
+        // Without a linear form: whoever wants its depth has to ask
+        val frame = FrameBuilder(Raster(300, 200))
+            .add(NeverAsked(300, 200))
+            .polygon(Rgba.BLACK, rectangle(0, 0, 300, 200, 0.2, 0.4))
+            .build()
+        val counters = counted(Frame(frame.raster, frame.primitives.drop(1)))
+        assertEquals(300 * 200, counters.depthEvaluations)
+        val image = HierarchicalZBuffer().render(frame)
+        assertEquals(300 * 200, image.counters.depthEvaluations)
+        assertEquals(2L * 300 * 200, image.counters.fragments)
+    }
+
+    @Test
+    fun aHiddenPrimitiveIsRejectedByFourCellsAtMost() {
+        val random = Random(1993)
+        val builder = FrameBuilder(Raster(500, 300)).polygon(Rgba.BLACK, rectangle(0, 0, 500, 300, 0.1, 0.2))
+        repeat(1000) {
+            val left = random.nextInt(500)
+            val top = random.nextInt(300)
+            val right = random.nextInt(left, 500) + 1
+            builder.polygon(Rgba.BLACK, rectangle(left, top, right, random.nextInt(top, 300) + 1, 0.3, 0.9))
+        }
+        val frame = builder.build()
+        val counters = Counters()
+        val drawing = PyramidDrawing(frame, counters)
+        drawing.draw(0)
+        val looks = drawing.pyramid.looks
+        for (index in 1..1000) drawing.draw(index)
+        assertTrue(drawing.pyramid.looks - looks <= 4000, "${drawing.pyramid.looks - looks}")
+        assertEquals(500L * 300, counters.depthEvaluations)
+    }
+
+    @Test
+    fun equalDepthsAreRejectedByTheOrderOfSubmission() {
+        // The same wall ten times over, level: all but the visible one are behind it, by their indices alone
+        for (test in DepthTest.entries) {
+            val behind = if (test.key(0, 0) < test.key(1, 0)) Int.MAX_VALUE else 0
+            val raster = Raster(64, 64, Rgba.WHITE, DepthConvention.SMALLER_IS_NEARER, test, behind)
+            val builder = FrameBuilder(raster)
+            repeat(10) { builder.polygon(Rgba.BLACK, rectangle(0, 0, 64, 64, 0.5, 0.5)) }
+            val counters = counted(builder.build())
+            assertTrue(counters.depthEvaluations <= 64 * 64 + 9 * 64, "$test $counters")
+        }
+    }
+
+    @Test
+    fun blocksAreRejectedWhereThePrimitiveIsNot() {
+        // A wall before the left three quarters, in depths that the slope behind it reaches, too
+        val counters = counted(
+            FrameBuilder(Raster(256, 256))
+                .polygon(Rgba.BLACK, rectangle(0, 0, 192, 256, 0.1, 0.5))
+                .polygon(Rgba.BLACK, rectangle(0, 0, 256, 256, 0.3, 0.7))
+                .build(),
+        )
+        assertEquals(192L * 256 + 256 * 256, counters.fragments)
+        val asking = counters.depthEvaluations - 256 * 256
+        assertTrue(asking <= 32 * 32, "$asking depths to ask for blocks")
+    }
+
+    @Test
+    fun aCityCostsFewerDepthsThanFragments() {
+        val counters = counted(City.frame(640, 360, blocks = 16))
+        val perFragment = counters.depthEvaluations.toDouble() / counters.fragments
+        val overdraw = counters.fragments.toDouble() / counters.shadingCalls
+        assertTrue(overdraw > 6, "overdraw $overdraw")
+        assertTrue(perFragment < 0.5, "$perFragment depth evaluations a fragment, overdraw $overdraw")
+    }
+
+    @Test
+    fun memoryIsTheImageAndThePyramid() {
+        val counters = counted(Stacks.layers(Raster(512, 512), 100, Submission.SHUFFLED))
+        val blocks = 64L * 64
+        val image = 8L * 512 * 512
+        assertTrue(counters.peakBytes > image + blocks * 8 * 4 / 3, "${counters.peakBytes}")
+        assertTrue(counters.peakBytes < image + blocks * 12 + 8 * 100 + 20 * 512, "${counters.peakBytes}")
+    }
+
+    @Test
+    fun cellsHoldTheFarthestKeyOfTheirSamples() {
+        for (seed in 0L until 300L) {
+            val frame = AreaFrames(seed).frame()
+            val test = frame.raster.depthTest
+            val drawing = PyramidDrawing(frame, Counters())
+            for (index in frame.primitives.indices) {
+                drawing.draw(index)
+                drawing.pyramid.assertCurrent()
+            }
+            val picture = ZBuffer().render(frame)
+            assertEquals(
+                List(picture.depth.size) { test.key(picture.depth[it], picture.primitive[it]) },
+                drawing.keys.toList(),
+            )
+        }
+    }
+
+    /** A key is hidden in exactly the blocks all of whose samples have lesser ones, at every level. */
+    private fun DepthPyramid.assertCurrent() {
+        for (level in 0 until levelCount) {
+            val size = DepthPyramid.BLOCK shl level
+            for (row in 0..(region.height - 1) / size) {
+                for (column in 0..(region.width - 1) / size) {
+                    var farthest = 0L
+                    for (y in row * size until minOf((row + 1) * size, region.height)) {
+                        for (x in column * size until minOf((column + 1) * size, region.width)) {
+                            farthest = maxOf(farthest, keys[y * region.width + x])
+                        }
+                    }
+                    assertTrue(isHidden(farthest + 1, level, column, row), "$level $column $row")
+                    assertTrue(!isHidden(farthest, level, column, row), "$level $column $row")
+                }
+            }
+        }
+    }
+
+    @Test
+    fun anEmptyFrameIsBackground() {
+        assertEquals(0, counted(FrameBuilder(Raster(5, 4)).build()).depthEvaluations)
+    }
+}
+
+/** As wide as the raster, and behind the middle of the depths. */
+private class NeverAsked(private val width: Int, override val rowEnd: Int) : Primitive {
+    override val rowStart: Int get() = 0
+    override val columnStart: Int get() = 0
+    override val columnEnd: Int get() = width
+    override val leastDepth: Int get() = Int.MAX_VALUE / 2
+
+    override fun spans(y: Int, spans: Spans) {
+        if (y in 0 until rowEnd) spans.add(0, width)
+    }
+
+    override fun depth(x: Int, y: Int): Int = throw AssertionError("depth at ($x, $y)")
+
+    override fun shade(fragment: Fragment): Unit = throw AssertionError("colour at (${fragment.x}, ${fragment.y})")
+}

@@ -1,0 +1,58 @@
+package dev.lazyz.strategies.hybrid
+
+import dev.lazyz.Coherence
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.RenderOptions
+import dev.lazyz.pipeline.LayeredFrames
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import kotlinx.coroutines.flow.asFlow
+import kotlinx.coroutines.runBlocking
+import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.ForAll
+import net.jqwik.api.Property
+import net.jqwik.api.constraints.LongRange
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+
+/** The hybrid's picture is the z-buffer's, whatever the budget. */
+class HybridProperties {
+    @Property(tries = 600, seed = "20260101", edgeCases = EdgeCasesMode.NONE)
+    fun givesTheZBuffersPictureAndShadesOnlyWhatIsVisible(@ForAll seed: Long) {
+        val frame = LayeredFrames.opaque(seed)
+        val expected = ZBuffer().render(frame)
+        for (coherence in Coherence.entries) {
+            val image = Hybrid(RenderOptions(coherence)).render(frame)
+            assertEquals(expected, image)
+            assertEquals(image.visible.toLong(), image.counters.shadingCalls)
+            assertEquals(image.visible > 0, image.counters.peakSuspensions > 0)
+            assertEquals(expected.counters.fragments, image.counters.fragments)
+            assertEquals(expected.counters.depthPasses, image.counters.depthPasses)
+            assertEquals(expected.counters.primitives, image.counters.primitives)
+        }
+    }
+
+    @Property(tries = 600, seed = "20260102", edgeCases = EdgeCasesMode.NONE)
+    fun anyBudgetGivesTheSamePictureWithinTheBudget(
+        @ForAll seed: Long,
+        @ForAll @LongRange(min = 0, max = 5000) budget: Long,
+        @ForAll coherence: Coherence,
+    ) {
+        val frame = LayeredFrames.opaque(seed)
+        val expected = ZBuffer().render(frame)
+        for (bytes in listOf(0L, budget)) {
+            val hybrid = Hybrid(RenderOptions(coherence, memoryBudget = bytes))
+            for (image in listOf(hybrid.render(frame), stream(hybrid, Frame(frame.raster, frame.primitives)))) {
+                val whole = if (image.region == frame.region) expected else ZBuffer().render(frame.within(image.region))
+                assertEquals(whole, image)
+                assertTrue(image.counters.peakBytes <= bytes + 12 * image.region.size) { image.counters.toString() }
+                assertTrue(image.counters.shadingCalls in image.visible..whole.counters.shadingCalls)
+            }
+        }
+    }
+
+    private fun stream(hybrid: Hybrid, frame: Frame): Image = runBlocking {
+        val collector = Image.Collector(frame.region)
+        collector.toImage(hybrid.render(frame.raster, frame.primitives.asFlow(), collector))
+    }
+}

@@ -1,0 +1,189 @@
+package dev.lazyz.strategies.hybrid
+
+import dev.lazyz.Capability
+import dev.lazyz.Coherence
+import dev.lazyz.Counters
+import dev.lazyz.Depth
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.RenderOptions
+import dev.lazyz.Rgba
+import dev.lazyz.RowSink
+import dev.lazyz.pipeline.Pane
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Scene
+import java.util.Random
+import kotlinx.coroutines.flow.Flow
+import kotlinx.coroutines.flow.asFlow
+import kotlinx.coroutines.flow.flow
+import kotlinx.coroutines.runBlocking
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.assertThrows
+
+/** The hybrid's promises, by its counters. */
+class HybridTest {
+    private val raster = Raster(40, 40)
+    private val imageBytes = 12 * raster.size
+
+    /** Four hundred tiles, and over them ten walls, each nearer than the last. */
+    private val mosaic: Frame = Frame(
+        raster,
+        List(400) { Pane(tile(it % 20 * 2, it / 20 * 2), Depth.FAR - it, Rgba.BLACK) } +
+            List(10) { Pane(raster.region, Depth.FAR / 2 - it, Rgba.BLACK) },
+    )
+
+    private fun tile(column: Int, row: Int) = Region(column, row, column + 2, row + 2)
+
+    @Test
+    fun withoutABudgetOnlyWhatIsVisibleIsShaded() {
+        val counters = Hybrid().render(mosaic).counters
+        assertEquals(raster.size, counters.shadingCalls)
+        assertEquals(raster.size, counters.peakSuspensions)
+        assertEquals(11 * raster.size, counters.depthPasses)
+    }
+
+    @Test
+    fun lessMemoryMeansMoreShadingAndNeverMoreThanTheBudget() {
+        val eager = ZBuffer().render(mosaic)
+        val unlimited = Hybrid().render(mosaic).counters.peakBytes - imageBytes
+        val extra = ArrayList<Long>()
+        for (budget in listOf(0, unlimited / 10, unlimited / 3, unlimited - 1, unlimited)) {
+            val image = render(mosaic, budget)
+            assertEquals(eager, image)
+            assertTrue(image.counters.peakBytes <= imageBytes + budget)
+            extra.add(image.counters.shadingCalls - image.visible)
+        }
+
+        // From shading all that passes, over forcing some of the tiles, to none in vain
+        assertEquals(10 * raster.size, extra[0])
+        for (some in extra.subList(1, 4)) assertTrue(some in 1..2 * raster.size) { extra.toString() }
+        assertEquals(0, extra[4])
+    }
+
+    @Test
+    fun laterSuspensionsAreLazyAgainAfterForcing() {
+        // Room for a few tiles only: they are forced again and again, and the first wall too as its record grows
+        val image = render(mosaic, 2000)
+        val calls = mosaic.primitives.map { (it as Pane).shadingCalls }
+        assertTrue(calls.take(401).sum() > raster.size / 2) { calls.toString() }
+
+        // Of the walls that follow only the last is shaded
+        assertEquals(List(8) { 0 } + raster.size.toInt(), calls.drop(401))
+        assertEquals(calls.sum().toLong(), image.counters.shadingCalls)
+    }
+
+    @Test
+    fun withBudgetZeroNothingIsSuspended() {
+        val counters = render(mosaic, 0).counters
+        assertEquals(0, counters.peakSuspensions)
+        assertEquals(imageBytes, counters.peakBytes)
+        assertEquals(ZBuffer().render(mosaic).counters.shadingCalls, counters.shadingCalls)
+    }
+
+    @Test
+    fun bytesGrowWithSuspensionsAndAreFreedWhenTheyAreHidden() {
+        val tiles = Frame(raster, mosaic.primitives.take(400))
+        val half = Frame(raster, mosaic.primitives.take(200))
+        val growth = Hybrid().render(tiles).counters.peakBytes - Hybrid().render(half).counters.peakBytes
+        assertTrue(growth > 200 * 100) { "$growth bytes for 200 more records" }
+
+        // Ten thousand walls, each hiding the last: no more than two of them are ever held
+        val walls = Frame(raster, List(10_000) { Pane(raster.region, Depth.FAR - it, Rgba.BLACK) })
+        val counters = Hybrid().render(walls).counters
+        assertTrue(counters.peakBytes - imageBytes < 3000) { counters.toString() }
+        assertEquals(raster.size, counters.peakSuspensions)
+    }
+
+    @Test
+    fun aStreamKeepsOnlyPrimitivesThatSuspensionsReferTo() {
+        val held = 1_000_000L
+        val walls = flow<Primitive> {
+            for (i in 0 until 1000) emit(Pane(raster.region, Depth.FAR - i, Rgba.BLACK, held))
+            for (i in 0 until 1000) emit(Pane(raster.region, Depth.FAR - i, Rgba.BLACK, held))
+        }
+        val counters = stream(Hybrid(), walls).counters
+        assertTrue(counters.peakBytes in imageBytes + held..imageBytes + 2 * held + 5000) { counters.toString() }
+        assertEquals(raster.size, counters.shadingCalls)
+    }
+
+    @Test
+    fun aPrimitiveTooLargeForTheBudgetForcesNothingElse() {
+        val tiles = mosaic.primitives.take(20)
+        val large = Pane(Region(30, 30, 40, 40), Depth.NEAR, Rgba.WHITE, heldBytes = 1_000_000)
+        val cover = Pane(Region(0, 0, 40, 2), Depth.NEAR, Rgba.WHITE)
+        val hybrid = Hybrid(RenderOptions(memoryBudget = 20_000))
+        val image = stream(hybrid, (tiles + large + cover).asFlow())
+        assertEquals(image.visible.toLong(), image.counters.shadingCalls)
+    }
+
+    @Test
+    fun sharedVerticesAreCountedOnce() {
+        // A fine mesh, all of it visible: its vertices are far more than its triangles' own bytes are apart
+        val side = 30
+        val positions = FloatArray(3 * side * side) {
+            when (it % 3) {
+                0 -> (it / 3 % side).toFloat()
+                1 -> (it / 3 / side).toFloat()
+                else -> 0f
+            }
+        }
+        val triangles = IntArray(6 * (side - 1) * (side - 1)) {
+            val cell = it / 6
+            val corner = cell / (side - 1) * side + cell % (side - 1)
+            corner + intArrayOf(0, 1, side, 1, side + 1, side)[it % 6]
+        }
+        val normals = FloatArray(positions.size) { if (it % 3 == 2) 1f else 0f }
+        val scene = Scene(listOf(Mesh(positions, triangles, Material(), normals)))
+        val counters = stream(Hybrid(), scene.primitives(raster).asFlow()).counters
+        val records = 2 * (side - 1) * (side - 1)
+        val vertices = 128L * side * side
+        assertTrue(counters.peakBytes > imageBytes + vertices)
+        assertTrue(counters.peakBytes < imageBytes + 2 * vertices + records * 1200L) { counters.toString() }
+    }
+
+    @Test
+    fun chainsOfStepsAreWithinTheBudgetToo() {
+        val scene = Scene(listOf(Mesh(FloatArray(9) { Random(it.toLong()).nextFloat() * 4 - 2 }, intArrayOf(0, 1, 2))))
+        val frame = scene.frame(raster)
+        val stepping = Hybrid(RenderOptions(Coherence.INCREMENTAL)).render(frame)
+        assertTrue(stepping.counters.shadingSteps > 0)
+        val without = Hybrid(RenderOptions(Coherence.INCREMENTAL, memoryBudget = 400)).render(frame)
+        assertEquals(0, without.counters.shadingSteps)
+        assertEquals(stepping, without)
+    }
+
+    @Test
+    fun capabilitiesFollowTheBudget() {
+        assertTrue(Capability.SHADES_ONLY_VISIBLE in Hybrid().capabilities)
+        val configured = Hybrid().configured(RenderOptions(memoryBudget = 1000))
+        assertTrue(Capability.SHADES_ONLY_VISIBLE !in configured.capabilities)
+        assertTrue(Capability.MEMORY_BUDGET in configured.capabilities)
+        assertTrue(configured.render(mosaic).counters.peakBytes <= imageBytes + 1000)
+    }
+
+    @Test
+    fun aFlowThatFailsHandsOutNoRow() {
+        val failing = flow<Primitive> {
+            emit(mosaic.primitives[0])
+            error("the flow's own")
+        }
+        val sink = RowSink { _, _, _, _ -> throw AssertionError("a row was handed out") }
+        val error = assertThrows<IllegalStateException> { runBlocking { Hybrid().render(raster, failing, sink) } }
+        assertEquals("the flow's own", error.message)
+    }
+
+    private fun render(frame: Frame, budget: Long): Image = Hybrid(RenderOptions(memoryBudget = budget)).render(frame)
+
+    private fun stream(hybrid: Hybrid, primitives: Flow<Primitive>): Image = runBlocking {
+        val collector = Image.Collector(raster.region)
+        val counters: Counters = hybrid.render(raster, primitives, collector)
+        collector.toImage(counters)
+    }
+}

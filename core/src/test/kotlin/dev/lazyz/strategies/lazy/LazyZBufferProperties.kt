@@ -1,0 +1,59 @@
+package dev.lazyz.strategies.lazy
+
+import dev.lazyz.Coherence
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.RenderOptions
+import dev.lazyz.pipeline.PipelineFrames
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import java.util.Random
+import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.ForAll
+import net.jqwik.api.Property
+import org.junit.jupiter.api.Assertions.assertEquals
+
+/** Contract rules 5, 7 and 8: the same picture as the z-buffer's, for the promised work. */
+class LazyZBufferProperties {
+    @Property(tries = 600, seed = "55", edgeCases = EdgeCasesMode.NONE)
+    fun rule_7_1_thePictureIsTheZBuffers(@ForAll seed: Long, @ForAll coherence: Coherence) {
+        val frame = PipelineFrames(seed).next()
+        val expected = ZBuffer().render(frame)
+        val image = LazyZBuffer(RenderOptions(coherence)).render(frame)
+        assertEquals(expected, image)
+
+        // The same fragments in the same order, so the same comparisons; but colours only where they are seen
+        assertEquals(expected.counters.primitives, image.counters.primitives)
+        assertEquals(expected.counters.fragments, image.counters.fragments)
+        assertEquals(expected.counters.depthEvaluations, image.counters.depthEvaluations)
+        assertEquals(expected.counters.depthPasses, image.counters.depthPasses)
+        assertEquals(image.visible.toLong(), image.counters.shadingCalls)
+    }
+
+    @Property(tries = 200, seed = "56", edgeCases = EdgeCasesMode.NONE)
+    fun rule_7_1_rowsAreThePictureInAnyOrderOfLooking(@ForAll seed: Long, @ForAll coherence: Coherence) {
+        val frame = PipelineFrames(seed).next()
+        val expected = ZBuffer().render(frame)
+        val random = Random(seed)
+        var counters = Counters()
+
+        // Keep all rows, then look at some columns, then at all, from the last row to the first
+        for (row in LazyZBuffer(RenderOptions(coherence)).rows(frame).toList().reversed()) {
+            for (x in (row.columnStart until row.columnEnd).shuffled(random).take(random.nextInt(row.width + 1))) {
+                assertEquals(expected.argb(x, row.y), row.argb(x))
+            }
+            if (random.nextBoolean()) row.argb()
+            for (x in row.columnStart until row.columnEnd) {
+                assertEquals(expected.argb(x, row.y), row.argb(x))
+                assertEquals(expected.argb(x, row.y), row.argb()[x - row.columnStart])
+                assertEquals(expected.depth(x, row.y), row.depth(x))
+                assertEquals(expected.primitive(x, row.y), row.primitive(x))
+            }
+            val visible = (row.columnStart until row.columnEnd).count { row.primitive(it) != DepthTest.BACKGROUND }
+            assertEquals(visible.toLong(), row.counters.shadingCalls)
+            assertEquals(visible.toLong(), row.counters.peakSuspensions)
+            counters = counters.plus(row.counters)
+        }
+        assertEquals(expected.counters.fragments, counters.fragments)
+        assertEquals(expected.counters.primitives, counters.primitives)
+    }
+}

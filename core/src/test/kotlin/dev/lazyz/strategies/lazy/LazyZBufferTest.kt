@@ -1,0 +1,229 @@
+package dev.lazyz.strategies.lazy
+
+import dev.lazyz.Coherence
+import dev.lazyz.Counters
+import dev.lazyz.Depth
+import dev.lazyz.Frame
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.RenderOptions
+import dev.lazyz.RowSink
+import dev.lazyz.SampleScenes
+import dev.lazyz.pipeline.PipelineScenes
+import dev.lazyz.pipeline.PipelineScenes.usedBytes
+import dev.lazyz.pipeline.Row
+import dev.lazyz.pipeline.Witness
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import java.lang.ref.WeakReference
+import java.util.Random
+import java.util.concurrent.Callable
+import java.util.concurrent.Executors
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class LazyZBufferTest {
+    private val renderer = LazyZBuffer()
+    private val raster = Raster(8, 100)
+
+    @Test
+    fun shadesWhatIsVisibleAndNothingElse() {
+        val layers = PipelineScenes.layers(raster, 20)
+        val image = renderer.render(Frame(raster, layers))
+        assertEquals(800, image.counters.shadingCalls)
+        assertEquals(800 * 20, image.counters.fragments)
+        assertEquals(8, image.counters.peakSuspensions)
+        assertTrue(layers.dropLast(1).all { it.shaded.isEmpty() })
+        assertEquals(800 * 20, ZBuffer().render(Frame(raster, layers)).counters.shadingCalls)
+    }
+
+    @Test
+    fun nothingHappensBeforeTheFirstRowIsDemanded() {
+        val layers = PipelineScenes.layers(raster, 3)
+        renderer.rows(Frame(raster, layers)).map { it.argb() }.drop(5)
+        assertTrue(layers.all { it.cursors.isEmpty() && it.rows.isEmpty() })
+    }
+
+    @Test
+    fun takingSomeRowsDoesTheWorkOfThoseRows() {
+        val layers = PipelineScenes.layers(raster, 10)
+        var counters = Counters()
+        for (row in renderer.rows(Frame(raster, layers)).take(3)) {
+            assertTrue(layers.all { it.rows.size == row.y + 1 }) { "row ${row.y} is ready, and no other" }
+            row.argb()
+            counters = counters.plus(row.counters)
+        }
+        assertTrue(layers.all { it.rows == listOf(0, 1, 2) && it.depths == 24 })
+        assertEquals(10, counters.primitives)
+        assertEquals(240, counters.fragments)
+        assertEquals(240, counters.depthEvaluations)
+        assertEquals(24, counters.shadingCalls)
+    }
+
+    @Test
+    fun onePixelOfARowIsOneShadingCall() {
+        val layers = PipelineScenes.layers(raster, 10)
+        val row = renderer.rows(Frame(raster, layers)).elementAt(5)
+        assertEquals(9, row.primitive(3))
+        assertEquals(Depth.FAR - 9, row.depth(3))
+        assertEquals(0, row.counters.shadingCalls)
+
+        // Forced once, however often it is looked at
+        repeat(4) { row.argb(3) }
+        assertEquals(1, row.counters.shadingCalls)
+        assertEquals(listOf(Pair(3, 5)), layers.flatMap { it.shaded })
+
+        // And not again among all
+        repeat(2) { row.argb() }
+        row.argb(4)
+        assertEquals(8, row.counters.shadingCalls)
+        assertEquals(List(8) { 1 }, layers[9].shaded.groupBy { it }.map { it.value.size })
+    }
+
+    @Test
+    fun onePixelOfAFrameAsksEachPrimitiveForOneDepth() {
+        val layers = PipelineScenes.layers(raster, 10)
+        val frame = Frame(raster, layers).within(Region(3, 70, 4, 71))
+        val row = renderer.rows(frame).single()
+        row.argb(3)
+        assertTrue(layers.all { it.rows == listOf(70) && it.cursors == listOf(70) && it.depths == 1 })
+        assertEquals(listOf(Pair(3, 70)), layers.flatMap { it.shaded })
+        assertEquals(10, row.counters.depthEvaluations)
+        assertEquals(1, row.counters.shadingCalls)
+    }
+
+    @Test
+    fun aStageJoinsAtItsFirstRowAndLeavesAfterItsLast() {
+        val early = Witness(Region(0, 0, 8, 30), Depth.NEAR)
+        val late = Witness(Region(0, 60, 8, 100), Depth.NEAR)
+        val beside = Witness(Region(0, 0, 2, 100), Depth.NEAR)
+        val frame = Frame(raster, listOf(late, early, beside)).within(Region(4, 10, 8, 80))
+        val bytes = renderer.rows(frame).map { it.counters.peakBytes }.toList()
+        assertEquals(listOf(10), early.cursors)
+        assertEquals((10 until 30).toList(), early.rows)
+        assertEquals(listOf(60), late.cursors)
+        assertEquals((60 until 80).toList(), late.rows)
+        assertTrue(beside.cursors.isEmpty())
+
+        // Between the two there is no stage, and less memory
+        assertEquals(listOf(bytes[0]), bytes.slice((0 until 20) + (50 until 70)).distinct())
+        assertEquals(1, bytes.slice(20 until 50).distinct().size)
+        assertTrue(bytes[20] < bytes[0])
+    }
+
+    @Test
+    fun stagesRunInSubmissionOrderHoweverTheyJoin() {
+        val random = Random(8)
+        val asked = ArrayList<Pair<Int, Int>>()
+        val primitives = List(60) { index ->
+            val top = random.nextInt(90)
+            Witness(Region(0, top, 8, top + 1 + random.nextInt(100 - top)), Depth.NEAR) { y -> asked += Pair(y, index) }
+        }
+        renderer.render(Frame(raster, primitives))
+        assertEquals(asked.sortedWith(compareBy({ it.first }, { it.second })), asked)
+        assertEquals(primitives.sumOf { it.rowEnd - it.rowStart }, asked.size)
+    }
+
+    @Test
+    fun countedMemoryDoesNotGrowWithTheRows() {
+        val few = renderer.render(PipelineScenes.staircase(Raster(32, 64), 16, 4), RowSink { _, _, _, _ -> })
+        val frame = PipelineScenes.staircase(Raster(32, 65_536), 16, 4)
+        val many = renderer.render(frame, RowSink { _, _, _, _ -> })
+
+        // A thousand times the rows have a thousand times the primitives; but for the sorted list it is the same
+        assertEquals(few.peakBytes - 8 * few.primitives, many.peakBytes - 8 * many.primitives)
+        assertTrue(many.peakBytes - 8 * many.primitives < 5_000) { "$many" }
+    }
+
+    @Test
+    fun usedMemoryDoesNotGrowWithTheRows() {
+        val frame = PipelineScenes.staircase(Raster(64, 65_536), 16, 4)
+        var early = 0L
+        var late = 0L
+        renderer.render(frame) { y, _, _, _ ->
+            if (y == 64) early = usedBytes()
+            if (y == 65_535) late = usedBytes()
+        }
+
+        // The picture's colours alone would be 16 megabytes
+        assertTrue(late - early < 2_000_000) { "$early bytes at row 64, $late at the last" }
+    }
+
+    @Test
+    fun whatIsPastCanBeCollected() {
+        val rows = renderer.rows(PipelineScenes.staircase(Raster(64, 1_000), 16, 4)).iterator()
+        val first = WeakReference(rows.next())
+        repeat(200) { rows.next() }
+        usedBytes()
+        assertNull(first.get()) { "the chain holds on to a row" }
+    }
+
+    @Test
+    fun aHundredThousandStagesNeedNoStack() {
+        val frame = PipelineScenes.crowd(100_000, 3)
+        val image = PipelineScenes.onASmallStack { renderer.render(frame) }
+        assertEquals(300_000, image.counters.fragments)
+        assertEquals(3, image.counters.shadingCalls)
+        assertEquals(ZBuffer().render(frame), image)
+    }
+
+    @Test
+    fun countedMemoryIsNotLessThanWhatACrowdUses() {
+        val frame = PipelineScenes.crowd(50_000, 3)
+        val before = usedBytes()
+        val rows = renderer.rows(frame).iterator()
+        val row = rows.next()
+        val used = usedBytes() - before
+        assertTrue(row.counters.peakBytes in used * 9 / 10..used * 3 / 2) {
+            "counted ${row.counters.peakBytes}, used $used"
+        }
+        assertTrue(rows.hasNext())
+    }
+
+    @Test
+    fun rowsStayValidWhenLaterOnesArePulled() {
+        val frame = SampleScenes.mixed(Random(3)).frame(Raster(24, 20))
+        val expected = ZBuffer().render(frame)
+        val rows: List<Row> = renderer.rows(frame).toList()
+        for (row in rows) assertEquals(expected.argb.slice(24 * row.y until 24 * row.y + 24), row.argb().toList())
+    }
+
+    @Test
+    fun aSequenceMayBeWalkedTwiceAndByTwoThreadsAtOnce() {
+        val frame = SampleScenes.mixed(Random(4)).frame(Raster(24, 20))
+        val expected = ZBuffer().render(frame).argb.toList()
+        val rows = renderer.rows(frame)
+        val walk = Callable { rows.flatMap { it.argb().asSequence() }.toList() }
+        val threads = Executors.newFixedThreadPool(2)
+        try {
+            for (answer in threads.invokeAll(List(4) { walk })) assertEquals(expected, answer.get())
+        } finally {
+            threads.shutdown()
+        }
+
+        // Interleaved on one thread
+        for ((a, b) in rows.zip(rows)) assertEquals(a.argb().toList(), b.argb().toList())
+    }
+
+    @Test
+    fun aStreamDoesTheWorkOfTheRowsItIsAskedFor() {
+        val layers = PipelineScenes.layers(raster, 2)
+        val argb = renderer.stream(Frame(raster, layers)).limit(2).map { it.argb(1) }.toList()
+        assertEquals(2, argb.size)
+        assertTrue(layers.all { it.rows == listOf(0, 1) })
+        assertEquals(2, layers[1].shaded.size)
+    }
+
+    @Test
+    fun wholeRowsAreShadedWithCoherence() {
+        val frame = SampleScenes.mixed(Random(5)).frame(Raster(60, 20))
+        val direct = renderer.render(frame).counters
+        val incremental = renderer.configured(RenderOptions(Coherence.INCREMENTAL)).render(frame).counters
+        assertEquals(0, direct.shadingSteps)
+        assertEquals(direct.shadingCalls, direct.shadingStarts)
+        assertTrue(incremental.shadingSteps > 0)
+        assertTrue(incremental.shadingStarts < direct.shadingStarts)
+        assertTrue(incremental.peakBytes > direct.peakBytes)
+    }
+}

@@ -1,0 +1,172 @@
+package dev.lazyz.strategies.painter
+
+import dev.lazyz.Counters
+import dev.lazyz.Depth
+import dev.lazyz.DepthConvention
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Raster
+import dev.lazyz.Rgba
+import dev.lazyz.strategies.scanline.City
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.FrameBuilder
+import kotlin.random.Random
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class PainterTest {
+    private fun counted(frame: Frame): Counters {
+        val image = Painter().render(frame)
+        assertEquals(ZBuffer().render(frame), image)
+        return image.counters
+    }
+
+    @Test
+    fun overdrawIsTotalWhereThereIsAnOrder() {
+        for (test in DepthTest.entries) {
+            val background = if (test.key(0, 0) < test.key(1, 0)) Int.MAX_VALUE else 0
+            val raster = Raster(64, 64, Rgba.WHITE, DepthConvention.SMALLER_IS_NEARER, test, background)
+            for (steepness in listOf(0.5, 20.0)) {
+                val counters = counted(City.layers(raster, 50, steepness))
+                assertEquals(50L * 64 * 64, counters.fragments)
+                assertEquals(counters.fragments, counters.shadingCalls)
+            }
+        }
+    }
+
+    @Test
+    fun extentsOfDepthProveAnOrderWithoutEvaluatingDepths() {
+        // Depth is evaluated once a sample, to hand it out
+        val counters = counted(City.layers(Raster(64, 64), 50, 0.5))
+        assertEquals(64L * 64, counters.depthEvaluations)
+    }
+
+    @Test
+    fun planesProveAnOrderWithFewDepths() {
+        val counters = counted(City.layers(Raster(256, 256), 50, 20.0))
+        val proofs = counters.depthEvaluations - counters.shadingCalls / 50
+        assertTrue(proofs < 50 * 50 * 4 * 2, "$proofs depth evaluations in proofs for ${counters.fragments} fragments")
+    }
+
+    @Test
+    fun aCityIsPaintedInOrder() {
+        val counters = counted(City.frame(320, 180, blocks = 8))
+
+        // The feet of the walls are snapped to the grid, and here and there a sample of them sinks into the ground
+        assertTrue(counters.fragments - counters.shadingCalls < 5, "$counters")
+        val perFragment = counters.depthEvaluations.toDouble() / counters.fragments
+        assertTrue(perFragment < 0.5, "$perFragment depth evaluations a fragment")
+    }
+
+    @Test
+    fun planesMendTheOrderOfGreatestDepth() {
+        // The slope reaches farther than the post, but the post stands behind it
+        val slope = doubleArrayOf(0.0, 0.0, 0.9, 64.0, 0.0, 0.1, 64.0, 64.0, 0.1, 0.0, 64.0, 0.9)
+        val post = doubleArrayOf(40.0, 10.0, 0.6, 60.0, 10.0, 0.6, 60.0, 50.0, 0.6, 40.0, 50.0, 0.6)
+        for (contours in listOf(listOf(slope, post), listOf(post, slope))) {
+            val builder = FrameBuilder(Raster(64, 64))
+            for (contour in contours) builder.polygon(Rgba.BLACK, contour)
+            val counters = counted(builder.build())
+            assertEquals(64L * 64 + 20 * 40, counters.fragments)
+            assertEquals(counters.fragments, counters.shadingCalls)
+        }
+    }
+
+    @Test
+    fun aCircleIsResolvedWithoutAnOrder() {
+        // Four bars, each over the next at one end and under the last at the other: one of them goes under
+        val counters = counted(circle())
+        assertEquals(4L * 80 * 10, counters.fragments)
+        assertEquals(counters.fragments - 10 * 10, counters.shadingCalls)
+        assertTrue(counters.depthEvaluations < counters.fragments, "$counters")
+    }
+
+    private fun circle(): Frame {
+        val builder = FrameBuilder(Raster(100, 100))
+        val near = 0.2
+        val far = 0.8
+        builder.polygon(Rgba.BLACK, bar(10.0, 20.0, 90.0, 30.0, near, far, far, near))
+        builder.polygon(Rgba.BLACK, bar(70.0, 10.0, 80.0, 90.0, near, near, far, far))
+        builder.polygon(Rgba.BLACK, bar(10.0, 70.0, 90.0, 80.0, far, near, near, far))
+        builder.polygon(Rgba.BLACK, bar(20.0, 10.0, 30.0, 90.0, far, far, near, near))
+        return builder.build()
+    }
+
+    /** A rectangle with depths at its corners, clockwise from the upper left. */
+    private fun bar(x0: Double, y0: Double, x1: Double, y1: Double, vararg z: Double) =
+        doubleArrayOf(x0, y0, z[0], x1, y0, z[1], x1, y1, z[2], x0, y1, z[3])
+
+    @Test
+    fun whatCrossesIsComparedBySamples() {
+        val counters = counted(
+            FrameBuilder(Raster(40, 10))
+                .polygon(Rgba.BLACK, doubleArrayOf(0.0, 0.0, 0.2, 40.0, 0.0, 0.8, 40.0, 10.0, 0.8, 0.0, 10.0, 0.2))
+                .polygon(Rgba.WHITE, doubleArrayOf(0.0, 0.0, 0.7, 40.0, 0.0, 0.3, 40.0, 10.0, 0.3, 0.0, 10.0, 0.7))
+                .build(),
+        )
+        assertTrue(counters.depthEvaluations >= 3 * 400)
+        assertTrue(counters.shadingCalls < counters.fragments)
+    }
+
+    @Test
+    fun whatIsBehindTheBackgroundIsNotPainted() {
+        val raster = Raster(
+            32, 32, Rgba.WHITE, DepthConvention.SMALLER_IS_NEARER, DepthTest.LESS, Depth.ofUnit(0.5),
+        )
+        val counters = counted(City.layers(raster, 10, 0.5))
+        assertEquals(10L * 32 * 32, counters.fragments)
+
+        // Five layers are behind it, one is cut by it, and compared by samples
+        assertEquals(4L * 32 * 32 + 32 * 16, counters.shadingCalls)
+        assertEquals(2L * 32 * 32, counters.depthEvaluations)
+    }
+
+    @Test
+    fun smallPrimitivesAreFoundInAboutNLogN() {
+        val looks = listOf(2_000, 16_000).map { count ->
+            val frame = confetti(count)
+            val order = PaintOrder(frame, PairOrder(frame, Counters()))
+            var painted = 0
+            order.forEach { painted++ }
+            assertTrue(painted <= count)
+            order.looks.toDouble() / count
+        }
+        assertTrue(looks[1] < 2 * looks[0], "looks a primitive: $looks")
+    }
+
+    @Test
+    fun looksAreBoundedWhereAllOverlapAll() {
+        val random = Random(3)
+        val builder = FrameBuilder(Raster(8, 8))
+        repeat(3_000) {
+            val z = DoubleArray(3) { random.nextDouble() }
+            builder.polygon(Rgba.BLACK, doubleArrayOf(0.0, 0.0, z[0], 16.0, 0.0, z[1], 0.0, 16.0, z[2]))
+        }
+        val frame = builder.build()
+        counted(frame)
+        val order = PaintOrder(frame, PairOrder(frame, Counters()))
+        order.forEach { }
+        assertTrue(order.looks < (PaintOrder.LOOKS_PER_PRIMITIVE + 3) * 3_000, "${order.looks}")
+    }
+
+    /** Small triangles all over a raster that grows with their number, so that each overlaps some five others. */
+    private fun confetti(count: Int): Frame {
+        val random = Random(7)
+        val side = 8 * StrictMath.sqrt(count.toDouble()).toInt()
+        val builder = FrameBuilder(Raster(side, side))
+        repeat(count) {
+            val x = random.nextDouble() * side
+            val y = random.nextDouble() * side
+            val contour = DoubleArray(9) { i ->
+                when (i % 3) {
+                    0 -> x + random.nextDouble() * 12
+                    1 -> y + random.nextDouble() * 12
+                    else -> random.nextDouble()
+                }
+            }
+            builder.polygon(Rgba.BLACK, contour)
+        }
+        return builder.build()
+    }
+}

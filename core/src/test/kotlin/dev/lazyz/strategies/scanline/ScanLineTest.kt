@@ -1,0 +1,173 @@
+package dev.lazyz.strategies.scanline
+
+import dev.lazyz.Counters
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Rgba
+import dev.lazyz.SpanCursor
+import dev.lazyz.Spans
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.FrameBuilder
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class ScanLineTest {
+    private fun counted(frame: Frame): Counters {
+        val image = ScanLine().render(frame)
+        assertEquals(ZBuffer().render(frame), image)
+        assertEquals(image.visible.toLong(), image.counters.shadingCalls)
+        return image.counters
+    }
+
+    @Test
+    fun layersApartInDepthCostNoComparison() {
+        // What is evaluated is the depth that is handed out, and nothing else
+        val counters = counted(City.layers(Raster(256, 64), 100, steepness = 0.5))
+        assertEquals(100L * 256 * 64, counters.fragments)
+        assertEquals(256L * 64, counters.depthEvaluations)
+    }
+
+    @Test
+    fun layersThatOverlapInDepthAreComparedOnceARow() {
+        val counters = counted(City.layers(Raster(256, 64), 100, steepness = 20.0))
+        assertEquals(100L * 256 * 64, counters.fragments)
+        val perFragment = counters.depthEvaluations.toDouble() / counters.fragments
+        assertTrue(perFragment < 0.03, "$perFragment depth evaluations a fragment")
+    }
+
+    @Test
+    fun aCityCostsFewerDepthsThanFragments() {
+        val counters = counted(City.frame(640, 360, blocks = 16))
+        val perFragment = counters.depthEvaluations.toDouble() / counters.fragments
+        val overdraw = counters.fragments.toDouble() / counters.shadingCalls
+        assertTrue(overdraw > 6, "overdraw $overdraw")
+        assertTrue(perFragment < 0.25, "$perFragment depth evaluations a fragment, overdraw $overdraw")
+    }
+
+    @Test
+    fun whereTwoSurfacesCrossOnlyTheCrossingIsComparedBySamples() {
+        val counters = counted(
+            FrameBuilder(Raster(1000, 10))
+                .polygon(Rgba.BLACK, doubleArrayOf(0.0, 0.0, 0.2, 1000.0, 0.0, 0.8, 1000.0, 10.0, 0.8, 0.0, 10.0, 0.2))
+                .polygon(Rgba.BLACK, doubleArrayOf(0.0, 0.0, 0.7, 1000.0, 0.0, 0.3, 1000.0, 10.0, 0.3, 0.0, 10.0, 0.7))
+                .build(),
+        )
+        assertTrue(counters.depthEvaluations - 10_000 <= 10 * 12, "${counters.depthEvaluations - 10_000}")
+    }
+
+    @Test
+    fun comparingGrowsAboutLinearlyWithTheActiveSpans() {
+        // Pyramids of spans within spans, all of which overlap in depth: half of all pairs share samples
+        val few = counted(pyramid(500))
+        val many = counted(pyramid(2000))
+        val duelsFew = few.depthEvaluations - few.shadingCalls
+        val duelsMany = many.depthEvaluations - many.shadingCalls
+        assertTrue(duelsMany < 6 * duelsFew, "$duelsFew evaluations for 500 spans, $duelsMany for 2000")
+    }
+
+    private fun pyramid(count: Int): Frame {
+        val builder = FrameBuilder(Raster(2 * count, 2))
+        for (i in 0 until count) {
+            val depth = 0.5 + 0.1 * i / count
+            val x0 = i.toDouble()
+            val x1 = 2.0 * count - i
+            builder.polygon(
+                Rgba.BLACK,
+                doubleArrayOf(x0, 0.0, depth, x1, 0.0, depth + 0.1, x1, 4.0, depth + 0.3, x0, 4.0, depth + 0.2),
+            )
+        }
+        return builder.build()
+    }
+
+    @Test
+    fun whatIsHiddenAndHasNoLinearDepthIsNotEvaluated() {
+        val builder = FrameBuilder(Raster(64, 64))
+        for (seed in 0 until 30) builder.add(Ripple(seed, 64, 64, isLoose = false))
+        val wall = doubleArrayOf(0.0, 0.0, 0.1, 64.0, 0.0, 0.2, 64.0, 64.0, 0.1, 0.0, 64.0, 0.0)
+        val counters = counted(builder.polygon(Rgba.BLACK, wall).build())
+        assertTrue(counters.fragments > 10 * 64 * 64)
+        assertEquals(64L * 64, counters.depthEvaluations)
+    }
+
+    @Test
+    fun memoryDoesNotGrowWithRows() {
+        val few = ScanLine().render(City.layers(Raster(64, 64), 50, 3.0)) { _, _, _, _ -> }
+        val many = ScanLine().render(City.layers(Raster(64, 65_536), 50, 3.0)) { _, _, _, _ -> }
+        assertEquals(few.peakBytes, many.peakBytes)
+        assertEquals(64L, many.peakSuspensions)
+    }
+
+    @Test
+    fun numbersOfSpansAreUsedAgain() {
+        val height = 10_000
+        val comb = object : Primitive by Ripple(0, 64, height, isLoose = true) {
+            override fun spans(y: Int, spans: Spans) {
+                for (i in 0 until y % 7) spans.add(4 * i, 4 * i + 2)
+            }
+
+            override fun cursor(y: Int): SpanCursor {
+                var row = y
+                return SpanCursor { spans ->
+                    spans.clear()
+                    spans(row++, spans)
+                }
+            }
+        }
+        val edges = ActiveEdges(FrameBuilder(Raster(64, height)).add(comb).build(), Counters())
+        edges.moveTo(0)
+        val bytes = edges.bytes
+        for (y in 1 until height) edges.moveTo(y)
+        assertEquals(bytes, edges.bytes)
+    }
+
+    @Test
+    fun aRowIsHandedOutBeforeTheNextIsBegun() {
+        var asked = -1
+        val probe = object : Primitive {
+            override val rowStart: Int get() = 0
+            override val rowEnd: Int get() = 8
+            override val columnStart: Int get() = 0
+            override val columnEnd: Int get() = 1
+
+            override fun spans(y: Int, spans: Spans) {
+                asked = y
+                spans.add(0, 1)
+            }
+
+            override fun depth(x: Int, y: Int): Int = 1
+
+            override fun shade(fragment: Fragment): Unit = fragment.setColor(1f, 1f, 1f)
+        }
+        var rows = 0
+        ScanLine().render(FrameBuilder(Raster(3, 8)).add(probe).build()) { y, _, _, _ ->
+            assertEquals(y, asked)
+            rows++
+        }
+        assertEquals(8, rows)
+    }
+
+    @Test
+    fun edgesAreInOrderOnEveryRow() {
+        for (seed in 0L until 200L) {
+            val frame = AwkwardFrames(seed).frame()
+            val edges = ActiveEdges(frame, Counters())
+            for (y in frame.region.rowStart until frame.region.rowEnd) {
+                edges.moveTo(y)
+                val expected = frame.primitives.flatMap { primitive ->
+                    val spans = Spans(frame.region)
+                    primitive.spans(y, spans)
+                    (0 until spans.count).flatMap { listOf(spans.start(it), spans.end(it)) }
+                }.sorted()
+                assertEquals(expected, (0 until edges.count).map { edges.column(it) })
+            }
+        }
+    }
+
+    @Test
+    fun anEmptyFrameIsBackground() {
+        assertEquals(0, counted(FrameBuilder(Raster(5, 4)).build()).depthEvaluations)
+    }
+}

@@ -1,0 +1,132 @@
+package dev.lazyz.strategies.tiled
+
+import dev.lazyz.Coherence
+import dev.lazyz.Depth
+import dev.lazyz.Frame
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.RenderOptions
+import dev.lazyz.Rgba
+import dev.lazyz.RowSink
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.FrameBuilder
+import java.util.concurrent.Callable
+import java.util.concurrent.Executors
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class TiledTest {
+    private fun tiled(threads: Int, tileSize: Int = 16) = Tiled(Coherence.DIRECT, threads, tileSize)
+
+    /** [count] layers over the whole raster, the nearest first, and that without its lower right [corner]. */
+    private fun layers(count: Int, corner: Int = 0): Frame {
+        val builder = FrameBuilder(Raster(100, 50))
+        for (i in 0 until count) {
+            val z = 0.1 + 0.8 * i / count
+            val cut = if (i == 0) corner.toDouble() else 0.0
+            builder.polygon(
+                Rgba(i / count.toFloat(), 0f, 1f),
+                doubleArrayOf(
+                    0.0, 0.0, z, 100.0, 0.0, z, 100.0, 50 - cut, z, 100 - cut, 50 - cut, z, 100 - cut, 50.0, z,
+                    0.0, 50.0, z,
+                ),
+            )
+        }
+        return builder.build()
+    }
+
+    @Test
+    fun whatIsBehindAFullTileIsRejected() {
+        for (threads in listOf(1, 3)) {
+            val image = tiled(threads).render(layers(100))
+            assertEquals(5000, image.counters.fragments)
+            assertEquals(5000, image.counters.depthEvaluations)
+            assertEquals(5000, image.counters.shadingCalls)
+        }
+    }
+
+    @Test
+    fun aTileThatIsFilledLaterRejectsFromThenOn() {
+        // The last tile has 4 x 2 samples. One of them is left to the second layer, which is drawn there as a whole
+        val counters = tiled(1).render(layers(100, corner = 1)).counters
+        assertEquals(5000L - 1 + 4 * 2, counters.depthEvaluations)
+    }
+
+    @Test
+    fun whatIsBehindTheBackgroundIsRejected() {
+        val raster = Raster(40, 40, backgroundDepth = Depth.ofUnit(0.3))
+        val wall = doubleArrayOf(0.0, 0.0, 0.5, 40.0, 0.0, 0.5, 40.0, 40.0, 0.5, 0.0, 40.0, 0.5)
+        val counters = tiled(1).render(FrameBuilder(raster).polygon(Rgba.BLACK, wall).build()).counters
+        assertEquals(0, counters.fragments)
+        assertEquals(0, counters.depthEvaluations)
+    }
+
+    @Test
+    fun aRowIsScannedOnceForAllTiles() {
+        for (threads in listOf(1, 4)) {
+            val wide = Probe(Region(3, 5, 97, 49))
+            val narrow = Probe(Region(17, 2, 30, 50))
+            tiled(threads).render(Frame(Raster(100, 50), listOf(wide, narrow)))
+            assertEquals((5 until 49).toList(), wide.rows.sorted())
+            assertEquals((2 until 50).toList(), narrow.rows.sorted())
+        }
+    }
+
+    @Test
+    fun rowsReachTheSinkInOrderOnTheCallingThread() {
+        val caller = Thread.currentThread()
+        val rows = ArrayList<Int>()
+        tiled(4, tileSize = 8).render(layers(3)) { y, _, _, _ ->
+            assertEquals(caller, Thread.currentThread())
+            rows += y
+        }
+        assertEquals((0 until 50).toList(), rows)
+    }
+
+    @Test
+    fun memoryDoesNotGrowWithTheRows() {
+        for (threads in listOf(1, 2)) {
+            val few = peakBytes(1000, threads)
+            assertEquals(few, peakBytes(16_000, threads))
+            assertTrue(few < 12L * 64 * 1000) { "$few bytes are the picture's" }
+        }
+    }
+
+    private fun peakBytes(rows: Int, threads: Int): Long {
+        val probe = Probe(Region(0, 0, 64, rows))
+        return tiled(threads).render(Frame(Raster(64, rows), listOf(probe)), NOWHERE).peakBytes
+    }
+
+    @Test
+    fun aPrimitiveOfManyTilesTakesOneEntryABand() {
+        // 10,000 primitives in 2,000 tiles would be 20 million entries, 80 megabytes
+        val frame = Frame(Raster(2000, 1), List(10_000) { Probe(Region(0, 0, 2000, 1)) })
+        val bytes = tiled(1, tileSize = 1).render(frame, NOWHERE).peakBytes
+        assertTrue(bytes < 10_000L * 300) { "$bytes" }
+    }
+
+    @Test
+    fun severalThreadsUseOneRendererAtOnce() {
+        val renderer = tiled(3)
+        val frames = List(6) { TileFrames(it.toLong()).next() }
+        val expected = frames.map { ZBuffer().render(it) }
+        val threads = Executors.newFixedThreadPool(6)
+        try {
+            val images = threads.invokeAll(frames.map { Callable { List(5) { _ -> renderer.render(it) } } })
+            for ((image, answers) in expected.zip(images)) for (answer in answers.get()) assertEquals(image, answer)
+        } finally {
+            threads.shutdown()
+        }
+    }
+
+    @Test
+    fun optionsAreHeeded() {
+        val options = RenderOptions(Coherence.INCREMENTAL, null, 5, 32)
+        assertEquals("Tiled(INCREMENTAL, threads=5, tileSize=32)", Tiled().configured(options).toString())
+    }
+
+    private companion object {
+        val NOWHERE = RowSink { _, _, _, _ -> }
+    }
+}

@@ -1,0 +1,248 @@
+package dev.lazyz.strategies.tiled
+
+import dev.lazyz.Coherence
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.Spans
+import java.util.Collections
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.CyclicBarrier
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
+import java.util.concurrent.locks.LockSupport
+import org.junit.jupiter.api.AfterEach
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertSame
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.Timeout
+
+/** Threads work at the same time, stop when they have to, and are gone afterwards. */
+@Timeout(60)
+class TiledThreadsTest {
+    private val raster = Raster(64, 64)
+
+    private fun tiled(threads: Int) = Tiled(Coherence.DIRECT, threads, 16)
+
+    private fun frame(onShade: (x: Int, y: Int) -> Unit) = Frame(raster, listOf(Probe(raster.region, onShade)))
+
+    @AfterEach
+    fun noThreadIsLeft() {
+        val left = Thread.getAllStackTraces().keys.filter { it.name.startsWith("lazyz-tiled") && it.isAlive }
+        assertEquals(emptyList<Thread>(), left)
+        assertFalse(Thread.interrupted()) { "the test's thread is left interrupted" }
+    }
+
+    @Test
+    fun tilesAreShadedAtTheSameTime() {
+        // The first samples of four tiles wait for one another
+        val barrier = CyclicBarrier(4)
+        tiled(4).render(frame { x, y -> if (y == 0 && x % 16 == 0) barrier.await(10, TimeUnit.SECONDS) })
+    }
+
+    @Test
+    fun theNextBandIsRenderedWhileOneIsHandedOut() {
+        val begun = CountDownLatch(1)
+        tiled(2).render(frame { _, y -> if (y == 16) begun.countDown() }) { y, _, _, _ ->
+            if (y == 0) assertTrue(begun.await(10, TimeUnit.SECONDS))
+        }
+    }
+
+    @Test
+    fun noMoreThreadsAreStartedThanThereAreTiles() {
+        val names = Collections.synchronizedSet(HashSet<String>())
+        val small = Frame(Raster(17, 16), listOf(Probe(Region(0, 0, 17, 16)) { _, _ -> names += threadNames() }))
+        tiled(50).render(small)
+        assertTrue(names.size <= 1) { "$names" }
+    }
+
+    private fun threadNames() = Thread.getAllStackTraces().keys.map { it.name }.filter { it.startsWith("lazyz-tiled") }
+
+    @Test
+    fun anExceptionInAShaderReachesTheCaller() {
+        for (threads in listOf(1, 2, 8)) {
+            val exception = IllegalStateException("shader")
+            val thrown = assertThrows(IllegalStateException::class.java) {
+                tiled(threads).render(frame { x, y -> if (x == 40 && y == 40) throw exception })
+            }
+            assertSame(exception, thrown)
+        }
+    }
+
+    @Test
+    fun anErrorThatAllThreadsThrowReachesTheCallerOnce() {
+        val error = StackOverflowError()
+        val thrown = assertThrows(StackOverflowError::class.java) { tiled(4).render(frame { _, _ -> throw error }) }
+        assertSame(error, thrown)
+    }
+
+    @Test
+    fun anExceptionInAPrimitiveReachesTheCaller() {
+        val exception = UnsupportedOperationException("spans")
+        val broken = object : Primitive {
+            override val rowStart = 0
+            override val rowEnd = 64
+            override val columnStart = 0
+            override val columnEnd = 64
+            override fun spans(y: Int, spans: Spans) = if (y == 50) throw exception else spans.add(0, 64)
+            override fun depth(x: Int, y: Int) = 0
+            override fun shade(fragment: Fragment) = Unit
+        }
+        for (threads in listOf(1, 4)) {
+            val rows = ArrayList<Int>()
+            val thrown = assertThrows(UnsupportedOperationException::class.java) {
+                tiled(threads).render(Frame(raster, listOf(broken))) { y, _, _, _ -> rows += y }
+            }
+            assertSame(exception, thrown)
+            assertEquals(rows.indices.toList(), rows)
+            assertTrue(rows.size <= 48)
+        }
+    }
+
+    @Test
+    fun anExceptionInTheSinkStopsAllThreads() {
+        val shaded = AtomicInteger()
+        val high = Raster(64, 6400)
+        val exception = RuntimeException("sink")
+        val thrown = assertThrows(RuntimeException::class.java) {
+            val probe = Probe(high.region) { _, _ -> shaded.incrementAndGet() }
+            tiled(3).render(Frame(high, listOf(probe))) { y, _, _, _ -> if (y == 5) throw exception }
+        }
+        assertSame(exception, thrown)
+
+        // No more than the bands that may be at work at one time
+        assertTrue(shaded.get() <= 64 * 16 * 4) { "$shaded samples were shaded" }
+    }
+
+    @Test
+    fun aSleepingThreadIsWokenUpWhenAnotherFails() {
+        val asleep = CountDownLatch(1)
+        val exception = IllegalStateException("awake")
+        val thrown = assertThrows(IllegalStateException::class.java) {
+            tiled(2).render(
+                frame { x, y ->
+                    val isCaller = !Thread.currentThread().name.startsWith("lazyz-tiled")
+                    if (isCaller) {
+                        asleep.await()
+                        throw exception
+                    }
+                    if (x >= 0 && y >= 0) {
+                        asleep.countDown()
+                        Thread.sleep(600_000)
+                    }
+                },
+            )
+        }
+        assertSame(exception, thrown)
+        assertEquals(0, thrown.suppressed.size)
+    }
+
+    @Test
+    fun anExceptionIsThrownWhenAllThreadsHaveEnded() {
+        val caller = Thread.currentThread()
+        val begun = CountDownLatch(1)
+        assertThrows(IllegalStateException::class.java) {
+            tiled(2).render(
+                frame { _, _ ->
+                    if (Thread.currentThread() === caller) {
+                        begun.await()
+                        error("caller")
+                    }
+
+                    // Longer than it takes to look for threads, whoever interrupts
+                    val pause = if (begun.count == 0L) 0L else TimeUnit.MILLISECONDS.toNanos(300)
+                    begun.countDown()
+                    val end = System.nanoTime() + pause
+                    while (System.nanoTime() < end) Thread.onSpinWait()
+                },
+            )
+        }
+        noThreadIsLeft()
+    }
+
+    @Test
+    fun interruptingTheCallerStopsAllThreads() {
+        for (threads in listOf(1, 3)) {
+            val caller = Thread.currentThread()
+            val rows = AtomicInteger()
+            val shadedAfter = AtomicInteger()
+            assertThrows(InterruptedException::class.java) {
+                tiled(threads).render(
+                    frame { x, y ->
+                        // From whichever thread is at work there
+                        if (x == 20 && y == 20) caller.interrupt()
+                        if (!caller.isInterrupted) return@frame
+                        shadedAfter.incrementAndGet()
+
+                        // The caller may have to wait for a processor before it can notice
+                        if (Thread.currentThread() !== caller) LockSupport.parkNanos(1_000_000)
+                    },
+                ) { _, _, _, _ -> rows.incrementAndGet() }
+            }
+            assertTrue(rows.get() <= 16) { "$rows rows were handed out" }
+            assertTrue(shadedAfter.get() <= 64 * 16) { "$shadedAfter samples were shaded" }
+            assertFalse(Thread.interrupted())
+        }
+    }
+
+    @Test
+    fun interruptingAWaitingCallerWakesItUp() {
+        // One tile, which a worker holds up; the caller waits for it
+        val caller = Thread.currentThread()
+        assertThrows(InterruptedException::class.java) {
+            tiled(2).render(
+                Frame(
+                    Raster(32, 16),
+                    listOf(
+                        Probe(Region(0, 0, 32, 16)) { _, _ ->
+                            if (Thread.currentThread() !== caller) {
+                                Thread.sleep(50)
+                                caller.interrupt()
+                                Thread.sleep(600_000)
+                            }
+                            Thread.sleep(1)
+                        },
+                    ),
+                ),
+            )
+        }
+    }
+
+    @Test
+    fun anInterruptionIsNotLostOnAnotherFailure() {
+        val caller = Thread.currentThread()
+        val begun = CountDownLatch(1)
+        val failed = CountDownLatch(1)
+        assertThrows(IllegalStateException::class.java) {
+            tiled(2).render(
+                frame { _, _ ->
+                    if (Thread.currentThread() === caller) {
+                        begun.countDown()
+                        failed.await()
+                        Thread.sleep(50)
+                        caller.interrupt()
+                        Thread.sleep(1)
+                    } else {
+                        begun.await()
+                        failed.countDown()
+                        error("worker")
+                    }
+                },
+            )
+        }
+        assertTrue(Thread.interrupted())
+    }
+
+    @Test
+    fun whoIsInterruptedBeforehandGetsNoRow() {
+        Thread.currentThread().interrupt()
+        assertThrows(InterruptedException::class.java) {
+            tiled(2).render(frame { _, _ -> }) { _, _, _, _ -> error("a row") }
+        }
+    }
+}

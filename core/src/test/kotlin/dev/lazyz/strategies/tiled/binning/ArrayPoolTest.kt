@@ -1,0 +1,77 @@
+package dev.lazyz.strategies.tiled.binning
+
+import com.sun.management.ThreadMXBean
+import dev.lazyz.Coherence
+import dev.lazyz.RowSink
+import dev.lazyz.SampleScenes
+import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.world.Material
+import dev.lazyz.world.Scene
+import java.lang.management.ManagementFactory
+import java.util.Random
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotSame
+import org.junit.jupiter.api.Assertions.assertSame
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class ArrayPoolTest {
+    private val pool = ArrayPool()
+
+    @Test
+    fun aReleasedArrayIsLentAgainToWhoeverWantsItsSize() {
+        val ints = pool.ints(100)
+        val longs = pool.longs(100)
+        assertNotSame(ints, pool.ints(100))
+        pool.release(ints)
+        pool.release(longs)
+        assertEquals(99, pool.ints(99).size)
+        assertSame(ints, pool.ints(100))
+        assertSame(longs, pool.longs(100))
+        assertNotSame(ints, pool.ints(100))
+    }
+
+    @Test
+    fun whatARenderingDidNotNeedIsForgotten() {
+        val two = List(2) { pool.ints(8) }
+        two.forEach(pool::release)
+        pool.begin()
+        val needed = pool.ints(8)
+        pool.release(needed)
+        pool.begin()
+        assertSame(needed, pool.ints(8))
+        assertTrue(two.none { it === pool.ints(8) })
+    }
+
+    @Test
+    fun roomySizesAreFewAndNotMuchTooLarge() {
+        val sizes = HashSet<Int>()
+        for (least in 1..100_000) {
+            val size = ArrayPool.roomy(least)
+            assertTrue(size >= least && size <= least + maxOf(least, 64) / 8) { "$least: $size" }
+            sizes += size
+        }
+        assertTrue(sizes.size < 100) { "${sizes.size}" }
+        assertEquals(Int.MAX_VALUE - 7, ArrayPool.roomy(Int.MAX_VALUE - 7))
+    }
+
+    @Test
+    fun framesThatAreAlikeAllocateNothingLarge() {
+        val mesh = SampleScenes.soup(Random(1), 3000, Material())
+        val frame = Scene(listOf(mesh), emptyList(), SampleScenes.camera).frame(3000, 200)
+        val sink = RowSink { _, _, _, _ -> }
+        val renderer = Tiled(Coherence.DIRECT, 1, 64)
+        val threads = ManagementFactory.getThreadMXBean() as ThreadMXBean
+
+        fun allocated(): Long {
+            val before = threads.currentThreadAllocatedBytes
+            renderer.render(frame, sink)
+            return threads.currentThreadAllocatedBytes - before
+        }
+
+        val first = allocated()
+        val rows = 12L * 64 * 3000
+        assertTrue(first > rows) { "$first" }
+        assertTrue(allocated() < first - rows)
+    }
+}

@@ -1,0 +1,152 @@
+package dev.lazyz.strategies.tiled.resolve
+
+import dev.lazyz.BatchShader
+import dev.lazyz.Fragment
+import dev.lazyz.FragmentBatch
+import dev.lazyz.setup.planar.PlanarPrimitive
+import dev.lazyz.strategies.tiled.Kernels
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Scene
+import java.util.Random
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Test
+
+/** The loops over visible samples fill in what [PlanarPrimitive] defines, to the bit, however many samples there are. */
+class FragmentKernelTest {
+    @Test
+    fun attributesAreThoseOfThePrimitive() {
+        val signs = HashSet<Double>()
+        for (kernels in available()) {
+            for (seed in 0L until 64L) {
+                val kernel = kernels.fragments()
+                for (isPerspective in listOf(false, true)) {
+                    val frame = Scene(listOf(mesh(Random(seed))), emptyList(), camera(isPerspective)).frame(SIDE, SIDE)
+                    assertEquals(SIDE * SIDE, ZBuffer().render(frame).visible)
+                    val primitive = frame.primitives.single() as PlanarPrimitive
+                    val batch = frame.content.batches.single()
+                    val face = Face().apply { fill(batch, 0, batch.faces(), Fragment()) }
+                    val copy = Face().apply { fill(0, primitive, Fragment()) }
+                    for (count in COUNTS) {
+                        val what = "$kernels, seed $seed, $count samples, perspective: $isPerspective"
+                        assertAttributes(kernel, face, primitive, count, what)
+                        assertAttributes(kernel, copy, primitive, count, "$what, face of the primitive")
+                    }
+                    signs.add(face.normalSign)
+                }
+            }
+        }
+        assertEquals(setOf(-1.0, 1.0), signs)
+    }
+
+    @Test
+    fun attributesOfScatteredFragmentsAreThoseOfTheirPrimitives() {
+        val random = Random(1)
+        repeat(64) { seed ->
+            val surface = if (seed % 2 == 0) mesh(random) else twoSided(random)
+            val frame = Scene(listOf(surface), emptyList(), camera(random.nextBoolean())).frame(SIDE, SIDE)
+            val batch = frame.content.batches.single()
+            val faces = batch.faces()
+            val fragments = FragmentBatch(FragmentBatch.CAPACITY)
+            val numbers = IntArray(FragmentBatch.CAPACITY) { random.nextInt(batch.count) }
+            fragments.begin(faces.fields)
+            fragments.size = numbers.size
+            for (i in numbers.indices) fragments.place(i, random.nextInt(SIDE), random.nextInt(SIDE), 1)
+            ScatteredAttributes().fill(fragments, batch, numbers, faces)
+            val expected = Fragment()
+            val actual = Fragment()
+            for (i in numbers.indices) {
+                expected.moveTo(fragments.x[i], fragments.y[i])
+                (frame.primitives[numbers[i]] as PlanarPrimitive).attributes(expected)
+                fragments.moveTo(actual, i)
+                assertEquals(attributes(expected), attributes(actual)) { "seed $seed, sample $i" }
+            }
+        }
+    }
+
+    /** The mesh with its triangle once more, the other way round. */
+    private fun twoSided(random: Random): Mesh {
+        val mesh = mesh(random)
+        return Mesh(mesh.positions, intArrayOf(0, 1, 2, 0, 2, 1), mesh.material, mesh.normals, mesh.uvs, mesh.colors)
+    }
+
+    /** Compares [count] samples from the middle row of the primitive, which covers all the picture. */
+    private fun assertAttributes(
+        kernel: FragmentKernel,
+        face: Face,
+        primitive: PlanarPrimitive,
+        count: Int,
+        what: String,
+    ) {
+        val fragments = WaitingFragments()
+        fragments.batch.begin(face.fields)
+        // Some that are done already, so that the first place is not 0
+        fragments.add(PrimitiveRuns.place(0, 0), DONE)
+        fragments.add(PrimitiveRuns.place(ROW, 0), count)
+        kernel.attributes(face, fragments, DONE, 0, 0)
+        val expected = Fragment()
+        val actual = Fragment()
+        fragments.locate(0, 0)
+        for (i in 0 until count) {
+            expected.moveTo(i, ROW)
+            primitive.attributes(expected)
+            fragments.batch.moveTo(actual, DONE + i)
+            assertEquals(attributes(expected), attributes(actual)) { "$what, sample $i" }
+        }
+    }
+
+    private fun attributes(fragment: Fragment): List<Float> = listOf(
+        fragment.worldX, fragment.worldY, fragment.worldZ, fragment.normalX, fragment.normalY, fragment.normalZ,
+        fragment.u, fragment.v, fragment.vertexRed, fragment.vertexGreen, fragment.vertexBlue, fragment.vertexAlpha,
+    )
+
+    /** A triangle larger than the picture, seen from the front or the back; components of attributes are often equal at all vertices. */
+    private fun mesh(random: Random): Mesh {
+        val z = FloatArray(3) { if (random.nextBoolean()) 0f else random.nextFloat() - 0.5f }
+        val positions = floatArrayOf(-9f, -9f, z[0], 9f, -9f, z[1], 0f, 15f, z[2])
+        val triangle = if (random.nextBoolean()) intArrayOf(0, 1, 2) else intArrayOf(0, 2, 1)
+        return Mesh(
+            positions, triangle, Material(shader = BatchShader { }),
+            numbers(random, 3), numbers(random, 2), numbers(random, 4),
+        )
+    }
+
+    /** Returns [size] numbers for each of three vertices: each the same for all of them, or not. */
+    private fun numbers(random: Random, size: Int): FloatArray {
+        val numbers = FloatArray(3 * size) { random.nextFloat() * 2 - 1 }
+        for (k in 0 until size) {
+            val same = when (random.nextInt(4)) {
+                0 -> numbers[k]
+                1 -> 0f
+                2 -> -1f
+                else -> continue
+            }
+            for (vertex in 0 until 3) numbers[size * vertex + k] = same
+        }
+        return numbers
+    }
+
+    private fun camera(isPerspective: Boolean): Camera {
+        val eye = Vector3d(0.3, 0.4, 5.0)
+        val up = Vector3d(0.0, 1.0, 0.0)
+        return if (isPerspective) {
+            Camera.perspective(eye, Vector3d(), up, 40.0, 1.0, 20.0)
+        } else {
+            Camera.orthographic(eye, Vector3d(), up, 4.0, 1.0, 20.0)
+        }
+    }
+
+    private fun available(): List<Kernels> = listOf(Kernels.SCALAR, Kernels.best()).distinct()
+
+    private companion object {
+        const val SIDE = 80
+        const val ROW = 37
+        const val DONE = 3
+
+        /** On both sides of the counts from which on kernels use loops over arrays: 4 and 12. */
+        val COUNTS = listOf(1, 3, 4, 5, 11, 12, 13, 64)
+    }
+}

@@ -1,0 +1,188 @@
+package dev.lazyz.strategies.warnock
+
+import dev.lazyz.Counters
+import dev.lazyz.DepthConvention
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.Rgba
+import dev.lazyz.SpanCursor
+import dev.lazyz.Spans
+import dev.lazyz.strategies.scanline.City
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.FrameBuilder
+import kotlin.random.Random
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class WarnockTest {
+    private fun counted(frame: Frame): Counters {
+        val image = Warnock().render(frame)
+        assertEquals(ZBuffer().render(frame), image)
+        assertEquals(image.visible.toLong(), image.counters.shadingCalls)
+        return image.counters
+    }
+
+    @Test
+    fun depthsDoNotGrowWithLayersApartInDepth() {
+        // One depth a sample, and one for each of the four bands, however many layers there are
+        for (submission in Submission.entries) {
+            for (count in listOf(10, 100, 1000)) {
+                val counters = counted(Stacks.layers(Raster(256, 256), count, submission))
+                assertEquals(count * 65536L, counters.fragments)
+                assertEquals(65536L + 4, counters.depthEvaluations, "$count layers $submission")
+            }
+        }
+    }
+
+    @Test
+    fun depthsHardlyGrowWithLayersThatOverlapInDepth() {
+        // Each layer is compared with the first once a band, by planes
+        for (submission in Submission.entries) {
+            for (count in listOf(10, 100, 1000)) {
+                val counters = counted(Stacks.layers(Raster(256, 256), count, submission, steepness = count / 2.0))
+                val comparing = counters.depthEvaluations - 65536
+                assertTrue(comparing <= 4 * 3 * count, "$comparing to compare $count layers $submission")
+            }
+        }
+    }
+
+    @Test
+    fun depthsGrowWithVisibleComplexityOnly() {
+        // More layers show more edges, and a hundred times as many show less than a hundred times as many
+        for (submission in Submission.entries) {
+            val ten = counted(Stacks.twisted(640, 480, 10, submission))
+            val hundred = counted(Stacks.twisted(640, 480, 100, submission))
+            val thousand = counted(Stacks.twisted(640, 480, 1000, submission))
+            assertTrue(thousand.fragments > 99 * ten.fragments, "$ten\n$thousand")
+            assertTrue(hundred.depthEvaluations < 2 * ten.depthEvaluations, "$ten\n$hundred")
+            assertTrue(thousand.depthEvaluations < 12 * ten.depthEvaluations, "$ten\n$thousand")
+        }
+    }
+
+    @Test
+    fun everyDepthTestRejects() {
+        for (test in DepthTest.entries) {
+            val behind = if (test.key(0, 0) < test.key(1, 0)) Int.MAX_VALUE else 0
+            for (convention in DepthConvention.entries) {
+                val raster = Raster(128, 128, Rgba.WHITE, convention, test, behind)
+                val counters = counted(Stacks.layers(raster, 100, Submission.SHUFFLED, steepness = 20.0))
+                assertTrue(counters.depthEvaluations < 128 * 128 + 2 * 3 * 100, "$test $convention $counters")
+            }
+        }
+    }
+
+    @Test
+    fun aCityCostsFewerDepthsThanFragments() {
+        val counters = counted(City.frame(640, 360, blocks = 16))
+        val perFragment = counters.depthEvaluations.toDouble() / counters.fragments
+        val overdraw = counters.fragments.toDouble() / counters.shadingCalls
+        assertTrue(overdraw > 6, "overdraw $overdraw")
+        assertTrue(perFragment < 0.4, "$perFragment depth evaluations a fragment, overdraw $overdraw")
+    }
+
+    @Test
+    fun whereTwoSurfacesCrossOnlyTheCrossingIsComparedBySamples() {
+        val counters = counted(
+            FrameBuilder(Raster(256, 256))
+                .polygon(Rgba.BLACK, doubleArrayOf(0.0, 0.0, 0.2, 256.0, 0.0, 0.8, 256.0, 256.0, 0.8, 0.0, 256.0, 0.2))
+                .polygon(Rgba.BLACK, doubleArrayOf(0.0, 0.0, 0.7, 256.0, 0.0, 0.3, 256.0, 256.0, 0.3, 0.0, 256.0, 0.7))
+                .build(),
+        )
+        val comparing = counters.depthEvaluations - 65536
+        assertTrue(comparing < 256 * 20, "$comparing depths for a crossing of 256 samples")
+    }
+
+    @Test
+    fun nothingBehindTheBackgroundIsEvaluated() {
+        val raster = Raster(64, 64, Rgba.BLACK, DepthConvention.SMALLER_IS_NEARER, DepthTest.LESS, 0)
+        assertEquals(0, counted(Stacks.layers(raster, 10, Submission.FRONT_TO_BACK)).depthEvaluations)
+    }
+
+    @Test
+    fun eachRowIsAskedForOnce() {
+        val raster = Raster(200, 200)
+        val asked = IntArray(200)
+        val layer = Stacks.layers(raster, 1, Submission.FRONT_TO_BACK).primitives[0]
+        val witness = object : Primitive by layer {
+            override fun cursor(y: Int): SpanCursor {
+                val cursor = layer.cursor(y)
+                var row = y
+                return SpanCursor {
+                    asked[row++]++
+                    cursor.next(it)
+                }
+            }
+
+            override fun spans(y: Int, spans: Spans): Unit = throw AssertionError("row $y")
+        }
+        Warnock().render(Frame(raster, listOf(witness), Region(0, 3, 200, 190)))
+        assertEquals(List(200) { if (it in 3 until 190) 1 else 0 }, asked.toList())
+    }
+
+    @Test
+    fun memoryDoesNotGrowWithRows() {
+        fun bytes(height: Int): Long {
+            val frame = Stacks.layers(Raster(64, height), 50, Submission.SHUFFLED, steepness = 3.0)
+            return Warnock().render(frame) { _, _, _, _ -> }.peakBytes
+        }
+        assertEquals(bytes(64), bytes(65_536))
+    }
+
+    @Test
+    fun widePicturesHaveLowBands() {
+        val frame = Stacks.layers(Raster(Raster.MAX_SIDE, 9), 2, Submission.FRONT_TO_BACK)
+        val counters = Warnock().render(frame) { _, _, _, _ -> }
+        assertEquals(9L * Raster.MAX_SIDE, counters.shadingCalls)
+        assertTrue(counters.peakBytes < (8L shl 20) + 13L * Raster.MAX_SIDE, "${counters.peakBytes}")
+    }
+
+    @Test
+    fun memoryIsThatOfABandAndItsSpans() {
+        val counters = counted(Stacks.layers(Raster(512, 512), 100, Submission.SHUFFLED))
+        val spans = 100L * 64 * 3 * Int.SIZE_BYTES
+        assertTrue(counters.peakBytes > 8 * 512 * 64 + spans, "${counters.peakBytes}")
+        assertTrue(counters.peakBytes < 8 * 512 * 64 + spans + 20 * 512 + 100 * 600, "${counters.peakBytes}")
+    }
+
+    @Test
+    fun anAreaIsRelatedToAFootprintExactly() {
+        for (seed in 0L until 300L) {
+            val frame = AreaFrames(seed).frame()
+            val region = frame.region
+            val random = Random(seed)
+            val footprints = Footprints(frame, Counters())
+            val bandEnd = minOf(region.rowStart + 64, region.rowEnd)
+            val band = Region(region.columnStart, region.rowStart, region.columnEnd, bandEnd)
+            footprints.moveTo(band)
+            repeat(20) {
+                val x = random.nextInt(band.columnStart, band.columnEnd)
+                val y = random.nextInt(band.rowStart, band.rowEnd)
+                val area = Region(x, y, random.nextInt(x, band.columnEnd) + 1, random.nextInt(y, band.rowEnd) + 1)
+                for (i in 0 until footprints.count) {
+                    val footprint = footprints[i]
+                    assertEquals(coveredIn(area, footprint.primitive), footprint.samplesIn(area), "seed $seed, $area")
+                }
+            }
+        }
+    }
+
+    private fun coveredIn(area: Region, primitive: Primitive): Int {
+        val spans = Spans(area)
+        var count = 0
+        for (y in area.rowStart until area.rowEnd) {
+            spans.clear()
+            primitive.spans(y, spans)
+            for (i in 0 until spans.count) count += spans.end(i) - spans.start(i)
+        }
+        return count
+    }
+
+    @Test
+    fun anEmptyFrameIsBackground() {
+        assertEquals(0, counted(FrameBuilder(Raster(5, 4)).build()).depthEvaluations)
+    }
+}

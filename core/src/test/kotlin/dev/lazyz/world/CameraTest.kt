@@ -1,0 +1,146 @@
+package dev.lazyz.world
+
+import dev.lazyz.Raster
+import dev.lazyz.SampleSet
+import dev.lazyz.geometry.Box
+import dev.lazyz.samples
+import java.util.Random
+import org.joml.Matrix4d
+import org.joml.Vector3d
+import org.joml.Vector4d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class CameraTest {
+    private val random = Random(9)
+    private val up = Vector3d(0.0, 1.0, 0.0)
+
+    private fun vector(reach: Double) = Vector3d(
+        (random.nextDouble() * 2 - 1) * reach, (random.nextDouble() * 2 - 1) * reach,
+        (random.nextDouble() * 2 - 1) * reach,
+    )
+
+    private fun assertClose(expected: Matrix4d, actual: Matrix4d) {
+        for (column in 0 until 4) {
+            for (row in 0 until 4) {
+                val e = expected.get(column, row)
+                assertEquals(e, actual.get(column, row), 1e-12 * maxOf(1.0, Math.abs(e))) { "$expected and $actual" }
+            }
+        }
+    }
+
+    @Test
+    fun theViewMatrixIsTheUsualOne() {
+        repeat(200) {
+            val eye = vector(10.0)
+            val target = vector(10.0)
+            val someUp = vector(1.0)
+            val camera = Camera.perspective(eye, target, someUp, 45.0, 1.0, 10.0)
+            assertClose(Matrix4d().lookAt(eye, target, someUp), camera.viewMatrix())
+        }
+    }
+
+    @Test
+    fun theProjectionMatricesAreTheUsualOnes() {
+        repeat(200) {
+            val angle = 1 + random.nextDouble() * 170
+            val aspect = 0.1 + random.nextDouble() * 5
+            val near = 0.01 + random.nextDouble()
+            val far = near + random.nextDouble() * 100 + 0.1
+            val perspective = Camera.perspective(Vector3d(), Vector3d(1.0, 0.0, 0.0), up, angle, near, far)
+            val usual = Matrix4d().perspective(Math.toRadians(angle), aspect, near, far)
+            assertClose(usual, perspective.projectionMatrix(aspect))
+            val height = 0.1 + random.nextDouble() * 10
+            val flat = Camera.orthographic(Vector3d(), Vector3d(1.0, 0.0, 0.0), up, height, near - 5, far)
+            val halfWidth = height / 2 * aspect
+            val expected = Matrix4d().ortho(-halfWidth, halfWidth, -height / 2, height / 2, near - 5, far)
+            assertClose(expected, flat.projectionMatrix(aspect))
+        }
+    }
+
+    @Test
+    fun lookingAlongUpChoosesAnAxis() {
+        for (direction in listOf(Vector3d(0.0, 1.0, 0.0), Vector3d(0.0, -3.0, 0.0))) {
+            val camera = Camera.perspective(Vector3d(), direction, up, 45.0, 1.0, 10.0)
+            assertEquals(1.0, camera.viewMatrix().determinant(), 1e-12)
+        }
+    }
+
+    @Test
+    fun rule_1_1_theCentreIsTheMiddleAndYGrowsDownward() {
+        val camera = Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), up, 4.0, 1.0, 9.0)
+        val mesh = Mesh(floatArrayOf(-2f, 2f, 0f, -2f, 1f, 0f, -1f, 2f, 0f), intArrayOf(0, 1, 2))
+        val covered = SetUp(Raster(4, 4), camera, emptyList()).mesh(mesh).single().samples(Raster(4, 4))
+        assertEquals(SampleSet.where(4, 4) { x, y -> x == 0 && y == 0 && covered[0, 0] }, covered)
+        val wide = Mesh(floatArrayOf(-2f, 2f, 0f, -2f, 0.9f, 0f, -0.9f, 2f, 0f), intArrayOf(0, 1, 2))
+        val first = SetUp(Raster(4, 4), camera, emptyList()).mesh(wide).single().samples(Raster(4, 4))
+        assertEquals(SampleSet.where(4, 4) { x, y -> x == 0 && y == 0 }, first)
+    }
+
+    @Test
+    fun fittedCamerasFrameTheBox() {
+        repeat(2000) {
+            val low = vector(listOf(1.0, 1e-3, 1e5)[random.nextInt(3)])
+            val size = List(3) { if (random.nextInt(5) == 0) 0.0 else random.nextDouble() * 10 }
+            val box = Box(low.x, low.y, low.z, low.x + size[0], low.y + size[1], low.z + size[2])
+            val aspect = listOf(1.0, 1.5, 0.1, 20.0)[random.nextInt(4)]
+            val kind = Fit.entries[random.nextInt(2)]
+            val elevation = listOf(90.0, -90.0, 0.0, random.nextDouble() * 180 - 90)[random.nextInt(4)]
+            val azimuth = random.nextDouble() * 720 - 360
+            val zoom = if (random.nextBoolean()) 1.0 else 0.2 + random.nextDouble() * 5
+            val camera = Camera.fit(azimuth, elevation, zoom, kind).camera(box, aspect)
+            val toClip = camera.projectionMatrix(aspect).mul(camera.viewMatrix())
+            var reach = 0.0
+            for (number in 0 until 8) {
+                val corner = box.corner(number)
+                val p = toClip.transform(Vector4d(corner.x, corner.y, corner.z, 1.0))
+                assertTrue(p.w > 0 && Math.abs(p.z) <= p.w * 1.000001) {
+                    "$corner is not between the planes of $camera"
+                }
+                reach = maxOf(reach, Math.abs(p.x / p.w), Math.abs(p.y / p.w))
+            }
+            assertTrue(reach <= 0.95 * zoom * 1.00001) { "$reach at zoom $zoom: $box from $camera" }
+            // Seen end-on, a thin box may be as small as a point
+            if (size.min() > 0.1) assertTrue(reach >= 0.949 * zoom) { "$reach at zoom $zoom: $box from $camera" }
+        }
+    }
+
+    @Test
+    fun fittedCamerasLookFromWhereTheySay() {
+        val box = Box(-1.0, -1.0, -1.0, 1.0, 1.0, 1.0)
+        fun direction(azimuth: Double, elevation: Double): Vector3d =
+            Vector3d(Camera.fit(azimuth, elevation).camera(box, 1.0).eye).normalize()
+        assertEquals(0.0, direction(0.0, 0.0).distance(0.0, 0.0, 1.0), 1e-12)
+        assertEquals(0.0, direction(90.0, 0.0).distance(1.0, 0.0, 0.0), 1e-12)
+        assertEquals(0.0, direction(45.0, 90.0).distance(0.0, 1.0, 0.0), 1e-12)
+        assertEquals(0.0, direction(0.0, -90.0).distance(0.0, -1.0, 0.0), 1e-12)
+    }
+
+    @Test
+    fun aSceneWithNothingInItIsStillFramed() {
+        for (kind in Fit.entries) assertTrue(Camera.fit(kind = kind).camera(null, 1.0).near >= 0)
+    }
+
+    @Test
+    fun wrongNumbersAreRefused() {
+        val eye = Vector3d()
+        val target = Vector3d(0.0, 0.0, -1.0)
+        fun refused(block: () -> Unit) = assertThrows(IllegalArgumentException::class.java, block)
+        refused { Camera.perspective(eye, eye, up, 45.0, 1.0, 2.0) }
+        refused { Camera.perspective(eye, target, Vector3d(), 45.0, 1.0, 2.0) }
+        refused { Camera.perspective(eye, target, up, 0.0, 1.0, 2.0) }
+        refused { Camera.perspective(eye, target, up, 180.0, 1.0, 2.0) }
+        refused { Camera.perspective(eye, target, up, Double.NaN, 1.0, 2.0) }
+        refused { Camera.perspective(eye, target, up, 45.0, 0.0, 2.0) }
+        refused { Camera.perspective(eye, target, up, 45.0, 2.0, 2.0) }
+        refused { Camera.perspective(eye, target, up, 45.0, 1.0, Double.POSITIVE_INFINITY) }
+        refused { Camera.perspective(Vector3d(Double.NaN), target, up, 45.0, 1.0, 2.0) }
+        refused { Camera.orthographic(eye, target, up, 0.0, 1.0, 2.0) }
+        refused { Camera.orthographic(eye, target, up, 1.0, 3.0, 2.0) }
+        refused { Camera.fit(elevation = 91.0) }
+        refused { Camera.fit(azimuth = Double.NaN) }
+        refused { Camera.fit(zoom = 0.0) }
+    }
+}

@@ -1,0 +1,164 @@
+package dev.lazyz.world
+
+import dev.lazyz.Image
+import dev.lazyz.Raster
+import dev.lazyz.Rgba
+import dev.lazyz.asOpaque
+import dev.lazyz.geometry.Box
+import dev.lazyz.strategies.Renderers
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import org.joml.Matrix4d
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Meshes far away from the world's origin keep their details. */
+class OriginTest {
+    /** A power of two, so that adding it to small whole numbers and subtracting it again rounds nothing. */
+    private val far = Vector3d(1048576.0, -4194304.0, 524288.0)
+
+    @Test
+    fun pictureFarAwayIsThatAtHome() {
+        val home = picture(Vector3d(), relative = true)
+        assertTrue(home.visible > 1000)
+        assertEquals(home.pixelHash(), picture(far, relative = true).pixelHash())
+    }
+
+    @Test
+    fun anOriginIsMoreThanPositionsCanSay() {
+        assertNotEquals(picture(Vector3d(), relative = true).pixelHash(), picture(far, relative = false).pixelHash())
+    }
+
+    @Test
+    fun surfacesOfAllKindsAndLightsHaveTheirPlaceAroundTheOrigin() {
+        val home = everything(Vector3d()).frame(64, 64)
+        val away = everything(far).frame(64, 64)
+        for (strategy in Renderers.builtIn) {
+            val expected = strategy.render(home.asOpaque())
+            val actual = strategy.render(away.asOpaque())
+            assertTrue(expected.visible > 1000)
+            assertEquals(expected.pixelHash(), actual.pixelHash(), strategy.id)
+        }
+    }
+
+    @Test
+    fun transformationsMoveTheOriginAlong() {
+        val mesh = bumps(far, relative = true)
+        val back = mesh.transformed(Matrix4d().translation(-far.x, -far.y, -far.z))
+        assertEquals(Vector3d(), back.origin)
+        assertTrue(bumps(Vector3d(), relative = true).positions.contentEquals(back.positions))
+
+        val again = back.transformed(Matrix4d().translation(far.x, far.y, far.z))
+        assertNotEquals(Vector3d(), again.origin)
+        assertTrue(far.distance(again.origin) < 4.0)
+        assertEquals(far.x - 1.0, again.bounds!!.minX)
+    }
+
+    @Test
+    fun boxesThatAreFarAwayForTheirSizeHaveAnOrigin() {
+        assertEquals(Vector3d(), Box(63.0, 0.0, 0.0, 64.0, 1.0, 1.0).origin())
+        assertEquals(Vector3d(64.5, 0.5, 0.5), Box(64.0, 0.0, 0.0, 65.0, 1.0, 1.0).origin())
+        assertEquals(Vector3d(0.5, 0.5, -64.5), Box(0.0, 0.0, -65.0, 1.0, 1.0, -64.0).origin())
+        assertEquals(Vector3d(), Box(0.0, 0.0, 0.0, 0.0, 0.0, 0.0).origin())
+    }
+
+    @Test
+    fun whatIsFartherAwayThanNumbersCanTellIsNotSeen() {
+        val corners = floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 0f, 1f, 0f)
+        for (away in listOf(1e17, 1e300, Double.MAX_VALUE)) {
+            val mesh = Mesh(corners, intArrayOf(0, 1, 2), origin = Vector3d(away, away, away))
+            for (x in listOf(0.0, -0.9 * away)) {
+                val eye = Vector3d(x, 0.0, 5.0)
+                val target = Vector3d(x, 0.0, 0.0)
+                val camera = Camera.perspective(eye, target, Vector3d(0.0, 1.0, 0.0), 30.0, 1.0, 9.0)
+                val frame = Scene(listOf(mesh, Sphere(target, 1.0)), viewpoint = camera).frame(8, 8)
+                for (strategy in Renderers.builtIn) strategy.render(frame)
+            }
+        }
+    }
+
+    @Test
+    fun originsAreFinite() {
+        assertThrows(IllegalArgumentException::class.java) {
+            Mesh(FloatArray(3), IntArray(0), origin = Vector3d(Double.NaN, 0.0, 0.0))
+        }
+        assertThrows(IllegalArgumentException::class.java) {
+            SetUp(Raster(1, 1), Camera.fit().camera(null, 1.0), emptyList(), Vector3d(0.0, 1e999, 0.0))
+        }
+        assertThrows(IllegalArgumentException::class.java) {
+            SetUp(Raster(1, 1), Camera.screen(), emptyList(), Vector3d(0.0, 1.0, 0.0))
+        }
+    }
+
+    @Test
+    fun onTheScreenPositionsAreWhereTheyAre() {
+        val corners = floatArrayOf(0f, 0f, 0f, 8f, 0f, 0f, 0f, 8f, 0f)
+        val mesh = Mesh(corners, intArrayOf(0, 1, 2), origin = Vector3d(4.0, 4.0, 0.5))
+        val image = ZBuffer().render(Scene(listOf(mesh), viewpoint = Camera.screen()).frame(16, 16))
+        assertEquals(0, image.primitive(4, 4))
+        assertEquals(-1, image.primitive(3, 4))
+        assertEquals(-1, image.primitive(12, 12))
+    }
+
+    @Test
+    fun tinyModelsAreAsVisibleAsLargeOnes() {
+        val sizes = listOf(1f, 1e-12f, 1e-20f, 1e-30f, 1e12f)
+        val visible = sizes.map { size ->
+            val mesh = bumps(Vector3d(), relative = true)
+            val scaled = Mesh(FloatArray(mesh.positions.size) { mesh.positions[it] * size }, mesh.triangles)
+            ZBuffer().render(Scene(listOf(scaled)).frame(128, 128)).visible
+        }
+        for (count in visible) assertEquals(visible[0].toDouble(), count.toDouble(), 20.0)
+    }
+
+    private fun picture(place: Vector3d, relative: Boolean): Image =
+        ZBuffer().render(Scene(listOf(bumps(place, relative))).withCameraAt(place).frame(128, 128))
+
+    private fun everything(place: Vector3d): Scene {
+        val hill = bumps(place, relative = true)
+        val other = bumps(Vector3d(place).add(1.0, 1.0, 0.0), relative = true)
+        val flag = listOf(Vector3d(0.0, 0.0, 0.0), Vector3d(1.0, 0.0, 0.0), Vector3d(0.0, 1.5, 0.0))
+            .map { it.add(place) }.map { Vertex(it.x, it.y, it.z) }
+        return Scene(
+            listOf(
+                hill, other, Sphere(Vector3d(place).add(0.5, 0.5, 0.5), 0.5), Polygon(listOf(flag)),
+                Points(CORNERS, 5.0, origin = Vector3d(place).add(0.0, 0.5, 0.0)),
+                Lines(CORNERS, intArrayOf(0, 1, 1, 2), 3.0, origin = Vector3d(place).add(0.0, 0.5, 0.0)),
+            ),
+            listOf(Light.Point(Vector3d(place).add(2.0, 4.0, 2.0), Rgba.WHITE)),
+        ).withCameraAt(place)
+    }
+
+    private fun Scene.withCameraAt(place: Vector3d): Scene = withViewpoint(
+        Camera.perspective(
+            Vector3d(place).add(3.0, 4.0, 5.0), Vector3d(place), Vector3d(0.0, 1.0, 0.0), 30.0, 1.0, 20.0,
+        ),
+    )
+
+    /** A hilly square of two units a side around [place]. */
+    private fun bumps(place: Vector3d, relative: Boolean): Mesh {
+        val positions = FloatArray(3 * SIDE * SIDE)
+        for (i in 0 until SIDE * SIDE) {
+            val x = (i % SIDE - SIDE / 2) / (SIDE / 2).toDouble()
+            val z = (i / SIDE - SIDE / 2) / (SIDE / 2).toDouble()
+            val y = ((i * 7) % 5) / 16.0
+            positions[3 * i] = (if (relative) x else x + place.x).toFloat()
+            positions[3 * i + 1] = (if (relative) y else y + place.y).toFloat()
+            positions[3 * i + 2] = (if (relative) z else z + place.z).toFloat()
+        }
+        val triangles = ArrayList<Int>()
+        for (i in 0 until SIDE * SIDE) {
+            if (i % SIDE == SIDE - 1 || i / SIDE == SIDE - 1) continue
+            triangles += listOf(i, i + SIDE, i + 1, i + 1, i + SIDE, i + SIDE + 1)
+        }
+        return Mesh(positions, triangles.toIntArray(), origin = if (relative) place else Vector3d())
+    }
+
+    private companion object {
+        const val SIDE = 17
+        val CORNERS = floatArrayOf(-1f, 0f, 1f, 1f, 0.5f, 1f, 1f, 1f, -1f)
+    }
+}
