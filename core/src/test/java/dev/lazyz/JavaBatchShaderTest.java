@@ -1,8 +1,9 @@
 package dev.lazyz;
 
-import org.junit.jupiter.api.Test;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import org.junit.jupiter.api.Test;
 
 /** How those who write a {@link BatchShader} test it, outside of any renderer. */
 class JavaBatchShaderTest {

@@ -1,12 +1,13 @@
 package dev.lazyz;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
 import dev.lazyz.strategies.zbuffer.ZBuffer;
 import dev.lazyz.world.Material;
 import dev.lazyz.world.Scene;
 import dev.lazyz.world.Sphere;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
-import static org.junit.jupiter.api.Assertions.assertEquals;
 
 /** The README's lines of Java, compiled and run: the same picture as its lines of Kotlin. */
 class JavaReadmeTest {

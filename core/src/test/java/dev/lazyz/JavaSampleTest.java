@@ -1,5 +1,8 @@
 package dev.lazyz;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import dev.lazyz.strategies.zbuffer.ZBuffer;
 import dev.lazyz.world.Camera;
 import dev.lazyz.world.FrameBuilder;
@@ -9,8 +12,6 @@ import dev.lazyz.world.Scene;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 /** What Java users write. */
 class JavaSampleTest {

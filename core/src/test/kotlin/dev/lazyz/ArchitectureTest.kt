@@ -31,8 +31,8 @@ class ArchitectureTest {
     /** The package that an import names, below `dev.lazyz`; null for other libraries. */
     private fun room(import: String): String? {
         if (!import.startsWith("dev.lazyz.")) return null
-        return import.removePrefix("dev.lazyz.").split('.').takeWhile { it.first().isLowerCase() }
-            .joinToString(".").let { rooms.filter { room -> it == room || it.startsWith("$room.") }.maxByOrNull(String::length) }
+        val name = import.removePrefix("dev.lazyz.").split('.').takeWhile { it.first().isLowerCase() }.joinToString(".")
+        return rooms.filter { name == it || name.startsWith("$it.") }.maxByOrNull(String::length)
     }
 
     private val rooms: Set<String> = sources.map(::room).toSet()
@@ -54,7 +54,8 @@ class ArchitectureTest {
             val from = room(source)
             imports(source).mapNotNull { import ->
                 val to = room(import)
-                if (to == null || to == from || floor(to) < floor(from)) null else "$from/${source.name} imports $import"
+                val isPermitted = to == null || to == from || floor(to) < floor(from)
+                if (isPermitted) null else "$from/${source.name} imports $import"
             }
         }
         assertEquals(emptyList<String>(), offences)
@@ -67,8 +68,8 @@ class ArchitectureTest {
     fun seamsAreNeeded() {
         for (seam in SEAMS) {
             val source = root.resolve(seam)
-            val upward = imports(source).filter { import -> room(import)?.let { floor(it) > floor(room(source)) } == true }
-            assertTrue(upward.isNotEmpty()) { "$seam imports nothing from above: take it off the list" }
+            val above = imports(source).mapNotNull(::room).filter { floor(it) > floor(room(source)) }
+            assertTrue(above.isNotEmpty()) { "$seam imports nothing from above: take it off the list" }
         }
     }
 
@@ -147,13 +148,14 @@ class ArchitectureTest {
     }
 
     private companion object {
-        /** The packages from the bottom to the top: each may import those before it. `docs/architecture.md` describes them. */
+        /** The packages from bottom to top: each imports only those before it, see `docs/architecture.md`. */
         val FLOORS = listOf(
-            "", "raster", "geometry", "world", "shading", "setup", "setup.planar", "pipeline", "strategies.tiled.raster",
-            "strategies.tiled.binning", "strategies.tiled.resolve", "strategies.*", "strategies",
+            "", "raster", "geometry", "world", "shading", "setup", "setup.planar", "pipeline",
+            "strategies.tiled.raster", "strategies.tiled.binning", "strategies.tiled.resolve",
+            "strategies.*", "strategies",
         )
 
-        /** The files by which scenes and drawings on the screen call set-up, which is above them. */
+        /** The files by which scenes, and drawings on the screen, call set-up, which is above them. */
         val SEAMS = setOf("world/SetUp.kt", "world/FrameBuilder.kt")
 
         /** `java.` but for desktop and what has no place in a renderer. */

@@ -1,11 +1,12 @@
 package dev.lazyz.conformance;
 
+import static dev.lazyz.conformance.PictureAssertions.assertSamePicture;
+
 import dev.lazyz.strategies.zbuffer.ZBuffer;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
-import static dev.lazyz.conformance.PictureAssertions.assertSamePicture;
 
 /** A mix of one's own from Java; docs/conformance.md shows it. */
 class HolesFromJavaProperties {

@@ -1,5 +1,8 @@
 package dev.lazyz.jmh;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
 import dev.lazyz.Counters;
 import dev.lazyz.Frame;
 import dev.lazyz.Renderer;
@@ -10,8 +13,6 @@ import dev.lazyz.strategies.zbuffer.ZBuffer;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.openjdk.jmh.annotations.Param;
-import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 
 class PictureCheckTest {
     @Test

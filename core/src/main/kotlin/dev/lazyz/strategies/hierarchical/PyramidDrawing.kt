@@ -7,9 +7,9 @@ import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Region
 import dev.lazyz.Spans
-import dev.lazyz.hierarchical.DepthPyramid.Companion.BLOCK
 import dev.lazyz.raster.AreaBounds
 import dev.lazyz.raster.VisibilityOrder
+import dev.lazyz.strategies.hierarchical.DepthPyramid.Companion.BLOCK
 
 /**
  * Draws primitives on a [DepthPyramid], one at a time: first asks for all of it, then block by block, and only then

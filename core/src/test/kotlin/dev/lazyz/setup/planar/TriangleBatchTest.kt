@@ -27,7 +27,7 @@ class TriangleBatchTest {
     /** Asserts it of a mesh, and returns how many of its triangles are drawn from the batch, cut, and left out. */
     private fun assertSame(mesh: Mesh, camera: Camera): List<Int> {
         val frame = Scene(listOf(mesh), emptyList(), camera).frame(32, 24)
-        val batch = frame.content.batches.single()
+        val batch = frame.content.triangleBatch(0)
         val exceptions = batch.exceptions.associate { it.index to it.value }
         val counts = IntArray(3)
         for ((triangle, primitive) in frame.primitives.withIndex()) {
@@ -92,7 +92,7 @@ class TriangleBatchTest {
         }
         val mesh = SampleScenes.soup(Random(11), 64, Material(), 0.5)
         val frame = Scene(listOf(mesh, mesh), emptyList(), flat).frame(8, 8)
-        val batches = frame.content.batches
+        val batches = frame.content.batches.indices.map(frame.content::triangleBatch)
         assertEquals(listOf(0, 64), batches.map { it.first })
         for (batch in batches) {
             assertSame(mesh, batch.mesh)

@@ -84,7 +84,8 @@ public final class Growth {
         facts.put("limit, s", Double.toString(limit));
         facts.put("rounds", Integer.toString(rounds));
         facts.put("processors", Integer.toString(Runtime.getRuntime().availableProcessors()));
-        facts.put("Java", Runtime.version() + ", kernel of tiled: " + new dev.lazyz.strategies.tiled.Tiled().getKernel());
+        facts.put(
+                "Java", Runtime.version() + ", kernel of tiled: " + new dev.lazyz.strategies.tiled.Tiled().getKernel());
         facts.put("system", System.getProperty("os.name") + " " + System.getProperty("os.arch"));
         Path processors = Path.of("/proc/cpuinfo");
         if (Files.exists(processors)) {

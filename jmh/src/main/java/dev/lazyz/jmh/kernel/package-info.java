@@ -5,4 +5,3 @@
  * <p>A benchmark refuses to measure variants that do not give the same result.
  */
 package dev.lazyz.jmh.kernel;
-

@@ -1,5 +1,9 @@
 package dev.lazyz.jmh.growth;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import dev.lazyz.strategies.Renderers;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -8,9 +12,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
-import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 class GrowthTest {
     private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();

@@ -1,8 +1,9 @@
 package dev.lazyz.jmh.peers;
 
-import org.junit.jupiter.api.Test;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import org.junit.jupiter.api.Test;
 
 class PictureDifferenceTest {
     @Test

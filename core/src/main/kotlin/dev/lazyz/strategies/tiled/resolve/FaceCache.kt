@@ -67,7 +67,8 @@ internal class FaceCache(private val content: FrameContent, val isUsed: Boolean)
     }
 
     /** Returns what sets up the triangles of batch [number]. */
-    fun setUp(number: Int): FaceSetUp = setUps[number] ?: content.triangleBatch(number).faces().also { setUps[number] = it }
+    fun setUp(number: Int): FaceSetUp =
+        setUps[number] ?: content.triangleBatch(number).faces().also { setUps[number] = it }
 
     private companion object {
         /** Primitives that are remembered, a power of two. */

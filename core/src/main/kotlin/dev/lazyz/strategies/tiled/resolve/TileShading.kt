@@ -9,6 +9,7 @@ import dev.lazyz.FragmentBatch
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Shader
+import dev.lazyz.setup.planar.triangleBatch
 import dev.lazyz.shading.LateShading
 import dev.lazyz.strategies.tiled.binning.Band
 import dev.lazyz.strategies.tiled.raster.Checkpoint
@@ -231,7 +232,7 @@ internal class TileShading(
         if (waitingSmall.size == 0) return
         val setUp = faces.setUp(smallBatch)
         waitingSmall.locate(keys.columnStart, keys.rowStart)
-        scattered.fill(waitingSmall.batch, content.batches[smallBatch], smallTriangles, setUp)
+        scattered.fill(waitingSmall.batch, content.triangleBatch(smallBatch), smallTriangles, setUp)
         shade(waitingSmall, setUp.shader)
     }
 

@@ -3,6 +3,7 @@ package dev.lazyz.strategies.tiled.binning
 import dev.lazyz.DepthTest
 import dev.lazyz.Region
 import dev.lazyz.setup.planar.TriangleBatch
+import dev.lazyz.setup.planar.triangleBatch
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import dev.lazyz.strategies.tiled.raster.TriangleForms
 import dev.lazyz.world.Camera
@@ -79,7 +80,7 @@ class TriangleTilesProperties {
         }
         val camera = Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 2.0, 1.0, 9.0)
         val mesh = Mesh(positions, IntArray(3 * COUNT) { it }, Material())
-        return Scene(listOf(mesh), emptyList(), camera).frame(SIDE, SIDE).content.batches.single()
+        return Scene(listOf(mesh), emptyList(), camera).frame(SIDE, SIDE).content.triangleBatch(0)
     }
 
     private companion object {

@@ -6,6 +6,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.samples
+import dev.lazyz.setup.planar.triangleBatch
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import dev.lazyz.strategies.tiled.raster.TriangleForms
@@ -51,7 +52,7 @@ class WideTrianglesTest {
     }
 
     private fun depth(frame: Frame, triangle: Int, corner: Int): Int {
-        val batch = frame.content.batches.single()
+        val batch = frame.content.triangleBatch(0)
         return batch.grid[batch.place(triangle, corner) + 2]
     }
 
@@ -67,7 +68,7 @@ class WideTrianglesTest {
         val ends = BinEnds(1, area.tiles)
         val forms = TriangleForms(test)
         val triangles = NearToFar()
-        val batch = frame.content.batches.single()
+        val batch = frame.content.triangleBatch(0)
         for (i in 0 until batch.count) triangles.add(forms.nearest(batch, i))
         triangles.sort()
         WideTriangles(frame.content, area, grid, test, ArrayPool(), ends).enter(triangles, 0, 1)
@@ -109,7 +110,7 @@ class WideTrianglesTest {
         val random = Random(1993)
         val positions = FloatArray(9 * 200) { (random.nextFloat() * 2 - 1) * if (it % 3 == 2) 3f else 1.5f }
         val frame = frame(test, positions)
-        val batch = frame.content.batches.single()
+        val batch = frame.content.triangleBatch(0)
         val forms = TriangleForms(test)
         var samples = 0
         for (triangle in 0 until batch.count) {

@@ -6,6 +6,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.samples
 import dev.lazyz.setup.planar.PlanarPrimitive
+import dev.lazyz.setup.planar.triangleBatch
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
@@ -44,7 +45,7 @@ class TriangleFormsTest {
     @EnumSource
     fun rule_2_2_noEdgeFunctionIsNegativeWhereASampleIsCovered(test: DepthTest) {
         val frame = frame(test)
-        val batch = frame.content.batches.single()
+        val batch = frame.content.triangleBatch(0)
         val forms = TriangleForms(test)
         for (triangle in 0 until batch.count) {
             val covered = frame.primitives[triangle].samples(frame.raster)
@@ -68,7 +69,7 @@ class TriangleFormsTest {
     @EnumSource
     fun rule_3_3_keysHoldTheDepthsOfThePrimitives(test: DepthTest) {
         val frame = frame(test)
-        val batch = frame.content.batches.single()
+        val batch = frame.content.triangleBatch(0)
         val forms = TriangleForms(test)
         val same = TriangleForms(test)
         var samples = 0

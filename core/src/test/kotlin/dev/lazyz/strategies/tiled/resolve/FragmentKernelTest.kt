@@ -4,6 +4,7 @@ import dev.lazyz.BatchShader
 import dev.lazyz.Fragment
 import dev.lazyz.FragmentBatch
 import dev.lazyz.setup.planar.PlanarPrimitive
+import dev.lazyz.setup.planar.triangleBatch
 import dev.lazyz.strategies.tiled.Kernels
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
@@ -27,7 +28,7 @@ class FragmentKernelTest {
                     val frame = Scene(listOf(mesh(Random(seed))), emptyList(), camera(isPerspective)).frame(SIDE, SIDE)
                     assertEquals(SIDE * SIDE, ZBuffer().render(frame).visible)
                     val primitive = frame.primitives.single() as PlanarPrimitive
-                    val batch = frame.content.batches.single()
+                    val batch = frame.content.triangleBatch(0)
                     val face = Face().apply { fill(batch, 0, batch.faces(), Fragment()) }
                     val copy = Face().apply { fill(0, primitive, Fragment()) }
                     for (count in COUNTS) {
@@ -48,7 +49,7 @@ class FragmentKernelTest {
         repeat(64) { seed ->
             val surface = if (seed % 2 == 0) mesh(random) else twoSided(random)
             val frame = Scene(listOf(surface), emptyList(), camera(random.nextBoolean())).frame(SIDE, SIDE)
-            val batch = frame.content.batches.single()
+            val batch = frame.content.triangleBatch(0)
             val faces = batch.faces()
             val fragments = FragmentBatch(FragmentBatch.CAPACITY)
             val numbers = IntArray(FragmentBatch.CAPACITY) { random.nextInt(batch.count) }
