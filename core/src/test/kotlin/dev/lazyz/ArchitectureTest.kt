@@ -36,6 +36,7 @@ class ArchitectureTest {
     }
 
     private val rooms: Set<String> = sources.map(::room).toSet()
+    private val page: String = ProjectFiles.root.resolve("docs/architecture.md").readText()
 
     /** The name of a strategy's package, or null for sources that belong to none. */
     private fun strategy(source: Path): String? =
@@ -71,6 +72,28 @@ class ArchitectureTest {
             val above = imports(source).mapNotNull(::room).filter { floor(it) > floor(room(source)) }
             assertTrue(above.isNotEmpty()) { "$seam imports nothing from above: take it off the list" }
         }
+    }
+
+    /** Every package has a row on the page, which names only what is there. */
+    @Test
+    fun thePageShowsThePackages() {
+        val rows = page.substringAfter("## Packages of").substringBefore("\n## ").lines().filter { it.startsWith("| `") }
+        val shown = rows.associateBy { row -> row.substringAfter('`').substringBefore('`').removePrefix("dev.lazyz") }
+        assertEquals(rooms.map { if (floor(it) == FLOORS.indexOf("strategies.*")) "strategies.*" else it }.toSet(), shown.keys)
+        for ((room, row) in shown) {
+            val code = sources.filter { room(it) == room }.joinToString("\n") { it.readText() }
+            for ((name) in Regex("`([A-Z]\\w+)").findAll(row).map { it.destructured }) {
+                assertTrue(Regex("(class|object|interface) $name\\b").containsMatchIn(code)) { "$room has no $name" }
+            }
+        }
+    }
+
+    @Test
+    fun thePageNamesTheFilesOfEachStep() {
+        val roots = mapOf("core" to root, "scenes" to ProjectFiles.root.resolve("scenes/src/main/kotlin/dev/lazyz/scenes"))
+        val named = Regex("`(core|scenes): ([\\w/]+)`").findAll(page).map { it.destructured }.toList()
+        assertTrue(named.size > 20) { "only ${named.size} files" }
+        for ((module, path) in named) assertTrue(Files.exists(roots.getValue(module).resolve("$path.kt"))) { path }
     }
 
     @Test
