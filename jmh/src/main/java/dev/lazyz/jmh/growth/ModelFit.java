@@ -138,7 +138,7 @@ final class ModelFit {
                         "\"" + strategy + "\" to " + serialShare(strategy).getAsDouble())
                 .toList();
         return String.format(Locale.ROOT, """
-                package dev.lazyz
+                package dev.lazyz.strategies
 
                 /**
                  * Coefficients of [StrategyModel], fitted to `docs/growth/results.json` by the command that measured it. Generated: not to
