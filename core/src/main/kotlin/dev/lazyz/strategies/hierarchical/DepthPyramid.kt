@@ -46,7 +46,7 @@ internal class DepthPyramid(val region: Region, background: Long) {
     val bytes: Long get() = Long.SIZE_BYTES * (keys.size + levels.sumOf { it.size.toLong() }) + holders.size
 
     init {
-        require(region.size <= MAX_SAMPLES) { "the depth pyramid stands on at most $MAX_SAMPLES samples: $region" }
+        require(region.size <= MAX_SAMPLES) { "the depth pyramid holds at most $MAX_SAMPLES samples: $region" }
         keys = LongArray(region.size.toInt())
         keys.fill(background)
 

@@ -135,7 +135,7 @@ class FlowPipelineTest {
         }
         waiting.await()
         delay(50)
-        assertTrue(layers.all { it.rows.size == 11 }) { "rows are made while nobody takes them" }
+        assertTrue(layers.all { it.rows.size == 11 }) { "rows are made that are not collected" }
         gate.complete(Unit)
         job.join()
         assertTrue(layers.all { it.rows.size == 100 })

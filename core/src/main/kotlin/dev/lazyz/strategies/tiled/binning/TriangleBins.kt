@@ -10,7 +10,7 @@ import dev.lazyz.strategies.tiled.raster.TileGrid
 /**
  * The triangles of a frame's batches, sorted into the tiles of some bands with two counting sorts, in parallel.
  *
- * A triangle whose bounds have only a few samples is drawn immediately, while its vertices are in the cache; its tiles
+ * A triangle whose bounds have only a few samples is drawn immediately, while its vertices are loaded; its tiles
  * receive its fragments, each a key and a place. For every other triangle, a tile receives a lower bound of the
  * triangle's keys. The bound determines the triangle's index and the order of drawing, and if the triangle turns out to
  * be hidden, no other data of it is read. Triangles that reach many tiles are entered after all others are known, see
