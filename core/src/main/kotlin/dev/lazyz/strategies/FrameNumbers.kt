@@ -9,19 +9,19 @@ import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.setup.planar.triangleBatch
 
 /**
- * What is cheap to know of a frame and decides what a strategy takes for it. Immutable.
+ * The properties of a frame that determine a strategy's time and memory and are cheap to obtain. Immutable.
  *
- * [of] looks at about [SAMPLE] primitives, evenly spaced in the order of submission: [primitiveRows] and [fragments]
- * are estimates where there are more.
+ * [of] looks at about [SAMPLE] primitives, evenly spaced in the order of submission. In frames with more primitives,
+ * [primitiveRows] and [fragments] are therefore estimates.
  *
- * @property columns width of the picture, samples
- * @property rows height of the picture, samples
- * @property primitives number of primitives, those that cover nothing included
- * @property primitiveRows rows that primitives reach, summed over the primitives
- * @property fragments covered samples, summed over the primitives
+ * @property columns width of the picture, in samples
+ * @property rows height of the picture, in samples
+ * @property primitives number of primitives, including those that cover nothing
+ * @property primitiveRows number of rows that a primitive reaches, summed over the primitives
+ * @property fragments number of samples that a primitive covers, summed over the primitives
  * @property isTranslucent whether the picture needs blending, see [Frame.hasTranslucency]
- * @property shadingCost what a colour costs, in rounds of the shader that the model was measured with (some nanoseconds each);
- *   [of] does not know it and says 1
+ * @property shadingCost cost of one colour, relative to the shader that the model was measured with (a few nanoseconds
+ *   per colour); [of] cannot determine it and sets 1
  */
 public class FrameNumbers @JvmOverloads constructor(
     public val columns: Int,
@@ -32,13 +32,13 @@ public class FrameNumbers @JvmOverloads constructor(
     public val isTranslucent: Boolean = false,
     public val shadingCost: Double = 1.0,
 ) {
-    /** Samples of the picture. */
+    /** Number of samples in the picture. */
     public val samples: Double get() = columns.toDouble() * rows
 
     /** Mean number of primitives that cover a sample. */
     public val depthComplexity: Double get() = fragments / samples
 
-    /** Samples that some primitive covers, if primitives lie at random. */
+    /** Expected number of samples covered by at least one primitive, if primitives are placed at random. */
     public val visible: Double get() = samples * (1.0 - StrictMath.exp(-depthComplexity))
 
     override fun toString(): String =
@@ -46,13 +46,15 @@ public class FrameNumbers @JvmOverloads constructor(
             "isTranslucent=$isTranslucent, shadingCost=$shadingCost)"
 
     public companion object {
-        /** Primitives that [of] looks at, about. */
+        /** Approximate number of primitives that [of] looks at. */
         public const val SAMPLE: Int = 1024
 
-        /** Rows of a primitive whose spans are looked at. */
+        /** Number of rows of a primitive whose spans are counted. */
         private const val SPAN_ROWS = 4
 
-        /** Returns the numbers of [frame]. Cost: about [SAMPLE] primitives, and what [Frame.hasTranslucency] costs. */
+        /**
+         * Returns the numbers of [frame]. Cost: about [SAMPLE] primitives, plus the cost of [Frame.hasTranslucency].
+         */
         @JvmStatic
         public fun of(frame: Frame): FrameNumbers {
             val content = frame.content
@@ -71,7 +73,7 @@ public class FrameNumbers @JvmOverloads constructor(
         }
     }
 
-    /** Adds up what primitives have within [region]. */
+    /** Sums rows and fragments of primitives within [region]. */
     private class Tally(private val region: Region) {
         var rows = 0.0
         var fragments = 0.0
@@ -84,7 +86,7 @@ public class FrameNumbers @JvmOverloads constructor(
             val c = batch.place(triangle, 2)
             val grid = batch.grid
 
-            // As far as the box around the triangle lies in the region, so does the triangle
+            // Assume that the share of the triangle within the region equals the share of its bounding box
             val width = common(grid[a], grid[b], grid[c], region.columnStart, region.columnEnd)
             val height = common(grid[a + 1], grid[b + 1], grid[c + 1], region.rowStart, region.rowEnd)
             val doubled = (grid[b] - grid[a]).toDouble() * (grid[c + 1] - grid[a + 1]) -
@@ -109,7 +111,7 @@ public class FrameNumbers @JvmOverloads constructor(
             if (start >= end) return
             rows += end - start
 
-            // Spans of some rows stand for those of all
+            // Count the spans of a few rows and scale up to all rows
             val count = minOf(SPAN_ROWS, end - start)
             var covered = 0L
             for (i in 0 until count) {
@@ -121,6 +123,6 @@ public class FrameNumbers @JvmOverloads constructor(
         }
     }
 
-    /** How much of an extent lies within another: grid steps, and its part of the whole. */
+    /** The part of an extent that lies within another: its length in grid steps, and its share of the whole. */
     private class Common(val length: Double, val share: Double)
 }

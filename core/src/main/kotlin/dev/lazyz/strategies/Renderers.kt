@@ -17,15 +17,16 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.util.ServiceLoader
 
 /**
- * The renderers there are: the one list that the command line, the conformance suite and the benchmarks read.
+ * The available renderers. The command line, the conformance suite and the benchmarks all read this list.
  *
- * Use it where a user chooses by name; code that knows what it wants constructs the class itself. To add one of one's
- * own, put its class name into `META-INF/services/dev.lazyz.Renderer` and the jar on the class path. Thread safe.
+ * Use it where a user chooses a renderer by name; code that needs a particular renderer constructs its class directly.
+ * To add a custom renderer, put its class name into `META-INF/services/dev.lazyz.Renderer` and its jar on the class
+ * path. Thread safe.
  */
 public object Renderers {
     /**
-     * The renderers of this library, in the order in which they are listed; one line each. Where nobody chooses, the first
-     * that can do what is asked for is taken.
+     * The renderers of this library, in the order in which they are listed. If the user does not choose one, the first
+     * renderer that supports the request is used.
      */
     @JvmStatic
     public val builtIn: List<Renderer> = listOf(
@@ -42,11 +43,11 @@ public object Renderers {
     )
 
     /**
-     * Returns the built-in renderers, and behind them those that third parties offer through [ServiceLoader], in the
-     * order of the class path as the current thread's context class loader sees it.
+     * Returns the built-in renderers, followed by third-party renderers found through [ServiceLoader]. Third-party
+     * renderers are in the order of the class path as seen by the current thread's context class loader.
      *
      * @throws IllegalStateException if two renderers have the same id; the message names both classes
-     * @throws java.util.ServiceConfigurationError if a third party's renderer cannot be loaded
+     * @throws java.util.ServiceConfigurationError if a third-party renderer cannot be loaded
      */
     @JvmStatic
     public fun all(): List<Renderer> {
@@ -63,19 +64,21 @@ public object Renderers {
     }
 
     /**
-     * Returns the renderer with the given [id], or null if there is none. Fails as [all] does, so that what a name
-     * means does not depend on the order of a class path.
+     * Returns the renderer with the given [id], or null if there is none. Fails in the same cases as [all], so that the
+     * meaning of a name does not depend on the order of the class path.
      */
     @JvmStatic
     public fun find(id: String): Renderer? = all().firstOrNull { it.id == id }
 
     /**
-     * Estimates what each renderer of [all] takes for [frame], and which of them can render it as asked.
+     * Estimates the time and memory that each renderer of [all] needs for [frame], and determines which renderers can
+     * render it as requested.
      *
-     * A renderer is ruled out if it lacks one of [needs], or what the frame or [options] need: transparency, a memory budget, a
-     * selector; or if the model expects it to hold more than [memory] bytes. Cost: see [FrameNumbers.of].
+     * A renderer is ruled out if it lacks one of [needs], or a capability that the frame or the [options] require
+     * (transparency, a memory budget, a selector), or if the model expects it to hold more than [memory] bytes. Cost:
+     * see [FrameNumbers.of].
      *
-     * @throws IllegalStateException as [all]
+     * @throws IllegalStateException in the same cases as [all]
      */
     @JvmStatic
     @JvmOverloads
@@ -87,12 +90,12 @@ public object Renderers {
     ): StrategyEstimates = StrategyEstimates.of(all(), frame, options, needs, memory)
 
     /**
-     * Returns a renderer that can render [frame] as asked, configured with [options]: the first of [all] that can, unless
-     * [StrategyModel] expects another to be much faster, see [StrategyEstimates.best]. Renderers that were never measured are
-     * taken only where no other can.
+     * Returns a renderer that can render [frame] as requested, configured with [options]. This is the first suitable
+     * renderer of [all], unless [StrategyModel] expects another to be much faster, see [StrategyEstimates.best]. A
+     * renderer that was never measured is used only if no other is suitable.
      *
-     * @throws IllegalArgumentException if every renderer is ruled out; the message says why
-     * @throws IllegalStateException as [all]
+     * @throws IllegalArgumentException if every renderer is ruled out; the message gives the reasons
+     * @throws IllegalStateException in the same cases as [all]
      */
     @JvmStatic
     @JvmOverloads

@@ -6,12 +6,12 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 
 /**
- * What a renderer is expected to take for a frame. Immutable.
+ * The expected time and memory of one renderer for a frame. Immutable.
  *
- * @property renderer configured as asked
- * @property milliseconds set-up and rendering in a warm JVM, or NaN if it was never measured
- * @property bytes most memory held at a time besides scene and picture, or NaN if it was never measured
- * @property ruledOut why it cannot be chosen, or null
+ * @property renderer the renderer, configured with the requested options
+ * @property milliseconds time of set-up and rendering in a warm JVM, or NaN if the renderer was never measured
+ * @property bytes peak memory, excluding scene and picture, or NaN if the renderer was never measured
+ * @property ruledOut why the renderer cannot be chosen, or null if it can
  */
 public class StrategyEstimate internal constructor(
     public val renderer: Renderer,
@@ -24,13 +24,13 @@ public class StrategyEstimate internal constructor(
 }
 
 /**
- * What all renderers are expected to take for a frame, see [Renderers.estimates]. Immutable.
+ * The expected time and memory of all renderers for a frame, see [Renderers.estimates]. Immutable.
  *
- * @property numbers what the estimates are made of
- * @property threads as asked
+ * @property numbers the frame's numbers, from which the estimates are computed
+ * @property threads the requested number of threads
  * @property memory most bytes that a renderer may hold
- * @property all every renderer: those that can be chosen by ascending time, never measured ones behind them, then those that
- *   are ruled out
+ * @property all all renderers: first those that can be chosen, by ascending time, then those that can be chosen but
+ *   were never measured, then those that are ruled out
  */
 public class StrategyEstimates private constructor(
     public val numbers: FrameNumbers,
@@ -40,8 +40,9 @@ public class StrategyEstimates private constructor(
     private val usual: StrategyEstimate?,
 ) {
     /**
-     * The one to choose, or null if all are ruled out: the first in the order of [Renderers.all] that is not ruled out, unless
-     * another is expected to be [StrategyModel.DOUBT] times as fast; then the fastest.
+     * The renderer to choose, or null if all are ruled out. This is the first in the order of [Renderers.all] that is
+     * not ruled out, unless the fastest is expected to be more than [StrategyModel.DOUBT] times as fast; then it is the
+     * fastest.
      */
     public val best: StrategyEstimate?
         get() {
@@ -50,7 +51,10 @@ public class StrategyEstimates private constructor(
             return if (usual.milliseconds > StrategyModel.DOUBT * fastest.milliseconds) fastest else usual
         }
 
-    /** Returns lines for people: the frame's numbers, then each renderer with time, memory and why it is ruled out. */
+    /**
+     * Returns readable text: the frame's numbers, then a line for each renderer with time, memory and why it is ruled
+     * out.
+     */
     public fun explain(): String = buildString {
         val kind = if (numbers.isTranslucent) "some translucent" else "all opaque"
         append("frame: ${numbers.columns} x ${numbers.rows}, ${numbers.primitives} primitives, $kind; ")
@@ -87,7 +91,7 @@ public class StrategyEstimates private constructor(
                 estimate(it.configured(options), numbers, options, needs + implied, memory)
             }
             val (possible, impossible) = estimates.partition { it.ruledOut == null }
-            // Sorting is stable, and NaN comes last
+            // Sorting is stable and puts NaN last
             val sorted = possible.sortedBy { it.milliseconds } + impossible
             return StrategyEstimates(numbers, options.threads, memory, sorted, possible.firstOrNull())
         }

@@ -4,34 +4,35 @@ import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 
 /**
- * What strategies take for a frame, by a model that was fitted to measurements (`docs/growth.md`): times and bytes are
- * sums of [timeTerms] and [memoryTerms], each times a coefficient of the strategy's own, none negative.
+ * A model of the time and memory that strategies need for a frame, fitted to measurements (`docs/growth.md`). Time is a
+ * sum of [timeTerms] and memory is a sum of [memoryTerms]; each term is multiplied by a non-negative coefficient that
+ * depends on the strategy.
  *
- * Times are those of a warm JVM on the machine that was measured, set-up included. On another machine trust their
- * ratios, and those roughly. Thread safe.
+ * Times include set-up and are those of a warm JVM on the machine of the measurements. On other machines only the
+ * ratios of times are meaningful, and only roughly. Thread safe.
  */
 public object StrategyModel {
     /**
-     * How far the model is trusted: another renderer than the usual one is chosen only if it is expected to be at least so many
-     * times as fast.
+     * How much faster a renderer must be to be preferred: a renderer other than the default is chosen only if it is
+     * expected to be more than this many times as fast.
      */
     public const val DOUBT: Double = 1.5
 
-    /** What [timeTerms] are. */
+    /** The names of the [timeTerms]. */
     @JvmStatic
     public val timeTermNames: List<String> = listOf(
         "frame", "primitives", "primitive rows", "samples", "fragments", "late colours", "early colours",
     )
 
-    /** What [memoryTerms] are. */
+    /** The names of the [memoryTerms]. */
     @JvmStatic
     public val memoryTermNames: List<String> =
         listOf("frame", "columns", "samples", "primitives", "primitives a row", "fragments a row")
 
-    /** Returns the numbers that times are sums of. */
+    /** Returns the terms of the time. */
     @JvmStatic
     public fun timeTerms(numbers: FrameNumbers): DoubleArray {
-        // A sample's nearest fragment so far changes at one of two, of three, ... that come in random order
+        // In random order, the k-th fragment of a sample is the nearest so far with probability 1/k
         val changes = 1.0 + StrictMath.log(maxOf(1.0, numbers.depthComplexity))
         return doubleArrayOf(
             1.0,
@@ -44,7 +45,7 @@ public object StrategyModel {
         )
     }
 
-    /** Returns the numbers that bytes are sums of. */
+    /** Returns the terms of the memory. */
     @JvmStatic
     public fun memoryTerms(numbers: FrameNumbers): DoubleArray = doubleArrayOf(
         1.0,
@@ -56,8 +57,8 @@ public object StrategyModel {
     )
 
     /**
-     * Returns how long the strategy called [id] takes for a frame with these [numbers] on so many [threads], milliseconds; NaN
-     * if it was never measured.
+     * Returns the milliseconds that the strategy [id] needs for a frame with these [numbers] on this many [threads], or
+     * NaN if it was never measured.
      */
     @JvmStatic
     @JvmOverloads
@@ -69,11 +70,11 @@ public object StrategyModel {
     }
 
     /**
-     * Returns the most bytes that the strategy called [id] holds while it renders a frame with these [numbers]: working memory
-     * and, unless it draws meshes from their arrays, the primitives that their triangles become. Neither the scene nor the
-     * picture. NaN if it was never measured.
+     * Returns the peak number of bytes that the strategy [id] holds while it renders a frame with these [numbers], or
+     * NaN if it was never measured. This is the working memory and, unless the strategy draws meshes directly from
+     * their arrays, the primitives created for their triangles. It does not include the scene or the picture.
      *
-     * @param budget a [RenderOptions.memoryBudget] that the strategy keeps to, or null
+     * @param budget a [RenderOptions.memoryBudget] that the strategy observes, or null
      */
     @JvmStatic
     @JvmOverloads
@@ -93,12 +94,12 @@ public object StrategyModel {
 
     private const val NANOS = 1e6
 
-    /** What [Primitive.heldBytes] says of a triangle. */
+    /** The [Primitive.heldBytes] of a triangle. */
     private const val PRIMITIVE_BYTES = 256.0
 
-    /** A sample of the image that a budget does not count: colour, depth and primitive. */
+    /** Bytes of one sample of the image, which a budget does not count: colour, depth and primitive. */
     private const val IMAGE_BYTES = 12.0
 
-    /** Strategies to which triangles of meshes are no objects. */
+    /** Strategies that do not create an object for each triangle of a mesh. */
     private val fromArrays = setOf("tiled")
 }

@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Which renderer [Renderers.auto] takes, and that it can do what is asked. */
+/** Which renderer [Renderers.auto] chooses, and that it supports the request. */
 class AutoChoiceTest {
     private val glass = Material(Rgba(0.5f, 0.5f, 0.5f, 0.5f), alphaMode = AlphaMode.BLEND)
 

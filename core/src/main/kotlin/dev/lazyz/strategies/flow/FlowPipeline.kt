@@ -18,23 +18,24 @@ import kotlinx.coroutines.flow.flow
 import kotlinx.coroutines.runBlocking
 
 /**
- * The lazy z-buffer's pipeline as a [Flow]: rows are emitted to a collector as they are ready, and no sooner than it wants
- * them.
+ * The lazy z-buffer's pipeline as a [Flow]: rows are emitted to a collector when the collector is ready for them.
  *
- * The stages, the order of evaluation, the work and the memory are those of `LazyZBuffer`; what differs is who waits for
- * whom. The producer is suspended while the collector is at work, so a slow collector (a network, a disk) holds it back and
- * at most one row is under way. Cancelling the collector's coroutine stops the producer within a row, at the next stage.
+ * The stages, the order of evaluation, the work and the memory are those of `LazyZBuffer`; the difference is in
+ * control. The producer is suspended while the collector works. A slow collector (a network, a disk) therefore slows
+ * down the producer, and at most one row is in progress. Cancelling the collector's coroutine stops the producer within
+ * a row, at the next stage.
  *
- * Use it in code that is made of coroutines, for long renderings that somebody may call off, and to feed a suspending
- * consumer. Elsewhere `LazyZBuffer` does the same without suspending. Neither uses several cores for one picture; colours
- * may be computed elsewhere, though: put [kotlinx.coroutines.flow.buffer] between, and shade the rows in the collector.
+ * Use it in coroutine-based code, for long renderings that may be cancelled, and to feed a suspending consumer.
+ * Elsewhere use `LazyZBuffer`, which does the same without suspending. Neither uses several cores to make the rows of
+ * one picture. Colours, however, can be computed on another thread: insert [kotlinx.coroutines.flow.buffer] and shade
+ * the rows in the collector.
  *
  * Thread safe; no state between calls.
  *
- * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), sections 2 to 4. There demand is the
- * only control; here cancelling and back pressure come with the flow.
+ * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), sections 2 to 4. In the paper,
+ * demand is the only form of control; here the flow adds cancellation and back pressure.
  *
- * @property options of which [RenderOptions.coherence] is heeded
+ * @property options only [RenderOptions.coherence] is used
  */
 public class FlowPipeline @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) : Renderer {
     override val id: String get() = "flow"
@@ -49,9 +50,10 @@ public class FlowPipeline @JvmOverloads constructor(private val options: RenderO
     override fun configured(options: RenderOptions): FlowPipeline = FlowPipeline(options)
 
     /**
-     * Renders [frame] and hands every row to [sink], on this thread.
+     * Renders [frame] and passes every row to [sink], on this thread.
      *
-     * @throws InterruptedException if the thread is interrupted, within a row; the sink gets no further row then
+     * @throws InterruptedException if the thread is interrupted, also within a row; the sink then receives no further
+     *   rows
      */
     @Throws(InterruptedException::class)
     override fun render(frame: Frame, sink: RowSink): Counters = runBlocking {
@@ -61,32 +63,32 @@ public class FlowPipeline @JvmOverloads constructor(private val options: RenderO
     }
 
     /**
-     * Renders [frame] and hands every row to [sink], in the caller's context: what [render] does, for coroutines. When the
-     * coroutine is cancelled the sink gets no further row.
+     * Renders [frame] and passes every row to [sink] in the caller's context, as [render] does, for coroutines. If the
+     * coroutine is cancelled, the sink receives no further rows.
      */
     public suspend fun renderSuspending(frame: Frame, sink: RowSink): Counters = rows(frame).deliver(sink)
 
     /**
-     * Returns the rows of [frame]'s region from the top, each made when the collector is ready for it, and coloured when
-     * [Row.argb] asks for it.
+     * Returns the rows of [frame]'s region from the top. Each row is made when the collector is ready for it, and
+     * shaded when [Row.argb] is read.
      *
-     * The flow is cold: each collection starts anew with state of its own, so it may be collected twice, also at the same
-     * time. It runs in the collector's context and suspends in the collector only; to make rows elsewhere, or ahead, add
-     * [kotlinx.coroutines.flow.flowOn] or [kotlinx.coroutines.flow.buffer], whose capacity is then the number of rows that
-     * may wait. Cancellable between any two stages of a row.
+     * The flow is cold: each collection starts from the beginning with its own state, so the flow can be collected
+     * several times, also concurrently. It runs in the collector's context and suspends only in the collector. To make
+     * rows in another context or in advance, add [kotlinx.coroutines.flow.flowOn] or [kotlinx.coroutines.flow.buffer];
+     * the buffer's capacity is then the number of rows that may wait. Cancellable between any two stages of a row.
      *
      * @throws IllegalArgumentException if a primitive is translucent
      */
     public fun rows(frame: Frame): Flow<Row> = rows(frame, CoroutineContext::ensureActive)
 
-    /** The pipeline; [checkpoint] is passed before each stage and throws if it is to stop. */
+    /** The pipeline. It calls [checkpoint] before each stage; [checkpoint] throws if the pipeline must stop. */
     private fun rows(frame: Frame, checkpoint: (CoroutineContext) -> Unit): Flow<Row> {
         requireOpaque(frame, this)
         return flow {
             val context = currentCoroutineContext()
             val chain = Chain(frame, options.coherence, ::Stage)
             for (y in frame.region.rowStart until frame.region.rowEnd) {
-                // Run a row of background down the chain
+                // Pass a row of background down the chain
                 checkpoint(context)
                 var row = chain.begin(y)
                 for (i in 0 until chain.size) {
@@ -95,7 +97,7 @@ public class FlowPipeline @JvmOverloads constructor(private val options: RenderO
                 }
                 chain.end(row)
 
-                // Wait until the collector is done with it
+                // Wait until the collector has processed the row
                 emit(row)
             }
         }

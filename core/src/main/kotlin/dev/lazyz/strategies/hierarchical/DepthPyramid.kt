@@ -3,47 +3,50 @@ package dev.lazyz.strategies.hierarchical
 import dev.lazyz.Region
 
 /**
- * The visibility keys of a region's samples, and over them a pyramid of the farthest key of each block.
+ * The visibility keys of a region's samples, and above them a pyramid with the farthest key of each block.
  *
- * A block is a square of [BLOCK] x [BLOCK] samples; a cell of a level is four of the level below, and the top is one
- * cell. Whatever is behind a cell's key is hidden everywhere in the cell.
+ * A block is a square of [BLOCK] x [BLOCK] samples. A cell of a level combines four cells of the level below, and the
+ * top level is one cell. A fragment that is behind a cell's key is hidden everywhere in the cell.
  *
- * Keys only become less, and so do the cells'. So a cell that is out of date still holds an upper bound, and whatever
- * is behind that is hidden as well: a cell is brought up to date only if its old key does not decide. A block counts
- * the samples that hold its farthest key; when the last of them is replaced, the block is out of date, and above it
- * those cells whose key was the same.
+ * Keys of samples only decrease, and therefore the keys of cells only decrease too. An outdated cell thus still holds
+ * an upper bound, and a fragment behind that bound is also hidden: a cell is updated only if its old key does not
+ * decide. A block counts the samples that hold its farthest key. When the last of them is replaced, the block becomes
+ * outdated, together with those cells above it that have the same key.
  *
  * Source: Ned Greene, Michael Kass, Gavin Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993, on the image-space
- * Z pyramid. There it stands on the samples, and a change runs up through it at once.
+ * Z pyramid. In the paper, the samples are the lowest level, and a change is propagated to the top immediately.
  *
- * @property region the samples
- * @param background the key of all samples to begin with
+ * @property region the region of the samples
+ * @param background the initial key of all samples
  */
 internal class DepthPyramid(val region: Region, background: Long) {
-    /** The least key so far of each sample, in rows from the region's top. Replace one and tell [replaced]. */
+    /** The least key so far of each sample, in rows from the region's top. After replacing keys, call [replaced]. */
     val keys: LongArray
 
-    /** Cells in rows from the top, blocks first. The complement of a key, which is negative, is out of date. */
+    /**
+     * Keys of the cells in rows from the top; level 0 holds the blocks. An outdated cell holds the complement of its
+     * key, which is negative.
+     */
     private val levels: Array<LongArray>
 
-    /** Cells a row of each level. */
+    /** Number of cells in a row of each level. */
     private val widths: IntArray
 
-    /** For each block the number of samples that hold its farthest key, while it is up to date. */
+    /** For each block that is up to date, the number of samples that hold its farthest key. */
     private val holders: ByteArray
 
-    /** Number of times that a cell was asked so far. */
+    /** Number of cells tested so far. */
     var looks: Long = 0
         private set
 
-    /** Number of levels, the blocks' included. */
+    /** Number of levels, including that of the blocks. */
     val levelCount: Int get() = levels.size
 
     /** Bytes held. */
     val bytes: Long get() = Long.SIZE_BYTES * (keys.size + levels.sumOf { it.size.toLong() }) + holders.size
 
     init {
-        require(region.size <= MAX_SAMPLES) { "the depth pyramid stands on at most $MAX_SAMPLES samples: $region" }
+        require(region.size <= MAX_SAMPLES) { "the depth pyramid holds at most $MAX_SAMPLES samples: $region" }
         keys = LongArray(region.size.toInt())
         keys.fill(background)
 
@@ -68,7 +71,7 @@ internal class DepthPyramid(val region: Region, background: Long) {
         widths = allWidths.toIntArray()
     }
 
-    /** Whether a fragment of the key [nearest] or behind it is hidden at every sample of the blocks in a rectangle. */
+    /** Whether fragments with the key [nearest] or greater are hidden at every sample of a rectangle of blocks. */
     fun isHidden(nearest: Long, firstColumn: Int, firstRow: Int, lastColumn: Int, lastRow: Int): Boolean {
         // Go up until the rectangle is at most two cells wide and high
         var level = 0
@@ -84,27 +87,27 @@ internal class DepthPyramid(val region: Region, background: Long) {
         return true
     }
 
-    /** Whether a fragment of the key [nearest] or behind it is hidden at every sample of a cell. */
+    /** Whether fragments with the key [nearest] or greater are hidden at every sample of a cell. */
     fun isHidden(nearest: Long, level: Int, column: Int, row: Int): Boolean {
         looks++
         val cell = levels[level][row * widths[level] + column]
         return nearest > upperBound(cell) || (cell < 0 && nearest > farthest(level, column, row))
     }
 
-    /** Returns the farthest key of a block, or a key behind it: whatever is known without looking. */
+    /** Returns the farthest key of a block, or an upper bound of it if the block is outdated. */
     fun upperBound(column: Int, row: Int): Long = upperBound(levels[0][row * widths[0] + column])
 
-    /** Whether the key of the block is the farthest of its samples. */
+    /** Whether the block is up to date: its key is the farthest of its samples. */
     fun isCurrent(column: Int, row: Int): Boolean = levels[0][row * widths[0] + column] >= 0
 
-    /** Takes note that in a block that [isCurrent] [count] samples held its farthest key and hold lesser ones now. */
+    /** Records that [count] samples of an up-to-date block held its farthest key and now hold lesser keys. */
     fun replaced(column: Int, row: Int, count: Int) {
         val block = row * widths[0] + column
         val left = holders[block] - count
         holders[block] = left.toByte()
         if (left > 0) return
 
-        // Nobody holds it any more; the cells above that have it from here are out of date, too
+        // No sample holds the key any more; the cells above that took it from this block are outdated, too
         val farthest = levels[0][block]
         for (level in levels.indices) {
             val at = (row shr level) * widths[level] + (column shr level)
@@ -113,7 +116,7 @@ internal class DepthPyramid(val region: Region, background: Long) {
         }
     }
 
-    /** Returns the farthest key of a cell, after bringing it up to date. */
+    /** Returns the farthest key of a cell, after updating it. */
     private fun farthest(level: Int, column: Int, row: Int): Long {
         val at = row * widths[level] + column
         val known = levels[level][at]
@@ -123,13 +126,13 @@ internal class DepthPyramid(val region: Region, background: Long) {
         return farthest
     }
 
-    /** The farthest key of the four cells of [level] below a cell. */
+    /** Returns the farthest key of the four cells of [level] below a cell. */
     private fun farthestOfCells(level: Int, column: Int, row: Int): Long {
         var farthest = 0L
         val width = widths[level]
         for (y in 2 * row..minOf(2 * row + 1, levels[level].size / width - 1)) {
             for (x in 2 * column..minOf(2 * column + 1, width - 1)) {
-                // One whose old key is no farther need not be brought up to date
+                // A cell whose old key is not farther need not be updated
                 if (upperBound(levels[level][y * width + x]) > farthest) {
                     farthest = maxOf(farthest, farthest(level, x, y))
                 }
@@ -138,7 +141,7 @@ internal class DepthPyramid(val region: Region, background: Long) {
         return farthest
     }
 
-    /** The farthest key of a block's samples; counts who holds it. */
+    /** Returns the farthest key of a block's samples, and counts the samples that hold it. */
     private fun farthestOfSamples(column: Int, row: Int): Long {
         var farthest = 0L
         var count = 0
@@ -160,12 +163,12 @@ internal class DepthPyramid(val region: Region, background: Long) {
     }
 
     companion object {
-        /** Samples along a side of a block: those of a block fit a byte to count them. */
+        /** Samples along a side of a block; the number of samples of a block fits into a byte. */
         const val BLOCK: Int = 8
 
         private const val MAX_SAMPLES = Int.MAX_VALUE - 8L
 
-        /** The key that a cell holds, or held when it was last up to date. */
+        /** The key that a cell holds or, if it is outdated, held before. */
         private fun upperBound(cell: Long): Long = maxOf(cell, cell.inv())
     }
 }

@@ -12,22 +12,24 @@ import dev.lazyz.requireOpaque
 import dev.lazyz.shading.LateShading
 
 /**
- * A depth buffer that knows how far away the farthest sample of each block is, and of each block of blocks.
+ * A depth buffer that maintains the farthest depth of each block of samples, and of each block of blocks.
  *
- * Primitives are taken nearest first. One that is behind the farthest sample of all the blocks it may reach is
- * hidden, by a handful of comparisons; of one that is not, each block is asked before its samples are. What is
- * visible is shaded once all are drawn.
+ * Primitives are drawn from near to far. A primitive that is behind the farthest sample of all the blocks that it may
+ * reach is hidden, which takes a few comparisons. Otherwise each block is tested before its samples are. Visible
+ * samples are shaded after all primitives are drawn.
  *
- * Use it where much is hidden and the picture fits memory. Where little is hidden it is a depth buffer that sorts. For
- * pictures that are larger than memory use a renderer that streams rows.
+ * Use it where much is hidden and the picture fits into memory. Where little is hidden, it is a depth buffer with an
+ * additional sort. For pictures larger than memory use a renderer that streams rows.
  *
- * Memory: 8 bytes a sample, 12 a block of 64, and 8 a primitive. Time: the fragments in blocks where they are not
- * hidden, a step for each row of what is hidden; n log n for n primitives. Thread safe; no state between calls.
+ * Memory: 8 bytes a sample, 12 a block of 64 samples, and 8 a primitive. Time: the fragments in blocks where they are
+ * not hidden, plus one step for each row of a hidden primitive, plus n log n for n primitives. Thread safe; no state
+ * between calls.
  *
- * Source: Ned Greene, Michael Kass, Gavin Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993. There an octree
- * brings the primitives nearest first and rejects many at once; here they are sorted, and rejected one by one.
+ * Source: Ned Greene, Michael Kass, Gavin Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993. In the paper, an
+ * octree yields the primitives from near to far and rejects many at once; here they are sorted, and rejected one by
+ * one.
  *
- * @param options [RenderOptions.coherence] is heeded
+ * @param options only [RenderOptions.coherence] is used
  */
 public class HierarchicalZBuffer @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) :
     Renderer {
@@ -46,12 +48,12 @@ public class HierarchicalZBuffer @JvmOverloads constructor(private val options: 
         counters.primitives = frame.primitives.size.toLong()
         val test = frame.raster.depthTest
 
-        // Draw, nearest first
+        // Draw from near to far
         val nearestFirst = nearestFirst(frame)
         val drawing = PyramidDrawing(frame, counters)
         for (key in nearestFirst) drawing.draw(test.indexOf(key))
 
-        // Only now make the colours
+        // Shade after all primitives are drawn
         val rows = KeyedRows(frame, LateShading(frame, options.coherence, counters), counters)
         rows.handOut(frame.region, drawing.keys, sink)
         counters.peakBytes = drawing.bytes + Long.SIZE_BYTES * nearestFirst.size + rows.bytes
@@ -60,7 +62,7 @@ public class HierarchicalZBuffer @JvmOverloads constructor(private val options: 
 
     override fun toString(): String = "HierarchicalZBuffer($options)"
 
-    /** Returns for each primitive the key that none of its fragments is before, ascending. */
+    /** Returns a lower bound of the keys of each primitive's fragments, ascending. */
     private fun nearestFirst(frame: Frame): LongArray {
         val order = VisibilityOrder(frame.raster.depthTest)
         val keys = LongArray(frame.primitives.size)

@@ -12,8 +12,8 @@ import dev.lazyz.raster.VisibilityOrder
 import dev.lazyz.strategies.hierarchical.DepthPyramid.Companion.BLOCK
 
 /**
- * Draws primitives on a [DepthPyramid], one at a time: first asks for all of it, then block by block, and only then
- * sample by sample. What is hidden has no depth evaluated.
+ * Draws primitives on a [DepthPyramid], one at a time. It first tests whether the whole primitive is hidden, then each
+ * block, and only then each sample. No depths are evaluated for hidden primitives and blocks.
  */
 internal class PyramidDrawing(private val frame: Frame, private val counters: Counters) {
     private val region = frame.region
@@ -21,21 +21,21 @@ internal class PyramidDrawing(private val frame: Frame, private val counters: Co
     private val order = VisibilityOrder(test)
     private val bounds = AreaBounds(test, counters)
 
-    /** What has been drawn so far. */
+    /** The keys of all primitives drawn so far. */
     val pyramid: DepthPyramid = DepthPyramid(region, test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND))
 
     private val spans = Spans(region)
 
-    /** What is known of each block in the current row of blocks. */
+    /** The test result of each block in the current row of blocks: [UNKNOWN], [HIDDEN] or [OPEN]. */
     private val answers = ByteArray((region.width + BLOCK - 1) / BLOCK)
 
-    /** The primitive that is drawn, its index, and bounds of the keys of all its fragments. */
+    /** The current primitive, its index, and bounds of the keys of all its fragments. */
     private lateinit var primitive: Primitive
     private var index = 0
     private var nearestKey = 0L
     private var farthestKey = 0L
 
-    /** The part of the region that it may cover. */
+    /** The part of the region that the current primitive may cover. */
     private lateinit var box: Region
 
     /** The visible key of each sample, in rows from the region's top. */
@@ -53,7 +53,7 @@ internal class PyramidDrawing(private val frame: Frame, private val counters: Co
         box = boxOf(primitive) ?: return
         val isHidden = isHidden()
 
-        // Of what is hidden the samples are counted, and that is all
+        // If the primitive is hidden, only count its samples
         val cursor = primitive.cursor(box.rowStart)
         for (y in box.rowStart until box.rowEnd) {
             cursor.next(spans)
@@ -79,7 +79,7 @@ internal class PyramidDrawing(private val frame: Frame, private val counters: Co
 
     private fun blockRow(y: Int): Int = (y - region.rowStart) / BLOCK
 
-    /** Whether the primitive is hidden wherever it may be. */
+    /** Whether the primitive is hidden everywhere. */
     private fun isHidden(): Boolean = pyramid.isHidden(
         nearestKey,
         blockColumn(box.columnStart),
@@ -92,7 +92,7 @@ internal class PyramidDrawing(private val frame: Frame, private val counters: Co
         answers.fill(UNKNOWN, blockColumn(box.columnStart), blockColumn(box.columnEnd - 1) + 1)
     }
 
-    /** Draws a span, a run of it for each block that it crosses. */
+    /** Draws a span, divided into one run for each block that it crosses. */
     private fun drawSpan(y: Int, start: Int, end: Int) {
         counters.fragments += end - start
         var x = start
@@ -107,11 +107,11 @@ internal class PyramidDrawing(private val frame: Frame, private val counters: Co
 
     /** Whether the primitive is hidden in a block. */
     private fun isHidden(column: Int, row: Int): Boolean {
-        // The primitive's own bounds decide most blocks, one way or the other
+        // The bounds of the whole primitive decide most blocks, in one direction or the other
         if (pyramid.isHidden(nearestKey, 0, column, row)) return true
         if (primitive.depthForm == null || pyramid.upperBound(column, row) > farthestKey) return false
 
-        // Otherwise its plane may: one depth for up to 64
+        // Otherwise use the bound of its depth plane: one depth evaluation for up to 64 samples
         val x = region.columnStart + column * BLOCK
         val y = region.rowStart + row * BLOCK
         val area = Region(
@@ -123,7 +123,7 @@ internal class PyramidDrawing(private val frame: Frame, private val counters: Co
         return pyramid.isHidden(bounds.nearestKey(primitive, index, area), 0, column, row)
     }
 
-    /** Draws the columns [start] until [end] of row [y], in the block at [column]: samples keep the lesser key. */
+    /** Draws the columns [start] until [end] of row [y], in the block at [column]. Samples keep the lesser key. */
     private fun drawRun(y: Int, start: Int, end: Int, column: Int) {
         counters.depthEvaluations += end - start
         val form: LinearForm? = primitive.depthForm
@@ -136,7 +136,7 @@ internal class PyramidDrawing(private val frame: Frame, private val counters: Co
         var passes = 0
         var replaced = 0
         for (x in start until end) {
-            // One addition a sample where depth is linear
+            // Where depth is linear, each sample takes one addition
             val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
             z += step
             val key = test.key(depth, index)

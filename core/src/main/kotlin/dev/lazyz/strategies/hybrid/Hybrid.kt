@@ -12,30 +12,32 @@ import dev.lazyz.requireOpaque
 import kotlinx.coroutines.flow.Flow
 
 /**
- * Eager spine, lazy elements: scan-converts each primitive as it arrives, and suspends the colours to the end.
+ * Scan-converts each primitive as it arrives, and suspends the colours until the end.
  *
- * What a suspension costs is counted: a primitive that is visible somewhere, so far, holds a record with the runs of
- * samples at which it was visible when it was drawn, and, if primitives arrive as a stream, the primitive itself is kept
- * (see [Primitive.heldBytes]). The record goes when the primitive's last sample is covered by something nearer. Before
- * these bytes would exceed [RenderOptions.memoryBudget], all suspensions are forced, which frees them, and laziness
- * resumes; a primitive whose record does not fit at all is shaded as it is drawn. So any budget, 0 too, gives the same
- * picture: with less memory, more of what is shaded is covered later. The extra shading calls are
- * [Counters.shadingCalls] less the visible samples.
+ * The memory of suspensions is accounted for. A primitive that is visible somewhere so far holds a record with the runs
+ * of samples at which it was visible when it was drawn. If primitives arrive as a stream, the primitive itself is kept
+ * as well (see [Primitive.heldBytes]). The record is freed when the primitive's last sample is covered by a nearer
+ * primitive. Before these bytes would exceed [RenderOptions.memoryBudget], all suspended colours are computed, which
+ * frees their records; after that, colours are suspended again. A primitive whose record does not fit into the budget
+ * alone is shaded as it is drawn. Any budget, including 0, therefore gives the same picture; with less memory, more
+ * shaded samples are covered later. The number of extra shading calls is [Counters.shadingCalls] minus the number of
+ * visible samples.
  *
- * Use it when primitives arrive one by one and shading is expensive, and to hold a picture's cost within known memory.
+ * Use it when primitives arrive one by one and shading is expensive, and to keep the memory of a rendering within a
+ * known limit.
  *
- * Memory: 12 bytes a sample, and suspensions within the budget; besides, only the primitive in hand and objects of
- * constant size. Time: proportional to the fragments. Thread safe; no state between calls.
+ * Memory: 12 bytes a sample, and suspensions within the budget; in addition, only the current primitive and objects of
+ * constant size. Time: proportional to the number of fragments. Thread safe; no state between calls.
  *
- * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995): the hybrid algorithm, and the
- * desperate evaluator that forces suspensions to get memory back.
+ * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995): the hybrid algorithm (eager spine,
+ * lazy elements), and the desperate evaluator, which forces suspensions to reclaim memory.
  */
 public class Hybrid @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) : Renderer {
     override val id: String get() = "hybrid"
 
     override val summary: String get() = "draws at once and shades at the end, or earlier to keep to a memory budget"
 
-    /** Shades only what is visible unless a memory budget may force it to shade early. */
+    /** With a memory budget, shading may happen early, so [Capability.SHADES_ONLY_VISIBLE] holds only without one. */
     override val capabilities: Set<Capability>
         get() = if (options.memoryBudget == null) ALWAYS + Capability.SHADES_ONLY_VISIBLE else ALWAYS
 
@@ -52,7 +54,7 @@ public class Hybrid @JvmOverloads constructor(private val options: RenderOptions
      * Renders primitives as they arrive. The order of arrival is the order of submission. A primitive is kept only as
      * long as a suspended colour needs it.
      *
-     * Cancellable between primitives. An exception of the flow ends the rendering; no row has been handed out then.
+     * Cancellable between primitives. If the flow throws an exception, rendering ends and the sink receives no rows.
      *
      * @throws IllegalArgumentException if a primitive is translucent
      * @throws IllegalStateException if more than 2^31-2 primitives arrive

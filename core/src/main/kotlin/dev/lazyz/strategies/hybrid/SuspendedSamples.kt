@@ -12,11 +12,11 @@ import dev.lazyz.raster.reaches
 import dev.lazyz.shading.LateShading
 
 /**
- * The image: for each sample a visibility key and a colour, which may be suspended.
+ * The image: a visibility key and a colour for each sample; the colour may be suspended.
  *
- * 12 bytes a sample and no more, as three arrays of ints, so that rows can be handed out of the very arrays. The two
- * halves of a key have 31 bits each; the sign of the lower half tells that the colour is suspended, and in the colour's
- * place is the slot of the record that holds the suspension.
+ * Uses exactly 12 bytes a sample, in three int arrays, so that rows can be passed to the sink from these arrays. Each
+ * half of a key has 31 bits. The sign bit of the lower half is set if the colour is suspended; the colour's array
+ * element then holds the slot of the record that holds the suspension.
  */
 internal class SuspendedSamples(private val frame: Frame, options: RenderOptions, cost: PrimitiveCost) {
     private val raster = frame.raster
@@ -32,10 +32,10 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
     private val suspensions: Suspensions
     private val shading: LateShading
 
-    /** The record of the primitive in hand, if it has one. */
+    /** The record of the current primitive, or null. */
     private var record: Record? = null
 
-    /** Whether the primitive in hand finds no room for a record, so that its colours cannot be suspended. */
+    /** Whether there is no room for a record of the current primitive, so that its colours cannot be suspended. */
     private var isEager = false
 
     init {
@@ -82,7 +82,7 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
         val offset = (y - region.rowStart) * width - region.columnStart
         var run = start
         for (x in start until end) {
-            // One addition a sample where depth is linear
+            // Where depth is linear, each sample takes one addition
             val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
             z += step
             val key = test.key(depth, index)
@@ -102,22 +102,22 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
         return upper < uppers[at] || (upper == uppers[at] && key.toInt() < (lowers[at] and SUSPENDED.inv()))
     }
 
-    /** Sees to it that there is a record with room for one run more, or else that nothing is suspended. */
+    /** Ensures that there is a record with room for one more run, or that nothing is suspended. */
     private fun beginRun(primitive: Primitive, index: Int) {
         if (isEager) return
         val present = record ?: suspensions.open(primitive, index).also { record = it }
         if (present != null && suspensions.makeRoom(present)) return
 
-        // What would not fit alone is shaded as it is drawn
+        // A primitive that would not fit even alone is shaded as it is drawn
         isEager = !suspensions.couldOpen(primitive)
         if (isEager && present == null) return
 
-        // Desperate: force everything, and go on lazily
+        // Desperate evaluation: compute all suspended colours, then continue to suspend
         forceAll()
         record = if (isEager) null else suspensions.open(primitive, index)
     }
 
-    /** Puts a fragment in the place of one that it hides. */
+    /** Replaces the fragment at [at] with a nearer one. */
     private fun replace(primitive: Primitive, x: Int, y: Int, at: Int, key: Long) {
         counters.depthPasses++
         if (lowers[at] < 0) suspensions.drop(argb[at])
@@ -138,7 +138,7 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
         suspensions.forEach { record ->
             var row = -1
             for (run in 0 until record.runCount) {
-                // A chain of steps lives no longer than a row of its primitive
+                // Incremental shading does not continue beyond a row of its primitive
                 val start = record.runStart(run)
                 if (start / width != row) shading.beginRow()
                 row = start / width
@@ -154,13 +154,13 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
         suspensions.clear()
     }
 
-    /** Forces what is suspended and hands out the rows. */
+    /** Computes the suspended colours and passes the rows to [sink]. */
     fun finish(sink: RowSink): Counters {
         forceAll()
         counters.peakSuspensions = suspensions.peakAlive
         counters.peakBytes = BYTES_PER_SAMPLE * region.size + suspensions.peakBytes
         for (row in 0 until region.height) {
-            // Decode the row in place, at the front, where rows that have been handed out leave room
+            // Decode the row into the front of the arrays, which holds only rows that the sink has already received
             val from = row * width
             for (i in 0 until width) {
                 val key = uppers[from + i].toLong() shl 32 or lowers[from + i].toLong()
@@ -177,10 +177,10 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
         const val BYTES_PER_SAMPLE = 12L
         const val MAX_SAMPLES = Int.MAX_VALUE - 8L
 
-        /** The sign of a key's lower half. */
+        /** The sign bit of a key's lower half. */
         const val SUSPENDED = 1 shl 31
 
-        /** A hash map with its table, and one chain of steps: no more than one is alive. */
+        /** A hash map with its table, and the state of one incremental evaluation: at most one exists at a time. */
         const val CHAIN_BYTES = 512L
     }
 }

@@ -6,52 +6,52 @@ import dev.lazyz.shading.Vertices
 
 /** Whether keeping a primitive costs memory. */
 internal enum class PrimitiveCost {
-    /** A frame keeps all primitives anyway. */
+    /** No: the frame keeps all primitives anyway. */
     NONE,
 
-    /** What is not kept here is garbage. */
+    /** Yes: a primitive that is not kept here becomes garbage. */
     HELD,
 }
 
 /**
- * The records of all primitives with suspended colours, and an account of their bytes.
+ * The records of all primitives with suspended colours, with accounting of their bytes.
  *
- * Every array and object that grows with the suspensions is entered in the account before it is allocated, and taken out
- * when it is dropped; while an array is replaced by a longer one, both are in it. Objects are counted with headers of 16
- * bytes and references of 8, as large as a JVM makes them.
+ * Every array and object that grows with the suspensions is counted before it is allocated, and no longer counted once
+ * it is dropped. While an array is replaced with a longer one, both are counted. Objects are counted with headers of 16
+ * bytes and references of 8 bytes, the largest sizes that a JVM uses.
  *
- * @param budget most bytes, at any time
+ * @param budget most bytes at any time
  * @param bytes bytes in use from the start
  */
 internal class Suspensions(private val budget: Long, private var bytes: Long, private val cost: PrimitiveCost) {
     private val reserved = bytes
 
-    /** Records by slot, and the slots that are free. Null as long as there are no records. */
+    /** Records by slot. Null as long as there are no records. [free] lists the free slots. */
     private var records: Array<Record?>? = null
     private var free = IntArray(0)
     private var freeCount = 0
 
-    /** Vertices that records keep alive, with the number of records. Null as long as there are none. */
+    /** Vertices kept alive by records, each with the number of those records. Null as long as there are none. */
     private var shared: HashMap<Vertices, IntArray>? = null
 
     private var alive = 0L
 
-    /** Most suspended colours at one time. */
+    /** Peak number of suspended colours. */
     var peakAlive: Long = 0
         private set
 
-    /** Most bytes at one time. */
+    /** Peak number of bytes. */
     var peakBytes: Long = bytes
         private set
 
-    /** Whether the budget has room for a record of [primitive] if there is no other. */
+    /** Whether the budget has room for a record of [primitive] if there are no other records. */
     fun couldOpen(primitive: Primitive): Boolean {
         val vertices = vertices(primitive)
         val sharedPrice = if (vertices != null) sharedBytes(vertices) else 0
         return tableBytes(FIRST_SLOTS) + price(primitive) + sharedPrice <= budget - reserved
     }
 
-    /** Returns a new record with room for a run, or null if the budget has no room for it. */
+    /** Returns a new record with room for at least one run, or null if the budget has no room for it. */
     fun open(primitive: Primitive, index: Int): Record? {
         if (freeCount == 0 && !growTable()) return null
         val price = price(primitive)
@@ -69,7 +69,7 @@ internal class Suspensions(private val budget: Long, private var bytes: Long, pr
         return record
     }
 
-    /** Makes room for one run more in [record]; returns false if the budget has none. */
+    /** Makes room for one more run in [record]; returns false if the budget has no room for it. */
     fun makeRoom(record: Record): Boolean {
         if (record.hasRoom) return true
         val old = intArrayBytes(record.runs.size)
@@ -81,13 +81,16 @@ internal class Suspensions(private val budget: Long, private var bytes: Long, pr
         return true
     }
 
-    /** Notes that one sample more is suspended for [record]. */
+    /** Records that one more sample is suspended for [record]. */
     fun suspend(record: Record) {
         record.alive++
         if (++alive > peakAlive) peakAlive = alive
     }
 
-    /** Notes that a sample suspended for the record in [slot] has been hidden; the last one frees the record. */
+    /**
+     * Records that a sample suspended for the record in [slot] was hidden. After the last such sample, frees the
+     * record.
+     */
     fun drop(slot: Int) {
         val table = checkNotNull(records)
         val record = checkNotNull(table[slot])
@@ -111,7 +114,7 @@ internal class Suspensions(private val budget: Long, private var bytes: Long, pr
         for (record in records ?: return) if (record != null) action(record)
     }
 
-    /** Drops all records and the memory that they were kept in. */
+    /** Drops all records and their memory. */
     fun clear() {
         records = null
         free = IntArray(0)
@@ -141,7 +144,7 @@ internal class Suspensions(private val budget: Long, private var bytes: Long, pr
         return true
     }
 
-    /** Enters [more] bytes in the account, if the budget allows it. */
+    /** Counts [more] bytes and returns true, or returns false if the budget does not allow it. */
     private fun reserve(more: Long): Boolean {
         if (more > budget - bytes) return false
         bytes += more
@@ -162,19 +165,20 @@ internal class Suspensions(private val budget: Long, private var bytes: Long, pr
         fun tableBytes(size: Int): Long = 32L + 12L * size
 
         /**
-         * Vertices, and what a hash map takes for them: an entry of 48 bytes, a counter of 24, and 208 for the map and
-         * its first table, which is more than the share of later tables, old and new one together while it grows.
+         * Bytes of vertices and of their hash map entry: an entry of 48 bytes, a counter of 24, and 208 for the map and
+         * its first table. The 208 bytes exceed an entry's share of later tables, including the time when old and new
+         * table coexist.
          */
         fun sharedBytes(vertices: Vertices): Long = 32L + 8L * vertices.data.size + 48L + 24L + 208L
     }
 }
 
 /**
- * The suspended colours of one primitive: where it was visible when it was drawn. Some of it may have been hidden since;
- * the samples know.
+ * The suspended colours of one primitive: where it was visible when it was drawn. Some of these samples may have been
+ * hidden since; the samples hold that information.
  *
  * @property slot number by which samples refer to this record
- * @property vertices vertices that are kept alive with the primitive, or null if that is of no concern
+ * @property vertices vertices kept alive by the primitive, or null if their memory need not be counted
  */
 internal class Record(
     val primitive: Primitive,
@@ -196,7 +200,7 @@ internal class Record(
 
     fun runLength(run: Int): Int = runs[2 * run + 1]
 
-    /** Adds a run of samples; there is room. */
+    /** Adds a run of samples; the caller has ensured that there is room. */
     fun add(start: Int, length: Int) {
         runs[2 * runCount] = start
         runs[2 * runCount + 1] = length

@@ -8,13 +8,14 @@ import dev.lazyz.pipeline.Stage
 /**
  * A stage that is a coroutine: between two rows it is suspended in the middle of its primitive.
  *
- * In the paper a stage demands its upstream row itself, so that a demand at the end of the chain becomes as many calls
- * within calls as there are stages. All that happens on the way up is calling. Here [next] is told the upstream row: who
- * pulls begins at the upstream end, where that demand would have arrived, and resumes the stages in the order in which
- * they would have returned. The evaluations and their order are the paper's; the stack does not grow with the chain.
+ * In the paper each stage demands its upstream row itself. A demand at the end of the chain thus becomes as many nested
+ * calls as there are stages, and no other work happens on the way up. Here [next] receives the upstream row: the caller
+ * starts at the upstream end, where that demand would have arrived, and resumes the stages in the order in which the
+ * nested calls would have returned. The evaluations and their order are the same as in the paper, but the stack does
+ * not grow with the chain.
  */
 internal class LazyStage(frame: Frame, index: Int, y: Int, spans: Spans) : Stage(frame, index, y, spans) {
-    /** The row that upstream has ready. */
+    /** The next upstream row. */
     private val upstream = Upstream()
     private val downstream = rows(y, upstream).iterator()
 
@@ -25,7 +26,7 @@ internal class LazyStage(frame: Frame, index: Int, y: Int, spans: Spans) : Stage
         return downstream.next()
     }
 
-    /** The rows below this stage: those above it, with this primitive drawn. */
+    /** Returns the downstream rows: the upstream rows with this primitive drawn. */
     private fun rows(y: Int, upstream: Iterator<Row>): Sequence<Row> = sequence {
         repeat(rowEnd - y) { yield(transform(upstream.next())) }
     }

@@ -13,27 +13,29 @@ import java.util.stream.Stream
 import kotlin.streams.asStream
 
 /**
- * The lazy z-buffer: a chain of coroutines, one for each primitive, through which rows are pulled.
+ * The lazy z-buffer: rows are pulled through a chain of coroutines, one for each primitive.
  *
- * A row of cells, each a depth and a suspended colour, starts as background. Every primitive is a stage that takes the
- * upstream rows and gives the downstream ones, in which its own samples are nearer where they are. Nothing happens until
- * somebody demands a row from the end of the chain, and no colour is computed until somebody looks at it: what is hidden is
- * never shaded, rows that are not asked for are never scan-converted. Evaluated in this order, the z-buffer is a scan-line
- * method, which is the paper's point.
+ * A row consists of cells, each with a depth and a suspended colour, and starts as background. Every primitive is a
+ * stage that turns upstream rows into downstream rows: it replaces the cells where its own samples are nearer. Nothing
+ * is computed until a row is requested from the end of the chain, and no colour is computed until it is read. Hidden
+ * samples are therefore never shaded, and rows that are not requested are never scan-converted. With this order of
+ * evaluation the z-buffer becomes a scan-line method, which is the main result of the paper.
  *
- * Memory: the stages of the primitives alive on one row, that row, and 8 bytes for each primitive of the region; nothing
- * grows with the number of rows. Time: proportional to the fragments, plus one resumed coroutine for each primitive and
- * row. Shading calls: the visible samples that are asked for, exactly.
+ * Memory: the stages of the primitives that are active on one row, that row, and 8 bytes for each primitive of the
+ * region; nothing grows with the number of rows. Time: proportional to the number of fragments, plus one resumed
+ * coroutine for each primitive and row. Shading calls: exactly one for each visible sample whose colour is read.
  *
- * Use it for pictures larger than memory, for costly shaders, and to look at some samples or the first rows only. Do not
- * use it where primitives arrive one by one, because the first row needs all of them, nor to use several cores.
+ * Use it for pictures larger than memory, for expensive shaders, and to compute only some samples or only the first
+ * rows. Do not use it where primitives arrive one by one, because the first row needs all of them, or to use several
+ * cores.
  *
  * Thread safe; no state between calls.
  *
- * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), sections 2 to 4. There a lazy functional
- * language suspends lists and colours; here [sequence] suspends rows, and a row has its spans of cells transformed at once.
+ * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), sections 2 to 4. In the paper, a
+ * lazy functional language suspends lists and colours; here [sequence] suspends rows, and all cells of a span are
+ * transformed at once.
  *
- * @property options of which [RenderOptions.coherence] is heeded
+ * @property options only [RenderOptions.coherence] is used
  */
 public class LazyZBuffer @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) : Renderer {
     override val id: String get() = "lazy"
@@ -57,11 +59,12 @@ public class LazyZBuffer @JvmOverloads constructor(private val options: RenderOp
     }
 
     /**
-     * Returns the rows of [frame]'s region from the top, each made when it is asked for: taking the first k of them does
-     * the work of k rows, and no colour is computed before [Row.argb] asks for it. For rows further down, or for a few
-     * columns, narrow the frame down with [Frame.within]; then the rest costs nothing either.
+     * Returns the rows of [frame]'s region from the top. Each row is made when it is requested: taking the first k rows
+     * does the work of k rows, and no colour is computed before [Row.argb] is read. To compute only rows further down,
+     * or only some columns, narrow the frame with [Frame.within]; the rest then costs nothing.
      *
-     * The sequence may be walked any number of times, and by several threads at once; each walk starts anew.
+     * The sequence can be iterated any number of times, also by several threads at once; each iteration starts from the
+     * beginning.
      *
      * @throws IllegalArgumentException if a primitive is translucent
      */
@@ -70,7 +73,7 @@ public class LazyZBuffer @JvmOverloads constructor(private val options: RenderOp
         return sequence {
             val chain = Chain(frame, options.coherence, ::LazyStage)
             for (y in frame.region.rowStart until frame.region.rowEnd) {
-                // Demand has reached the upstream end; the row runs down the chain
+                // The request has reached the upstream end: pass the row down the chain
                 var row = chain.begin(y)
                 for (i in 0 until chain.size) row = chain[i].next(row)
                 chain.end(row)
@@ -79,7 +82,7 @@ public class LazyZBuffer @JvmOverloads constructor(private val options: RenderOp
         }
     }
 
-    /** Returns the rows of [frame] as [rows] does, for Java. Sequential; to be walked once. */
+    /** Returns the rows of [frame] as [rows] does, for Java. The stream is sequential and can be used once. */
     public fun stream(frame: Frame): Stream<Row> = rows(frame).asStream()
 
     override fun toString(): String = "LazyZBuffer($options)"

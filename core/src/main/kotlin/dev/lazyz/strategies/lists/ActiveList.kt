@@ -7,8 +7,8 @@ import dev.lazyz.Spans
 import dev.lazyz.raster.reaches
 
 /**
- * The primitives that may cover the current row, each with a cursor; a primitive joins at its first row and leaves after
- * its last. Their order does not matter: the fragments of a sample are sorted by key.
+ * The primitives that may cover the current row, each with a cursor. A primitive is added at its first row and removed
+ * after its last. The order does not matter, because the fragments of a sample are sorted by key.
  */
 internal class ActiveList(private val frame: Frame) {
     private val region = frame.region
@@ -32,21 +32,21 @@ internal class ActiveList(private val frame: Frame) {
         arrivals = keys
     }
 
-    /** Bytes held: the list never shrinks. */
+    /** Bytes held; the arrays never shrink. */
     val peakBytes: Long get() = 8L * arrivals.size + (Int.SIZE_BYTES + REFERENCE_BYTES) * indices.size
 
     private fun firstRow(primitive: Primitive): Int = maxOf(primitive.rowStart, region.rowStart)
 
-    /** Adds the spans of row [y], the row after that of the last call, to [fragments]. */
+    /** Adds the spans of row [y], which follows the row of the last call, to [fragments]. */
     fun moveTo(y: Int, fragments: RowFragments) {
-        // Let in the primitives that begin here
+        // Add the primitives that start at this row
         while (arrived < arrivals.size &&
             (arrivals[arrived] ushr 32).toInt() == y
         ) {
             admit(arrivals[arrived++].toInt(), y)
         }
 
-        // Ask each for its spans, and let go those that end here
+        // Get the spans of each primitive, and remove primitives that end at this row
         fragments.clear()
         var i = 0
         while (i < count) {

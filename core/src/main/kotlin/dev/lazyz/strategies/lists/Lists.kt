@@ -10,24 +10,25 @@ import dev.lazyz.Selector
 import dev.lazyz.shading.LateShading
 
 /**
- * Each sample keeps all its fragments with their colours suspended; a [Selector] then chooses what is seen.
+ * Each sample keeps all its fragments with suspended colours; a [Selector] then chooses the result.
  *
- * The scan conversion knows nothing of the choice: nearest, farthest, k-th, a count of overdraw, exact blending, or the
- * caller's own. Colours that the selector does not ask for are never computed. Without a selector the visible fragment
- * is shown, or, where the frame has translucent primitives, all are blended in exact order of depth: transparency that
- * does not depend on the order of submission, without approximation.
+ * The scan conversion does not depend on the choice: nearest, farthest, k-th, a count of overdraw, exact blending, or a
+ * custom selector. Colours that the selector does not request are never computed. Without a selector the visible
+ * fragment is shown. If the frame has translucent primitives, all fragments are instead blended in exact order of
+ * depth, without approximation; the result does not depend on the order of submission.
  *
- * Use it for translucent scenes, for layers of depth, and to see overdraw; where only the nearest fragment counts, the
- * other lazy renderers do less.
+ * Use it for translucent scenes, for layers of depth, and to visualize overdraw. Where only the nearest fragment
+ * matters, the other lazy renderers do less work.
  *
- * Works row by row. Memory: 8 bytes a primitive and 12 more while it is active; of one row 8 bytes a fragment, 12 a
- * span and 24 a column, and the cursors of the active primitives; long rows are taken in pieces, so that no more than
- * about a million fragments are held at once. Time: proportional to the fragments, and sorting those of a sample where
- * the selector asks for more than the nearest. Thread safe; no state between calls.
+ * Works row by row. Memory: 8 bytes a primitive, plus 12 bytes and a cursor while the primitive is active; for one row,
+ * 8 bytes a fragment, 12 a span and 24 a column. Long rows are processed in pieces, so that at most about a million
+ * fragments are held at once. Time: proportional to the number of fragments, plus sorting the fragments of a sample if
+ * the selector requests more than the nearest. Thread safe; no state between calls.
  *
- * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), on cells that hold lists of (depth,
- * colour). Loren Carpenter, "The A-buffer, an Antialiased Hidden Surface Method", SIGGRAPH 1984, keeps such lists for the
- * whole picture, shaded when they are made; here they live for a row and are shaded when they are chosen.
+ * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), on cells that hold lists of
+ * (depth, colour). Loren Carpenter, "The A-buffer, an Antialiased Hidden Surface Method", SIGGRAPH 1984, keeps such
+ * lists for the whole picture and shades fragments when they are added; here the lists exist for one row and fragments
+ * are shaded when they are chosen.
  */
 public class Lists @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) : Renderer {
     override val id: String get() = "lists"
@@ -35,8 +36,8 @@ public class Lists @JvmOverloads constructor(private val options: RenderOptions 
     override val summary: String get() = "each sample keeps all its fragments, a selector picks or blends them"
 
     /**
-     * Shades only what is visible as long as the selector is the usual one, and blends what is translucent unless the
-     * caller chooses another.
+     * Shades only what is visible with the default selector, and blends translucent primitives unless the caller
+     * chooses another selector.
      */
     override val capabilities: Set<Capability>
         get() {
@@ -56,7 +57,7 @@ public class Lists @JvmOverloads constructor(private val options: RenderOptions 
         val cell = RowCell(frame, fragments, shading)
         val row = RowOutput(frame)
         for (y in frame.region.rowStart until frame.region.rowEnd) {
-            // Scan-convert the row, a piece at a time
+            // Scan-convert the row, one piece at a time
             active.moveTo(y, fragments)
             shading.beginRow()
             row.clear()

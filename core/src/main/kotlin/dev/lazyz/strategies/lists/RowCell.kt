@@ -10,7 +10,7 @@ import dev.lazyz.RowSink
 import dev.lazyz.Srgb
 import dev.lazyz.shading.LateShading
 
-/** The cell of one sample of the current row; moved from sample to sample, from left to right. */
+/** The cell of one sample of the current row. It is moved from sample to sample, from left to right. */
 internal class RowCell(
     private val frame: Frame,
     private val fragments: RowFragments,
@@ -30,24 +30,24 @@ internal class RowCell(
     /** Number of the fragment that is shown, or -1. */
     private var shown = -1
 
-    /** Colour that is shown. */
+    /** The colour that is shown. */
     var argb: Int = 0
         private set
 
     /** Whether a fragment is shown. */
     val isShown: Boolean get() = shown >= 0
 
-    /** Depth that is shown. */
+    /** The depth that is shown. */
     val shownDepth: Int get() = depth(shown)
 
-    /** Primitive that is shown. */
+    /** The primitive that is shown. */
     val shownPrimitive: Int get() = primitive(shown)
 
     override val size: Int get() = end - start
 
     override val background: Rgba get() = frame.raster.background
 
-    /** Goes to a [column] of the region; returns whether there are fragments. */
+    /** Moves to a [column] of the region; returns whether it has fragments. */
     fun moveTo(column: Int, y: Int): Boolean {
         x = frame.region.columnStart + column
         this.y = y
@@ -95,7 +95,7 @@ internal class RowCell(
         isSorted = true
     }
 
-    /** The nearest alone needs a minimum, not an order. */
+    /** Finds the nearest fragment, which takes a minimum instead of a sort. */
     private fun bringLeastToFront() {
         if (isSorted || isLeastFirst) return
         val keys = fragments.keys
@@ -110,7 +110,7 @@ internal class RowCell(
     override fun toString(): String = "Cell($x, $y, $size fragments)"
 }
 
-/** The row that is handed out. */
+/** The row that is passed to the sink. */
 internal class RowOutput(frame: Frame) {
     private val raster = frame.raster
     private val background = raster.background.toArgb()

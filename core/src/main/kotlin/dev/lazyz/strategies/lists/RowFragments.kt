@@ -5,10 +5,11 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 
 /**
- * The fragments of one row, a piece of the row at a time, as visibility keys grouped by column.
+ * The fragments of one row as visibility keys grouped by column, one piece of the row at a time.
  *
- * A fragment is 8 bytes: its key holds depth and primitive, and those two, with the sample, are the suspended colour.
- * Grouping is a counting sort: the spans tell in advance how many fragments each column gets.
+ * A fragment takes 8 bytes: its key holds depth and primitive, which together with the sample represent the suspended
+ * colour. Fragments are grouped with a counting sort: the spans determine in advance how many fragments each column
+ * gets.
  */
 internal class RowFragments(private val frame: Frame, private val counters: Counters) {
     private val first = frame.region.columnStart
@@ -16,29 +17,29 @@ internal class RowFragments(private val frame: Frame, private val counters: Coun
     private val test = frame.raster.depthTest
     private val backgroundKey = test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND)
 
-    /** The row's spans: primitive, first column, column after the last; columns count from the region's first. */
+    /** The row's spans: primitive, first column, column after the last. Columns are relative to the region's first. */
     private var spans = IntArray(3 * INITIAL)
     private var spanCount = 0
 
-    /** How many spans more cover a column than the one before. */
+    /** For each column, the number of spans that cover it minus the number that cover the column before. */
     private val changes = IntArray(width + 1)
     private var covering = 0
 
     private val starts = IntArray(width)
     private val ends = IntArray(width)
 
-    /** The piece's fragments; those of a column lie together. */
+    /** The fragments of the piece, grouped by column. */
     var keys: LongArray = LongArray(INITIAL)
         private set
 
-    /** Bytes held: the arrays never shrink. */
+    /** Bytes held; the arrays never shrink. */
     val peakBytes: Long
         get() = 4L * (spans.size + changes.size + starts.size + ends.size) + 8L * keys.size
 
-    /** Position within [keys] of the first fragment of a column of the piece. */
+    /** Index within [keys] of the first fragment of a column of the piece. */
     fun start(column: Int): Int = starts[column]
 
-    /** Position after its last. */
+    /** Index within [keys] after the last fragment of a column of the piece. */
     fun end(column: Int): Int = ends[column]
 
     /** Begins a row. */
@@ -60,11 +61,11 @@ internal class RowFragments(private val frame: Frame, private val counters: Coun
     }
 
     /**
-     * Gathers the fragments of row [y] from column [from] on, as many columns as [AT_ONCE] fragments reach, at least one.
-     * Pieces follow each other from left to right. Returns the column after the piece.
+     * Collects the fragments of row [y] from column [from] on, for as many columns as fit into [AT_ONCE] fragments, but
+     * at least one. Pieces must be requested from left to right. Returns the column after the piece.
      */
     fun fill(y: Int, from: Int): Int {
-        // Give each column its place
+        // Determine where each column's fragments start
         var total = 0
         var until = from
         while (until < width) {
@@ -77,7 +78,7 @@ internal class RowFragments(private val frame: Frame, private val counters: Coun
             until++
         }
         if (total > keys.size) {
-            // Drop the old array before there is a new one: the old contents are not wanted
+            // Release the old array before allocating the new one: its contents are not needed
             val size = maxOf(total, minOf(2 * keys.size, AT_ONCE))
             keys = LongArray(0)
             keys = LongArray(size)
@@ -103,18 +104,18 @@ internal class RowFragments(private val frame: Frame, private val counters: Coun
         var z = form?.at(first + start, y) ?: 0L
         val step = form?.dx ?: 0L
         for (column in start until end) {
-            // One addition a sample where depth is linear
+            // Where depth is linear, each sample takes one addition
             val depth = if (form != null) (z shr 32).toInt() else primitive.depth(first + column, y)
             z += step
             val key = test.key(depth, index)
 
-            // What is behind the background is not there
+            // Fragments behind the background are dropped
             if (key < backgroundKey) keys[ends[column]++] = key
         }
     }
 
     companion object {
-        /** Fragments held at once, unless a single sample has more: 8 megabytes. */
+        /** Most fragments held at once, unless a single sample has more: 8 megabytes. */
         const val AT_ONCE: Int = 1 shl 20
 
         private const val INITIAL = 64

@@ -5,13 +5,14 @@ import dev.lazyz.Frame
 import dev.lazyz.Spans
 
 /**
- * Paints primitives onto a canvas, over what is proved to be behind, without looking at depths.
+ * Paints primitives onto a canvas, over primitives that are proved to be behind, without comparing depths.
  *
- * The order of painting is meant to put every primitive over what it hides, but in a circle, or where surfaces cross,
- * no order can. So the brush asks who is there (not how deep): once for each primitive met, whether an order is
- * proved; and where none is, compares the two at the samples they share. What is on the canvas is at every sample the
- * visible one of all that was painted, whatever the order, because visibility is a minimum. The background is there
- * from the start.
+ * The order of painting is chosen so that every primitive is painted after those that it hides. If primitives form a
+ * cycle or surfaces cross, no such order exists. The brush therefore looks at the primitive already painted at each
+ * sample (not at its depth). Once for each pair of primitives, it checks whether an order is proved; if not, it
+ * compares the two at the samples that they share. At every sample, the canvas thus holds the visible one of all
+ * primitives painted so far, in any order of painting, because visibility is a minimum. The background is painted
+ * first.
  */
 internal class Brush(
     private val frame: Frame,
@@ -23,8 +24,11 @@ internal class Brush(
     private val test = frame.raster.depthTest
     private val spans = Spans(region)
 
-    /** For each primitive met, the background first: by whom it was last met, and what was proved then. */
-    private val metBy = IntArray(frame.primitives.size + 1) { NOBODY }
+    /**
+     * For each painted primitive (element 0 is the background), the last primitive painted over it, and the order
+     * proved for the two.
+     */
+    private val metBy = IntArray(frame.primitives.size + 1) { NONE }
     private val proved = ByteArray(frame.primitives.size + 1)
 
     /** Bytes held. */
@@ -59,7 +63,7 @@ internal class Brush(
     private fun isVisible(x: Int, y: Int, index: Int, other: Int): Boolean =
         test.key(canvas.depth(x, y, index), index) < test.key(canvas.depth(x, y, other), other)
 
-    /** Returns what is proved of the primitive [index] and the [other], wherever both cover a sample. */
+    /** Returns the order that is proved for the primitive [index] and the [other] wherever both cover a sample. */
     private fun orderOf(index: Int, other: Int): Byte {
         val at = other + 1
         if (metBy[at] != index) {
@@ -74,7 +78,7 @@ internal class Brush(
     }
 
     private companion object {
-        const val NOBODY = -1
+        const val NONE = -1
         const val OVER: Byte = 1
         const val UNDER: Byte = -1
         const val UNPROVED: Byte = 0

@@ -7,7 +7,8 @@ import dev.lazyz.Frame
 import dev.lazyz.RowSink
 
 /**
- * What has been painted so far: colour and primitive of each sample. Depth is evaluated at the end, where it is seen.
+ * The picture painted so far: colour and primitive of each sample. Depth is evaluated at the end, for visible samples
+ * only.
  */
 internal class Canvas(private val frame: Frame, private val counters: Counters) {
     private val region = frame.region
@@ -15,7 +16,7 @@ internal class Canvas(private val frame: Frame, private val counters: Counters) 
     private val fragment = Fragment()
     private val argb: IntArray
 
-    /** The primitive seen at each sample, or [DepthTest.BACKGROUND], in rows from the top. */
+    /** The visible primitive of each sample, or [DepthTest.BACKGROUND], in rows from the top. */
     val indices: IntArray
 
     init {
@@ -29,10 +30,10 @@ internal class Canvas(private val frame: Frame, private val counters: Counters) 
     /** Bytes held. */
     val bytes: Long get() = BYTES_PER_SAMPLE * region.size + Int.SIZE_BYTES * 3L * width
 
-    /** Returns where the sample at column [x] and row [y] of the raster is held. */
+    /** Returns the array index of the sample at column [x] and row [y] of the raster. */
     fun at(x: Int, y: Int): Int = (y - region.rowStart) * width + (x - region.columnStart)
 
-    /** Covers the sample at column [x] and row [y], held at [at], with the primitive [index]. */
+    /** Paints the primitive [index] at the sample at column [x] and row [y], whose array index is [at]. */
     fun paint(x: Int, y: Int, at: Int, index: Int) {
         counters.depthPasses++
         counters.shadingCalls++
@@ -42,7 +43,7 @@ internal class Canvas(private val frame: Frame, private val counters: Counters) 
         indices[at] = index
     }
 
-    /** Hands out the rows. */
+    /** Passes the rows to [sink]. */
     fun finish(sink: RowSink) {
         val colors = IntArray(width)
         val depths = IntArray(width)

@@ -5,13 +5,14 @@ import dev.lazyz.Region
 import dev.lazyz.Spans
 
 /**
- * The corners of the convex hull of the samples that a primitive covers in a region, in order around it.
+ * The corners of the convex hull of the samples that a primitive covers in a region, in order around the hull.
  *
- * Newell's tests look at a polygon's vertices. A primitive need not have any, and between its vertices and its samples
- * lies up to a pixel; the hull of the samples is what the tests are about, and it is exact.
+ * Newell's tests use a polygon's vertices. Primitives here need not have vertices, and the distance between a vertex
+ * and the nearest sample can be up to a pixel. The tests are actually about the samples, so the hull of the samples
+ * gives exact results.
  *
- * Source: Alex Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information Processing
- * Letters 9 (1979): the left and the right chain, by rows instead of columns.
+ * Source: Alex Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information Processing Letters
+ * 9 (1979): here with a left and a right chain, by rows instead of columns.
  *
  * @property xs columns of the corners
  * @property ys rows of the corners
@@ -20,16 +21,16 @@ internal class Outline private constructor(val xs: IntArray, val ys: IntArray) {
     /** Number of corners; 0 if nothing is covered. */
     val count: Int get() = xs.size
 
-    /** The box around the corners: first and last column and row, empty if nothing is covered. */
+    /** The box around the corners: first and last column and row; empty if nothing is covered. */
     val left: Int = xs.minOrNull() ?: Int.MAX_VALUE
     val right: Int = xs.maxOrNull() ?: Int.MIN_VALUE
     val top: Int = ys.minOrNull() ?: Int.MAX_VALUE
     val bottom: Int = ys.maxOrNull() ?: Int.MIN_VALUE
 
-    /** Whether a straight line shows that the two have no sample in common. */
+    /** Whether a straight line separates the two outlines, so that they have no sample in common. */
     fun isApart(other: Outline): Boolean = isBeyondEdge(other) || other.isBeyondEdge(this)
 
-    /** Whether all corners of [other] are strictly outside of one of the edges. */
+    /** Whether all corners of [other] are strictly outside one of the edges. */
     private fun isBeyondEdge(other: Outline): Boolean {
         var previous = count - 1
         for (current in 0 until count) {
@@ -45,7 +46,7 @@ internal class Outline private constructor(val xs: IntArray, val ys: IntArray) {
         return false
     }
 
-    /** A chain of corners from the top down that bends one way. */
+    /** A chain of corners from top to bottom that turns in one direction only. */
     private class Chain(private val sign: Int) {
         var xs = IntArray(INITIAL)
         var ys = IntArray(INITIAL)
@@ -84,7 +85,7 @@ internal class Outline private constructor(val xs: IntArray, val ys: IntArray) {
                 right.add(spans.end(spans.count - 1) - 1, y)
             }
 
-            // Down on the right, up again on the left, without the corners at which both meet
+            // Go down the right chain and up the left, without the left corners that coincide with right ones
             val isTopShared = left.count > 0 && left.xs[0] == right.xs[0]
             val isBottomShared = left.count > 1 && left.xs[left.count - 1] == right.xs[right.count - 1]
             val first = if (isTopShared) 1 else 0
@@ -101,7 +102,7 @@ internal class Outline private constructor(val xs: IntArray, val ys: IntArray) {
             return Outline(xs, ys)
         }
 
-        /** Positive if the way from a by b to c turns to the right on the screen, 0 if it goes straight on. */
+        /** Positive if the path from a via b to c turns right on the screen, 0 if it is straight. */
         private fun turn(ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int): Long =
             (bx - ax).toLong() * (cy - ay) - (by - ay).toLong() * (cx - ax)
     }

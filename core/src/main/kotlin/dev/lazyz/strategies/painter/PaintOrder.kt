@@ -5,40 +5,40 @@ import dev.lazyz.raster.reaches
 import java.util.function.IntConsumer
 
 /**
- * An order of painting: from back to front by greatest depth, mended by Newell's tests.
+ * An order of painting: from back to front by greatest depth, corrected by Newell's tests.
  *
- * Before a primitive is painted, all that is proved to be behind it and may share samples with it is painted, and
- * before that what is behind those, and so on. What is met a second time on this way lies in a circle; it waits. What
- * nothing is proved for stays in the order of depth.
+ * Before a primitive is painted, all primitives that may share samples with it and are proved to be behind it are
+ * painted, and before each of those the primitives behind it, and so on. A primitive that this search reaches a second
+ * time is part of a cycle and is not moved. Where no order is proved, the order of depth remains.
  *
- * The pairs to test are found by a tree over what is not yet painted, so small primitives cost O(log n) each. Where
- * very many boxes overlap on the screen and in depth, the search ends after [LOOKS_PER_PRIMITIVE] looks a primitive,
- * on average; the rest is painted by greatest depth. The picture does not depend on it, only how many samples are
- * compared.
+ * The pairs to test are found with a tree over the primitives that are not yet painted, so small primitives cost O(log
+ * n) each. If very many boxes overlap on the screen and in depth, the search ends after [LOOKS_PER_PRIMITIVE] nodes a
+ * primitive, on average; the rest is painted by greatest depth. This limit does not affect the picture, only the number
+ * of samples that are compared.
  *
- * Source: Newell, Newell, Sancha, "A Solution to the Hidden Surface Problem" (1972). There one primitive at a time is
- * moved to the head of the list, and marked; here the way back is walked depth first.
+ * Source: Newell, Newell, Sancha, "A Solution to the Hidden Surface Problem" (1972). In the paper, one primitive at a
+ * time is moved to the head of the list and marked; here the search is depth first.
  */
 internal class PaintOrder(private val frame: Frame, private val pairs: PairOrder) {
     private val test = frame.raster.depthTest
     private val region = frame.region
 
-    /** Farthest keys of what covers samples, from back to front. A key also holds the index. */
+    /** Farthest keys of the primitives that reach the region, from back to front. A key also holds the index. */
     private val byDepth = byDepth()
     private val tree = UnpaintedTree(IntArray(byDepth.size) { test.indexOf(byDepth[it]) }, frame, pairs)
     private val budget = LOOKS_PER_PRIMITIVE * byDepth.size
 
-    /** Primitives to paint next: an index is still to be looked at, the complement of one only to be painted. */
+    /** Primitives to paint next: an index must still be examined, the complement of an index only painted. */
     private var stack = IntArray(16)
     private var height = 0
 
     /** Bytes held. */
     val bytes: Long get() = 8L * byDepth.size + 4L * stack.size + tree.bytes
 
-    /** Number of nodes of the tree that were looked at so far. */
+    /** Number of nodes of the tree examined so far. */
     val looks: Long get() = tree.looks
 
-    /** Calls [paint] with each primitive that may cover a sample, in order. To be called once. */
+    /** Calls [paint] with each primitive that may cover a sample, in order. Can be called once. */
     fun forEach(paint: IntConsumer) {
         for (key in byDepth) {
             push(test.indexOf(key))
@@ -47,7 +47,7 @@ internal class PaintOrder(private val frame: Frame, private val pairs: PairOrder
                 if (next < 0) {
                     paint.accept(next.inv())
                 } else if (tree.remove(next)) {
-                    // Paint it when all that must come before is painted
+                    // Paint it after all its predecessors are painted
                     push(next.inv())
                     pushPredecessors(next)
                 }
@@ -60,7 +60,7 @@ internal class PaintOrder(private val frame: Frame, private val pairs: PairOrder
         tree.find(index) { other -> if (mustPrecede(other, index)) push(other) }
     }
 
-    /** Newell's tests: nothing speaks against painting [index] first, or the [other] is behind it, or neither. */
+    /** Newell's tests: whether [other] must be painted before [index], that is, is proved to be behind it. */
     private fun mustPrecede(other: Int, index: Int): Boolean =
         !pairs.isBefore(other, index) && !pairs.isApart(other, index) && pairs.isBefore(index, other)
 
@@ -82,7 +82,7 @@ internal class PaintOrder(private val frame: Frame, private val pairs: PairOrder
     }
 
     companion object {
-        /** Nodes of the tree that are looked at, a primitive, on average, at most: some 500 overlapping pairs. */
+        /** Most nodes of the tree that are examined a primitive, on average: enough for about 500 overlapping pairs. */
         const val LOOKS_PER_PRIMITIVE: Long = 1024
     }
 }

@@ -7,24 +7,25 @@ import dev.lazyz.RowSink
 import dev.lazyz.requireOpaque
 
 /**
- * Paints from back to front: what is painted later covers what was painted before.
+ * Paints from back to front: primitives painted later cover those painted before.
  *
- * Primitives are put in an order in which each one comes after all that it hides. An order is taken only if it is
- * proved for the whole pair: by extents of depth, or because one lies wholly on one side of the other's plane.
- * Painting then compares no depths. Pairs that nothing is proved for (surfaces that cross, or lie in a circle, or
- * have no plane) are compared at the samples they share, so the picture is exact.
+ * Primitives are sorted so that each one comes after all those that it hides. An order of two primitives is used only
+ * if it is proved for the whole pair: by their extents of depth, or because one lies entirely on one side of the
+ * other's plane. Painting such pairs compares no depths. Pairs without a proved order (surfaces that cross, form a
+ * cycle, or have no plane) are compared at the samples that they share, so the picture is exact.
  *
- * Use it to see overdraw, to count it, or to teach; it shades every fragment, most of them to be covered again. Where
- * little overlaps (diagrams, maps) that is no more than is seen. Otherwise a renderer that shades late does less.
+ * Use it to visualize overdraw, to count it, or for teaching. It shades fragments as it paints them, and most of them
+ * are covered again. Where little overlaps (diagrams, maps), it shades no more than is visible. Otherwise a renderer
+ * that shades late does less work.
  *
- * Memory: 8 bytes a sample, about 100 bytes a primitive, and 16 bytes a corner of the outlines that were looked at.
- * Time: proportional to the fragments; to find the order, O(n log n) for n primitives that overlap few others on the
- * screen and in depth, and O(corners) for each pair that does, up to some 500 n pairs. Thread safe; no state between
- * calls.
+ * Memory: 8 bytes a sample, about 100 bytes a primitive, and 16 bytes for each corner of an outline that was examined.
+ * Time: proportional to the number of fragments; to find the order, O(n log n) for n primitives that overlap few others
+ * on the screen and in depth, and O(corners) for each pair that does, up to about 500 n pairs. Thread safe; no state
+ * between calls.
  *
- * Source: Martin Newell, Richard Newell, Tom Sancha, "A Solution to the Hidden Surface Problem", Proceedings of the
- * ACM annual conference (1972). There what cannot be ordered is cut in two along a plane, which would round; here it
- * is left whole and compared by samples.
+ * Source: Martin Newell, Richard Newell, Tom Sancha, "A Solution to the Hidden Surface Problem", Proceedings of the ACM
+ * annual conference (1972). In the paper, a primitive that cannot be ordered is cut in two along a plane, which would
+ * cause rounding; here it is left whole and compared by samples.
  */
 public class Painter : Renderer {
     override val id: String get() = "painter"

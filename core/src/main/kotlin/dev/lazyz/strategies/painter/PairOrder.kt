@@ -6,48 +6,49 @@ import dev.lazyz.Frame
 import dev.lazyz.raster.VisibilityOrder
 
 /**
- * Newell's tests: proves which of two primitives is visible at all samples they share, or does not.
+ * Newell's tests: try to prove which of two primitives is visible at all samples that they share. The order is proved
+ * if one of these holds:
  *
- * - Their extents of depth are disjoint, or
- * - the corners of the one behind are all behind the plane of the other, or
- * - the corners of the one before are all before the plane of the other, or
- * - the planes are so at the corners of the box that the two share on the screen.
+ * - Their extents of depth are disjoint.
+ * - The corners of the farther primitive are all behind the plane of the nearer.
+ * - The corners of the nearer primitive are all before the plane of the farther.
+ * - One plane is before the other at the corners of the intersection of their boxes on the screen.
  *
- * Corners are those of the convex hull of the covered samples, and before and behind mean the exact order of
- * [VisibilityOrder], ties included: the lead is a linear form, so what holds at the corners of either primitive, or of
- * the box, holds at all samples within, and so at those that both cover.
+ * Corners are those of the convex hull of the covered samples. Before and behind refer to the exact order of
+ * [VisibilityOrder], including ties. The lead is a linear form, so what holds at the corners of either primitive, or of
+ * the box, holds at all samples within, and therefore at those that both cover.
  *
- * Source: Newell, Newell, Sancha, "A Solution to the Hidden Surface Problem" (1972), but for the last test, which is
- * ours: two long bars that cross cut each other's planes far from where they meet.
+ * Source: Newell, Newell, Sancha, "A Solution to the Hidden Surface Problem" (1972), except the last test, which is new
+ * here: if two long bars cross on the screen, each one's plane intersects the other far from where the bars overlap.
  */
 internal class PairOrder(private val frame: Frame, private val counters: Counters) {
     private val order = VisibilityOrder(frame.raster.depthTest)
     private val facets = arrayOfNulls<Facet>(frame.primitives.size)
     private val backgroundKey = frame.raster.depthTest.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND)
 
-    /** -1 where the greatest depth wins, otherwise 1: what a lead is multiplied by. */
+    /** The factor for leads: -1 where the greatest depth wins, otherwise 1. */
     private val direction = order.lead(0, 1).toDouble()
 
-    /** Bytes held at present. */
+    /** Bytes currently held. */
     var bytes: Long = REFERENCE_BYTES * frame.primitives.size
         private set
 
-    /** Returns a key that no fragment of the primitive [index], or of the background, is before. */
+    /** Returns a lower bound of the keys of the primitive [index], or of the background. */
     fun nearestKey(index: Int): Long =
         if (index == DepthTest.BACKGROUND) backgroundKey else order.nearestKey(frame.primitives[index], index)
 
-    /** Returns a key that no fragment of the primitive [index], or of the background, is behind. */
+    /** Returns an upper bound of the keys of the primitive [index], or of the background. */
     fun farthestKey(index: Int): Long =
         if (index == DepthTest.BACKGROUND) backgroundKey else order.farthestKey(frame.primitives[index], index)
 
     /** Whether it is proved that [front] is visible, and not [behind], wherever both cover a sample. */
     fun isBefore(front: Int, behind: Int): Boolean {
-        // Extents of depth decide most pairs, one way or the other
+        // Extents of depth decide most pairs, in one direction or the other
         if (farthestKey(front) < nearestKey(behind)) return true
         if (nearestKey(front) > farthestKey(behind)) return false
         if (front == DepthTest.BACKGROUND || behind == DepthTest.BACKGROUND) return false
 
-        // Otherwise planes may
+        // Otherwise compare the planes
         val a = facet(front)
         val b = facet(behind)
         if (!(a.isFlat && b.isFlat)) return false
@@ -57,7 +58,7 @@ internal class PairOrder(private val frame: Frame, private val counters: Counter
             leadsInSharedBox(a, b, needed)
     }
 
-    /** Whether the outlines of two primitives show that they share no sample. */
+    /** Whether the outlines of two primitives prove that they share no sample. */
     fun isApart(a: Int, b: Int): Boolean = facet(a).outline.isApart(facet(b).outline)
 
     private fun leadsAtCorners(front: Facet, behind: Facet, corners: Outline, needed: Long): Boolean {

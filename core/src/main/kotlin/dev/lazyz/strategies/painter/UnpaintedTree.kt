@@ -4,10 +4,11 @@ import dev.lazyz.Frame
 import java.util.function.IntConsumer
 
 /**
- * Finds what is not yet painted, overlaps a primitive's box on the screen, and reaches behind its nearest depth.
+ * Finds primitives that are not yet painted, overlap a given primitive's box on the screen, and may be behind its
+ * nearest fragment.
  *
- * A complete binary tree over the primitives in the order of their boxes' middles along a Z-shaped curve. A node knows
- * the box around all below it, and the farthest key of those not yet painted.
+ * A complete binary tree over the primitives, sorted by the centres of their boxes along a Z-order curve. A node holds
+ * the bounding box of all primitives below it, and the farthest key of those that are not yet painted.
  *
  * Source of the curve: Guy Morton, "A computer oriented geodetic data base and a new technique in file sequencing"
  * (1966).
@@ -20,11 +21,13 @@ internal class UnpaintedTree(indices: IntArray, private val frame: Frame, privat
     private val primitives = IntArray(leaves)
     private val leafOf = IntArray(frame.primitives.size)
 
-    /** Columns and rows of the box of each node, four numbers; node 1 is the root, nodes 2n and 2n+1 are below n. */
+    /**
+     * Columns and rows of each node's box, four numbers; node 1 is the root, nodes 2n and 2n+1 are the children of n.
+     */
     private val boxes = IntArray(4 * 2 * leaves)
     private val farthest = LongArray(2 * leaves) { NOTHING }
 
-    /** Number of nodes that were looked at so far. */
+    /** Number of nodes examined so far. */
     var looks: Long = 0
         private set
 
@@ -32,7 +35,7 @@ internal class UnpaintedTree(indices: IntArray, private val frame: Frame, privat
     val bytes: Long get() = 4L * (primitives.size + leafOf.size + boxes.size) + 8L * farthest.size
 
     init {
-        // The leaves, along the curve
+        // Sort the leaves along the curve
         val curve = LongArray(indices.size) { place(indices[it]) or indices[it].toLong() }.apply { sort() }
         for (leaf in curve.indices) {
             val index = (curve[leaf] and Int.MAX_VALUE.toLong()).toInt()
@@ -47,7 +50,7 @@ internal class UnpaintedTree(indices: IntArray, private val frame: Frame, privat
             farthest[node] = pairs.farthestKey(index)
         }
 
-        // The nodes above, from below
+        // Compute the inner nodes from the bottom up
         for (node in leaves - 1 downTo 1) {
             val left = 4 * (2 * node)
             val right = left + 4
@@ -63,7 +66,7 @@ internal class UnpaintedTree(indices: IntArray, private val frame: Frame, privat
         }
     }
 
-    /** Takes the primitive [index] out. Returns whether it was still there. */
+    /** Removes the primitive [index]. Returns false if it was already removed. */
     fun remove(index: Int): Boolean {
         var node = leaves + leafOf[index]
         if (farthest[node] == NOTHING) return false
@@ -97,7 +100,10 @@ internal class UnpaintedTree(indices: IntArray, private val frame: Frame, privat
             boxes[4 * node + 2] < primitive.rowEnd && primitive.rowStart < boxes[4 * node + 3]
     }
 
-    /** The middle of a box along the curve, 16 bits of column and row in turns, above the 31 bits of an index. */
+    /**
+     * Position of a box's centre on the curve: the bits of column and row (16 each) interleaved, shifted left by the 31
+     * bits of an index.
+     */
     private fun place(index: Int): Long {
         val primitive = frame.primitives[index]
         val column = middle(primitive.columnStart, primitive.columnEnd, region.columnStart, region.columnEnd)
@@ -105,13 +111,13 @@ internal class UnpaintedTree(indices: IntArray, private val frame: Frame, privat
         return (spread(column) or (spread(row) shl 1)) shl 31
     }
 
-    /** The middle of the part of a range that lies within another, as 16 bits. */
+    /** The middle of the part of a range that lies within another range, scaled to 16 bits. */
     private fun middle(start: Int, end: Int, least: Int, most: Int): Int {
         val doubled = maxOf(start, least) + minOf(end, most) - 2 * least
         return (doubled * CURVE_STEPS / (2 * (most - least))).toInt()
     }
 
-    /** Puts a 0 before each of 16 bits. */
+    /** Inserts a 0 before each of 16 bits. */
     private fun spread(bits: Int): Long {
         var spread = 0L
         for (bit in 0 until 16) spread = spread or ((bits shr bit and 1).toLong() shl (2 * bit))

@@ -9,23 +9,26 @@ import dev.lazyz.raster.reaches
 /**
  * The active edge list: the ends of all spans of the current row, in order of columns.
  *
- * A span has a number that stays the same from row to row while its primitive has as many spans; so its two edges keep
- * their places in the list, and sorting has to mend only what has changed. A primitive's own cursor steps its edges, by
- * exact increments where it is a polygon. Span 0 is the background's: as wide as the region, it has no edges and no
- * cursor.
+ * A span keeps its number from row to row as long as its primitive has the same number of spans. Its two edges
+ * therefore keep their places in the list, and sorting only has to correct what has changed. A primitive's own cursor
+ * steps its edges, with exact increments if the primitive is a polygon. Span 0 is the background: it is as wide as the
+ * region, and has no edges and no cursor.
  *
- * Source: Chris Wylie, Gordon Romney, David Evans, Alan Erdahl, "Half-tone perspective drawings by computer" (1967).
- * There a table has a bucket of edges for each row; here waiting primitives are sorted by first row, which takes no
- * memory for rows.
+ * Source: Chris Wylie, Gordon Romney, David Evans, Alan Erdahl, "Half-tone perspective drawings by computer" (1967). In
+ * the paper, a table has a bucket of edges for each row; here waiting primitives are sorted by first row, which takes
+ * no memory for rows.
  */
 internal class ActiveEdges(private val frame: Frame, private val counters: Counters) {
     private val region = frame.region
 
-    /** The edge table: primitives not yet active, first row in the upper half, index in the lower, ascending. */
+    /**
+     * The edge table: primitives that are not yet active, with the first row in the upper half and the index in the
+     * lower half, ascending.
+     */
     private val waiting = waiting()
     private var entered = 0
 
-    /** A primitive that the current row may cut, and the numbers of its spans. */
+    /** A primitive that the current row may intersect, and the numbers of its spans. */
     private class Active(val primitive: Int, val rowEnd: Int, val cursor: SpanCursor) {
         var spans = IntArray(1)
         var count = 0
@@ -35,7 +38,9 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
     private var activeCount = 0
     private val row = Spans(region)
 
-    /** First column of each span, column after the last (0 for a number not in use), and primitive. */
+    /**
+     * For each span, the first column, the column after the last (0 if the number is not in use), and the primitive.
+     */
     private var starts = IntArray(INITIAL)
     private var ends = IntArray(INITIAL)
     private var primitives = IntArray(INITIAL)
@@ -43,7 +48,7 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
     private var free = IntArray(INITIAL)
     private var freeCount = 0
 
-    /** The list itself: column in the upper half, in the lower twice the span, plus one at its end. */
+    /** The list: the column in the upper half; in the lower half twice the span, plus one for the edge at its end. */
     private var edges = LongArray(INITIAL)
 
     /** Number of edges. */
@@ -56,10 +61,12 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
         primitives[BACKGROUND_SPAN] = -1
     }
 
-    /** Span numbers are below this one. */
+    /** Exclusive upper bound of span numbers. */
     val spanLimit: Int get() = starts.size
 
-    /** Bytes held at present. A cursor belongs to its primitive; it is estimated by that of a triangle. */
+    /**
+     * Bytes currently held. A cursor belongs to its primitive; its size is estimated as that of a triangle's cursor.
+     */
     val bytes: Long
         get() = 8L * (waiting.size + edges.size + actives.size) +
             4L * (starts.size + ends.size + primitives.size + free.size) +
@@ -68,10 +75,10 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
     /** Column of edge [i]. */
     fun column(i: Int): Int = (edges[i] shr 32).toInt()
 
-    /** The span that edge [i] begins or ends. */
+    /** The span that starts or ends at edge [i]. */
     fun span(i: Int): Int = edges[i].toInt() ushr 1
 
-    /** Whether its span begins at edge [i]. */
+    /** Whether edge [i] is the start of its span. */
     fun isStart(i: Int): Boolean = edges[i] and 1L == 0L
 
     /** The column after the last of [span]. */
@@ -80,12 +87,12 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
     /** The submission index of the primitive that [span] belongs to. */
     fun primitive(span: Int): Int = primitives[span]
 
-    /** Goes to row [y]; called for each row of the region, in order. */
+    /** Moves to row [y]; must be called for each row of the region, in order. */
     fun moveTo(y: Int) {
-        // Primitives join at their first row
+        // Add primitives at their first row
         while (entered < waiting.size && (waiting[entered] shr 32).toInt() == y) enter(waiting[entered++].toInt(), y)
 
-        // Those whose rows are over leave, the others step
+        // Remove primitives that have ended, step the others
         var kept = 0
         for (i in 0 until activeCount) {
             val active = actives[i]!!
@@ -97,7 +104,7 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
         actives.fill(null, kept, activeCount)
         activeCount = kept
 
-        // Give the edges their new columns, and put them in order
+        // Update the columns of the edges, and sort them
         renew()
         sort()
     }
@@ -118,7 +125,7 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
         actives[activeCount++] = Active(index, primitive.rowEnd, primitive.cursor(y))
     }
 
-    /** Gives the primitive's spans of this row their numbers, as far as possible those of the last row. */
+    /** Assigns numbers to the primitive's spans of this row, reusing those of the last row where possible. */
     private fun place(active: Active) {
         while (active.count > row.count) ends[active.spans[--active.count]] = UNUSED
         while (active.count < row.count) {
@@ -133,7 +140,7 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
         }
     }
 
-    /** Returns a number for a new span, and lists its edges, for the time being at the end. */
+    /** Returns a number for a new span, and appends its edges to the list, unsorted. */
     private fun number(primitive: Int): Int {
         if (freeCount == 0 && numbers == starts.size) {
             starts = starts.copyOf(2 * numbers)
@@ -149,7 +156,7 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
         return span
     }
 
-    /** Gives the edges their columns on this row. The numbers of spans that are over become free. */
+    /** Updates the columns of the edges for this row. The numbers of spans that have ended become free. */
     private fun renew() {
         var kept = 0
         for (i in 0 until count) {
@@ -164,7 +171,7 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
         count = kept
     }
 
-    /** Sorts by insertion: from row to row few edges pass each other. If many do, sorts anew. */
+    /** Insertion sort: few edges change places from one row to the next. If many do, sorts from scratch. */
     private fun sort() {
         var moves = 0L
         for (i in 1 until count) {
@@ -191,7 +198,10 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
         private const val INITIAL = 16
         private const val LOWER_HALF = 0xFFFFFFFFL
 
-        /** Moves an edge, on average, after which sorting anew costs less than going on by insertion. */
+        /**
+         * Average number of moves an edge after which sorting from scratch is cheaper than continuing the insertion
+         * sort.
+         */
         private const val MOVES_PER_EDGE = 8L
 
         /** An active primitive with its array of spans, and the cursor of a triangle: six arrays of three numbers. */

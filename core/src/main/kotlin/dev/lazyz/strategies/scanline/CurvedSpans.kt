@@ -5,18 +5,19 @@ import dev.lazyz.Frame
 import dev.lazyz.raster.VisibilityOrder
 
 /**
- * The spans at the current column whose depth is no linear form: of spheres, and of primitives of the user's own.
+ * The spans at the current column whose depth is not a linear form: those of spheres and of custom primitives.
  *
- * Nothing is known of their depths but bounds, so they are kept in order of the nearest. What lies behind all that is
- * visible so far ends the search, and is not evaluated; the others are compared sample by sample, as a depth buffer
- * would. Joining and leaving moves a part of the list, a few nanoseconds for a hundred spans.
+ * Only bounds of their depths are known, so the spans are sorted by the bound of their nearest key. The search ends at
+ * the first span that is behind everything visible so far, without evaluating it. The spans before it are compared
+ * sample by sample, as in a depth buffer. Adding or removing a span moves a part of the list, which takes a few
+ * nanoseconds for a hundred spans.
  */
 internal class CurvedSpans(private val frame: Frame, private val edges: ActiveEdges, private val counters: Counters) {
     private val test = frame.raster.depthTest
     private val order = VisibilityOrder(test)
     private val columnStart = frame.region.columnStart
 
-    /** The nearest keys that the primitives can have, ascending, and the primitives' indices. */
+    /** Lower bounds of the primitives' keys, ascending, and the primitives' indices. */
     private var nearest = LongArray(INITIAL)
     private var indices = IntArray(INITIAL)
     private var count = 0
@@ -24,10 +25,10 @@ internal class CurvedSpans(private val frame: Frame, private val edges: ActiveEd
     /** Whether there are no such spans at the current column. */
     val isEmpty: Boolean get() = count == 0
 
-    /** Bytes held at present. */
+    /** Bytes currently held. */
     val bytes: Long get() = 12L * nearest.size
 
-    /** Lets [span] take part from the current column on. */
+    /** Adds [span] at the current column. */
     fun join(span: Int) {
         if (count == nearest.size) {
             nearest = nearest.copyOf(2 * count)
@@ -43,7 +44,7 @@ internal class CurvedSpans(private val frame: Frame, private val edges: ActiveEd
         count++
     }
 
-    /** Lets [span] take part no longer. */
+    /** Removes [span] at the current column. */
     fun leave(span: Int) {
         val index = edges.primitive(span)
         val at = nearest.binarySearch(order.nearestKey(frame.primitives[index], index), 0, count)
@@ -54,12 +55,12 @@ internal class CurvedSpans(private val frame: Frame, private val edges: ActiveEd
 
     /**
      * Compares the spans at the columns [start] until [end] of row [y] with what is visible there so far, in [depths]
-     * and [visible] (from the region's first column), none of it behind the key [farthest].
+     * and [visible] (which start at the region's first column). None of the visible keys is behind [farthest].
      */
     fun show(depths: IntArray, visible: IntArray, start: Int, end: Int, y: Int, farthest: Long) {
         var farthestVisible = farthest
         for (candidate in 0 until count) {
-            // What cannot be before the farthest visible sample is hidden, and so are all that follow
+            // A span that is behind the farthest visible sample is hidden, and so are all spans after it
             if (nearest[candidate] > farthestVisible) return
             val index = indices[candidate]
             val primitive = frame.primitives[index]

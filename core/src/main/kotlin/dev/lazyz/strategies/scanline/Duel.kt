@@ -6,12 +6,12 @@ import dev.lazyz.LinearForm
 import dev.lazyz.raster.VisibilityOrder
 
 /**
- * Decides which of two spans is visible, from a column on, and until which column that is certain.
+ * Decides which of two spans is visible from a column on, and until which column this result holds.
  *
- * Bounds of depth are compared first, and cost nothing. Otherwise the two forms are evaluated at both ends of the
- * columns that the spans share; where one leads at both, it is visible all the way, by the argument in
- * [VisibilityOrder]. Where they cross, the column up to which the lead lasts is one exact division away. Only where
- * the two are within one unit of depth (or where rounding hides which is nearer) they are compared sample by sample.
+ * Bounds of depth are compared first, which takes no depth evaluation. Otherwise the two forms are evaluated at both
+ * ends of the columns that the spans share. If one span leads at both ends, it is visible at all columns between, see
+ * [VisibilityOrder]. If the spans cross, one exact division gives the column until which the lead lasts. The spans are
+ * compared sample by sample only where they are within one unit of depth, or where rounding hides which is nearer.
  *
  * The background takes part as a span of constant depth, whose evaluation is not counted.
  */
@@ -21,11 +21,11 @@ internal class Duel(private val frame: Frame, private val edges: ActiveEdges, pr
     private val backgroundKey = frame.raster.depthTest.key(frame.raster.backgroundDepth, -1)
     private var row = 0
 
-    /** The span that is visible, after [judge]. */
+    /** The visible span, set by [judge]. */
     var winner: Int = 0
         private set
 
-    /** The column up to which it is certain that it is, after [judge]. */
+    /** The column until which [winner] is visible, set by [judge]. */
     var until: Int = 0
         private set
 
@@ -34,7 +34,8 @@ internal class Duel(private val frame: Frame, private val edges: ActiveEdges, pr
     }
 
     /**
-     * Decides between the spans [a] and [b], that cover column [x]. Comparing by samples goes on to [limit] at most.
+     * Decides between the spans [a] and [b], which cover column [x]. If they are compared sample by sample, the
+     * comparison ends at [limit].
      */
     fun judge(a: Int, b: Int, x: Int, limit: Int) {
         val end = minOf(edges.end(a), edges.end(b))
@@ -53,7 +54,7 @@ internal class Duel(private val frame: Frame, private val edges: ActiveEdges, pr
     }
 
     private fun judgeByForms(a: Int, b: Int, x: Int, end: Int, limit: Int) {
-        // Who is visible here, and by how much?
+        // Determine which span is visible at x, and its lead
         val valueA = value(a, x)
         val valueB = value(b, x)
         val isA = order.key(valueA, edges.primitive(a)) < order.key(valueB, edges.primitive(b))
@@ -62,7 +63,7 @@ internal class Duel(private val frame: Frame, private val edges: ActiveEdges, pr
         val needed = order.leastLead(edges.primitive(front), edges.primitive(behind))
         val lead = if (isA) order.lead(valueA, valueB) else order.lead(valueB, valueA)
 
-        // It is visible as long as it keeps the lead it needs
+        // The front span is visible as long as it keeps the lead that it needs
         if (lead < needed) {
             decide(front, endBySamples(front, behind, x, minOf(end, limit), needed))
         } else if (end == x + 1 || order.lead(value(front, end - 1), value(behind, end - 1)) >= needed) {
@@ -72,14 +73,17 @@ internal class Duel(private val frame: Frame, private val edges: ActiveEdges, pr
         }
     }
 
-    /** Returns the number of steps after which [front] still has the lead it needs, when it has [spare] more now. */
+    /** Returns for how many columns [front] keeps the lead that it needs, if it now has [spare] more than that. */
     private fun columnsAhead(front: Int, behind: Int, spare: Long): Int {
-        // The lead is known to fall too low, so the step is negative, unless it does not fit 64 bits
+        // The lead is known to become too small, so the step is negative, unless it does not fit into 64 bits
         val step = order.lead(form(front).dx, form(behind).dx)
         return if (step < 0) (spare / -step).toInt() else 0
     }
 
-    /** Compares sample by sample, and returns the first column after [x] at which [front] is hidden or well ahead. */
+    /**
+     * Compares sample by sample. Returns the first column after [x] where [front] is hidden or has at least the
+     * [needed] lead.
+     */
     private fun endBySamples(front: Int, behind: Int, x: Int, end: Int, needed: Long): Int {
         var column = x + 1
         while (column < end) {

@@ -5,10 +5,11 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 
 /**
- * Goes along a row from edge to edge, and finds the visible primitive and its depth at every sample.
+ * Moves along a row from edge to edge, and determines the visible primitive and its depth at every sample.
  *
- * Between two edges the tournament of spans with linear depth gives runs of one visible span, whose depth is stepped.
- * Over each run the primitives without linear depth are compared, as far as their bounds do not hide them behind it.
+ * Between two edges, the tournament of spans with linear depth yields runs of one visible span, whose depth is stepped.
+ * For each run, the primitives without linear depth are then compared, except those that their bounds prove to be
+ * hidden.
  *
  * Source: Jack Bouknight, "A Procedure for Generation of Three-dimensional Half-toned Computer Graphics Presentations",
  * Communications of the ACM 13 (1970), for the sweep.
@@ -26,20 +27,20 @@ internal class RowSweep(private val frame: Frame, private val edges: ActiveEdges
     /** Visible primitives of the row, or [DepthTest.BACKGROUND]. */
     val indices: IntArray = IntArray(region.width)
 
-    /** Bytes held at present. */
+    /** Bytes currently held. */
     val bytes: Long get() = 8L * region.width + tournament.bytes + curved.bytes
 
-    /** Fills [depths] and [indices] with row [y], to which the edges have moved. */
+    /** Fills [depths] and [indices] with row [y]. The edges must already be at this row. */
     fun sweep(y: Int) {
         duel.moveTo(y)
         tournament.begin(y)
         var edge = 0
         var x = region.columnStart
         while (x < region.columnEnd) {
-            // Spans that begin at this column join, those that end leave
+            // Add spans that start at this column, remove spans that end here
             while (edge < edges.count && edges.column(edge) == x) pass(edge++)
 
-            // Up to the next edge the candidates stay the same
+            // The candidates stay the same until the next edge
             val spanEnd = if (edge < edges.count) edges.column(edge) else region.columnEnd
             while (x < spanEnd) {
                 tournament.goTo(x, spanEnd)
@@ -61,7 +62,7 @@ internal class RowSweep(private val frame: Frame, private val edges: ActiveEdges
         }
     }
 
-    /** Shows [span] at the columns [start] until [end], but for what lies before it and has no linear depth. */
+    /** Writes [span] at the columns [start] until [end], except where a primitive without linear depth is before it. */
     private fun show(span: Int, start: Int, end: Int, y: Int) {
         val index = edges.primitive(span)
         val from = start - region.columnStart
@@ -80,7 +81,7 @@ internal class RowSweep(private val frame: Frame, private val edges: ActiveEdges
         }
         indices.fill(index, from, to)
 
-        // Depth is monotone along the run, so its farthest key is at an end
+        // Depth is monotone along the run, so its farthest key is at one of the ends
         if (!curved.isEmpty) {
             val farthest = maxOf(test.key(depths[from], index), test.key(depths[to - 1], index))
             curved.show(depths, indices, start, end, y, farthest)

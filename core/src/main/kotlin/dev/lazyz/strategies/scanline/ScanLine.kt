@@ -10,29 +10,29 @@ import dev.lazyz.requireOpaque
 import dev.lazyz.shading.LateShading
 
 /**
- * Row by row, and along a row from edge to edge: between two edges one comparison of depth decides all samples.
+ * Works row by row, and along a row from edge to edge: between two edges, one comparison of depth decides all samples.
  *
- * Primitives wait in the order of their first rows; those that the row cuts are active, and their spans' ends are
- * edges, kept in order of columns from row to row. Along the row a tournament among the active primitives holds the
- * visible one; it is replayed where an edge is passed or two surfaces cross, and nowhere else. What is visible is
- * shaded once the row is decided.
+ * Primitives are sorted by their first rows. Those that the current row intersects are active. The ends of their spans
+ * are the edges, which are kept in order of columns from row to row. Along the row, a tournament among the active
+ * primitives determines the visible one. It is replayed only where an edge is passed or two surfaces cross. The samples
+ * of a row are shaded after the visible primitives of the row are known.
  *
- * Use it where primitives are larger than a few samples, or lie in many layers: its depth evaluations grow with
- * visible samples and edges, not with fragments. Use it for pictures that are larger than memory. For very small
- * triangles a row has as many edges as fragments, and a depth buffer does the same for less.
+ * Use it where primitives are larger than a few samples, or lie in many layers: the number of depth evaluations grows
+ * with visible samples and edges, not with fragments. Use it also for pictures larger than memory. For very small
+ * triangles a row has as many edges as fragments, and a depth buffer does less work.
  *
- * Memory: a row, and the primitives the row cuts; 8 bytes for each primitive that waits. Time: for a row of k spans
- * O(k log k), and O(log k) for each sample where two surfaces are within one unit of depth; besides, where depth is no
- * linear form, its evaluation. Thread safe; no state between calls.
+ * Memory: a row, and the primitives that the row intersects; 8 bytes for each primitive that is not yet active. Time:
+ * for a row of k spans O(k log k), and O(log k) for each sample where two surfaces are within one unit of depth; in
+ * addition, the evaluation of depths that are not linear forms. Thread safe; no state between calls.
  *
  * Source: Chris Wylie, Gordon Romney, David Evans, Alan Erdahl, "Half-tone perspective drawings by computer", AFIPS
  * Fall Joint Computer Conference 31 (1967), and Gary Watkins, "A Real Time Visible Surface Algorithm", University of
- * Utah (1970), for spans; the tournament is that of Julien Basch, Leonidas Guibas and John Hershberger, "Data
- * structures for mobile data", 8th ACM-SIAM Symposium on Discrete Algorithms (1997), with columns for time. Watkins
- * halves a span until one surface is visible all along it; here a comparison tells the column until which it holds,
- * exactly.
+ * Utah (1970), for spans. The tournament is that of Julien Basch, Leonidas Guibas and John Hershberger, "Data
+ * structures for mobile data", 8th ACM-SIAM Symposium on Discrete Algorithms (1997), with columns in place of time.
+ * Watkins halves a span until one surface is visible along all of it; here a comparison yields the exact column until
+ * which its result holds.
  *
- * @param options [RenderOptions.coherence] is heeded
+ * @param options only [RenderOptions.coherence] is used
  */
 public class ScanLine @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) : Renderer {
     override val id: String get() = "scanline"
@@ -61,11 +61,11 @@ public class ScanLine @JvmOverloads constructor(private val options: RenderOptio
             // Step every active edge to this row
             edges.moveTo(y)
 
-            // Decide what is visible, from edge to edge
+            // Determine what is visible, from edge to edge
             sweep.sweep(y)
             counters.peakBytes = maxOf(counters.peakBytes, edges.bytes + sweep.bytes)
 
-            // Only now make the colours
+            // Shade after the visible primitives are known
             val shadedBefore = counters.shadingCalls
             shading.shadeRow(y, sweep.indices, colors)
             counters.peakSuspensions = maxOf(counters.peakSuspensions, counters.shadingCalls - shadedBefore)

@@ -1,25 +1,27 @@
 package dev.lazyz.strategies.scanline
 
 /**
- * Keeps the visible one of the spans at the current column, while the column goes from left to right.
+ * Maintains the visible one of the spans at the current column, as the column moves from left to right.
  *
- * A binary tree: its leaves are the spans by number, an inner node remembers the visible one of its two subtrees and
- * the column until which that is certain. Going to a column replays only the nodes that are not certain there: those
- * above spans that joined or left, and those where two surfaces cross. So a row of k spans costs O(k log k) duels, not
- * one for each pair of spans that meet.
+ * A binary tree: the leaves are the spans by number. An inner node stores the visible one of its two subtrees and the
+ * column until which this result holds. Moving to a column replays only the nodes whose results do not hold there:
+ * those above spans that were added or removed, and those where two surfaces cross. A row of k spans thus takes O(k log
+ * k) comparisons, not one for each pair of overlapping spans.
  *
  * Source: Julien Basch, Leonidas Guibas, John Hershberger, "Data structures for mobile data" (1997): the kinetic
- * tournament. There the events wait in a queue; here the least column of a subtree is kept at its root.
+ * tournament. In the paper, the events wait in a queue; here the least column of a subtree is stored at its root.
  */
 internal class Tournament(private val edges: ActiveEdges, private val duel: Duel) {
-    /** Number of leaves, a power of two; node 1 is the root, nodes 2n and 2n+1 are below node n. */
+    /** Number of leaves, a power of two; node 1 is the root, nodes 2n and 2n+1 are the children of node n. */
     private var leaves = 0
 
-    /** The visible span of each subtree, or [NONE]; and the column until which that is certain, 0 if it is not. */
+    /**
+     * For each subtree, the visible span or [NONE], and the column until which this holds (0 if it must be recomputed).
+     */
     private var winners = IntArray(0)
     private var certain = IntArray(0)
 
-    /** The last duel of each node: the spans from both sides, who won, on which row, and until which column. */
+    /** For each node, the last comparison: the spans from both sides, the winner, the row, and the end column. */
     private var lefts = IntArray(0)
     private var rights = IntArray(0)
     private var duelWinners = IntArray(0)
@@ -27,16 +29,16 @@ internal class Tournament(private val edges: ActiveEdges, private val duel: Duel
     private var duelEnds = IntArray(0)
     private var row = 0
 
-    /** Bytes held at present. */
+    /** Bytes currently held. */
     val bytes: Long get() = Int.SIZE_BYTES * 7L * winners.size
 
-    /** The visible span, after [goTo]. */
+    /** The visible span, set by [goTo]. */
     val winner: Int get() = winners[ROOT]
 
-    /** The column until which it is visible, unless a span joins or leaves before, after [goTo]. */
+    /** The column until which [winner] is visible unless a span is added or removed before, set by [goTo]. */
     val until: Int get() = certain[ROOT]
 
-    /** Begins row [y]. The spans of the last row have left, all but the background. */
+    /** Begins row [y]. All spans of the last row, except the background, must have been removed. */
     fun begin(y: Int) {
         row = y
         if (leaves < edges.spanLimit) {
@@ -53,20 +55,20 @@ internal class Tournament(private val edges: ActiveEdges, private val duel: Duel
         }
     }
 
-    /** Lets [span] take part from the current column on. */
+    /** Adds [span] at the current column. */
     fun join(span: Int) {
         winners[leaves + span] = span
         forget(span)
     }
 
-    /** Lets [span] take part no longer. */
+    /** Removes [span] at the current column. */
     fun leave(span: Int) {
         winners[leaves + span] = NONE
         forget(span)
     }
 
     private fun forget(span: Int) {
-        // What is above an uncertain node is uncertain already
+        // The ancestors of a node that must be recomputed are already marked
         var node = (leaves + span) / 2
         while (node >= ROOT && certain[node] != 0) {
             certain[node] = 0
@@ -74,7 +76,10 @@ internal class Tournament(private val edges: ActiveEdges, private val duel: Duel
         }
     }
 
-    /** Decides who is visible at column [x]; where surfaces nearly touch, not beyond [limit]. */
+    /**
+     * Determines the visible span at column [x]. Where surfaces nearly touch, the result does not extend beyond
+     * [limit].
+     */
     fun goTo(x: Int, limit: Int) {
         replay(ROOT, x, limit)
     }
@@ -94,7 +99,7 @@ internal class Tournament(private val edges: ActiveEdges, private val duel: Duel
             return
         }
 
-        // The same two may have met here before, on this row
+        // Reuse the result if the same two spans were compared here before, on this row
         val isOld = lefts[node] == a && rights[node] == b && duelRows[node] == row
         if (!isOld || duelEnds[node] <= x) {
             duel.judge(a, b, x, limit)

@@ -11,8 +11,8 @@ import dev.lazyz.strategies.tiled.raster.TileKeys
 import dev.lazyz.strategies.tiled.raster.TriangleForms
 
 /**
- * Draws the batches' triangles of one tile from near to far, so that what is hidden is found to be so before it is drawn.
- * Belongs to one thread; used for tile after tile.
+ * Draws the batches' triangles of one tile from near to far, so that hidden triangles can be rejected before they are
+ * drawn. Belongs to one thread; reused for each tile.
  */
 internal class BatchTriangles(
     private val content: FrameContent,
@@ -29,7 +29,7 @@ internal class BatchTriangles(
     /** Bytes held. */
     val bytes: Long get() = triangles.bytes
 
-    /** Draws what [bins] has for the tile [column] of band number [band]. */
+    /** Draws the triangles that [bins] holds for the tile [column] of band number [band]. */
     fun draw(bins: TriangleBins, band: Int, column: Int) {
         drawing.lower(bins, band, column)
         bins.copyTriangles(band, column, triangles.begin(bins.triangleCount(band, column)))
@@ -44,7 +44,7 @@ internal class BatchTriangles(
         }
     }
 
-    /** The batch of a triangle, mostly that of the one before. */
+    /** The batch of a triangle, in most cases the same as for the previous triangle. */
     private fun batch(index: Int): TriangleBatch {
         val last = lastBatch
         if (last != null && index >= last.first && index < last.first + last.count) return last

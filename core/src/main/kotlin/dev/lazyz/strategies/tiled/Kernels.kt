@@ -10,17 +10,17 @@ import dev.lazyz.strategies.tiled.resolve.FragmentKernel
 import dev.lazyz.strategies.tiled.resolve.ScalarFragmentKernel
 import dev.lazyz.strategies.tiled.resolve.VectorFragmentKernel
 
-/** The makes of the innermost loops of [Tiled]. All give the same bits. What they make belongs to one thread. */
+/** Implementations of the innermost loops of [Tiled]. All give the same bits. Each kernel belongs to one thread. */
 internal enum class Kernels {
-    /** Those that any JVM runs. */
+    /** Loops that run on any JVM. */
     SCALAR,
 
-    /** Those for JVMs with the module `jdk.incubator.vector`. */
+    /** Loops for JVMs with the module `jdk.incubator.vector`. */
     VECTOR,
 
     ;
 
-    /** Returns the loops that find out what small triangles cover. */
+    /** Returns the loops that compute the coverage of small triangles. */
     fun coverage(): CoverageKernel = if (this == VECTOR) VectorCoverageKernel() else ScalarCoverageKernel()
 
     /** Returns the loops that draw blocks. */
@@ -30,7 +30,7 @@ internal enum class Kernels {
     fun fragments(): FragmentKernel = if (this == VECTOR) VectorFragmentKernel() else ScalarFragmentKernel()
 
     companion object {
-        /** Returns the fastest that this JVM offers now: a module may come to one that runs. */
+        /** Returns the fastest that this JVM currently offers: modules can be added at run time. */
         fun best(): Kernels = if (hasVectors()) VECTOR else SCALAR
 
         /** Whether the JVM's own class loaders find the Vector API, and its vectors are wide enough. */

@@ -12,10 +12,11 @@ import dev.lazyz.strategies.tiled.raster.Checkpoint
 import dev.lazyz.strategies.tiled.raster.TileGrid
 
 /**
- * One rendering, from the first band to the last: the calling thread fills bins, hands rows out, and renders tiles
- * while there is nothing to hand out; the other threads render tiles.
+ * One rendering, from the first band to the last. The calling thread fills bins, passes rows to the sink, and renders
+ * tiles while there are no rows to pass on; the other threads render tiles.
  *
- * There are as many bands at a time as keep all threads at work while one of them is handed out. Used once.
+ * The number of bands in progress is large enough to keep all threads busy while one band is passed to the sink. Used
+ * once.
  */
 internal class Rendering(
     private val frame: Frame,
@@ -27,12 +28,12 @@ internal class Rendering(
 ) {
     private val columns = grid.columns.toLong()
 
-    /** Number of threads, the caller's included. */
-    private val crew = minOf(threads.toLong(), columns * grid.bands).toInt()
-    private val schedule = Schedule(grid.columns, crew)
+    /** Number of threads, including the calling thread. */
+    private val threadCount = minOf(threads.toLong(), columns * grid.bands).toInt()
+    private val schedule = Schedule(grid.columns, threadCount)
     private val arrivals = Arrivals(frame, grid)
 
-    /** The bands at work: number b is in place b modulo their number. */
+    /** The bands in progress: band number b is at index b modulo the size of this array. */
     private val bands = Array(bandsAtWork()) { Band(frame, grid, pool) }
     private var filled = 0
 
@@ -42,24 +43,24 @@ internal class Rendering(
     private var bins: TriangleBins? = null
     private var binBytes = 0L
 
-    /** One for each thread, the caller's first. */
-    private val renderers = List(crew) { number ->
-        TileRenderer(frame, grid, coherence, kernels, if (number == 0) Checkpoint(::passCaller) else schedule)
+    /** One for each thread; the first belongs to the calling thread. */
+    private val renderers = List(threadCount) { number ->
+        TileRenderer(frame, grid, coherence, kernels, if (number == 0) Checkpoint(::passCallerCheckpoint) else schedule)
     }
 
-    /** Renders all, and hands every row to [sink]. */
+    /** Renders the frame and passes every row to [sink]. */
     fun run(sink: RowSink): Counters {
         val workers = ArrayList<Thread>()
         try {
-            for (number in 1 until crew) {
-                val worker = Thread({ work(number) }, "lazyz-tiled-$number")
+            for (number in 1 until threadCount) {
+                val worker = Thread({ runWorker(number) }, "lazyz-tiled-$number")
                 worker.isDaemon = true
                 worker.start()
                 workers += worker
             }
-            lead(sink)
+            runCallingThread(sink)
         } catch (e: Throwable) {
-            // Somebody else may have failed before: then the interruption is still to be noticed
+            // If another thread failed first, its exception is thrown instead of this one: keep the interrupt status
             schedule.fail(e)
             if (e is InterruptedException && schedule.firstFailure !== e) Thread.currentThread().interrupt()
         } finally {
@@ -71,27 +72,27 @@ internal class Rendering(
         return counters()
     }
 
-    /** The calling thread's part. */
-    private fun lead(sink: RowSink) {
+    /** The work of the calling thread. */
+    private fun runCallingThread(sink: RowSink) {
         repeat(bands.size) { fillNext() }
         for (number in 0 until grid.bands) {
-            // Render tiles, of this band or the next, until this one is complete
+            // Render tiles, of this band or later ones, until this band is complete
             val band = bandAt(number)
             while (!band.isComplete) {
                 val tile = schedule.take(0)
                 if (tile != Schedule.NONE) render(tile, renderers[0]) else schedule.awaitUntil { band.isComplete }
-                passCaller()
+                passCallerCheckpoint()
             }
 
-            // Hand it out, and use its place for another one
-            band.sendTo(sink) { passCaller() }
+            // Pass the band to the sink, and reuse its memory for another one
+            band.sendTo(sink) { passCallerCheckpoint() }
             band.bins?.finishBand()
             fillNext()
         }
     }
 
-    /** The part of every other thread. */
-    private fun work(number: Int) {
+    /** The work of every other thread. */
+    private fun runWorker(number: Int) {
         try {
             while (true) {
                 val tile = schedule.takeOrWait(number)
@@ -109,7 +110,7 @@ internal class Rendering(
         if (band.finishTile()) schedule.signal()
     }
 
-    /** Fills the bins of the next band, if there is one, and lets its tiles be taken. */
+    /** Fills the bins of the next band, if there is one, and releases its tiles to the threads. */
     private fun fillNext() {
         if (filled == grid.bands) return
         arrivals.moveTo(filled)
@@ -125,13 +126,13 @@ internal class Rendering(
 
     private fun bandAt(number: Int): Band = bands[number % bands.size]
 
-    /** The calling thread is the one that can be interrupted from outside. */
-    private fun passCaller() {
+    /** The calling thread is the only one that can be interrupted from outside. */
+    private fun passCallerCheckpoint() {
         if (Thread.interrupted()) throw InterruptedException("interrupted while rendering")
         schedule.pass()
     }
 
-    /** Waits until all threads have ended; those that are asleep in somebody else's code are woken up. */
+    /** Waits until all threads have ended. After a failure, interrupts threads that may be blocked in custom code. */
     private fun endAll(workers: List<Thread>) {
         if (schedule.firstFailure != null) for (worker in workers) worker.interrupt()
         var isInterrupted = false
@@ -152,14 +153,16 @@ internal class Rendering(
         for (renderer in renderers) sum = sum.plus(renderer.counters)
         sum.primitives = frame.content.size.toLong()
 
-        // As if all parts were at their largest at the same time
+        // Assumes that all parts have their peaks at the same time
         sum.peakBytes = arrivals.bytes + 2 * binBytes + bands.sumOf { it.bytes } + renderers.sumOf { it.bytes }
         return sum
     }
 
-    /** One band for one thread; for more, besides the one that is handed out, enough for two tiles a thread. */
+    /**
+     * One band for one thread. For several threads, enough for two tiles a thread besides the band passed to the sink.
+     */
     private fun bandsAtWork(): Int {
-        val ahead = if (crew == 1) 0 else (2L * crew - 1) / columns + 1
+        val ahead = if (threadCount == 1) 0 else (2L * threadCount - 1) / columns + 1
         return minOf(1 + ahead, grid.bands.toLong()).toInt()
     }
 }

@@ -7,23 +7,23 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Which tile is next, and whether to go on: what the threads of a rendering share.
+ * The state that the threads of a rendering share: which tile is next, and whether to continue.
  *
- * Tiles are numbered band by band. Each thread has a stretch of columns, whose tiles it takes as soon as their band has been
- * filled, and band after band: the rows' memory stays in its cache. Who has nothing left takes from the others' stretches.
- * Thread safe.
+ * Tiles are numbered band by band. Each thread has a range of columns. It takes the tiles of this range band after
+ * band, as soon as each band is filled, so that the rows' memory stays in its cache. A thread whose range has no tiles
+ * left takes tiles from the ranges of other threads. Thread safe.
  *
  * Source: Robert D. Blumofe, Charles E. Leiserson, "Scheduling Multithreaded Computations by Work Stealing", Journal of
- * the ACM 46 (1999); here with a counter for each stretch in place of a queue.
+ * the ACM 46 (1999); here with a counter for each range in place of a queue.
  *
  * @param columns tiles in a band
  * @param threads number of threads
  */
 internal class Schedule(private val columns: Int, threads: Int) : Checkpoint {
-    private val stretches = minOf(threads, columns)
+    private val ranges = minOf(threads, columns)
 
-    /** Number of tiles of each stretch that have been taken. */
-    private val taken = AtomicLongArray(stretches)
+    /** Number of tiles of each range that have been taken. */
+    private val taken = AtomicLongArray(ranges)
 
     /** Tiles of bands below this one may be taken. */
     @Volatile
@@ -35,10 +35,10 @@ internal class Schedule(private val columns: Int, threads: Int) : Checkpoint {
     private val lock = ReentrantLock()
     private val changed = lock.newCondition()
 
-    /** What went wrong first, or null. */
+    /** The first failure, or null. */
     val firstFailure: Throwable? get() = failure.get()
 
-    /** Lets the tiles of bands up to [end] be taken. */
+    /** Allows tiles of the bands before [end] to be taken. */
     fun release(end: Int) {
         filled = end
         signal()
@@ -46,29 +46,29 @@ internal class Schedule(private val columns: Int, threads: Int) : Checkpoint {
 
     /** Returns the next tile for thread number [thread], or [NONE] if none is available now. */
     fun take(thread: Int): Long {
-        for (i in 0 until stretches) {
-            val tile = takeOf((thread + i) % stretches)
+        for (i in 0 until ranges) {
+            val tile = takeOf((thread + i) % ranges)
             if (tile != NONE) return tile
         }
         return NONE
     }
 
-    private fun takeOf(stretch: Int): Long {
-        val start = start(stretch)
-        val width = start(stretch + 1) - start
+    private fun takeOf(range: Int): Long {
+        val start = start(range)
+        val width = start(range + 1) - start
         while (true) {
-            val tile = taken.get(stretch)
+            val tile = taken.get(range)
             if (tile >= filled * width) return NONE
-            if (taken.compareAndSet(stretch, tile, tile + 1)) return tile / width * columns + start + tile % width
+            if (taken.compareAndSet(range, tile, tile + 1)) return tile / width * columns + start + tile % width
         }
     }
 
-    /** First column of a stretch. */
-    private fun start(stretch: Int): Long = columns.toLong() * stretch / stretches
+    /** First column of a range. */
+    private fun start(range: Int): Long = columns.toLong() * range / ranges
 
     private fun hasTiles(): Boolean {
-        for (stretch in 0 until stretches) {
-            if (taken.get(stretch) < filled * (start(stretch + 1) - start(stretch))) return true
+        for (range in 0 until ranges) {
+            if (taken.get(range) < filled * (start(range + 1) - start(range))) return true
         }
         return false
     }
@@ -84,8 +84,8 @@ internal class Schedule(private val columns: Int, threads: Int) : Checkpoint {
     }
 
     /**
-     * Waits until [condition] holds, which has to be signalled, or the rendering is over. At first without sleep: a tile
-     * takes less time than to be woken up.
+     * Waits until [condition] holds or the rendering is over. Changes of the condition must be signalled. Spins before
+     * it sleeps, because a tile takes less time than waking a thread.
      */
     fun awaitUntil(condition: () -> Boolean) {
         for (spin in 0 until SPINS) {
@@ -95,12 +95,12 @@ internal class Schedule(private val columns: Int, threads: Int) : Checkpoint {
         lock.withLock { while (!isOver && !condition()) changed.await() }
     }
 
-    /** Tells those who wait to look again. */
+    /** Makes waiting threads check their conditions again. */
     fun signal() {
         lock.withLock { changed.signalAll() }
     }
 
-    /** Ends the rendering: nobody waits any longer, and whoever passes a checkpoint gives up. */
+    /** Ends the rendering: threads stop waiting, and stop at their next checkpoint. */
     fun end() {
         isOver = true
         signal()
@@ -109,7 +109,7 @@ internal class Schedule(private val columns: Int, threads: Int) : Checkpoint {
     /** Ends the rendering because of [cause]. */
     fun fail(cause: Throwable) {
         if (cause !== Abandoned && !failure.compareAndSet(null, cause)) {
-            // A thread that was interrupted is no second cause: it was told to end
+            // The interruption of a thread is not a second cause: it was interrupted in order to end it
             val first = failure.get()
             if (cause !== first && cause !is InterruptedException) first.addSuppressed(cause)
         }
@@ -121,13 +121,13 @@ internal class Schedule(private val columns: Int, threads: Int) : Checkpoint {
         if (isOver) throw Abandoned
     }
 
-    /** Ends the work of a thread whose rendering is over; nobody else gets to see it. */
+    /** Ends the work of a thread whose rendering is over; never leaves this package. */
     private object Abandoned : RuntimeException(null, null, false, false) {
         private fun readResolve(): Any = Abandoned
     }
 
     companion object {
-        /** Looks at a condition before falling asleep: some 20 microseconds. */
+        /** Number of checks of a condition before sleeping: about 20 microseconds. */
         private const val SPINS = 500
 
         /** No tile. */

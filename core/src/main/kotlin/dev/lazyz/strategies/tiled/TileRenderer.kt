@@ -17,7 +17,7 @@ import dev.lazyz.strategies.tiled.raster.TriangleForms
 import dev.lazyz.strategies.tiled.resolve.TileLayers
 import dev.lazyz.strategies.tiled.resolve.TileShading
 
-/** Renders tiles, one after the other: what a thread holds for itself. */
+/** Renders tiles, one after the other. Holds the working memory of one thread. */
 internal class TileRenderer(
     private val frame: Frame,
     private val grid: TileGrid,
@@ -25,7 +25,7 @@ internal class TileRenderer(
     kernels: Kernels,
     private val checkpoint: Checkpoint,
 ) {
-    /** What has been done here. */
+    /** Counters of the tiles rendered here. */
     val counters: Counters = Counters()
 
     private val test = frame.raster.depthTest
@@ -40,7 +40,7 @@ internal class TileRenderer(
     private val shading = TileShading(frame, keys, layers, coherence, kernels.fragments(), counters, checkpoint)
     private var cursorBytes = 0L
 
-    /** Bytes held at most. */
+    /** Peak number of bytes held. */
     val bytes: Long get() = keys.bytes + layers.bytes + spans.bytes + batches.bytes + cursorBytes + shading.bytes
 
     /** Renders the tile [column] of [band]. */
@@ -50,7 +50,7 @@ internal class TileRenderer(
         layers.begin()
         band.bins?.let { batches.draw(it, band.number, column) }
         if (hasTranslucency) {
-            // What is opaque hides some of what is not, whatever the order of submission
+            // Opaque primitives hide some of the translucent ones, regardless of the order of submission
             drawAll(band, column) { !it.isTranslucent }
             drawAll(band, column) { it.isTranslucent }
             layers.order()
@@ -69,17 +69,17 @@ internal class TileRenderer(
     }
 
     private fun draw(band: Band, member: Int, primitive: Primitive, index: Int) {
-        // What is behind all that the tile shows is hidden
+        // A primitive behind everything visible in the tile is hidden
         if (band.nearest(member) >= keys.farthest()) return
         val shared = band.spans(member)
         when {
             shared != null -> drawShared(shared.rows(spans, counters, checkpoint), primitive, index)
             primitive.isOpaqueTriangle() -> drawTriangle(primitive, index)
-            else -> drawAlone(primitive, index)
+            else -> drawUnshared(primitive, index)
         }
     }
 
-    /** Draws what this tile sees of a triangle. */
+    /** Draws the part of a triangle within this tile. */
     private fun drawTriangle(primitive: PlanarPrimitive, index: Int) {
         val t = primitive.reference
         if (!drawing.begin(t.x0, t.y0, t.x1, t.y1, t.x2, t.y2)) return
@@ -88,8 +88,8 @@ internal class TileRenderer(
         if (t.size > 0) drawing.draw(forms, t.x0, t.y0, t.x1, t.y1, t.x2, t.y2)
     }
 
-    /** Draws a primitive that this tile is the only one of its band to see. */
-    private fun drawAlone(primitive: Primitive, index: Int) {
+    /** Draws a primitive that reaches only this tile of its band. */
+    private fun drawUnshared(primitive: Primitive, index: Int) {
         val rowStart = maxOf(primitive.rowStart, keys.rowStart)
         val rowEnd = minOf(primitive.rowEnd, keys.rowEnd)
         val cursor = primitive.cursor(rowStart)
@@ -104,7 +104,7 @@ internal class TileRenderer(
         }
     }
 
-    /** Draws what this tile sees of a primitive whose rows it shares with others. */
+    /** Draws the part of a primitive within this tile; other tiles share the primitive's rows. */
     private fun drawShared(rows: BandSpans.Rows, primitive: Primitive, index: Int) {
         keys.choose(primitive, index)
         for (row in 0 until rows.count) {
@@ -128,7 +128,7 @@ internal class TileRenderer(
     private fun isTranslucent(primitive: Primitive): Boolean = hasTranslucency && primitive.isTranslucent
 
     private companion object {
-        /** A cursor that evaluates each row on its own; what a user's own holds is not known. */
+        /** A cursor that evaluates each row independently; the size of a custom cursor is not known. */
         const val CURSOR_BYTES = 24L
     }
 }

@@ -11,12 +11,12 @@ import dev.lazyz.strategies.tiled.raster.TriangleForms
 /**
  * Draws triangles into the keys of a tile, block by block. Belongs to one thread.
  *
- * A block is passed over if the triangle does not reach it, or if all of the triangle in it is behind all that is there;
- * otherwise a [kernel] compares all its samples at once. Both questions are answered exactly by the values at corners, for
- * edge functions and depth are linear. Triangles of a few samples are drawn sample by sample.
+ * A block is skipped if the triangle does not reach it, or if the triangle is behind everything visible in the block.
+ * Otherwise a [kernel] compares all samples of the block at once. Both tests use the values at the block's corners,
+ * because edge functions and depth are linear. Triangles of a few samples are drawn sample by sample.
  *
- * Source: Ned Greene, Michael Kass, Gavin Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993, for rejection; Juan
- * Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988, for blocks.
+ * Source: Ned Greene, Michael Kass, Gavin Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993, for rejection;
+ * Juan Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988, for blocks.
  */
 internal class TileTriangles(
     private val tile: TileKeys,
@@ -29,10 +29,10 @@ internal class TileTriangles(
     private var top = 0
     private var bottom = 0
 
-    /** Whether the triangle that was begun has so few samples in its bounds that blocks don't pay. */
+    /** Whether the current triangle has so few samples in its bounds that drawing by blocks is slower. */
     private var isSmall = false
 
-    /** Begins the triangle with these vertices, grid units; returns whether its bounds have samples in the tile. */
+    /** Begins the triangle with these vertices, in grid units. Returns whether its bounds have samples in the tile. */
     fun begin(ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int): Boolean {
         val columnStart = ScreenGrid.firstSample(minOf(ax, minOf(bx, cx)))
         val columnEnd = ScreenGrid.firstSample(maxOf(ax, maxOf(bx, cx)))
@@ -47,7 +47,7 @@ internal class TileTriangles(
         return left < right && top < bottom
     }
 
-    /** Draws the fragments of triangles so small that [bins] has drawn them. */
+    /** Draws the fragments of small triangles, which [bins] has already computed. */
     fun lower(bins: TriangleBins, band: Int, column: Int) {
         val count = bins.fragmentCount(band, column)
         counters.fragments += count
@@ -56,7 +56,10 @@ internal class TileTriangles(
         tile.compared(count)
     }
 
-    /** Draws the triangle that was begun, with these vertices. Depth is set, with the tile's first sample as the origin. */
+    /**
+     * Draws the current triangle, with these vertices. Its depth must be set, with the tile's first sample as the
+     * origin.
+     */
     fun draw(forms: TriangleForms, ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int) {
         if (isSmall) {
             for (row in top until bottom step SmallCoverage.SIDE) {
@@ -79,7 +82,7 @@ internal class TileTriangles(
         }
     }
 
-    /** Draws the samples [coverage] of the square from ([left], [top]) of the tile on, see [SmallCoverage]. */
+    /** Draws the samples [coverage] of the square that starts at ([left], [top]) of the tile, see [SmallCoverage]. */
     private fun drawSquare(forms: TriangleForms, left: Int, top: Int, coverage: Int) {
         val keys = tile.keys
         var passes = 0
@@ -103,12 +106,12 @@ internal class TileTriangles(
         tile.compared(covered)
     }
 
-    /** Draws a triangle block by block. Edges and depth are set, with the tile's first sample as the origin. */
+    /** Draws a triangle block by block. Edges and depth must be set, with the tile's first sample as the origin. */
     private fun drawBlocks(forms: TriangleForms) {
         kernel.begin(forms)
         val size = BlockKernel.BLOCK
         val last = size - 1
-        // From a block's first sample to where each form is greatest and least in it
+        // Differences between a form's value at a block's first sample and its greatest and least value in the block
         val most0 = last * (maxOf(forms.e0dx, 0L) + maxOf(forms.e0dy, 0L))
         val most1 = last * (maxOf(forms.e1dx, 0L) + maxOf(forms.e1dy, 0L))
         val most2 = last * (maxOf(forms.e2dx, 0L) + maxOf(forms.e2dy, 0L))
@@ -125,14 +128,14 @@ internal class TileTriangles(
             val row = blockRow * size
             val rows = minOf(size, height - row)
             for (blockColumn in left / size..(right - 1) / size) {
-                // What is behind all that the block shows is hidden
+                // A triangle behind everything visible in the block is hidden
                 val column = blockColumn * size
                 val block = blockRow * tile.blockColumns + blockColumn
                 val z = forms.z + forms.zdx * column + forms.zdy * row
                 val nearest = if (isGentle) nearest(z + leastZ, forms) else forms.nearest
                 if (nearest >= tile.farthestOfBlock[block]) continue
 
-                // Outside one edge, inside all, or neither
+                // Outside one edge, inside all edges, or neither
                 val v0 = forms.e0 + forms.e0dx * column + forms.e0dy * row
                 val v1 = forms.e1 + forms.e1dx * column + forms.e1dy * row
                 val v2 = forms.e2 + forms.e2dx * column + forms.e2dy * row
@@ -158,18 +161,19 @@ internal class TileTriangles(
     }
 
     /**
-     * The least key of a triangle in a block, from its depth at the nearest corner. The corner may be off the triangle,
-     * and its depth out of range: before 0 it proves nothing, and it cannot wrap around behind the range, for in the
-     * block is a sample that is covered, or there is nothing to draw, and depth changes by less than 2^62 in a block.
+     * A lower bound of a triangle's keys in a block, from its depth at the corner where depth is nearest. The corner
+     * may lie outside the triangle, and its depth out of range. If the depth is less than 0, the bound rejects nothing.
+     * The depth cannot wrap around to the far end of the range: if there is anything to draw, the block has a covered
+     * sample, and depth changes by less than 2^62 within a block.
      */
     private fun nearest(corner: Long, forms: TriangleForms): Long =
         maxOf(forms.nearest, (corner and BlockKernel.DEPTH_BITS) or forms.rank)
 
     private companion object {
-        /** Samples of the bounds up to which a triangle is drawn sample by sample. */
+        /** A triangle is drawn sample by sample if its bounds have at most this many samples. */
         const val SMALL = 16
 
-        /** 2^58: depth that changes by less from a sample to the next changes by less than 2^62 in a block. */
+        /** 2^58: depth that changes by less than this per sample changes by less than 2^62 in a block. */
         const val GENTLE = 1L shl 58
     }
 }

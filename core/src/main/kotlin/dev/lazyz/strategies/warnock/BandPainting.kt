@@ -6,7 +6,9 @@ import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.raster.VisibilityOrder
 
-/** The visibility keys of a band of rows, and the two ways in which they are set: without comparing, and by minimum. */
+/**
+ * The visibility keys of a band of rows. They are set in two ways: without comparing ([fill]), and by minimum ([draw]).
+ */
 internal class BandPainting(frame: Frame, bandHeight: Int, private val counters: Counters) {
     private val region = frame.region
     private val order = VisibilityOrder(frame.raster.depthTest)
@@ -20,14 +22,14 @@ internal class BandPainting(frame: Frame, bandHeight: Int, private val counters:
     /** Bytes held. */
     val bytes: Long get() = Long.SIZE_BYTES * keys.size.toLong()
 
-    /** Goes to [band]. */
+    /** Moves to [band]. */
     fun begin(band: Region) {
         firstRow = band.rowStart
     }
 
     private fun at(x: Int, y: Int): Int = (y - firstRow) * region.width + (x - region.columnStart)
 
-    /** Sets all samples of [area] to the [cover] that covers them all, or to the background: nothing is compared. */
+    /** Sets all samples of [area] to the [cover], which covers them all, or to the background, without comparing. */
     fun fill(area: Region, cover: Footprint?) {
         if (cover == null) {
             for (y in area.rowStart until area.rowEnd) {
@@ -57,7 +59,7 @@ internal class BandPainting(frame: Frame, bandHeight: Int, private val counters:
         }
     }
 
-    /** Scan-converts the [candidate] in [area]: each sample keeps the lesser key. */
+    /** Scan-converts the [candidate] in [area]; each sample keeps the lesser key. */
     fun draw(area: Region, candidate: Footprint) {
         val box = candidate.boxIn(area)
         for (y in box.rowStart until box.rowEnd) {
@@ -80,7 +82,7 @@ internal class BandPainting(frame: Frame, bandHeight: Int, private val counters:
         var at = at(start, y)
         var passes = 0
         for (x in start until end) {
-            // One addition a sample where depth is linear
+            // Where depth is linear, each sample takes one addition
             val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
             z += step
             val key = test.key(depth, candidate.index)

@@ -6,14 +6,14 @@ import dev.lazyz.Spans
 import dev.lazyz.raster.VisibilityOrder
 
 /**
- * What a primitive covers in the current band of rows, written down once so that areas of any size can ask.
+ * The spans of a primitive in the current band of rows, recorded once for queries by areas of any size.
  *
- * The primitive's own cursor steps through the rows, each evaluated once. How an area relates to the primitive follows
- * from how many of its samples are covered: none, the primitive is *disjoint* from it; all, it is *surrounding*;
- * some, it is *contained* in the area or *intersecting* it, which makes no difference here. The answer is exact, and
- * takes a few steps for each row of the area, not for each sample.
+ * The primitive's own cursor steps through the rows, and each row is evaluated once. The number of covered samples in
+ * an area determines how the area relates to the primitive. If no sample is covered, the primitive is *disjoint*. If
+ * all are covered, it is *surrounding*. If some are covered, it is *contained* or *intersecting*; these two are treated
+ * alike. The result is exact and takes a few steps for each row of the area, not for each sample.
  *
- * @param rowStart the first row that will be asked for
+ * @param rowStart the first row of the first band
  */
 internal class Footprint(val primitive: Primitive, val index: Int, order: VisibilityOrder, rowStart: Int) {
     /** Bounds of the keys of all the primitive's fragments. */
@@ -23,26 +23,26 @@ internal class Footprint(val primitive: Primitive, val index: Int, order: Visibi
     private val cursor = primitive.cursor(rowStart)
     private var nextRow = rowStart
 
-    /** The rows of the band that are written down. */
+    /** The rows of the band that are recorded. */
     private var firstRow = 0
     private var lastRow = 0
 
-    /** The spans of row y, from left to right, start and end in turn, from offsets[y - firstRow] on. */
+    /** The spans of row y start at offsets[y - firstRow], from left to right, each as start and end. */
     private var columns = IntArray(0)
     private var offsets = IntArray(1)
 
-    /** Least rectangle around what is covered in the band, or null if nothing is. */
+    /** Bounding box of the covered samples in the band, or null if there are none. */
     var box: Region? = null
         private set
 
-    /** Covered samples in the band. */
+    /** Number of covered samples in the band. */
     var samples: Int = 0
         private set
 
-    /** Bytes held. The cursor belongs to the primitive; it is estimated by that of a triangle. */
+    /** Bytes held. The cursor belongs to the primitive; its size is estimated as that of a triangle's cursor. */
     val bytes: Long get() = OBJECT_BYTES + Int.SIZE_BYTES * (columns.size + offsets.size)
 
-    /** Writes down the rows of [band], which follows the last one. [spans] is room for a row. */
+    /** Records the rows of [band], which follows the last band. [spans] is scratch space for one row. */
     fun moveTo(band: Region, spans: Spans) {
         val end = minOf(primitive.rowEnd, band.rowEnd)
         firstRow = nextRow
@@ -57,7 +57,7 @@ internal class Footprint(val primitive: Primitive, val index: Int, order: Visibi
         for (y in firstRow until lastRow) {
             cursor.next(spans)
             if (columns.size < used + 2 * spans.count) {
-                // Room for as many more rows like this one
+                // Allocate room as if all remaining rows were like this one
                 columns = columns.copyOf(used + 2 * spans.count * (lastRow - y))
             }
             for (i in 0 until spans.count) {
@@ -76,9 +76,9 @@ internal class Footprint(val primitive: Primitive, val index: Int, order: Visibi
         box = if (top < bottom) Region(left, top, right, bottom) else null
     }
 
-    /** Returns the position of the first span of row [y], which is written down, that ends behind column [x]. */
+    /** Returns the position of the first span of the recorded row [y] that ends after column [x]. */
     fun firstSpan(y: Int, x: Int): Int {
-        // Most rows have one span or two, but halving finds it in any number
+        // Most rows have one or two spans, but binary search also handles many
         var low = offsets[y - firstRow]
         var high = offsets[y - firstRow + 1]
         while (low < high) {
@@ -88,7 +88,7 @@ internal class Footprint(val primitive: Primitive, val index: Int, order: Visibi
         return low
     }
 
-    /** The position behind the last span of row [y]. */
+    /** The position after the last span of row [y]. */
     fun endOfRow(y: Int): Int = offsets[y - firstRow + 1]
 
     /** First column of the span at [position]. */
@@ -97,7 +97,7 @@ internal class Footprint(val primitive: Primitive, val index: Int, order: Visibi
     /** Column after the last of the span at [position]. */
     fun end(position: Int): Int = columns[position + 1]
 
-    /** Returns the part of [area] within the [box]. The area must have a covered sample. */
+    /** Returns the part of [area] within the [box]. The band must have a covered sample. */
     fun boxIn(area: Region): Region {
         val box = checkNotNull(box)
         return if (area.contains(box)) {
@@ -112,16 +112,16 @@ internal class Footprint(val primitive: Primitive, val index: Int, order: Visibi
         }
     }
 
-    /** Returns how many samples of [area], which lies in the band, are covered. */
+    /** Returns the number of covered samples in [area], which lies in the band. */
     fun samplesIn(area: Region): Int {
-        // The box tells what is far away, and what is contained
+        // The box decides whether the primitive is far away or contained
         val box = box ?: return 0
         val left = area.columnStart
         val right = area.columnEnd
         if (box.columnStart >= right || box.columnEnd <= left) return 0
         if (area.contains(box)) return samples
 
-        // Otherwise the spans of the area's rows are cut to its columns
+        // Otherwise clip the spans of the area's rows to its columns
         var count = 0
         for (y in maxOf(area.rowStart, box.rowStart) until minOf(area.rowEnd, box.rowEnd)) {
             var position = firstSpan(y, left)
@@ -135,7 +135,7 @@ internal class Footprint(val primitive: Primitive, val index: Int, order: Visibi
     }
 
     private companion object {
-        /** The fields here and in the arrays' headers, the box, and a triangle's cursor with its six arrays. */
+        /** This object and the arrays' headers, the box, and a triangle's cursor with its six arrays. */
         const val OBJECT_BYTES = 420L
     }
 }

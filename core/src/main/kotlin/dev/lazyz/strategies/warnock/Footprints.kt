@@ -9,34 +9,34 @@ import dev.lazyz.raster.reaches
 import java.util.Arrays
 
 /**
- * The primitives that the current band of rows may show, nearest first.
+ * The primitives that may be visible in the current band of rows, from near to far.
  *
- * They wait in the order of their first rows, join at the band in which that lies, and leave after their last.
+ * Primitives are sorted by their first rows, added at the band of their first row, and removed after their last row.
  */
 internal class Footprints(private val frame: Frame, private val counters: Counters) {
     private val region = frame.region
     private val order = VisibilityOrder(frame.raster.depthTest)
     private val spans = Spans(region)
 
-    /** First row in the upper half, index in the lower, ascending. */
+    /** First row in the upper half, index in the lower half, ascending. */
     private val waiting = waiting()
     private var joined = 0
     private var active = arrayOfNulls<Footprint>(INITIAL)
 
-    /** Number of those that cover something in the band, or may do so in the next. */
+    /** Number of primitives that cover something in the band, or may do so in the next. */
     var count: Int = 0
         private set
 
-    /** Bytes held at present: twice the list of references, because sorting it may take as much again. */
+    /** Bytes currently held. The list of references is counted twice, because sorting may need as much again. */
     var bytes: Long = 0
         private set
 
-    /** Returns one of them; those whose nearest possible fragment is nearer have lower numbers. */
+    /** Returns the footprint [number]. Footprints are in ascending order of their nearest possible keys. */
     operator fun get(number: Int): Footprint = active[number]!!
 
-    /** Goes to [band], which follows the last one. */
+    /** Moves to [band], which follows the last band. */
     fun moveTo(band: Region) {
-        // Join
+        // Add
         while (joined < waiting.size && (waiting[joined] shr 32).toInt() < band.rowEnd) {
             if (count == active.size) active = active.copyOf(2 * count)
             val index = waiting[joined].toInt()
@@ -44,13 +44,13 @@ internal class Footprints(private val frame: Frame, private val counters: Counte
             joined++
         }
 
-        // Leave
+        // Remove
         var kept = 0
         for (i in 0 until count) if (get(i).primitive.rowEnd > band.rowStart) active[kept++] = active[i]
         active.fill(null, kept, count)
         count = kept
 
-        // Write down what is covered, and put the nearest first
+        // Record what is covered, and sort from near to far
         bytes = Long.SIZE_BYTES * (waiting.size + 2L * active.size) + spans.bytes
         for (i in 0 until count) {
             val footprint = get(i)

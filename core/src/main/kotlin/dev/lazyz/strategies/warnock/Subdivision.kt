@@ -8,12 +8,12 @@ import dev.lazyz.raster.AreaBounds
 import dev.lazyz.raster.VisibilityOrder
 
 /**
- * Decides what is visible in an area, or else in its two halves.
+ * Determines what is visible in an area, if necessary by dividing it into two halves.
  *
- * An area knows its *candidates*: primitives that may be visible in it, nearest first. One that surrounds the area is
- * its *cover* if it reaches least far; the background, which surrounds everything, is the first cover of all. What
- * the cover hides is no candidate any more, here and in all areas below. When little is left the candidates are
- * scan-converted over the cover; otherwise the area is halved.
+ * Each area has a list of *candidates*: primitives that may be visible in it, from near to far. Of the primitives that
+ * surround the area, the *cover* is the one whose farthest key is the least. The background surrounds everything and is
+ * the cover if there is no other. Candidates hidden by the cover are removed, in this area and all its parts. When few
+ * fragments are left, the candidates are scan-converted over the cover; otherwise the area is halved.
  */
 internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: Counters) {
     private val test = frame.raster.depthTest
@@ -22,7 +22,9 @@ internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: 
     private val backgroundKey = test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND)
     private val painting = BandPainting(frame, bandHeight, counters)
 
-    /** Candidates of the areas on the way down, by number, and how many samples of its area each covers. */
+    /**
+     * Candidates of the areas being divided, by number, and for each the number of samples of its area that it covers.
+     */
     private var candidates = IntArray(INITIAL)
     private var samples = IntArray(INITIAL)
 
@@ -31,7 +33,7 @@ internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: 
     /** The visible key of each sample of the band, in rows from its top. */
     val keys: LongArray get() = painting.keys
 
-    /** Bytes held at present. */
+    /** Bytes currently held. */
     val bytes: Long get() = painting.bytes + Int.SIZE_BYTES * (candidates.size + samples.size)
 
     /** Fills [keys] for [band]. */
@@ -46,18 +48,18 @@ internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: 
         decide(band, 0, footprints.count, WITHOUT_PARENT)
     }
 
-    /** Decides [area], a part of one of [parentSize] samples whose candidates are at [from] until [until]. */
+    /** Fills [area], a part of an area of [parentSize] samples whose candidates are at [from] until [until]. */
     private fun decide(area: Region, from: Int, until: Int, parentSize: Int) {
         val size = area.size.toInt()
         reserve(2 * until - from)
 
-        // Classify: leave out what is disjoint, and let the surrounder that reaches least far be the cover
+        // Classify: drop disjoint candidates, and take as the cover the surrounder whose farthest key is least
         var end = until
         var cover: Footprint? = null
         var coverKey = backgroundKey
         for (i in from until until) {
             val candidate = footprints[candidates[i]]
-            // All that follow are no nearer: the cover hides them
+            // All candidates after this one are at least as far away: the cover hides them
             if (candidate.nearestKey > coverKey) break
             val covered = if (samples[i] == parentSize) size else candidate.samplesIn(area)
             if (covered == 0) continue
@@ -73,7 +75,7 @@ internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: 
             end++
         }
 
-        // Reject what the cover hides, here and below
+        // Remove candidates hidden by the cover, for this area and its parts
         var kept = until
         var fragments = 0L
         for (i in until until end) {
@@ -85,7 +87,7 @@ internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: 
             kept++
         }
 
-        // Nothing, the cover alone, one candidate alone, or hardly more fragments than samples: no need to look closer
+        // Do not divide if few are left: nothing, only the cover, one candidate, or hardly more fragments than samples
         if (fragments <= size + size / SPARE || size <= LEAF) {
             painting.fill(area, cover)
             for (i in until until kept) {
@@ -95,7 +97,7 @@ internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: 
             return
         }
 
-        // Otherwise look at its halves
+        // Otherwise divide the area into halves
         if (area.width >= area.height) {
             val middle = area.columnStart + area.width / 2
             decide(Region(area.columnStart, area.rowStart, middle, area.rowEnd), until, kept, size)
@@ -107,13 +109,16 @@ internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: 
         }
     }
 
-    /** Whether [candidate] is behind the [cover] (null for the background), which is nowhere behind [coverKey]. */
+    /**
+     * Whether [candidate] is hidden by the [cover] (null for the background). [coverKey] bounds the cover's keys from
+     * above.
+     */
     private fun isHidden(candidate: Footprint, cover: Footprint?, coverKey: Long, area: Region): Boolean {
-        // Bounds decide most pairs, one way or the other
+        // Bounds decide most pairs, in one direction or the other
         if (candidate.nearestKey > coverKey) return true
         if (candidate.farthestKey < (cover?.nearestKey ?: backgroundKey)) return false
 
-        // Planes are compared where both are; other primitives by how far the cover reaches
+        // Compare planes if both have one; otherwise compare with the cover's farthest key
         val shared = candidate.boxIn(area)
         val front = cover?.primitive?.depthForm
         val behind = candidate.primitive.depthForm
@@ -136,12 +141,16 @@ internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: 
         const val WITHOUT_PARENT = -2
 
         /**
-         * Fragments may be more than samples by one in so many before an area is divided. With 1 a city takes 1.4 times
-         * as many depths; with none to spare it takes no fewer, in more areas.
+         * An area is divided only if the number of fragments exceeds the number of samples by more than 1/[SPARE]. With
+         * 1, a city takes 1.4 times as many depth evaluations. With no allowance at all, it takes no fewer evaluations
+         * but more areas.
          */
         const val SPARE = 4
 
-        /** Areas of so many samples are not divided: of 1, 4, 16 and 64 what takes fewest depths in a city. */
+        /**
+         * Areas of at most this many samples are not divided. Of 1, 4, 16 and 64, this value takes the fewest depth
+         * evaluations in a city.
+         */
         const val LEAF = 16
     }
 }

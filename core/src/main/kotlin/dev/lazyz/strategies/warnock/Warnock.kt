@@ -12,28 +12,28 @@ import dev.lazyz.requireOpaque
 import dev.lazyz.shading.LateShading
 
 /**
- * Divides the picture into areas until each is easy.
+ * Divides the picture into areas until each area is simple.
  *
- * A primitive is disjoint from an area, surrounds it, is contained in it or intersects it. One that surrounds an area
- * and is before others hides them, in the whole area and all its parts, by one comparison. An area is easy if hardly
- * more fragments are left than samples: nothing but the background, one surrounding primitive, one other. What is not
- * easy is halved. What is visible is shaded once it is known.
+ * A primitive is disjoint from an area, surrounds it, is contained in it or intersects it. A primitive that surrounds
+ * an area and is before others hides them in the whole area and all its parts, and one comparison proves it. An area is
+ * simple if it has hardly more fragments left than samples: only the background, one surrounding primitive, or one
+ * other primitive. Other areas are halved. Samples are shaded after the visible primitives are known.
  *
- * Use it where large surfaces hide much: its depth evaluations grow with what is visible, not with the number of
- * layers. Do not use it for meshes of very small triangles: areas have to become as small as they are, and a depth
- * buffer does the same for less.
+ * Use it where large surfaces hide much: the number of depth evaluations grows with what is visible, not with the
+ * number of layers. Do not use it for meshes of very small triangles: areas have to become as small as the triangles,
+ * and a depth buffer does less work.
  *
  * Memory: a band of at most 64 rows, 8 bytes a sample, and the spans of the primitives in it; 8 bytes for each
- * primitive that waits. Time: each primitive's rows once; for an area its candidates times its rows. Thread safe; no
- * state between calls.
+ * primitive that is not yet in a band. Time: each row of a primitive once; for an area, its candidates times its rows.
+ * Thread safe; no state between calls.
  *
- * Source: John Warnock, "A Hidden Surface Algorithm for Computer Generated Half-tone Pictures", University of Utah,
- * TR 4-15 (1969); Ivan Sutherland, Robert Sproull, Robert Schumacker, "A Characterization of Ten Hidden-Surface
- * Algorithms", ACM Computing Surveys 6(1) (1974), the section on Warnock's. There an area is quartered and what a
- * polygon covers is asked of its edges; here it is halved along its longer side, and asked of spans, which any
- * primitive has.
+ * Source: John Warnock, "A Hidden Surface Algorithm for Computer Generated Half-tone Pictures", University of Utah, TR
+ * 4-15 (1969); Ivan Sutherland, Robert Sproull, Robert Schumacker, "A Characterization of Ten Hidden-Surface
+ * Algorithms", ACM Computing Surveys 6(1) (1974), the section on Warnock's. In these, an area is divided into quarters
+ * and coverage is determined from a polygon's edges; here an area is halved along its longer side, and coverage is
+ * determined from spans, which every primitive has.
  *
- * @param options [RenderOptions.coherence] is heeded
+ * @param options only [RenderOptions.coherence] is used
  */
 public class Warnock @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) : Renderer {
     override val id: String get() = "warnock"
@@ -57,12 +57,12 @@ public class Warnock @JvmOverloads constructor(private val options: RenderOption
         for (top in region.rowStart until region.rowEnd step bandHeight) {
             val band = Region(region.columnStart, top, region.columnEnd, minOf(top + bandHeight, region.rowEnd))
 
-            // Write down what is covered, and decide what is visible
+            // Record what is covered, and determine what is visible
             footprints.moveTo(band)
             subdivision.decide(band, footprints)
             counters.peakBytes = maxOf(counters.peakBytes, footprints.bytes + subdivision.bytes)
 
-            // Only now make the colours
+            // Shade after the visible primitives are known
             rows.handOut(band, subdivision.keys, sink)
         }
         counters.peakBytes += rows.bytes
@@ -72,10 +72,10 @@ public class Warnock @JvmOverloads constructor(private val options: RenderOption
     override fun toString(): String = "Warnock($options)"
 
     private companion object {
-        /** Rows that are decided together: enough for an area to be large, few enough to hold all their spans. */
+        /** Rows of a band: enough rows for areas to be large, few enough to hold all their spans. */
         const val BAND = 64
 
-        /** Samples of a band at most: wider pictures have lower bands, so that their keys take no more than 8 MB. */
+        /** Most samples of a band: wider pictures have lower bands, so that their keys take at most 8 MB. */
         const val BAND_SAMPLES = 1 shl 20
     }
 }

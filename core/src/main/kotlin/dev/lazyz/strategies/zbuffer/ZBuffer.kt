@@ -16,14 +16,14 @@ import dev.lazyz.requireOpaque
 import kotlinx.coroutines.flow.Flow
 
 /**
- * The depth buffer: one primitive at a time, each sample keeps the nearest so far.
+ * The depth buffer: draws one primitive at a time, and each sample keeps the nearest fragment so far.
  *
- * Eager: a fragment that is the nearest so far is shaded at once, though something submitted later may hide it. Use it
- * when primitives arrive one by one and there are too many to keep, or when shading is cheap; use a lazy renderer when
- * shading is expensive.
+ * Shading is eager: a fragment that is the nearest so far is shaded immediately, even though a later primitive may hide
+ * it. Use this renderer when primitives arrive one by one and there are too many to keep, or when shading is cheap. Use
+ * a lazy renderer when shading is expensive.
  *
- * Memory: 12 bytes a sample, whatever the number of primitives. Time: proportional to the fragments. Thread safe; no
- * state between calls.
+ * Memory: 12 bytes a sample, regardless of the number of primitives. Time: proportional to the number of fragments.
+ * Thread safe; no state between calls.
  *
  * Source: Edwin Catmull, "A Subdivision Algorithm for Computer Display of Curved Surfaces", University of Utah, 1974.
  */
@@ -46,7 +46,7 @@ public class ZBuffer : Renderer {
     /**
      * Renders primitives as they arrive, without keeping them. The order of arrival is the order of submission.
      *
-     * Cancellable between primitives. An exception of the flow ends the rendering; no row has been handed out then.
+     * Cancellable between primitives. If the flow throws an exception, rendering ends and the sink receives no rows.
      *
      * @throws IllegalStateException if more than 2^31-2 primitives arrive
      */
@@ -60,7 +60,7 @@ public class ZBuffer : Renderer {
         return buffer.finish(sink)
     }
 
-    /** Colour and visibility key of every sample of a region. */
+    /** Colour and visibility key of each sample of a region. */
     private class Buffer(raster: Raster, private val region: Region) {
         private val width = region.width
         private val test = raster.depthTest
@@ -100,7 +100,7 @@ public class ZBuffer : Renderer {
             val step = form?.dx ?: 0L
             var at = (y - region.rowStart) * width + (start - region.columnStart)
             for (x in start until end) {
-                // One addition a sample where depth is linear
+                // Where depth is linear, each sample takes one addition
                 val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
                 z += step
                 val key = test.key(depth, index)

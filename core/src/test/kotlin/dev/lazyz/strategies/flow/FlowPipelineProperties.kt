@@ -9,7 +9,7 @@ import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import org.junit.jupiter.api.Assertions.assertEquals
 
-/** Contract rules 5, 7 and 8: the same picture as the z-buffer's, for the promised work. */
+/** Contract rules 5, 7 and 8: the same picture as the z-buffer's, with the promised amount of work. */
 class FlowPipelineProperties {
     @Property(tries = 600, seed = "57", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_thePictureIsTheZBuffers(@ForAll seed: Long, @ForAll coherence: Coherence) {

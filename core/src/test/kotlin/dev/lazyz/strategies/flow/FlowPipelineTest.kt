@@ -84,7 +84,7 @@ class FlowPipelineTest {
         val cancelled = CompletableDeferred<Unit>()
         var after = 0
         val layers = PipelineScenes.layers(raster, 50) { index, y ->
-            // Stay in row 3 until the cancelling is done
+            // Stay in row 3 until the job is cancelled
             if (index == 20 && y == 3) {
                 begun.complete(Unit)
                 runBlocking { cancelled.await() }
@@ -135,7 +135,7 @@ class FlowPipelineTest {
         }
         waiting.await()
         delay(50)
-        assertTrue(layers.all { it.rows.size == 11 }) { "rows are made while nobody takes them" }
+        assertTrue(layers.all { it.rows.size == 11 }) { "rows are made that are not collected" }
         gate.complete(Unit)
         job.join()
         assertTrue(layers.all { it.rows.size == 100 })
@@ -154,7 +154,7 @@ class FlowPipelineTest {
         while (layers.last().rows.size < 12) delay(1)
         delay(50)
 
-        // One in the collector's hands, four that wait, one that could not be put down
+        // One row in the collector, four in the buffer, one that did not fit into the buffer
         assertTrue(layers.all { it.rows.size <= 11 + 4 + 1 })
         gate.complete(Unit)
         assertEquals(ZBuffer().render(Frame(raster, layers)).argb.toList(), colors.await())
@@ -172,7 +172,7 @@ class FlowPipelineTest {
         assertEquals(expected, walk())
         assertEquals(expected, walk())
 
-        // In turns on one thread, and side by side on several
+        // Alternating on one thread, and concurrently on several
         for (answer in List(2) { async { walk() } }.awaitAll()) assertEquals(expected, answer)
         for (answer in List(4) { async(Dispatchers.Default) { walk() } }.awaitAll()) assertEquals(expected, answer)
     }
@@ -183,7 +183,7 @@ class FlowPipelineTest {
         val rows = pipeline.rows(Frame(raster, layers))
         val other = CompletableDeferred<Unit>()
 
-        // One stops in the middle while the other runs through
+        // One stops in the middle while the other runs to the end
         val first = launch {
             var next = 0
             rows.collect {
@@ -249,7 +249,7 @@ class FlowPipelineTest {
         }
         assertEquals(few.peakBytes - 8 * few.primitives, many.peakBytes - 8 * many.primitives)
 
-        // The picture's colours alone would be 16 megabytes
+        // The picture's colours alone would take 16 megabytes
         assertTrue(late - early < 2_000_000) { "$early bytes at row 64, $late at the last" }
     }
 

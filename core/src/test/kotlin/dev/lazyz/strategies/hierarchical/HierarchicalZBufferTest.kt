@@ -47,7 +47,7 @@ class HierarchicalZBufferTest {
 
     @Test
     fun layersThatOverlapInDepthCostLittleMore() {
-        // Ten of them reach before the farthest sample of the first: they are asked for block by block
+        // Ten of them reach before the farthest sample of the first: they are tested block by block
         for (submission in Submission.entries) {
             val counters = counted(Stacks.layers(Raster(128, 128), 1000, submission, steepness = 10.0))
             assertTrue(counters.depthEvaluations <= 16_384 * 1.2, "$submission $counters")
@@ -68,9 +68,9 @@ class HierarchicalZBufferTest {
 
     @Test
     fun aHiddenPrimitiveIsNotEvaluated() {
-        // Without a linear form: whoever wants its depth has to ask
+        // The primitive has no linear form, so its depth cannot be known without evaluating it
         val frame = FrameBuilder(Raster(300, 200))
-            .add(NeverAsked(300, 200))
+            .add(NeverEvaluated(300, 200))
             .polygon(Rgba.BLACK, rectangle(0, 0, 300, 200, 0.2, 0.4))
             .build()
         val counters = counted(Frame(frame.raster, frame.primitives.drop(1)))
@@ -102,7 +102,7 @@ class HierarchicalZBufferTest {
 
     @Test
     fun equalDepthsAreRejectedByTheOrderOfSubmission() {
-        // The same wall ten times over, level: all but the visible one are behind it, by their indices alone
+        // The same level wall ten times: all except the visible one are behind it, only because of their indices
         for (test in DepthTest.entries) {
             val behind = if (test.key(0, 0) < test.key(1, 0)) Int.MAX_VALUE else 0
             val raster = Raster(64, 64, Rgba.WHITE, DepthConvention.SMALLER_IS_NEARER, test, behind)
@@ -115,7 +115,7 @@ class HierarchicalZBufferTest {
 
     @Test
     fun blocksAreRejectedWhereThePrimitiveIsNot() {
-        // A wall before the left three quarters, in depths that the slope behind it reaches, too
+        // A wall before the left three quarters; the depths of the slope overlap those of the wall
         val counters = counted(
             FrameBuilder(Raster(256, 256))
                 .polygon(Rgba.BLACK, rectangle(0, 0, 192, 256, 0.1, 0.5))
@@ -163,7 +163,7 @@ class HierarchicalZBufferTest {
         }
     }
 
-    /** A key is hidden in exactly the blocks all of whose samples have lesser ones, at every level. */
+    /** Checks that at every level a key is hidden in exactly those blocks in which all samples have lesser keys. */
     private fun DepthPyramid.assertCurrent() {
         for (level in 0 until levelCount) {
             val size = DepthPyramid.BLOCK shl level
@@ -188,8 +188,8 @@ class HierarchicalZBufferTest {
     }
 }
 
-/** As wide as the raster, and behind the middle of the depths. */
-private class NeverAsked(private val width: Int, override val rowEnd: Int) : Primitive {
+/** As wide as the raster, and behind half of the depth range. */
+private class NeverEvaluated(private val width: Int, override val rowEnd: Int) : Primitive {
     override val rowStart: Int get() = 0
     override val columnStart: Int get() = 0
     override val columnEnd: Int get() = width

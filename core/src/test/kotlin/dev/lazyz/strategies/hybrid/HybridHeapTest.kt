@@ -18,7 +18,10 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** The budget held to by a heap that has room for little more: a virtual machine of its own, with 24 megabytes. */
+/**
+ * Checks the budget with a heap that has little more room than the budget, in a separate virtual machine with 24
+ * megabytes.
+ */
 class HybridHeapTest {
     @Test
     fun aBudgetKeepsAStreamOfLargePrimitivesWithinASmallHeap() {
@@ -34,7 +37,7 @@ class HybridHeapTest {
     }
 }
 
-/** Renders a stream of blocks that hold 16 kilobytes each: 64 megabytes a layer, 192 in all. */
+/** Renders a stream of blocks that hold 16 kilobytes each: 64 megabytes a layer, 192 in total. */
 internal object HeapProbe {
     private const val SIDE = 128
     private val raster = Raster(SIDE, SIDE)
@@ -46,7 +49,9 @@ internal object HeapProbe {
         println(render(args[0]))
     }
 
-    /** Renders with a budget in bytes, `unlimited`, or with the `zbuffer`; returns the picture's hash and the counters. */
+    /**
+     * Renders with a budget in bytes, `unlimited`, or with the `zbuffer`; returns the picture's hash and the counters.
+     */
     fun render(mode: String): String = runBlocking {
         val hash = PixelHash()
         val counters = when (mode) {
@@ -57,7 +62,7 @@ internal object HeapProbe {
         "${hash.digest()} $counters"
     }
 
-    /** Runs [main] in a Java of its own, with a heap of 24 megabytes. */
+    /** Runs [main] in a separate JVM with a heap of 24 megabytes. */
     fun run(mode: String): Result {
         val classPath = System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path")
         val java = File(System.getProperty("java.home"), "bin/java").path

@@ -15,7 +15,7 @@ import net.jqwik.api.constraints.LongRange
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 
-/** The hybrid's picture is the z-buffer's, whatever the budget. */
+/** The hybrid's picture is the z-buffer's, for any budget. */
 class HybridProperties {
     @Property(tries = 600, seed = "20260101", edgeCases = EdgeCasesMode.NONE)
     fun givesTheZBuffersPictureAndShadesOnlyWhatIsVisible(@ForAll seed: Long) {

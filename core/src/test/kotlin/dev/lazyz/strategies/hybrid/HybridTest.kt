@@ -27,12 +27,12 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.assertThrows
 
-/** The hybrid's promises, by its counters. */
+/** Checks the hybrid's promises with its counters. */
 class HybridTest {
     private val raster = Raster(40, 40)
     private val imageBytes = 12 * raster.size
 
-    /** Four hundred tiles, and over them ten walls, each nearer than the last. */
+    /** Four hundred tiles, and over them ten walls, each nearer than the one before. */
     private val mosaic: Frame = Frame(
         raster,
         List(400) { Pane(tile(it % 20 * 2, it / 20 * 2), Depth.FAR - it, Rgba.BLACK) } +
@@ -61,7 +61,7 @@ class HybridTest {
             extra.add(image.counters.shadingCalls - image.visible)
         }
 
-        // From shading all that passes, over forcing some of the tiles, to none in vain
+        // From shading all fragments that pass, through shading some of the tiles early, to no extra shading
         assertEquals(10 * raster.size, extra[0])
         for (some in extra.subList(1, 4)) assertTrue(some in 1..2 * raster.size) { extra.toString() }
         assertEquals(0, extra[4])
@@ -69,12 +69,13 @@ class HybridTest {
 
     @Test
     fun laterSuspensionsAreLazyAgainAfterForcing() {
-        // Room for a few tiles only: they are forced again and again, and the first wall too as its record grows
+        // There is room for a few tiles only: they are forced several times, and so is the first wall as its record
+        // grows
         val image = render(mosaic, 2000)
         val calls = mosaic.primitives.map { (it as Pane).shadingCalls }
         assertTrue(calls.take(401).sum() > raster.size / 2) { calls.toString() }
 
-        // Of the walls that follow only the last is shaded
+        // Of the walls that follow, only the last is shaded
         assertEquals(List(8) { 0 } + raster.size.toInt(), calls.drop(401))
         assertEquals(calls.sum().toLong(), image.counters.shadingCalls)
     }
@@ -94,7 +95,7 @@ class HybridTest {
         val growth = Hybrid().render(tiles).counters.peakBytes - Hybrid().render(half).counters.peakBytes
         assertTrue(growth > 200 * 100) { "$growth bytes for 200 more records" }
 
-        // Ten thousand walls, each hiding the last: no more than two of them are ever held
+        // Ten thousand walls, each hiding the one before: at most two of them are held at a time
         val walls = Frame(raster, List(10_000) { Pane(raster.region, Depth.FAR - it, Rgba.BLACK) })
         val counters = Hybrid().render(walls).counters
         assertTrue(counters.peakBytes - imageBytes < 3000) { counters.toString() }
@@ -125,7 +126,7 @@ class HybridTest {
 
     @Test
     fun sharedVerticesAreCountedOnce() {
-        // A fine mesh, all of it visible: its vertices are far more than its triangles' own bytes are apart
+        // A fine mesh, all visible: its shared vertices take far more bytes than its triangles alone
         val side = 30
         val positions = FloatArray(3 * side * side) {
             when (it % 3) {

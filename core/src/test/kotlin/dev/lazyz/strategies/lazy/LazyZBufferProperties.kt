@@ -12,7 +12,7 @@ import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import org.junit.jupiter.api.Assertions.assertEquals
 
-/** Contract rules 5, 7 and 8: the same picture as the z-buffer's, for the promised work. */
+/** Contract rules 5, 7 and 8: the same picture as the z-buffer's, with the promised amount of work. */
 class LazyZBufferProperties {
     @Property(tries = 600, seed = "55", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_thePictureIsTheZBuffers(@ForAll seed: Long, @ForAll coherence: Coherence) {
@@ -21,7 +21,7 @@ class LazyZBufferProperties {
         val image = LazyZBuffer(RenderOptions(coherence)).render(frame)
         assertEquals(expected, image)
 
-        // The same fragments in the same order, so the same comparisons; but colours only where they are seen
+        // The same fragments in the same order, so the same comparisons; but colours only where they are visible
         assertEquals(expected.counters.primitives, image.counters.primitives)
         assertEquals(expected.counters.fragments, image.counters.fragments)
         assertEquals(expected.counters.depthEvaluations, image.counters.depthEvaluations)
@@ -36,7 +36,7 @@ class LazyZBufferProperties {
         val random = Random(seed)
         var counters = Counters()
 
-        // Keep all rows, then look at some columns, then at all, from the last row to the first
+        // Keep all rows, then read some columns, then all columns, from the last row to the first
         for (row in LazyZBuffer(RenderOptions(coherence)).rows(frame).toList().reversed()) {
             for (x in (row.columnStart until row.columnEnd).shuffled(random).take(random.nextInt(row.width + 1))) {
                 assertEquals(expected.argb(x, row.y), row.argb(x))

@@ -69,12 +69,12 @@ class LazyZBufferTest {
         assertEquals(Depth.FAR - 9, row.depth(3))
         assertEquals(0, row.counters.shadingCalls)
 
-        // Forced once, however often it is looked at
+        // Computed once, even if it is read several times
         repeat(4) { row.argb(3) }
         assertEquals(1, row.counters.shadingCalls)
         assertEquals(listOf(Pair(3, 5)), layers.flatMap { it.shaded })
 
-        // And not again among all
+        // And not again when the whole row is read
         repeat(2) { row.argb() }
         row.argb(4)
         assertEquals(8, row.counters.shadingCalls)
@@ -131,7 +131,8 @@ class LazyZBufferTest {
         val frame = PipelineScenes.staircase(Raster(32, 65_536), 16, 4)
         val many = renderer.render(frame, RowSink { _, _, _, _ -> })
 
-        // A thousand times the rows have a thousand times the primitives; but for the sorted list it is the same
+        // A thousand times the rows have a thousand times the primitives; except for the sorted list, memory is the
+        // same
         assertEquals(few.peakBytes - 8 * few.primitives, many.peakBytes - 8 * many.primitives)
         assertTrue(many.peakBytes - 8 * many.primitives < 5_000) { "$many" }
     }
@@ -146,7 +147,7 @@ class LazyZBufferTest {
             if (y == 65_535) late = usedBytes()
         }
 
-        // The picture's colours alone would be 16 megabytes
+        // The picture's colours alone would take 16 megabytes
         assertTrue(late - early < 2_000_000) { "$early bytes at row 64, $late at the last" }
     }
 

@@ -19,7 +19,7 @@ import net.jqwik.api.constraints.IntRange
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 
-/** The pictures of the selectors, against plain lists made in the test. */
+/** Compares the pictures of the selectors with plain lists made in the test. */
 class ListsProperties {
     @Property(tries = 600, seed = "20260201", edgeCases = EdgeCasesMode.NONE)
     fun givesTheZBuffersPictureAndShadesOnlyWhatIsVisible(@ForAll seed: Long) {
@@ -33,7 +33,7 @@ class ListsProperties {
             assertEquals(expected.counters.primitives, image.counters.primitives)
         }
 
-        // Where nothing is translucent, blending is the nearest fragment, bit for bit, and costs as little
+        // If nothing is translucent, blending gives the nearest fragment bit for bit, and costs no more
         val blended = Lists(RenderOptions(selector = Selector.blend())).render(frame)
         assertEquals(expected, blended)
         assertEquals(expected.visible.toLong(), blended.counters.shadingCalls)
@@ -85,7 +85,7 @@ class ListsProperties {
         }
     }
 
-    /** For each sample of the region the indices of its fragments, nearest first, made the plain way. */
+    /** For each sample of the region, the indices of its fragments from near to far, computed in the simplest way. */
     private fun cells(frame: Frame): List<List<Int>> {
         val test = frame.raster.depthTest
         val background = test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND)
@@ -132,7 +132,7 @@ class ListsProperties {
         return Rgba(fragment.red, fragment.green, fragment.blue, fragment.alpha)
     }
 
-    /** The layers that rule 5.5 speaks of, nearest first: translucent ones, and the backdrop as the last. */
+    /** The layers of rule 5.5, from near to far: the translucent ones, followed by the backdrop. */
     private fun layers(frame: Frame, list: List<Int>, x: Int, y: Int): List<Rgba> {
         val opaque = list.indexOfFirst { !frame.primitives[it].isTranslucent }
         val seen = if (opaque < 0) list else list.take(opaque + 1)
@@ -140,7 +140,7 @@ class ListsProperties {
         return if (opaque < 0) colors + frame.raster.background else colors
     }
 
-    /** Rule 5.5 word by word. */
+    /** Rule 5.5, implemented literally. */
     private fun composite(frame: Frame, list: List<Int>, x: Int, y: Int): Rgba {
         val layers = layers(frame, list, x, y)
         val opacities = layers.map { if (it.alpha.isNaN()) 0f else it.alpha.coerceIn(0f, 1f) }
@@ -159,7 +159,7 @@ class ListsProperties {
         return Rgba(sums[0] / sums[3], sums[1] / sums[3], sums[2] / sums[3], sums[3])
     }
 
-    /** The painter's way, in double precision: each layer over what is behind it, from the back. */
+    /** Back-to-front blending in double precision: each layer over what is behind it. */
     private fun textbook(frame: Frame, list: List<Int>, x: Int, y: Int): DoubleArray {
         val result = DoubleArray(4)
         for (layer in layers(frame, list, x, y).reversed()) {

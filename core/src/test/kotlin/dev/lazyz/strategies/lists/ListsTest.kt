@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.assertThrows
 
-/** What lists promise, by their counters, and blending by example. */
+/** Checks the promises of lists with their counters, and blending with examples. */
 class ListsTest {
     private val raster = Raster(8, 6)
     private val red = Rgba(1f, 0f, 0f, 0.5f)
@@ -38,7 +38,7 @@ class ListsTest {
     @Test
     fun rule_5_5_layersBlendOverTheBackdropInLinearLight() {
         val image = Lists().render(frame(layer(1, red), layer(2, green), layer(3, grey), layer(4, blue)))
-        // 1/2 red, 1/8 green, and what is left, 3/8, of grey
+        // 1/2 red, 1/8 green, and the remaining 3/8 grey
         assertEquals(Rgba(0.5f + 0.1875f, 0.125f + 0.1875f, 0.1875f).toArgb(), image.argb(3, 3))
         assertEquals(0, image.primitive(3, 3))
         assertEquals(depth(1), image.depth(3, 3))
@@ -148,7 +148,7 @@ class ListsTest {
             assertEquals(depth(1), cell.depth(0))
             assertTrue(cell.isTranslucent(0) && !cell.isTranslucent(cell.size - 1))
             assertThrows<IllegalArgumentException> { cell.depth(cell.size) }
-            // The middle one as it is, and without a middle something else, or nothing
+            // The middle fragment unchanged; without one, a different fragment or none
             if (cell.size == 3) {
                 cell.show(1)
             } else if (cell.y == 1) {
@@ -180,7 +180,7 @@ class ListsTest {
 
     @Test
     fun primitivesLeaveAfterTheirLastRow() {
-        // One a row: no more than one is ever active, so that only the list of arrivals grows
+        // One primitive a row: at most one is active at a time, so only the list of arrivals grows
         val tall = Raster(4, 3000)
         val frame = Frame(tall, List(3000) { Pane(Region(0, it, 4, it + 1), depth(1), grey) })
         val few = Lists().render(Frame(tall, frame.primitives.take(10))).counters.peakBytes

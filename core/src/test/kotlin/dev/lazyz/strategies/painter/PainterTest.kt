@@ -37,7 +37,7 @@ class PainterTest {
 
     @Test
     fun extentsOfDepthProveAnOrderWithoutEvaluatingDepths() {
-        // Depth is evaluated once a sample, to hand it out
+        // Depth is evaluated once a sample, for the output
         val counters = counted(City.layers(Raster(64, 64), 50, 0.5))
         assertEquals(64L * 64, counters.depthEvaluations)
     }
@@ -53,7 +53,7 @@ class PainterTest {
     fun aCityIsPaintedInOrder() {
         val counters = counted(City.frame(320, 180, blocks = 8))
 
-        // The feet of the walls are snapped to the grid, and here and there a sample of them sinks into the ground
+        // The bottom edges of the walls are snapped to the grid, and a few of their samples are below the ground
         assertTrue(counters.fragments - counters.shadingCalls < 5, "$counters")
         val perFragment = counters.depthEvaluations.toDouble() / counters.fragments
         assertTrue(perFragment < 0.5, "$perFragment depth evaluations a fragment")
@@ -61,7 +61,7 @@ class PainterTest {
 
     @Test
     fun planesMendTheOrderOfGreatestDepth() {
-        // The slope reaches farther than the post, but the post stands behind it
+        // The slope extends farther back than the post, but the post is behind it
         val slope = doubleArrayOf(0.0, 0.0, 0.9, 64.0, 0.0, 0.1, 64.0, 64.0, 0.1, 0.0, 64.0, 0.9)
         val post = doubleArrayOf(40.0, 10.0, 0.6, 60.0, 10.0, 0.6, 60.0, 50.0, 0.6, 40.0, 50.0, 0.6)
         for (contours in listOf(listOf(slope, post), listOf(post, slope))) {
@@ -75,7 +75,7 @@ class PainterTest {
 
     @Test
     fun aCircleIsResolvedWithoutAnOrder() {
-        // Four bars, each over the next at one end and under the last at the other: one of them goes under
+        // Four bars, each over the next at one end and under the one before at the other, so that they form a cycle
         val counters = counted(circle())
         assertEquals(4L * 80 * 10, counters.fragments)
         assertEquals(counters.fragments - 10 * 10, counters.shadingCalls)
@@ -117,7 +117,7 @@ class PainterTest {
         val counters = counted(City.layers(raster, 10, 0.5))
         assertEquals(10L * 32 * 32, counters.fragments)
 
-        // Five layers are behind it, one is cut by it, and compared by samples
+        // Five layers are behind it; one crosses it and is compared by samples
         assertEquals(4L * 32 * 32 + 32 * 16, counters.shadingCalls)
         assertEquals(2L * 32 * 32, counters.depthEvaluations)
     }
@@ -150,7 +150,9 @@ class PainterTest {
         assertTrue(order.looks < (PaintOrder.LOOKS_PER_PRIMITIVE + 3) * 3_000, "${order.looks}")
     }
 
-    /** Small triangles all over a raster that grows with their number, so that each overlaps some five others. */
+    /**
+     * Small triangles all over a raster whose size grows with their number, so that each overlaps about five others.
+     */
     private fun confetti(count: Int): Frame {
         val random = Random(7)
         val side = 8 * StrictMath.sqrt(count.toDouble()).toInt()

@@ -22,14 +22,14 @@ import dev.lazyz.world.Sphere
 import kotlin.random.Random
 import org.joml.Vector3d
 
-/** Frames of whatever is legal and awkward, the same for the same seed. */
+/** Random frames that are legal but difficult to render, the same for the same seed. */
 internal class AwkwardFrames(seed: Long) {
     private val random = Random(seed)
     private val width = if (random.nextInt(8) == 0) 1 else 1 + random.nextInt(48)
     private val height = if (random.nextInt(8) == 0) 1 else 1 + random.nextInt(32)
     private val polygons = ArrayList<List<DoubleArray>>()
 
-    /** Few depths at all, so that many are equal or nearly so. */
+    /** Few different depths, so that many are equal or nearly equal. */
     private val depths = DoubleArray(3) { random.nextDouble() }
 
     fun frame(): Frame {
@@ -121,7 +121,7 @@ internal class AwkwardFrames(seed: Long) {
         return doubleArrayOf(0.0, 0.0, depth, w, 0.0, depth + tilt, w, h, depth + tilt, 0.0, h, depth)
     }
 
-    /** The same once more, a unit of depth or two away. */
+    /** Adds a copy of a polygon, up to two units of depth away. */
     private fun addOffsetCopy(builder: FrameBuilder) {
         val contours = polygons.randomOrNull(random) ?: return
         val offset = random.nextInt(-2, 3) / 2147483648.0
@@ -146,7 +146,7 @@ internal class AwkwardFrames(seed: Long) {
     }
 }
 
-/** A primitive of the user's own: without linear depth, with several spans a row, and bounds that may be trivial. */
+/** A custom primitive: without linear depth, with several spans a row, and bounds that may be trivial. */
 internal class Ripple(private val seed: Int, width: Int, height: Int, private val isLoose: Boolean) : Primitive {
     override val rowStart: Int = Math.floorMod(seed, height)
     override val rowEnd: Int = height
@@ -172,8 +172,8 @@ internal class Ripple(private val seed: Int, width: Int, height: Int, private va
 }
 
 /**
- * A primitive of the user's own that covers every other sample of every other row. Its form is legal, and wraps between
- * them: a step of -2^63 taken twice is none.
+ * A custom primitive that covers every other sample of every other row. Its form is legal, and wraps between these
+ * samples: two steps of -2^63 add up to 0.
  */
 internal class Checkers(seed: Int, private val width: Int, private val height: Int) : Primitive {
     override val rowStart: Int get() = 0

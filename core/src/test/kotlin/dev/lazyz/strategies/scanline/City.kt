@@ -13,7 +13,7 @@ import dev.lazyz.world.Vertex
 import kotlin.random.Random
 import org.joml.Vector3d
 
-/** Scenes of high depth complexity, to count on. */
+/** Scenes of high depth complexity, for tests of counters. */
 internal object City {
     private val material = Material(shading = Shading.CONSTANT, baseColor = Rgba(0.5f, 0.4f, 0.3f))
 
@@ -53,8 +53,8 @@ internal object City {
         Polygon(listOf(corners.map { (x, y, z) -> Vertex(x, y, z) }), material)
 
     /**
-     * [count] layers over the whole raster, the last submitted the nearest, each as steep as [steepness] layers: above
-     * 1 their extents of depth overlap.
+     * [count] layers over the whole raster; the last submitted is the nearest. Each layer is as steep as [steepness]
+     * layers: above 1, their extents of depth overlap.
      */
     fun layers(raster: Raster, count: Int, steepness: Double): Frame {
         val builder = FrameBuilder(raster)

@@ -24,7 +24,7 @@ class ScanLineTest {
 
     @Test
     fun layersApartInDepthCostNoComparison() {
-        // What is evaluated is the depth that is handed out, and nothing else
+        // Only the depths of the output are evaluated
         val counters = counted(City.layers(Raster(256, 64), 100, steepness = 0.5))
         assertEquals(100L * 256 * 64, counters.fragments)
         assertEquals(256L * 64, counters.depthEvaluations)
@@ -60,7 +60,7 @@ class ScanLineTest {
 
     @Test
     fun comparingGrowsAboutLinearlyWithTheActiveSpans() {
-        // Pyramids of spans within spans, all of which overlap in depth: half of all pairs share samples
+        // Pyramids of nested spans, all of which overlap in depth: half of all pairs share samples
         val few = counted(pyramid(500))
         val many = counted(pyramid(2000))
         val duelsFew = few.depthEvaluations - few.shadingCalls

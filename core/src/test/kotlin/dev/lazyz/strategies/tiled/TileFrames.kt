@@ -20,7 +20,7 @@ import dev.lazyz.world.Sphere
 import java.util.Random
 import org.joml.Vector3d
 
-/** Frames of whatever is legal and awkward, some tiles wide and high, the same for the same seed. */
+/** Random frames that are legal but difficult to render, several tiles wide and high, the same for the same seed. */
 internal class TileFrames(seed: Long) {
     private val random = Random(seed)
     private val width = side(100)
@@ -71,7 +71,10 @@ internal class TileFrames(seed: Long) {
         builder.polygon(shader, FillRule.entries.pick(), *parts)
     }
 
-    /** Concave, self-crossing, small or large; on samples, on corners of pixels and between; often in tied planes. */
+    /**
+     * Concave, self-intersecting, small or large; with vertices on samples, on corners of pixels and between; often in
+     * tied planes.
+     */
     private fun contour(vertices: Int): DoubleArray {
         val tie = if (random.nextBoolean()) 0.25 * random.nextInt(5) else -1.0
         val scale = if (random.nextInt(3) == 0) 0.15 else 1.6
@@ -98,7 +101,7 @@ internal class TileFrames(seed: Long) {
         return doubleArrayOf(x, -3.0, 0.0, x + 0.03, height + 3.0, 1.0, x + 1.0, y, random.nextDouble())
     }
 
-    /** Covers everything, so that what comes later and is behind can be rejected. */
+    /** Covers everything, so that later primitives behind it can be rejected. */
     private fun wall(): DoubleArray {
         val z = random.nextDouble()
         val tilt = random.nextDouble() * 0.01
@@ -121,7 +124,7 @@ internal class TileFrames(seed: Long) {
     private fun <T> List<T>.pick(): T = get(random.nextInt(size))
 }
 
-/** A primitive of the user's own: several spans a row, no linear form, no cursor, no bounds of its depth. */
+/** A custom primitive: several spans a row, no linear form, no cursor, no bounds of its depth. */
 private class Stripes(private val seed: Int, width: Int, height: Int) : Primitive {
     override val rowStart: Int = seed % height
     override val rowEnd: Int = height

@@ -39,7 +39,10 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.Test
 
-/** Contract rules 5, 7 and 8 for meshes, which are drawn and shaded from arrays: by any kernel, threads and tiles. */
+/**
+ * Contract rules 5, 7 and 8 for meshes, which are drawn and shaded from arrays: with all kernels and various threads
+ * and tiles.
+ */
 class TiledMeshProperties {
     @Property(tries = 100, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_meshesComeOutAsTheirTrianglesOneByOne(@ForAll seed: Long) {
@@ -108,7 +111,7 @@ class TiledMeshProperties {
 
     @Test
     fun aShaderOfMeshesWithAndWithoutAnAttributeSeesNoneWhereThereIsNone() {
-        // Shared by both, so that one batch could hold samples of both
+        // Shared by both meshes, so that one batch could hold samples of both
         val shader = BatchShader { batch ->
             for (i in 0 until batch.size) {
                 batch.red[i] = batch.u[i]
@@ -135,7 +138,10 @@ class TiledMeshProperties {
     @Property(tries = 10, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_manyTrianglesOfATileHaveAllAttributes(@ForAll seed: Long) = assertAttributes(Random(seed), 34, 160)
 
-    /** Renders a sheet of [side] x [side] vertices at random heights, which has all attributes, in one tile of [size] x [size]. */
+    /**
+     * Renders a sheet of [side] x [side] vertices at random heights, with all attributes, in one tile of [size] x
+     * [size].
+     */
     private fun assertAttributes(random: Random, side: Int, size: Int) {
         val positions = FloatArray(3 * side * side) { i ->
             val vertex = i / 3
@@ -168,7 +174,7 @@ class TiledMeshProperties {
         @ForAll seed: Long,
         @ForAll depthTest: DepthTest,
     ) {
-        // More than one thread takes at a time; some cover tiles wholly, and edges lie along tiles
+        // More triangles than one thread takes at a time; some cover whole tiles, and some edges lie on tile borders
         val random = Random(seed)
         val count = 9000
         val positions = FloatArray(9 * count)
@@ -219,7 +225,7 @@ class TiledMeshProperties {
             Math.nextDown(1f), 1f, Math.nextUp(1f), 2f, Float.POSITIVE_INFINITY,
         )
         val leastOfCode = FloatArray(256) { code ->
-            // Positive floats are ordered as their bits are
+            // Positive floats have the same order as their bits
             var low = 0
             var high = 1f.toRawBits()
             while (low < high) {
@@ -234,7 +240,7 @@ class TiledMeshProperties {
             batch.size = 1 + random.nextInt(FragmentBatch.CAPACITY)
             for (channel in listOf(batch.red, batch.green, batch.blue)) {
                 for (i in 0 until batch.size) {
-                    // Often on one side or the other of where a code ends and the next begins
+                    // Often just below or above the border between two codes
                     val edge = leastOfCode[1 + random.nextInt(255)]
                     channel[i] = when (random.nextInt(4)) {
                         0 -> special[random.nextInt(special.size)]
@@ -256,7 +262,7 @@ class TiledMeshProperties {
     }
 
     /**
-     * Meshes of triangles from less than a sample to more than the picture, and other surfaces in between, among them
+     * Meshes of triangles from less than a sample to more than the picture, and other surfaces among them, including
      * panes of the opacity [alpha].
      */
     private fun frame(random: Random, alpha: Float = 1f): Frame {
@@ -291,7 +297,7 @@ class TiledMeshProperties {
         )
     }
 
-    /** A pentagon, inclined, of one colour. */
+    /** An inclined pentagon of one colour. */
     private fun pane(random: Random, alpha: Float): Surface {
         val z = random.nextDouble() * 4 - 2
         val slope = random.nextDouble() * 2 - 1
@@ -301,7 +307,7 @@ class TiledMeshProperties {
         return Polygon(listOf(corners), Material(Rgba(0.3f, 0.4f, 0.7f, alpha), alphaMode = AlphaMode.BLEND))
     }
 
-    /** Triangles around random places, as large as a random power of two; a few with a vertex that is nowhere. */
+    /** Triangles around random places, scaled by a random power of two; one coordinate may be NaN. */
     private fun mesh(random: Random): Mesh {
         val triangles = 1 + random.nextInt(if (random.nextInt(4) == 0) 400 else 40)
         val soup = SampleScenes.soup(random, triangles, material(random))
@@ -331,7 +337,7 @@ class TiledMeshProperties {
         }
     }
 
-    /** The first vertex's [size] numbers for all of each triangle. */
+    /** Gives all vertices of each triangle the [size] numbers of its first vertex. */
     private fun same(numbers: FloatArray, size: Int): FloatArray =
         FloatArray(numbers.size) { numbers[it / (3 * size) * (3 * size) + it % size] }
 
@@ -357,14 +363,14 @@ class TiledMeshProperties {
         return kernels
     }
 
-    /** All counters but the one that depends on the number of threads. */
+    /** All counters except the one that depends on the number of threads. */
     private fun work(counters: Counters): String = Counters().plus(counters).apply { peakBytes = 0 }.toString()
 
     private companion object {
         val SIZES = listOf(1, 8, 16, 64, 512)
         val THREADS = listOf(1, 2, 3, 8)
 
-        /** Between them they read all attributes. */
+        /** Together these read all attributes. */
         val SHADERS = listOf(
             Shader { it.setColor(it.worldX + 0.5f, it.worldY + 0.5f, it.worldZ * 8) },
             Shader { it.setColor(it.normalX, it.normalY, it.normalZ) },

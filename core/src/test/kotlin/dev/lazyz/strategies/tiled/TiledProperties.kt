@@ -74,7 +74,7 @@ class TiledProperties {
         }
     }
 
-    /** All counters but the one that depends on the number of threads. */
+    /** All counters except the one that depends on the number of threads. */
     private fun work(counters: Counters): String = Counters().plus(counters).apply { peakBytes = 0 }.toString()
 
     private companion object {

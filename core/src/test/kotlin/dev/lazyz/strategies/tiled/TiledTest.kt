@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test
 class TiledTest {
     private fun tiled(threads: Int, tileSize: Int = 16) = Tiled(Coherence.DIRECT, threads, tileSize)
 
-    /** [count] layers over the whole raster, the nearest first, and that without its lower right [corner]. */
+    /** [count] layers over the whole raster; the nearest is first, and lacks its lower right [corner]. */
     private fun layers(count: Int, corner: Int = 0): Frame {
         val builder = FrameBuilder(Raster(100, 50))
         for (i in 0 until count) {
@@ -48,7 +48,8 @@ class TiledTest {
 
     @Test
     fun aTileThatIsFilledLaterRejectsFromThenOn() {
-        // The last tile has 4 x 2 samples. One of them is left to the second layer, which is drawn there as a whole
+        // The last tile has 4 x 2 samples. The first layer leaves one of them free, so the whole second layer is drawn
+        // there
         val counters = tiled(1).render(layers(100, corner = 1)).counters
         assertEquals(5000L - 1 + 4 * 2, counters.depthEvaluations)
     }
@@ -100,7 +101,7 @@ class TiledTest {
 
     @Test
     fun aPrimitiveOfManyTilesTakesOneEntryABand() {
-        // 10,000 primitives in 2,000 tiles would be 20 million entries, 80 megabytes
+        // 10,000 primitives in 2,000 tiles would take 20 million entries, 80 megabytes
         val frame = Frame(Raster(2000, 1), List(10_000) { Probe(Region(0, 0, 2000, 1)) })
         val bytes = tiled(1, tileSize = 1).render(frame, NOWHERE).peakBytes
         assertTrue(bytes < 10_000L * 300) { "$bytes" }

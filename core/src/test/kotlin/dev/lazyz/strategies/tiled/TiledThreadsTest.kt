@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 
-/** Threads work at the same time, stop when they have to, and are gone afterwards. */
+/** Threads work concurrently, stop when they must, and have ended afterwards. */
 @Timeout(60)
 class TiledThreadsTest {
     private val raster = Raster(64, 64)
@@ -40,7 +40,7 @@ class TiledThreadsTest {
 
     @Test
     fun tilesAreShadedAtTheSameTime() {
-        // The first samples of four tiles wait for one another
+        // The first samples of four tiles wait for each other
         val barrier = CyclicBarrier(4)
         tiled(4).render(frame { x, y -> if (y == 0 && x % 16 == 0) barrier.await(10, TimeUnit.SECONDS) })
     }
@@ -115,7 +115,7 @@ class TiledThreadsTest {
         }
         assertSame(exception, thrown)
 
-        // No more than the bands that may be at work at one time
+        // At most the bands that may be in progress at a time
         assertTrue(shaded.get() <= 64 * 16 * 4) { "$shaded samples were shaded" }
     }
 
@@ -154,7 +154,7 @@ class TiledThreadsTest {
                         error("caller")
                     }
 
-                    // Longer than it takes to look for threads, whoever interrupts
+                    // Longer than it takes to list the threads, even if interrupted
                     val pause = if (begun.count == 0L) 0L else TimeUnit.MILLISECONDS.toNanos(300)
                     begun.countDown()
                     val end = System.nanoTime() + pause
@@ -174,7 +174,7 @@ class TiledThreadsTest {
             assertThrows(InterruptedException::class.java) {
                 tiled(threads).render(
                     frame { x, y ->
-                        // From whichever thread is at work there
+                        // From any thread that is working there
                         if (x == 20 && y == 20) caller.interrupt()
                         if (!caller.isInterrupted) return@frame
                         shadedAfter.incrementAndGet()
@@ -192,7 +192,7 @@ class TiledThreadsTest {
 
     @Test
     fun interruptingAWaitingCallerWakesItUp() {
-        // One tile, which a worker holds up; the caller waits for it
+        // One tile, which a worker delays; the caller waits for it
         val caller = Thread.currentThread()
         assertThrows(InterruptedException::class.java) {
             tiled(2).render(

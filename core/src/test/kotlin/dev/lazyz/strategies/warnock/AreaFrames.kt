@@ -22,9 +22,9 @@ import kotlin.random.Random
 import org.joml.Vector3d
 
 /**
- * Frames that are awkward for whoever decides areas at a time, the same for the same seed: some rasters of several
- * bands and many blocks, primitives that surround areas, that end exactly at powers of two or a sample beside, that
- * tie, cross, and wrap around.
+ * Frames that are difficult for renderers that process areas, the same for the same seed: some rasters of several bands
+ * and many blocks; primitives that surround areas, end exactly at powers of two or a sample beside, tie, cross, and
+ * wrap.
  */
 internal class AreaFrames(seed: Long) {
     private val random = Random(seed)
@@ -33,7 +33,7 @@ internal class AreaFrames(seed: Long) {
     private val height = side()
     private val drawn = ArrayList<DoubleArray>()
 
-    /** Few depths, so that many are equal. */
+    /** Few different depths, so that many are equal. */
     private val levels = DoubleArray(3) { random.nextDouble() }
 
     fun frame(): Frame {
@@ -89,7 +89,7 @@ internal class AreaFrames(seed: Long) {
         builder.polygon(shader, FillRule.entries.random(random), *contours)
     }
 
-    /** A rectangle, often larger than the raster, level or tilted a little or much. */
+    /** A rectangle, often larger than the raster; level, or tilted a little or much. */
     private fun wall(): DoubleArray {
         val left = edge(width)
         val right = edge(width)
@@ -105,7 +105,7 @@ internal class AreaFrames(seed: Long) {
         )
     }
 
-    /** Beyond the raster, at a multiple of eight or a sample beside, or anywhere. */
+    /** Outside the raster, at a multiple of eight or a sample beside, or anywhere. */
     private fun edge(size: Int): Double = when (random.nextInt(4)) {
         0 -> if (random.nextBoolean()) -1.0 else size + 1.0
         1 -> 8.0 * random.nextInt(size / 8 + 2) + random.nextInt(-1, 2)
@@ -136,7 +136,7 @@ internal class AreaFrames(seed: Long) {
         return doubleArrayOf(x, -5.0, 0.0, x + 0.02, height + 5.0, 1.0, x + 1.0, random.nextDouble() * height, 0.5)
     }
 
-    /** The same, a unit of depth or two away. */
+    /** A copy, up to two units of depth away. */
     private fun nudged(contour: DoubleArray): DoubleArray {
         val offset = random.nextInt(-2, 3) / 2147483648.0
         return DoubleArray(contour.size) { contour[it] + if (it % 3 == 2) offset else 0.0 }
@@ -155,7 +155,7 @@ internal class AreaFrames(seed: Long) {
     }
 }
 
-/** Without a linear form, with holes: one that covers areas wholly here and there, with bounds close or trivial. */
+/** Without a linear form, with holes: covers some areas completely, with bounds that are close or trivial. */
 private class Weave(private val seed: Int, width: Int, height: Int, private val isLoose: Boolean) : Primitive {
     override val rowStart: Int = Math.floorMod(seed, height)
     override val rowEnd: Int = height
@@ -184,7 +184,7 @@ private class Weave(private val seed: Int, width: Int, height: Int, private val 
     }
 }
 
-/** A form of any steps at all, covered wherever it happens not to be negative: it wraps around in between. */
+/** A form with arbitrary steps, covered wherever its value is not negative: it wraps in between. */
 private class Steep(random: Random, width: Int, height: Int) : Primitive {
     override val rowStart: Int = 0
     override val rowEnd: Int = height

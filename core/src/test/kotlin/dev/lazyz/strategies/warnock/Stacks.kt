@@ -11,14 +11,14 @@ import dev.lazyz.world.Scene
 import dev.lazyz.world.Shading
 import dev.lazyz.world.Vertex
 
-/** In which order layers are submitted. */
+/** The order in which layers are submitted. */
 internal enum class Submission {
     FRONT_TO_BACK,
     BACK_TO_FRONT,
     SHUFFLED,
     ;
 
-    /** Place from the front, 0 until [count], of what is submitted as number [i]. */
+    /** Position from the front, 0 until [count], of the layer submitted as number [i]. */
     fun place(i: Int, count: Int): Int = when (this) {
         FRONT_TO_BACK -> i
         BACK_TO_FRONT -> count - 1 - i
@@ -26,10 +26,10 @@ internal enum class Submission {
     }
 }
 
-/** Frames of many layers over each other. */
+/** Frames of many overlapping layers. */
 internal object Stacks {
     /**
-     * [count] layers over the whole raster, each as steep as [steepness] layers: above 1 their extents of depth
+     * [count] layers over the whole raster, each as steep as [steepness] layers: above 1, their extents of depth
      * overlap.
      */
     fun layers(raster: Raster, count: Int, submission: Submission, steepness: Double = 0.5): Frame {
@@ -45,7 +45,9 @@ internal object Stacks {
         return builder.build()
     }
 
-    /** [count] squares, each turned against the last and smaller, seen from above: edges of all of them show. */
+    /**
+     * [count] squares seen from above, each rotated and smaller than the one below: edges of all of them are visible.
+     */
     fun twisted(width: Int, height: Int, count: Int, submission: Submission): Frame {
         val builder = Scene.builder()
         for (i in 0 until count) {

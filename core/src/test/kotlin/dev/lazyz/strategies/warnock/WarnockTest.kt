@@ -28,7 +28,7 @@ class WarnockTest {
 
     @Test
     fun depthsDoNotGrowWithLayersApartInDepth() {
-        // One depth a sample, and one for each of the four bands, however many layers there are
+        // One depth a sample, and one for each of the four bands, for any number of layers
         for (submission in Submission.entries) {
             for (count in listOf(10, 100, 1000)) {
                 val counters = counted(Stacks.layers(Raster(256, 256), count, submission))
@@ -52,7 +52,7 @@ class WarnockTest {
 
     @Test
     fun depthsGrowWithVisibleComplexityOnly() {
-        // More layers show more edges, and a hundred times as many show less than a hundred times as many
+        // More layers show more edges, but a hundred times as many layers show less than a hundred times as many edges
         for (submission in Submission.entries) {
             val ten = counted(Stacks.twisted(640, 480, 10, submission))
             val hundred = counted(Stacks.twisted(640, 480, 100, submission))

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Contract rule 8 for the z-buffer, and its own promises. */
+/** Contract rule 8 for the z-buffer, and its additional promises. */
 class ZBufferTest {
     private fun frames(): List<Frame> {
         val random = Random(11)
@@ -132,7 +132,7 @@ class ZBufferTest {
 
     @Test
     fun rule_7_2_aPictureOfEverythingIsTheSameOnEveryMachine() {
-        // The scene has a camera and lights of its own; the hash changes only with the contract
+        // The scene has its own camera and lights; the hash changes only with the contract
         val image = ZBuffer().render(SampleScenes.mixed(Random(1995)).frame(96, 72))
         assertEquals("ba4ca7ba2667a09fff57ddc49df7c4e3cf4c776075fa7b0b0d536728e7ee6078", image.pixelHash())
     }

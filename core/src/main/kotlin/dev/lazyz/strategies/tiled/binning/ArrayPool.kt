@@ -1,16 +1,16 @@
 package dev.lazyz.strategies.tiled.binning
 
 /**
- * Large arrays that a rendering leaves to the next one of the same renderer, so that frames that are alike allocate them
- * once. What is in an array that is taken is anything. Thread safe.
+ * Large arrays that a rendering leaves to the next one of the same renderer, so that similar frames allocate them only
+ * once. The content of an array from the pool is undefined. Thread safe.
  *
- * Source: the pool of segments of Square's okio, for lending memory out instead of giving it up.
+ * Source: the pool of segments of Square's okio, for reusing memory instead of freeing it.
  */
 internal class ArrayPool {
     private val ints = Shelf(::IntArray)
     private val longs = Shelf(::LongArray)
 
-    /** To be called before each rendering: forgets what the last one did not need. */
+    /** Must be called before each rendering: drops the arrays that the last rendering did not use. */
     @Synchronized
     fun begin() {
         ints.begin()
@@ -25,7 +25,7 @@ internal class ArrayPool {
     @Synchronized
     fun longs(size: Int): LongArray = longs.take(size)
 
-    /** Takes an array back that nobody looks at any longer. */
+    /** Returns an array to the pool. It must no longer be used. */
     @Synchronized
     fun release(array: IntArray) {
         ints.put(array.size, array)
@@ -41,7 +41,7 @@ internal class ArrayPool {
     private class Shelf<A : Any>(private val make: (size: Int) -> A) {
         private var free = HashMap<Int, ArrayList<A>>()
 
-        /** What the last rendering left, and this one has not yet asked for. */
+        /** Arrays that the last rendering left, and this one has not yet taken. */
         private var leftover = HashMap<Int, ArrayList<A>>()
 
         fun begin() {
@@ -57,7 +57,10 @@ internal class ArrayPool {
     }
 
     companion object {
-        /** Returns a size that is not less than [least] nor much greater, and one of a few: what frames that differ share. */
+        /**
+         * Returns a size that is at least [least] and slightly greater at most. There are only a few such sizes, so
+         * different frames can share arrays.
+         */
         fun roomy(least: Int): Int {
             val step = Integer.highestOneBit(maxOf(least, LEAST)) / PARTS
             return maxOf(least, minOf(((least - 1L) / step + 1) * step, MOST).toInt())
@@ -65,10 +68,10 @@ internal class ArrayPool {
 
         private const val LEAST = 64
 
-        /** The largest array that a JVM is sure to have. */
+        /** The largest array size that every JVM supports. */
         private const val MOST = Int.MAX_VALUE - 8L
 
-        /** Sizes from a power of two to the next. */
+        /** Number of sizes from a power of two to the next. */
         private const val PARTS = 8
     }
 }

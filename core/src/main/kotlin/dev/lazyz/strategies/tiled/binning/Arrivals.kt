@@ -5,10 +5,10 @@ import dev.lazyz.raster.reaches
 import dev.lazyz.strategies.tiled.raster.TileGrid
 
 /**
- * Brings the primitives that are in no batch to the bands, from the top: which of them may cover samples of the current band.
+ * Determines, band by band from the top, which primitives that are in no batch may cover samples of the current band.
  *
- * They wait in the order of their first bands, and those that have begun and not yet ended are carried from band to
- * band; so what is held does not grow with the number of bands that a primitive covers. Belongs to one thread.
+ * Primitives are sorted by their first bands. Those that have started and not yet ended are carried over from band to
+ * band, so memory does not grow with the number of bands that a primitive covers. Belongs to one thread.
  */
 internal class Arrivals(frame: Frame, private val grid: TileGrid) {
     private val region = frame.region
@@ -41,25 +41,25 @@ internal class Arrivals(frame: Frame, private val grid: TileGrid) {
         waiting = sorted(all.copyOf(found), firstBand)
     }
 
-    /** Bytes held at most: while sorting, or later by who waits and who is present. */
+    /** Peak number of bytes held: while sorting, or later in [waiting], [present] and [spare]. */
     val bytes: Long
         get() = Int.SIZE_BYTES * (
             waiting.size.toLong() +
                 maxOf(2L * singles.size + waiting.size, present.size.toLong() + spare.size)
             )
 
-    /** Goes to [band]; called for each, in order. */
+    /** Moves to [band]; must be called for each band, in order. */
     fun moveTo(band: Int) {
-        // Merge those who begin here with those who are present, both in submission order; drop those who have ended
+        // Merge primitives that start here with those present, both in submission order; drop those that have ended
         val rowStart = grid.rowStart(band)
         val rowEnd = grid.rowEnd(band)
         var merged = 0
         var next = 0
         while (true) {
             while (next < count && singles[present[next]].rowEnd <= rowStart) next++
-            val old = if (next < count) present[next] else NOBODY
-            val new = if (entered < waiting.size && begins(waiting[entered], rowEnd)) waiting[entered] else NOBODY
-            if (old == NOBODY && new == NOBODY) break
+            val old = if (next < count) present[next] else NONE
+            val new = if (entered < waiting.size && begins(waiting[entered], rowEnd)) waiting[entered] else NONE
+            if (old == NONE && new == NONE) break
             if (merged == spare.size) spare = spare.copyOf(2 * merged)
             spare[merged++] = minOf(old, new)
             if (old < new) next++ else entered++
@@ -73,8 +73,8 @@ internal class Arrivals(frame: Frame, private val grid: TileGrid) {
     private fun begins(index: Int, rowEnd: Int): Boolean = singles[index].rowStart < rowEnd
 
     /**
-     * Sorts [indices] by their [keys] and keeps the order among equals: two counting sorts, by the lower bits and by
-     * the upper. Two, because the counts of one would grow with the number of bands.
+     * Stable sort of [indices] by their [keys]: two counting sorts, by the lower bits and by the upper bits. With a
+     * single counting sort, the number of counts would grow with the number of bands.
      */
     private fun sorted(indices: IntArray, keys: IntArray): IntArray {
         val other = IntArray(indices.size)
@@ -94,10 +94,10 @@ internal class Arrivals(frame: Frame, private val grid: TileGrid) {
     private companion object {
         const val CAPACITY = 64
 
-        /** Behind all indices. */
-        const val NOBODY = Int.MAX_VALUE
+        /** Greater than all indices. */
+        const val NONE = Int.MAX_VALUE
 
-        /** Half the bits of the number of a band: there are at most 2^18, as many as rows. */
+        /** Half the bits of a band number: there are at most 2^18 bands, as many as rows. */
         const val DIGIT_BITS = 9
         const val DIGITS = 1 shl DIGIT_BITS
     }

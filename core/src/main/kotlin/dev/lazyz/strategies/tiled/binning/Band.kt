@@ -12,10 +12,10 @@ import kotlin.contracts.ExperimentalContracts
 import kotlin.contracts.contract
 
 /**
- * A row of tiles: the bins with what each has to draw, and room for what comes out.
+ * A row of tiles: the bins with the primitives of each tile, and memory for the results.
  *
- * Filled by the calling thread, read by all, each of which writes the samples of its own tile; then used again for a
- * later band. A *member* is a primitive of the band, by its place in submission order within it.
+ * Filled by the calling thread and read by all threads, each of which writes the samples of its own tile; then reused
+ * for a later band. A *member* is a primitive of the band, numbered in submission order within the band.
  */
 internal class Band(frame: Frame, private val grid: TileGrid, private val pool: ArrayPool) {
     private val order = VisibilityOrder(frame.raster.depthTest)
@@ -34,7 +34,7 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
     var number: Int = 0
         private set
 
-    /** The triangles of batches that reach its tiles, or null if there are no batches. */
+    /** The triangles of batches that reach the band's tiles, or null if there are no batches. */
     var bins: TriangleBins? = null
         private set
 
@@ -47,27 +47,27 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
     private var firstColumns = IntArray(0)
     private var lastColumns = IntArray(0)
 
-    /** The bins: what tile c has to draw is `entries[ends[c - 1]]` until `entries[ends[c]]`, and its part of [wide]. */
+    /** The bins: the members of tile c are `entries` from `ends[c - 1]` until `ends[c]`, and its part of [wide]. */
     private val ends = IntArray(grid.columns + 1)
     private var entries = IntArray(0)
     private var wide = IntArray(0)
     private var wideCount = 0
 
-    /** What is visible, row by row, from the region's first column. */
+    /** The visible result, row by row, from the region's first column. */
     val argb: Array<IntArray> = Array(grid.tileHeight) { pool.ints(region.width) }
     val depth: Array<IntArray> = Array(grid.tileHeight) { pool.ints(region.width) }
     val primitive: Array<IntArray> = Array(grid.tileHeight) { pool.ints(region.width) }
 
     private val remaining = AtomicInteger()
 
-    /** Bytes of the spans that members share, in this band and in the fullest so far. */
+    /** Bytes of the spans that members share, in this band, and the greatest such number so far. */
     private val spanBytes = AtomicLong()
     private var peakSpanBytes = 0L
 
     /** Whether all tiles have been rendered. */
     val isComplete: Boolean get() = remaining.get() == 0
 
-    /** Bytes held at most. */
+    /** Peak number of bytes held. */
     val bytes: Long
         get() = 3L * Int.SIZE_BYTES * grid.tileHeight * region.width +
             Int.SIZE_BYTES * (singles.size + firstColumns.size + lastColumns.size + ends.size).toLong() +
@@ -77,13 +77,13 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
     /** The number of a member among the frame's single primitives. */
     fun single(member: Int): Int = singles[member]
 
-    /** A key that no fragment of a member is before. */
+    /** A lower bound of the keys of a member. */
     fun nearest(member: Int): Long = nearest[member]
 
-    /** The rows of a member that covers more than one tile and is no triangle; null for others. */
+    /** The rows of a member that covers more than one tile and is not a triangle; null for others. */
     fun spans(member: Int): BandSpans? = spans[member]
 
-    /** Fills the bins of band number [band] with what has [arrivals]; those of batches are [bins]. */
+    /** Fills the bins of band number [band] with the primitives of [arrivals]; [bins] are those of batches. */
     fun fill(band: Int, arrivals: Arrivals, bins: TriangleBins?) {
         number = band
         this.bins = bins
@@ -93,20 +93,20 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
         peakSpanBytes = maxOf(peakSpanBytes, spanBytes.getAndSet(0))
         enter(arrivals)
 
-        // Count the members of each tile, but not those of many tiles
+        // Count the members of each tile, except members of many tiles
         ends.fill(0)
         wideCount = 0
         for (member in 0 until count) {
             if (isWide(member)) wideCount++ else tiles(member) { ends[it + 1]++ }
         }
 
-        // Sum up, so that each tile knows where its members begin
+        // Compute prefix sums: the start of each tile's members
         for (column in 0 until grid.columns) ends[column + 1] += ends[column]
         val size = ends[grid.columns]
         if (entries.size < size) entries = IntArray(size + size / 4)
         if (wide.size < wideCount) wide = IntArray(wideCount + wideCount / 4)
 
-        // Put the members in; where they begin becomes where they end
+        // Enter the members; each start advances to the tile's end
         wideCount = 0
         for (member in 0 until count) {
             if (isWide(member)) wide[wideCount++] = member else tiles(member) { entries[ends[it]++] = member }
@@ -148,7 +148,7 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
         for (column in firstColumns[member]..lastColumns[member]) action(column)
     }
 
-    /** Whether nothing is to be drawn into the tile [column]. */
+    /** Whether the tile [column] has nothing to draw. */
     fun isEmpty(column: Int): Boolean {
         forEachMember(column) { return false }
         val bins = bins ?: return true
@@ -167,10 +167,10 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
         val entryEnd = ends[column]
         var wideEntry = 0
         while (true) {
-            // Two ascending lists: whoever was submitted first is next
-            val narrow = if (entry < entryEnd) entries[entry] else NOBODY
-            val broad = if (wideEntry < wideCount) wide[wideEntry] else NOBODY
-            if (narrow == NOBODY && broad == NOBODY) return
+            // Merge two ascending lists: the member submitted first is next
+            val narrow = if (entry < entryEnd) entries[entry] else NONE
+            val broad = if (wideEntry < wideCount) wide[wideEntry] else NONE
+            if (narrow == NONE && broad == NONE) return
             if (narrow < broad) {
                 entry++
                 action(narrow)
@@ -181,10 +181,10 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
         }
     }
 
-    /** Notes that one more tile has been rendered, and returns whether it was the last. */
+    /** Records that one more tile has been rendered; returns whether it was the last. */
     fun finishTile(): Boolean = remaining.decrementAndGet() == 0
 
-    /** Hands the rows to [sink], with a look at [checkpoint] before each. */
+    /** Passes the rows to [sink], and calls [checkpoint] before each row. */
     inline fun sendTo(sink: RowSink, checkpoint: () -> Unit) {
         for (row in 0 until rowEnd - rowStart) {
             checkpoint()
@@ -192,22 +192,22 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
         }
     }
 
-    /** Gives the rows' memory back; to be called last. */
+    /** Returns the rows' memory to the pool; must be called last. */
     fun release() {
         for (rows in listOf(argb, depth, primitive)) rows.forEach(pool::release)
     }
 
     companion object {
-        /** Behind all members. */
-        private const val NOBODY = Int.MAX_VALUE
+        /** Greater than all members. */
+        private const val NONE = Int.MAX_VALUE
 
         /**
-         * Members that reach this many tiles beyond their first are not entered tile by tile, so that bins take at most
-         * so many entries a member, however small the tiles.
+         * Members that reach at least this many tiles beyond their first are not entered tile by tile. Bins thus take
+         * at most this many entries a member, even with small tiles.
          */
         private const val WIDE = 8
 
-        /** Of a Java heap beyond 32 gigabytes; half as much below. */
+        /** Size in a Java heap beyond 32 gigabytes; half of this below. */
         private const val REFERENCE_BYTES = 8L
     }
 }

@@ -7,15 +7,15 @@ import dev.lazyz.strategies.tiled.raster.Checkpoint
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * The spans of a primitive in one band, for the tiles that share it: scan-converted once, by the first thread that
- * wants them.
+ * The spans of a primitive in one band, for the tiles that share it. The first thread that needs them scan-converts the
+ * primitive, once.
  *
- * Going through a polygon's edges, or a mask's texels, once for every tile that its rows cross would cost as much again
- * for each. Thread safe.
+ * Without sharing, the polygon's edges or the mask's texels would be processed again for each tile that the rows cross.
+ * Thread safe.
  *
  * @param rowStart first row of the primitive in the band
  * @param rowEnd the row after the last
- * @param bytes counts what is held
+ * @param bytes counter of the bytes held
  */
 internal class BandSpans(
     private val primitive: Primitive,
@@ -28,7 +28,8 @@ internal class BandSpans(
     private var rows: Rows? = null
 
     /**
-     * Row by row, the first and the column after the last of each span; [ends] says where in [bounds] a row ends.
+     * The spans of each row: [bounds] holds the first column of each span and the column after its last, row by row;
+     * [ends] holds the position in [bounds] where each row ends.
      *
      * @property first the row with the number 0
      */
@@ -36,19 +37,21 @@ internal class BandSpans(
         /** Number of rows. */
         val count: Int get() = ends.size
 
-        /** Where row number [row] begins. */
+        /** Position where row number [row] starts. */
         private fun begin(row: Int): Int = if (row == 0) 0 else ends[row - 1]
 
-        /** Where row number [row] ends. */
+        /** Position where row number [row] ends. */
         fun end(row: Int): Int = ends[row]
 
-        /** Column at which a span begins. */
+        /** First column of the span at position [at]. */
         fun start(at: Int): Int = bounds[at]
 
-        /** Column after the last of the span that begins at [at]. */
+        /** Column after the last of the span at position [at]. */
         fun until(at: Int): Int = bounds[at + 1]
 
-        /** Returns the place of the first span of row number [row] that ends behind column [x]; [end] if none does. */
+        /**
+         * Returns the position of the first span of row number [row] that ends after column [x], or [end] if none does.
+         */
         fun firstBehind(row: Int, x: Int): Int {
             var low = begin(row) / 2
             var high = end(row) / 2
@@ -61,8 +64,8 @@ internal class BandSpans(
     }
 
     /**
-     * Returns the rows. Whoever is the first to want them counts the fragments, of all tiles, in [counters]; [scratch]
-     * keeps the columns of the region, and [checkpoint] is passed before each row.
+     * Returns the rows. The first call counts the fragments of all tiles in [counters]. [scratch] must be limited to
+     * the columns of the region; [checkpoint] is called before each row.
      */
     fun rows(scratch: Spans, counters: Counters, checkpoint: Checkpoint): Rows =
         rows ?: synchronized(this) { rows ?: scan(scratch, counters, checkpoint).also { rows = it } }

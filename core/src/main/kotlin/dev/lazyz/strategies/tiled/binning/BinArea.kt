@@ -2,7 +2,7 @@ package dev.lazyz.strategies.tiled.binning
 
 import dev.lazyz.strategies.tiled.raster.TileGrid
 
-/** The tiles that bins are made for: those of the bands [bandStart] until [bandEnd]. Immutable. */
+/** The tiles of a set of bins: those of the bands [bandStart] until [bandEnd]. Immutable. */
 internal class BinArea(private val grid: TileGrid, private val bandStart: Int, bandEnd: Int) {
     /** The samples of these tiles. */
     @JvmField val columnStart: Int = grid.region.columnStart
@@ -20,15 +20,15 @@ internal class BinArea(private val grid: TileGrid, private val bandStart: Int, b
     /** Number of tiles. */
     val tiles: Int = bands * columns
 
-    /** The band that is number [number] of these. */
+    /** Converts an index within these bands to a band number. */
     fun band(number: Int): Int = bandStart + number
 
     /** The number of a tile. */
     fun tile(band: Int, column: Int): Int = (band - bandStart) * columns + column
 
-    /** The number of the tile that a sample is in. */
+    /** The number of the tile that contains a sample. */
     fun tileAt(x: Int, y: Int): Int = tile(grid.bandOf(y), grid.columnOf(x))
 
-    /** Where a sample is in its tile, whose rows have [stride] places. */
+    /** The place of a sample within its tile, whose rows have [stride] places. */
     fun placeInTile(x: Int, y: Int, stride: Int): Int = grid.rowInTile(y) * stride + grid.columnInTile(x)
 }

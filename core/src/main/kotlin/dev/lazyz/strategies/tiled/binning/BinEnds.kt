@@ -1,9 +1,11 @@
 package dev.lazyz.strategies.tiled.binning
 
 /**
- * Where bins end, which lie one behind the other: the counts of a counting sort by tiles that several threads do, a chunk each.
+ * The bounds of bins that are stored one after the other: the counts of a counting sort by tiles that several threads
+ * do in parallel, one chunk each.
  *
- * Chunk by chunk, how much each tile gets; then, after [sumUp], where the next goes; and in the end where it ends.
+ * For each chunk and tile, an element is first the number of entries; after [sumUp], the position of the next entry;
+ * and finally the position after the last entry.
  */
 internal class BinEnds(private val chunks: Int, private val tiles: Int) {
     private val ends = IntArray(chunks * tiles)
@@ -15,7 +17,7 @@ internal class BinEnds(private val chunks: Int, private val tiles: Int) {
         ends[chunk * tiles + tile]++
     }
 
-    /** Sums up tile by tile, and within a tile chunk by chunk, so that each chunk knows where its share begins. */
+    /** Replaces counts with start positions, ordered by tile and within a tile by chunk. Returns the total. */
     fun sumUp(): Int {
         var sum = 0
         for (tile in 0 until tiles) {

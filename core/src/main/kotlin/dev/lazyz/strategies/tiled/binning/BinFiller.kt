@@ -8,8 +8,8 @@ import dev.lazyz.strategies.tiled.raster.TileKeys
 import dev.lazyz.strategies.tiled.raster.TriangleForms
 
 /**
- * What one chunk of a frame's triangles brings to [TriangleBins], in the order in which it was found. Belongs to one thread at
- * a time.
+ * The triangles and fragments that one chunk of a frame's triangles adds to [TriangleBins], in the order in which they
+ * were found. Belongs to one thread at a time.
  *
  * @param number number of the chunk
  */
@@ -31,16 +31,16 @@ internal class BinFiller(
     /** Nearest key of each triangle that is neither small nor wide, and a tile that it reaches. */
     private val triangles = KeyedPlaces(pool)
 
-    /** Nearest keys of those that are wide. */
+    /** Nearest keys of the wide triangles. */
     val wide: NearToFar = NearToFar()
 
-    /** Key of each fragment; its tile and its place there, [TILE_SHIFT] bits apart. */
+    /** Key of each fragment, with its tile (shifted left by [TILE_SHIFT] bits) and its place in the tile. */
     private val fragments = KeyedPlaces(pool)
 
     /** Bytes held. */
     val bytes: Long get() = triangles.bytes + wide.bytes + fragments.bytes
 
-    /** Draws triangles that are small, and notes the others for their tiles, or as [wide]. */
+    /** Draws small triangles, and records the others for their tiles, or as [wide]. */
     fun enter(batch: TriangleBatch, first: Int, count: Int) {
         coverage.cover(batch, first, count)
         for (i in 0 until count) {
@@ -65,13 +65,13 @@ internal class BinFiller(
         }
     }
 
-    /** Draws the samples [covered] of the square from ([left], [top]) on. */
+    /** Draws the samples [covered] of the square that starts at ([left], [top]). */
     private fun draw(batch: TriangleBatch, triangle: Int, left: Int, top: Int, covered: Int) {
         var rest = covered
         if (left < area.columnStart || left + SmallCoverage.SIDE > area.columnEnd || top < area.rowStart ||
             top + SmallCoverage.SIDE > area.rowEnd
         ) {
-            rest = rest and here(left, top)
+            rest = rest and withinArea(left, top)
         }
         if (rest == 0) return
         forms.depth(batch, triangle)
@@ -86,15 +86,15 @@ internal class BinFiller(
         }
     }
 
-    /** Returns the bits of the samples that are in these tiles, of the square from ([left], [top]) on. */
-    private fun here(left: Int, top: Int): Int = SmallCoverage.within(
+    /** Returns the bits of those samples of the square that starts at ([left], [top]) that are in these tiles. */
+    private fun withinArea(left: Int, top: Int): Int = SmallCoverage.within(
         (area.columnStart - left).coerceIn(0, SmallCoverage.SIDE),
         (area.columnEnd - left).coerceIn(0, SmallCoverage.SIDE),
         (area.rowStart - top).coerceIn(0, SmallCoverage.SIDE),
         (area.rowEnd - top).coerceIn(0, SmallCoverage.SIDE),
     )
 
-    /** Puts triangles and fragments where they belong; nothing is left here. */
+    /** Moves triangles and fragments to their bins; nothing is left here. */
     fun distribute(triangleKeys: LongArray, keys: LongArray, places: IntArray) {
         triangles.forEach { nearest, tile -> triangleKeys[triangleEnds.next(row, tile)] = nearest }
         fragments.forEach { key, place ->
@@ -107,7 +107,7 @@ internal class BinFiller(
     }
 
     companion object {
-        /** Most tiles that bins are made for at a time: 12 bits. */
+        /** Most tiles for which bins are made at a time: 12 bits. */
         const val MOST_TILES: Int = 1 shl 12
 
         /** A tile has at most 2^18 places. */

@@ -5,9 +5,9 @@ import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.strategies.tiled.raster.SmallCoverage
 
 /**
- * Finds out what small triangles cover, many at a time: half of the triangles of a fine mesh cover nothing.
+ * Computes the coverage of small triangles, many at a time: half of the triangles of a fine mesh cover nothing.
  *
- * All kernels give the same bits. Holds the answer until the next question; belongs to one thread.
+ * All kernels give the same bits. Results are valid until the next call; belongs to one thread.
  */
 internal abstract class CoverageKernel {
     /** First column of each triangle's square of [SmallCoverage.SIDE] x [SmallCoverage.SIDE] samples. */
@@ -16,13 +16,15 @@ internal abstract class CoverageKernel {
     /** First row of each square. */
     @JvmField val top: IntArray = IntArray(COUNT)
 
-    /** The samples covered, see [SmallCoverage], or [LARGE] for a triangle whose bounds have more than a square. */
+    /** The covered samples, see [SmallCoverage], or [LARGE] for a triangle whose bounds exceed the square. */
     @JvmField val covered: IntArray = IntArray(COUNT)
 
-    /** Answers for the triangles [first] until [first] + [count] of [batch], at most [COUNT]. */
+    /**
+     * Computes the coverage of the triangles [first] until [first] + [count] of [batch]; [count] is at most [COUNT].
+     */
     abstract fun cover(batch: TriangleBatch, first: Int, count: Int)
 
-    /** Answers for one triangle, in place [i]. */
+    /** Computes the coverage of one triangle and stores it at index [i]. */
     protected fun coverOne(batch: TriangleBatch, triangle: Int, i: Int) {
         val grid = batch.grid
         val a = batch.place(triangle, 0)
@@ -48,15 +50,15 @@ internal abstract class CoverageKernel {
     }
 
     companion object {
-        /** Triangles at a time. */
+        /** Most triangles at a time. */
         const val COUNT: Int = 256
 
-        /** Instead of samples: the triangle is not small. */
+        /** Marks a triangle that is not small. */
         const val LARGE: Int = -1
     }
 }
 
-/** One triangle after the other. */
+/** Processes one triangle after the other. */
 internal class ScalarCoverageKernel : CoverageKernel() {
     override fun cover(batch: TriangleBatch, first: Int, count: Int) {
         for (i in 0 until count) coverOne(batch, first + i, i)

@@ -1,11 +1,14 @@
 package dev.lazyz.strategies.tiled.binning
 
-/** A list of pairs of a key and a place, in pieces: it grows without copying. Belongs to one thread at a time. */
+/**
+ * A list of pairs of a key and a place, stored in pieces so that it grows without copying. Belongs to one thread at a
+ * time.
+ */
 internal class KeyedPlaces(private val pool: ArrayPool) {
     private val keyPieces = ArrayList<LongArray>()
     private val placePieces = ArrayList<IntArray>()
 
-    /** The last pieces, and how much of them is taken. */
+    /** The last pieces, and the number of their elements in use. */
     private var keys = LongArray(0)
     private var places = IntArray(0)
     private var taken = 0
@@ -13,7 +16,7 @@ internal class KeyedPlaces(private val pool: ArrayPool) {
     /** Bytes held. */
     val bytes: Long get() = keyPieces.size * PIECE * (Long.SIZE_BYTES + Int.SIZE_BYTES).toLong()
 
-    /** Adds a pair behind all others. */
+    /** Appends a pair. */
     fun add(key: Long, place: Int) {
         if (taken == keys.size) addPieces()
         keys[taken] = key
@@ -36,7 +39,7 @@ internal class KeyedPlaces(private val pool: ArrayPool) {
         }
     }
 
-    /** Gives all memory back; to be called last. */
+    /** Returns all memory to the pool; must be called last. */
     fun release() {
         for (piece in keyPieces) pool.release(piece)
         for (piece in placePieces) pool.release(piece)

@@ -1,6 +1,6 @@
 package dev.lazyz.strategies.tiled.binning
 
-/** Keys, to be gone through roughly from near to far. Belongs to one thread; used again and again. */
+/** Keys that are sorted approximately from near to far. Belongs to one thread; reusable. */
 internal class NearToFar {
     /** The keys in order of arrival, and sorted. */
     private var keys = LongArray(CAPACITY)
@@ -28,14 +28,14 @@ internal class NearToFar {
         count += other.count
     }
 
-    /** Begins anew with [count] keys, which are filled into what is returned. */
+    /** Restarts with [count] keys; the caller must fill them into the returned array. */
     fun begin(count: Int): LongArray {
         if (count > keys.size) keys = LongArray(count + count / 4)
         this.count = count
         return keys
     }
 
-    /** Sorts the keys: a counting sort by the upper bits in which they differ. */
+    /** Sorts the keys with a counting sort by the uppermost bits in which they differ. */
     fun sort() {
         if (sorted.size < keys.size) sorted = LongArray(keys.size)
         var least = Long.MAX_VALUE
@@ -51,7 +51,7 @@ internal class NearToFar {
         for (i in 0 until count) sorted[ends[((keys[i] - least) ushr shift).toInt()]++] = keys[i]
     }
 
-    /** Returns key number [i] of those that were sorted. */
+    /** Returns key number [i] in sorted order. */
     operator fun get(i: Int): Long = sorted[i]
 
     private companion object {

@@ -8,21 +8,22 @@ import dev.lazyz.setup.planar.triangleBatch
 import dev.lazyz.strategies.tiled.raster.TileGrid
 
 /**
- * What the triangles of a frame's batches bring to the tiles of some bands: two counting sorts, in parallel.
+ * The triangles of a frame's batches, sorted into the tiles of some bands with two counting sorts, in parallel.
  *
- * A triangle whose bounds have a few samples is drawn here and now, while its vertices are at hand: what goes to a tile are
- * its fragments, a key and a place each. Of all others a tile gets a key that none of the triangle's is before: from
- * it follow the triangle's index and the order in which to draw, and of triangles that turn out to be hidden nothing else
- * is ever looked at. Those that reach many tiles are entered when all are known, see [WideTriangles].
+ * A triangle whose bounds have only a few samples is drawn immediately, while its vertices are loaded; its tiles
+ * receive its fragments, each a key and a place. For every other triangle, a tile receives a lower bound of the
+ * triangle's keys. The bound determines the triangle's index and the order of drawing, and if the triangle turns out to
+ * be hidden, no other data of it is read. Triangles that reach many tiles are entered after all others are known, see
+ * [WideTriangles].
  *
- * A tile has the wide triangles first, and then the others in submission order, like its fragments, whatever the number of
- * threads. Memory, lent by a pool: 8 bytes for each pair of a triangle and a tile, 12 a fragment, and 12 for each of both
- * while bins are made; besides 24 bytes a wide triangle, 16 bytes a tile and thread. Immutable once made, until [finishBand]
- * takes it all back.
+ * A tile's wide triangles come first, followed by the others in submission order. Fragments are in submission order as
+ * well. Neither order depends on the number of threads. Memory, taken from a pool: 8 bytes for each pair of a triangle
+ * and a tile, 12 a fragment, and 12 for each of both while bins are made; in addition 24 bytes a wide triangle, and 16
+ * bytes a tile and thread. Immutable once made, until [finishBand] returns all memory.
  *
  * @param bandStart first band
  * @param bandEnd the band after the last
- * @param coverage makes the loops over small triangles, for one thread each
+ * @param coverage creates the loops over small triangles, for one thread each
  */
 internal class TriangleBins(
     private val content: FrameContent,
@@ -39,14 +40,14 @@ internal class TriangleBins(
     private val total = content.batches.sumOf { it.count }
     private val chunks = minOf(threads, (total - 1) / LEAST_CHUNK + 1)
 
-    /** Where the triangles of each tile are among [triangles], and its fragments among [keys] and [places]. */
+    /** Bounds of each tile's triangles within [triangles], and of its fragments within [keys] and [places]. */
     private val triangleEnds = BinEnds(1 + chunks, area.tiles)
     private val fragmentEnds = BinEnds(chunks, area.tiles)
     private val triangles: LongArray
     private val keys: LongArray
     private val places: IntArray
 
-    /** Bytes held, at most while the bins are made. */
+    /** Peak number of bytes held, while the bins are made. */
     val bytes: Long
 
     init {
@@ -73,7 +74,7 @@ internal class TriangleBins(
             Long.SIZE_BYTES * (triangles.size + keys.size.toLong())
     }
 
-    /** Notes that a band's triangles have been drawn; after the last one's all memory is given back. */
+    /** Records that a band's triangles have been drawn. After the last band, returns all memory to the pool. */
     fun finishBand() {
         if (--bandsLeft > 0) return
         pool.release(triangles)
@@ -81,19 +82,19 @@ internal class TriangleBins(
         pool.release(places)
     }
 
-    /** Copies the nearest key of each triangle that is to be drawn into a tile. */
+    /** Copies the nearest keys of the triangles of a tile. */
     fun copyTriangles(band: Int, column: Int, to: LongArray) {
         val tile = area.tile(band, column)
         System.arraycopy(triangles, triangleEnds.start(tile), to, 0, triangleCount(band, column))
     }
 
-    /** Number of triangles to be drawn into a tile. */
+    /** Number of triangles of a tile. */
     fun triangleCount(band: Int, column: Int): Int {
         val tile = area.tile(band, column)
         return triangleEnds.end(tile) - triangleEnds.start(tile)
     }
 
-    /** Lowers a tile's keys [to] to those of the fragments that fall into it; returns how many were lowered. */
+    /** Lowers a tile's keys [to] to those of its fragments; returns the number of keys that were lowered. */
     fun lower(band: Int, column: Int, to: LongArray): Int {
         val tile = area.tile(band, column)
         var passes = 0
@@ -108,13 +109,13 @@ internal class TriangleBins(
         return passes
     }
 
-    /** Number of fragments that fall into a tile. */
+    /** Number of fragments of a tile. */
     fun fragmentCount(band: Int, column: Int): Int {
         val tile = area.tile(band, column)
         return fragmentEnds.end(tile) - fragmentEnds.start(tile)
     }
 
-    /** Calls [action] for all triangles of a chunk, some of one batch at a time. */
+    /** Calls [action] for all triangles of a chunk, several triangles of one batch at a time. */
     private inline fun forEach(chunk: Int, action: (batch: TriangleBatch, first: Int, count: Int) -> Unit) {
         val from = (total.toLong() * chunk / chunks).toInt()
         val until = (total.toLong() * (chunk + 1) / chunks).toInt()
@@ -130,10 +131,13 @@ internal class TriangleBins(
     }
 
     companion object {
-        /** Triangles for which it is not worth to ask another thread. */
+        /** Fewest triangles for which another thread is worthwhile. */
         private const val LEAST_CHUNK = 4096
 
-        /** Number of bands that bins are made for at a time; at least one, however many tiles it has. */
+        /**
+         * Number of bands for which bins are made at a time; at least one, even if it has more than
+         * [BinFiller.MOST_TILES] tiles.
+         */
         fun bandsAtOnce(grid: TileGrid): Int = maxOf(1, minOf(BinFiller.MOST_TILES / grid.columns, grid.bands))
     }
 }

@@ -4,7 +4,7 @@ import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.strategies.tiled.raster.TileGrid
 
-/** The tiles of [area] that a triangle reaches, one triangle after the other. Belongs to one thread. */
+/** The tiles of [area] that a triangle reaches. Reused for each triangle; belongs to one thread. */
 internal class TriangleTiles(private val area: BinArea, private val grid: TileGrid) {
     private var ax = 0
     private var ay = 0
@@ -17,12 +17,12 @@ internal class TriangleTiles(private val area: BinArea, private val grid: TileGr
     private var firstBand = 0
     private var lastBand = 0
 
-    /** Whether the bounds are one tile wide or high, so that edges tell little. */
+    /** Whether the bounds are one tile wide or high. Testing edges against tiles then rejects little. */
     private var isOne = false
 
     /**
-     * Begins a triangle, and returns the number of tiles that its bounds reach, of the bands number [bandStart] until
-     * [bandEnd] of the area; for 0 there is no [forEach].
+     * Begins a triangle. Returns the number of tiles that its bounds reach within the bands number [bandStart] until
+     * [bandEnd] of the area. If it is 0, [forEach] must not be called.
      */
     fun begin(batch: TriangleBatch, triangle: Int, bandStart: Int = 0, bandEnd: Int = area.bands): Int {
         val a = batch.place(triangle, 0)
@@ -50,8 +50,8 @@ internal class TriangleTiles(private val area: BinArea, private val grid: TileGr
     }
 
     /**
-     * Calls [action] for each of these tiles, unless it [isHidden] there or one of its edges has the tile outside; `isCovered`
-     * only if all samples of the tile are.
+     * Calls [action] for each of these tiles, except those where [isHidden] returns true or which lie entirely outside
+     * one edge. `isCovered` is true only if the triangle covers all samples of the tile.
      */
     inline fun forEach(isHidden: (tile: Int) -> Boolean, action: (tile: Int, isCovered: Boolean) -> Unit) {
         val isClockwise = (bx - ax).toLong() * (cy - ay) - (cx - ax).toLong() * (by - ay) >= 0
@@ -82,7 +82,7 @@ internal class TriangleTiles(private val area: BinArea, private val grid: TileGr
         }
     }
 
-    /** Returns the most that an edge function is anywhere in the first tile, as if the tile were whole. */
+    /** Returns the greatest value of an edge function in the first tile, assuming that the tile is complete. */
     fun greatest(sign: Long, fromX: Int, fromY: Int, toX: Int, toY: Int): Long {
         val runX = sign * (toX - fromX)
         val runY = sign * (toY - fromY)
@@ -93,8 +93,8 @@ internal class TriangleTiles(private val area: BinArea, private val grid: TileGr
     }
 
     /**
-     * Returns how far below the most that it is in a tile an edge function has to stay positive there, for all samples to be
-     * inside, whether the edge owns those on it or not.
+     * Returns the least value for which this holds: if an edge function's greatest value in a tile is at least this,
+     * all samples of the tile are inside the edge, whether or not the edge owns the samples on it.
      */
     fun range(fromX: Int, fromY: Int, toX: Int, toY: Int): Long =
         (grid.size - 1L) * ScreenGrid.STEPS * (Math.abs((toX - fromX).toLong()) + Math.abs((toY - fromY).toLong())) + 1

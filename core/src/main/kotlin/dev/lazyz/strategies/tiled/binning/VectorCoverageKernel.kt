@@ -11,8 +11,8 @@ private val INTS: VectorSpecies<Int> = IntVector.SPECIES_PREFERRED
 private val LANES: Int = INTS.length()
 
 /**
- * As many triangles at once as a vector has lanes, see [SmallCoverage] for the arithmetic. To be loaded only where the JVM
- * has the module `jdk.incubator.vector`.
+ * Processes as many triangles at once as a vector has lanes; see [SmallCoverage] for the arithmetic. Can only be loaded
+ * if the JVM has the module `jdk.incubator.vector`.
  */
 internal class VectorCoverageKernel : CoverageKernel() {
     private val ax = IntArray(COUNT)
@@ -22,14 +22,14 @@ internal class VectorCoverageKernel : CoverageKernel() {
     private val cx = IntArray(COUNT)
     private val cy = IntArray(COUNT)
 
-    /** Samples at a side of a triangle's bounds. */
+    /** Samples along the sides of each triangle's bounds. */
     private val width = IntArray(COUNT)
     private val height = IntArray(COUNT)
 
-    /** All bits where a triangle has an area. */
+    /** All bits set where a triangle has an area. */
     private val solid = IntArray(COUNT)
 
-    /** The samples of a square that are outside of an edge. */
+    /** The samples of each square that are outside an edge. */
     private val outside = IntArray(COUNT)
 
     /** An edge function at the first sample of a row, and its steps by column and row. */
@@ -37,7 +37,7 @@ internal class VectorCoverageKernel : CoverageKernel() {
     private val stepX = IntArray(COUNT)
     private val stepY = IntArray(COUNT)
 
-    /** From one triangle's vertex number to the next one's. */
+    /** Distances from one triangle's vertex number to the next one's. */
     private val steps = IntArray(LANES) { 3 * it }
     private val places = IntArray(LANES)
 
@@ -50,14 +50,14 @@ internal class VectorCoverageKernel : CoverageKernel() {
         bound(whole, ay, by, cy, top, height)
         turn(whole)
         outside.fill(0, 0, whole)
-        leave(whole, ax, ay, bx, by)
-        leave(whole, bx, by, cx, cy)
-        leave(whole, cx, cy, ax, ay)
+        markOutside(whole, ax, ay, bx, by)
+        markOutside(whole, bx, by, cx, cy)
+        markOutside(whole, cx, cy, ax, ay)
         finish(whole)
         for (i in whole until count) coverOne(batch, first + i, i)
     }
 
-    /** Fetches vertex number [corner] of each triangle. */
+    /** Loads vertex number [corner] of each triangle. */
     private fun fetch(batch: TriangleBatch, first: Int, count: Int, corner: Int, x: IntArray, y: IntArray) {
         var i = 0
         while (i < count) {
@@ -69,7 +69,7 @@ internal class VectorCoverageKernel : CoverageKernel() {
         }
     }
 
-    /** Finds the first sample of the bounds, and their number, in one direction. */
+    /** Computes the first sample of the bounds, and the number of samples, in one direction. */
     private fun bound(count: Int, a: IntArray, b: IntArray, c: IntArray, first: IntArray, size: IntArray) {
         var i = 0
         while (i < count) {
@@ -107,10 +107,10 @@ internal class VectorCoverageKernel : CoverageKernel() {
         }
     }
 
-    /** Notes which samples of the square are outside of an edge. */
-    private fun leave(count: Int, fromX: IntArray, fromY: IntArray, toX: IntArray, toY: IntArray) {
+    /** Marks the samples of the square that are outside an edge. */
+    private fun markOutside(count: Int, fromX: IntArray, fromY: IntArray, toX: IntArray, toY: IntArray) {
         begin(count, fromX, fromY, toX, toY)
-        for (row in 0 until SmallCoverage.SIDE) leaveRow(count, SmallCoverage.SIDE * row)
+        for (row in 0 until SmallCoverage.SIDE) markOutsideInRow(count, SmallCoverage.SIDE * row)
     }
 
     /** Sets the edge function at the square's first sample, and its steps. */
@@ -132,8 +132,8 @@ internal class VectorCoverageKernel : CoverageKernel() {
         }
     }
 
-    /** Notes which of a row's samples are outside, the first of them at bit [bit], and goes to the next row. */
-    private fun leaveRow(count: Int, bit: Int) {
+    /** Marks the samples of a row that are outside, the first of them at bit [bit], and moves to the next row. */
+    private fun markOutsideInRow(count: Int, bit: Int) {
         var i = 0
         while (i < count) {
             val step = IntVector.fromArray(INTS, stepX, i)
@@ -149,14 +149,14 @@ internal class VectorCoverageKernel : CoverageKernel() {
         }
     }
 
-    /** Makes the answer of what is outside. */
+    /** Computes the result from the samples that are outside. */
     private fun finish(count: Int) {
         var i = 0
         while (i < count) {
             val bits = IntVector.fromArray(INTS, outside, i).lanewise(VectorOperators.XOR, SmallCoverage.ALL)
                 .and(IntVector.fromArray(INTS, solid, i))
             val side = IntVector.fromArray(INTS, width, i).max(IntVector.fromArray(INTS, height, i))
-            // All bits, which is LARGE, if a side is longer than the square
+            // All bits, which equals LARGE, if a side is longer than the square
             val isLarge = side.neg().add(SmallCoverage.SIDE).lanewise(VectorOperators.ASHR, Int.SIZE_BITS - 1)
             bits.or(isLarge).intoArray(covered, i)
             i += LANES
@@ -164,7 +164,7 @@ internal class VectorCoverageKernel : CoverageKernel() {
     }
 
     private companion object {
-        /** What [ScreenGrid.firstSample] adds before it shifts. */
+        /** The number that [ScreenGrid.firstSample] adds before it shifts. */
         const val TO_FIRST = ScreenGrid.STEPS - 1 - ScreenGrid.CENTER
     }
 }

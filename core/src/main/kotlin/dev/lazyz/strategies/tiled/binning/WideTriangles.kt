@@ -7,11 +7,11 @@ import dev.lazyz.strategies.tiled.raster.TileGrid
 import dev.lazyz.strategies.tiled.raster.TriangleForms
 
 /**
- * What the triangles that reach many tiles bring to those of some bands, one part of [TriangleBins]. Belongs to one thread at
- * a time.
+ * The triangles that reach many tiles, sorted into the tiles of some bands: one part of [TriangleBins]. Belongs to one
+ * thread at a time.
  *
- * They are taken from near to far, and of what lies behind a triangle that covers all samples of a tile the tile hears
- * nothing: so bins grow with what may be seen, not with depth complexity.
+ * Triangles are processed from near to far. If a triangle covers all samples of a tile, the triangles behind it are not
+ * entered for that tile. The size of bins thus grows with what may be visible, not with depth complexity.
  */
 internal class WideTriangles(
     private val content: FrameContent,
@@ -27,15 +27,15 @@ internal class WideTriangles(
     /** Nearest key of each triangle, and a tile that it reaches. */
     private val found = KeyedPlaces(pool)
 
-    /** Bytes held, at most. */
+    /** Peak number of bytes held. */
     val bytes: Long get() = found.bytes + Long.SIZE_BYTES * area.tiles.toLong()
 
-    /** Notes all triangles for the tiles of part number [part] of [parts]. */
+    /** Records all triangles for the tiles of part number [part] of [parts]. */
     fun enter(triangles: NearToFar, part: Int, parts: Int) {
         val bandStart = area.bands * part / parts
         val bandEnd = area.bands * (part + 1) / parts
 
-        // Of each tile a key that nothing is behind which is to be seen
+        // For each tile, an upper bound of the keys that can be visible
         val farthest = LongArray(area.tiles) { Long.MAX_VALUE }
         for (i in 0 until triangles.count) {
             val nearest = triangles[i]
@@ -51,17 +51,20 @@ internal class WideTriangles(
         }
     }
 
-    /** Puts the triangles where they belong; nothing is left here. */
+    /** Moves the triangles to their bins; nothing is left here. */
     fun distribute(keys: LongArray) {
         found.forEach { nearest, tile -> keys[ends.next(ROW, tile)] = nearest }
         found.release()
     }
 
     companion object {
-        /** Tiles from which on a triangle is wide: it may cover some wholly, and hiding it is worth while. */
+        /**
+         * Number of tiles from which on a triangle is wide: it may cover some completely, and rejecting others is
+         * worthwhile.
+         */
         const val TILES: Int = 8
 
-        /** The row of [BinEnds] for these triangles, of which each tile gets its own from one part only. */
+        /** The row of [BinEnds] for these triangles; each tile receives them from a single part. */
         const val ROW: Int = 0
     }
 }

@@ -1,28 +1,29 @@
 package dev.lazyz.strategies.tiled.raster
 
 /**
- * Lowers the keys of one block, [BLOCK] x [BLOCK] samples, to those of a triangle: the inner loops of the tiles.
+ * Replaces the keys of one block, [BLOCK] x [BLOCK] samples, with those of a triangle where the latter are less: the
+ * inner loops of the tiles.
  *
- * All kernels give the same bits. Stateless but for scratch: belongs to one thread.
+ * All kernels give the same bits. No state except scratch memory; belongs to one thread.
  */
 internal interface BlockKernel {
-    /** Prepares for the triangle in [forms]; to be called when its steps have changed. */
+    /** Prepares for the triangle in [forms]; must be called when its steps have changed. */
     fun begin(forms: TriangleForms)
 
     /**
-     * Draws a block that the triangle covers wholly. Notes in [farthest] at [block] the greatest key that is left.
+     * Draws a block that the triangle covers completely. Stores the greatest resulting key in [farthest] at [block].
      *
-     * @param keys rows of [stride] keys; the block's first is at [at]
+     * @param keys rows of [stride] keys; the block's first key is at [at]
      * @param z depth at the block's first sample, see [TriangleForms.z]
-     * @return how many keys were lowered
+     * @return number of keys that were lowered
      */
     fun whole(keys: LongArray, at: Int, stride: Int, z: Long, farthest: LongArray, block: Int): Int
 
     /**
-     * As [whole], for a block of which the triangle covers a part, and of which only the first [columns] and [rows] are
-     * samples of the picture. [e0], [e1], [e2] are the edge functions at the block's first sample.
+     * Like [whole], for a block that the triangle covers partly, or of which only the first [columns] and [rows] are
+     * within the picture. [e0], [e1], [e2] are the edge functions at the block's first sample.
      *
-     * @return how many samples are covered, times 2^32, plus how many keys were lowered
+     * @return number of covered samples, times 2^32, plus the number of keys that were lowered
      */
     fun part(
         keys: LongArray,
@@ -39,10 +40,10 @@ internal interface BlockKernel {
     ): Long
 
     companion object {
-        /** Samples at a side of a block. */
+        /** Samples along a side of a block. */
         const val BLOCK: Int = 8
 
-        /** The upper half of a key, and of a form of depth. */
+        /** The upper half of a key, and of a depth form. */
         const val DEPTH_BITS: Long = -1L shl Int.SIZE_BITS
     }
 }

@@ -1,7 +1,7 @@
 package dev.lazyz.strategies.tiled.raster
 
-/** Called often during a rendering. */
+/** Called frequently during a rendering. */
 internal fun interface Checkpoint {
-    /** Returns, or throws if the rendering is to end. */
+    /** Throws an exception if the rendering must end. */
     fun pass()
 }

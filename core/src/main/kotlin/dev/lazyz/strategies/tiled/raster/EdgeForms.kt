@@ -1,9 +1,9 @@
 package dev.lazyz.strategies.tiled.raster
 
 /**
- * The three edge functions of a triangle, as linear forms: values at a sample that is the origin, and steps by column and row.
+ * The three edge functions of a triangle, as linear forms: values at an origin sample, and steps by column and row.
  *
- * Plain fields, for they are read in the innermost loops.
+ * These are fields, not properties, because the innermost loops read them.
  */
 internal abstract class EdgeForms {
     @JvmField var e0: Long = 0L

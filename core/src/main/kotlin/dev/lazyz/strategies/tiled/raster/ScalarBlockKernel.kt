@@ -1,6 +1,6 @@
 package dev.lazyz.strategies.tiled.raster
 
-/** The loops as any JVM runs them. */
+/** Loops that run on any JVM. */
 internal class ScalarBlockKernel : BlockKernel {
     private lateinit var forms: TriangleForms
 

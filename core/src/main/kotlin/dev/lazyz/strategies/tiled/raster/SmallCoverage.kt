@@ -3,34 +3,34 @@ package dev.lazyz.strategies.tiled.raster
 import dev.lazyz.raster.ScreenGrid
 
 /**
- * Which samples a small triangle covers, by its edge functions (contract rule 2.2; see
+ * The samples that a small triangle covers, computed from its edge functions (contract rule 2.2; see
  * [dev.lazyz.strategies.tiled.raster.TriangleForms]).
  *
- * Half of the triangles of a fine mesh cover nothing, the others this or that: nothing that a processor could predict. So
- * there are no branches, and a whole square is looked at whatever the size of the triangle. Vertices and samples are
- * less than 2^13 grid steps apart, so 32 bits are enough.
+ * Half of the triangles of a fine mesh cover nothing, and the coverage of the others varies so much that a processor
+ * cannot predict branches. The code therefore has no branches, and always tests a whole square of samples, regardless
+ * of the triangle's size. Vertices and samples are less than 2^13 grid steps apart, so 32 bits are enough.
  */
 internal object SmallCoverage {
-    /** Samples at a side of the square. */
+    /** Samples along a side of the square. */
     const val SIDE: Int = 3
 
-    /** Most samples at a side of a triangle's bounds. */
+    /** Most samples along a side of a triangle's bounds. */
     const val MOST: Int = 16
 
     /** The bits of all samples of the square. */
     const val ALL: Int = (1 shl SIDE * SIDE) - 1
 
-    /** Column within the square of each of its samples, two bits each, and row, likewise. */
+    /** Column within the square of each of its samples, in two bits each, and likewise the row. */
     private const val COLUMNS = 0b10_01_00_10_01_00_10_01_00
     private const val ROWS = 0b10_10_10_01_01_01_00_00_00
 
     /**
-     * Returns a bit for each sample of the square of [SIDE] x [SIDE] samples from ([column], [row]) on, row by row from the
-     * lowest bit on: whether the triangle covers it. The triangle's bounds have at most [MOST] samples at a side, and reach
-     * the square.
+     * Returns one bit for each sample of the square of [SIDE] x [SIDE] samples that starts at ([column], [row]): 1 if
+     * the triangle covers the sample. Bits are in row order, starting with the lowest bit. The triangle's bounds must
+     * have at most [MOST] samples along a side, and must reach the square.
      */
     fun of(ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int, column: Int, row: Int): Int {
-        // Clockwise on the screen; without area nothing is inside
+        // Make the triangle clockwise on the screen; without area no sample is inside
         val area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay)
         val isCounterclockwise = area shr Int.SIZE_BITS - 1
         val turnX = (bx xor cx) and isCounterclockwise
@@ -61,14 +61,14 @@ internal object SmallCoverage {
         dy1: Int,
         dy2: Int,
     ): Int {
-        val outside0 = three(first0, first1, first2, dx0, dx1, dx2)
-        val outside1 = three(first0 + dy0, first1 + dy1, first2 + dy2, dx0, dx1, dx2)
-        val outside2 = three(first0 + 2 * dy0, first1 + 2 * dy1, first2 + 2 * dy2, dx0, dx1, dx2)
+        val outside0 = outsideOfThree(first0, first1, first2, dx0, dx1, dx2)
+        val outside1 = outsideOfThree(first0 + dy0, first1 + dy1, first2 + dy2, dx0, dx1, dx2)
+        val outside2 = outsideOfThree(first0 + 2 * dy0, first1 + 2 * dy1, first2 + 2 * dy2, dx0, dx1, dx2)
         return (outside0 or (outside1 shl SIDE) or (outside2 shl 2 * SIDE)) xor ALL
     }
 
-    /** Which of three samples in a row are outside: where the sign of an edge function says so. */
-    private fun three(v0: Int, v1: Int, v2: Int, dx0: Int, dx1: Int, dx2: Int): Int {
+    /** Returns which of three samples in a row are outside, from the signs of the edge functions. */
+    private fun outsideOfThree(v0: Int, v1: Int, v2: Int, dx0: Int, dx1: Int, dx2: Int): Int {
         val a = (v0 or v1 or v2) ushr Int.SIZE_BITS - 1
         val b = (v0 + dx0 or (v1 + dx1) or (v2 + dx2)) ushr Int.SIZE_BITS - 1
         val c = (v0 + 2 * dx0 or (v1 + 2 * dx1) or (v2 + 2 * dx2)) ushr Int.SIZE_BITS - 1

@@ -3,9 +3,10 @@ package dev.lazyz.strategies.tiled.raster
 import dev.lazyz.Region
 
 /**
- * A region cut into tiles of [size] x [size] samples, a power of two, smaller at the right and lower border. Immutable.
+ * A region divided into tiles of [size] x [size] samples; the size is a power of two. Tiles at the right and lower
+ * border may be smaller. Immutable.
  *
- * A row of tiles is called a band: *row* is kept for rows of samples.
+ * A row of tiles is called a band; *row* always refers to a row of samples.
  */
 internal class TileGrid(val region: Region, val size: Int) {
     private val shift = Integer.numberOfTrailingZeros(size)
@@ -20,22 +21,22 @@ internal class TileGrid(val region: Region, val size: Int) {
     /** Number of bands. */
     val bands: Int = (region.height - 1) / size + 1
 
-    /** Columns of samples of the widest tile. */
+    /** Columns of samples in the widest tile. */
     val tileWidth: Int = minOf(size, region.width)
 
-    /** Rows of samples of the highest tile. */
+    /** Rows of samples in the highest tile. */
     val tileHeight: Int = minOf(size, region.height)
 
-    /** The band that row [y] of the region is in. */
+    /** The band that contains row [y] of the region. */
     fun bandOf(y: Int): Int = (y - rowStart) shr shift
 
-    /** The tile of each band that column [x] of the region is in. */
+    /** The column of tiles that contains column [x] of the region. */
     fun columnOf(x: Int): Int = (x - columnStart) shr shift
 
-    /** The row of its tile that row [y] of the region is. */
+    /** The position of row [y] of the region within its tile. */
     fun rowInTile(y: Int): Int = (y - rowStart) and (size - 1)
 
-    /** The column of its tile that column [x] of the region is. */
+    /** The position of column [x] of the region within its tile. */
     fun columnInTile(x: Int): Int = (x - columnStart) and (size - 1)
 
     /** First row of samples of a band. */

@@ -7,11 +7,10 @@ import dev.lazyz.Primitive
 import dev.lazyz.Raster
 
 /**
- * The visibility keys of one tile, and what is known of them block by block. Belongs to one thread; used for tile after
- * tile.
+ * The visibility keys of one tile, and bounds of them for each block. Belongs to one thread; reused for each tile.
  *
- * Rows and columns are filled up to whole blocks. What lies outside the picture there has the least key of all: nothing
- * is ever drawn to it, and it is never the farthest.
+ * Rows and columns are padded to whole blocks. Places outside the picture have a key less than all others, so nothing
+ * is ever drawn there, and they never hold the farthest key.
  */
 internal class TileKeys(grid: TileGrid, raster: Raster, private val counters: Counters) {
     private val test = raster.depthTest
@@ -21,41 +20,46 @@ internal class TileKeys(grid: TileGrid, raster: Raster, private val counters: Co
     val blockColumns: Int = (grid.tileWidth - 1) / BlockKernel.BLOCK + 1
     private val blockRows = (grid.tileHeight - 1) / BlockKernel.BLOCK + 1
 
-    /** Keys of a row. */
+    /** Number of keys in a row. */
     val stride: Int = stride(grid)
 
     /** The keys, row by row. */
     val keys: LongArray = LongArray(stride * blockRows * BlockKernel.BLOCK)
 
-    /** For each block a key that none of the block's is behind. */
+    /** For each block, an upper bound of its keys. */
     val farthestOfBlock: LongArray = LongArray(blockColumns * blockRows)
 
     /** First column of the tile. */
     var columnStart: Int = 0
         private set
 
-    /** The column after its last. */
+    /** The column after the tile's last. */
     var columnEnd: Int = 0
         private set
 
-    /** Its first row. */
+    /** First row of the tile. */
     var rowStart: Int = 0
         private set
 
-    /** The row after its last. */
+    /** The row after the tile's last. */
     var rowEnd: Int = 0
         private set
 
-    /** What none of the keys is behind. */
+    /** An upper bound of all keys. */
     private var farthest = background
 
-    /** The block where it was found: while that has it, the bound is exact. */
+    /**
+     * The block that the bound was taken from. As long as that block's bound does not change, [farthest] is current.
+     */
     private var farthestBlock = 0
 
-    /** Keys compared since blocks were last looked through, but for those whose block was looked through at once. */
+    /**
+     * Number of keys compared since the block bounds were last updated, except comparisons that updated the bound of
+     * their block.
+     */
     private var comparisons = 0
 
-    /** What is drawn. */
+    /** The primitive that [draw] draws. */
     private var primitive: Primitive? = null
     private var form: LinearForm? = null
     private var origin = 0L
@@ -63,17 +67,17 @@ internal class TileKeys(grid: TileGrid, raster: Raster, private val counters: Co
     /** Bytes held. */
     val bytes: Long get() = Long.SIZE_BYTES * (keys.size + farthestOfBlock.size).toLong()
 
-    /** Begins a tile: nothing but background. */
+    /** Begins a tile, filled with background. */
     fun begin(columnStart: Int, columnEnd: Int, rowStart: Int, rowEnd: Int) {
         this.columnStart = columnStart
         this.columnEnd = columnEnd
         this.rowStart = rowStart
         this.rowEnd = rowEnd
         keys.fill(background, 0, (rowEnd - rowStart) * stride)
-        keys.fill(NOT_THERE, (rowEnd - rowStart) * stride, keys.size)
+        keys.fill(BEFORE_ALL, (rowEnd - rowStart) * stride, keys.size)
         if (columnEnd - columnStart < stride) {
             for (row in 0 until rowEnd - rowStart) {
-                keys.fill(NOT_THERE, row * stride + columnEnd - columnStart, (row + 1) * stride)
+                keys.fill(BEFORE_ALL, row * stride + columnEnd - columnStart, (row + 1) * stride)
             }
         }
         farthestOfBlock.fill(background)
@@ -91,11 +95,11 @@ internal class TileKeys(grid: TileGrid, raster: Raster, private val counters: Co
     /** Returns the key at a sample of the tile. */
     fun at(x: Int, y: Int): Long = keys[place(x, y)]
 
-    /** Returns a key that none of the tile's is behind: a fragment that is not before it is hidden. */
+    /** Returns an upper bound of the tile's keys: a fragment whose key is not less is hidden. */
     fun farthest(): Long {
-        lookThroughIfDue()
+        updateBlocksIfDue()
         if (farthestOfBlock[farthestBlock] != farthest) {
-            farthest = NOT_THERE
+            farthest = BEFORE_ALL
             for (block in farthestOfBlock.indices) {
                 if (farthestOfBlock[block] > farthest) {
                     farthest = farthestOfBlock[block]
@@ -106,25 +110,23 @@ internal class TileKeys(grid: TileGrid, raster: Raster, private val counters: Co
         return farthest
     }
 
-    /**
-     * Notes that [count] keys have been compared without bringing [farthestOfBlock] up to date.
-     */
+    /** Records that [count] keys were compared without updating [farthestOfBlock]. */
     fun compared(count: Int) {
         comparisons += count
     }
 
     /**
-     * Brings [farthestOfBlock] up to date if as many keys have been compared as a quarter of the samples: so looking costs
-     * less than what was drawn since.
+     * Updates [farthestOfBlock] if the number of compared keys is at least a quarter of the number of samples. An
+     * update thus costs less than the drawing since the last one.
      */
-    fun lookThroughIfDue() {
-        if (comparisons * 4 >= (columnEnd - columnStart) * (rowEnd - rowStart)) lookThrough()
+    fun updateBlocksIfDue() {
+        if (comparisons * 4 >= (columnEnd - columnStart) * (rowEnd - rowStart)) updateBlocks()
     }
 
-    private fun lookThrough() {
+    private fun updateBlocks() {
         for (row in 0 until blockRows) {
             for (column in 0 until blockColumns) {
-                var most = NOT_THERE
+                var most = BEFORE_ALL
                 var at = row * BlockKernel.BLOCK * stride + column * BlockKernel.BLOCK
                 for (line in 0 until BlockKernel.BLOCK) {
                     for (i in at until at + BlockKernel.BLOCK) most = maxOf(most, keys[i])
@@ -136,14 +138,14 @@ internal class TileKeys(grid: TileGrid, raster: Raster, private val counters: Co
         comparisons = 0
     }
 
-    /** Chooses what [draw] draws: [primitive], with submission index [index]. */
+    /** Chooses the primitive that [draw] draws: [primitive], with submission index [index]. */
     fun choose(primitive: Primitive, index: Int) {
         this.primitive = primitive
         form = primitive.depthForm
         origin = test.key(0, index)
     }
 
-    /** Draws a span of the chosen primitive on row [y], as far as it is within the tile. */
+    /** Draws the part of a span of the chosen primitive on row [y] that is within the tile. */
     fun draw(y: Int, start: Int, end: Int) {
         val from = maxOf(start, columnStart)
         val until = minOf(end, columnEnd)
@@ -163,8 +165,8 @@ internal class TileKeys(grid: TileGrid, raster: Raster, private val counters: Co
     /**
      * Lowers [count] keys from [first] on to those of a primitive whose form has the value [value] at the first sample.
      *
-     * A key is that of depth 0, and depth in its upper half: as it is, or, where the greatest depth wins, with all bits
-     * turned round, for 2^31-1 - depth turns them round. Returns how many keys were lowered.
+     * A key is that of depth 0, combined with the depth in its upper half. Where the greatest depth wins, the bits of
+     * the depth are inverted, because 2^31-1 - depth inverts them. Returns the number of keys that were lowered.
      */
     private fun lower(first: Int, count: Int, value: Long, step: Long, origin: Long): Int {
         val keys = keys
@@ -181,7 +183,7 @@ internal class TileKeys(grid: TileGrid, raster: Raster, private val counters: Co
         return passes
     }
 
-    /** As [lower], where depth is no linear form, from column [x] of row [y] on. */
+    /** Like [lower], where depth is not a linear form, from column [x] of row [y] on. */
     private fun lowerOneByOne(first: Int, count: Int, x: Int, y: Int): Int {
         val primitive = primitive!!
         var passes = 0
@@ -196,10 +198,10 @@ internal class TileKeys(grid: TileGrid, raster: Raster, private val counters: Co
     }
 
     companion object {
-        /** Returns the number of keys of a row, that of samples filled up to whole blocks. */
+        /** Returns the number of keys in a row: the number of samples, padded to whole blocks. */
         fun stride(grid: TileGrid): Int = ((grid.tileWidth - 1) / BlockKernel.BLOCK + 1) * BlockKernel.BLOCK
 
-        /** Before all keys. */
-        private const val NOT_THERE = -1L
+        /** Less than all keys. */
+        private const val BEFORE_ALL = -1L
     }
 }

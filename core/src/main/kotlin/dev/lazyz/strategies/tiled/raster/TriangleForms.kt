@@ -7,21 +7,21 @@ import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.planar.TriangleBatch
 
 /**
- * One triangle, ready to be drawn into an area of the raster: its edge functions and its depth, as linear forms with the
- * origin at the area's first sample. Reused for triangle after triangle; belongs to one thread.
+ * One triangle, prepared for drawing into an area of the raster: its edge functions and its depth, as linear forms with
+ * the origin at the area's first sample. Reused for each triangle; belongs to one thread.
  *
- * A sample is covered if no edge function is negative: those of edges that own no samples, the right and lower ones
- * (contract rule 2.2), are lowered by one. All is exact, see [ReferenceTriangle].
+ * A sample is covered if no edge function is negative. The functions of edges that own no samples, the right and lower
+ * ones (contract rule 2.2), are lowered by one. All values are exact, see [ReferenceTriangle].
  *
- * Depth is turned round where the greatest depth wins, so that for every test the visible fragment has the least key:
- * the form's upper 32 bits above [rank].
+ * Depth is inverted where the greatest depth wins, so that in every case the visible fragment has the least key. A key
+ * consists of the form's upper 32 bits, followed by [rank].
  *
  * Source: Juan Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988.
  */
 internal class TriangleForms(private val test: DepthTest) : EdgeForms() {
     private val isReversed = test.key(1, 0) < test.key(0, 0)
 
-    /** Depth: value at the origin, and steps by column and row; turned round where the greatest wins. */
+    /** Depth: value at the origin, and steps by column and row; inverted where the greatest depth wins. */
     @JvmField var z: Long = 0L
 
     @JvmField var zdx: Long = 0L
@@ -31,12 +31,14 @@ internal class TriangleForms(private val test: DepthTest) : EdgeForms() {
     /** Lower half of the keys. */
     @JvmField var rank: Long = 0L
 
-    /** A key that none of the triangle's is before. */
+    /** A lower bound of the triangle's keys. */
     @JvmField var nearest: Long = 0L
 
-    /** Sets the edge functions of the triangle with these vertices for an area whose first sample is ([column], [row]). */
+    /**
+     * Sets the edge functions of the triangle with these vertices for an area whose first sample is ([column], [row]).
+     */
     fun edges(ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int, column: Int, row: Int) {
-        // Clockwise on the screen, so that the inside is where all are positive
+        // Make the triangle clockwise on the screen, so that all edge functions are positive inside
         if ((bx - ax).toLong() * (cy - ay) - (cx - ax).toLong() * (by - ay) < 0) {
             return edges(ax, ay, cx, cy, bx, by, column, row)
         }
@@ -60,7 +62,9 @@ internal class TriangleForms(private val test: DepthTest) : EdgeForms() {
         return runX * (sampleY - fromY) - runY * (sampleX - fromX) - if (isOwner) 0 else 1
     }
 
-    /** Sets depth from the vertices' own, in the order in which they were submitted; see [ReferenceTriangle.form]. */
+    /**
+     * Sets depth from the vertices' depths, in the order in which they were submitted; see [ReferenceTriangle.form].
+     */
     private fun depth(index: Int, ax: Int, ay: Int, az: Int, bx: Int, by: Int, bz: Int, cx: Int, cy: Int, cz: Int) {
         rank(index, minOf(az, minOf(bz, cz)) - 1, maxOf(az, maxOf(bz, cz)) + 1)
         val dx1 = (bx - ax).toLong()
@@ -101,7 +105,7 @@ internal class TriangleForms(private val test: DepthTest) : EdgeForms() {
         form(form.c, form.dx, form.dy)
     }
 
-    /** Returns a key that none of triangle number [triangle] of [batch] is before. */
+    /** Returns a lower bound of the keys of triangle number [triangle] of [batch]. */
     fun nearest(batch: TriangleBatch, triangle: Int): Long = nearest(
         batch.first + triangle,
         batch.grid[batch.place(triangle, 0) + 2],
@@ -109,7 +113,7 @@ internal class TriangleForms(private val test: DepthTest) : EdgeForms() {
         batch.grid[batch.place(triangle, 2) + 2],
     )
 
-    /** Returns a key that none of triangle number [triangle] of [batch] is behind. */
+    /** Returns an upper bound of the keys of triangle number [triangle] of [batch]. */
     fun farthest(batch: TriangleBatch, triangle: Int): Long {
         val az = batch.grid[batch.place(triangle, 0) + 2]
         val bz = batch.grid[batch.place(triangle, 1) + 2]
@@ -121,7 +125,7 @@ internal class TriangleForms(private val test: DepthTest) : EdgeForms() {
     private fun nearest(index: Int, az: Int, bz: Int, cz: Int): Long =
         test.key(if (isReversed) maxOf(az, maxOf(bz, cz)) + 1 else minOf(az, minOf(bz, cz)) - 1, index)
 
-    /** Returns the key at a sample, counted from where the origin of depth is: the raster's, or see [moveTo]. */
+    /** Returns the key at a sample, relative to the origin of depth: that of the raster, or see [moveTo]. */
     fun keyAt(x: Int, y: Int): Long = ((z + zdx * x + zdy * y) and DEPTH_BITS) or rank
 
     private fun rank(index: Int, least: Int, greatest: Int) {
@@ -129,7 +133,7 @@ internal class TriangleForms(private val test: DepthTest) : EdgeForms() {
         nearest = test.key(if (isReversed) greatest else least, index)
     }
 
-    /** Until [moveTo] the origin is that of the raster. */
+    /** The origin is that of the raster until [moveTo] is called. */
     private fun form(c: Long, dx: Long, dy: Long) {
         z = if (isReversed) Long.MAX_VALUE - c else c
         zdx = if (isReversed) -dx else dx

@@ -14,20 +14,20 @@ private val SPECIES: VectorSpecies<Long> =
     }
 private val LANES: Int = SPECIES.length()
 
-/** Whether a vector is part of a block's row: then the block's farthest key may be another part's, even if nothing changes here. */
+/** Whether a vector holds only a part of a block's row. The block's farthest key may then be in another part. */
 private val IS_PART: Boolean = LANES < BlockKernel.BLOCK
 
 /**
- * The loops by the JVM's Vector API, a row of a block at a time where the machine has 512-bit registers. To be loaded
- * only where the JVM has the module `jdk.incubator.vector`.
+ * Loops with the JVM's Vector API, which process a whole row of a block at a time with 512-bit registers. Can only be
+ * loaded if the JVM has the module `jdk.incubator.vector`.
  *
- * What a loop carries begins as something loaded or computed, never as a constant vector, and methods are small: both are
- * needed for C2 to keep vectors in registers.
+ * Variables carried through a loop start with a loaded or computed value, never a constant vector, and methods are
+ * small. C2 keeps vectors in registers only if both conditions are met.
  */
 internal class VectorBlockKernel : BlockKernel {
     private lateinit var forms: TriangleForms
 
-    // Steps from a block's first column to each
+    // Steps from a block's first column to each column
     private val columns = LongArray(BlockKernel.BLOCK) { it.toLong() }
     private val e0 = LongArray(BlockKernel.BLOCK)
     private val e1 = LongArray(BlockKernel.BLOCK)
@@ -128,7 +128,7 @@ internal class VectorBlockKernel : BlockKernel {
     }
 
     companion object {
-        /** Whether vectors are wide enough to be worth it. */
+        /** Whether vectors are wide enough to be useful. */
         val isUseful: Boolean get() = LANES >= 4
 
         @JvmStatic

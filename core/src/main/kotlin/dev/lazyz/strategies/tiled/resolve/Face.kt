@@ -14,25 +14,25 @@ import dev.lazyz.shading.Vertices
 import dev.lazyz.strategies.tiled.raster.EdgeForms
 
 /**
- * A flat primitive as those see it who shade many samples of it: what [PlanarPrimitive] knows of itself, in a form that is
- * filled again for one after the other. Belongs to one thread.
+ * The data of a flat primitive, prepared for shading many of its samples: a reusable form of a [PlanarPrimitive].
+ * Belongs to one thread.
  *
- * Attributes are what [PlanarPrimitive] says they are, to the bit. Edge functions are each opposite to a vertex, their origin is
- * sample (0, 0).
+ * Attributes equal those of [PlanarPrimitive] bit for bit. Each edge function belongs to the edge opposite a vertex;
+ * the origin is sample (0, 0).
  */
 internal class Face : EdgeForms() {
-    /** Submission index of the primitive that this is, or -1. */
+    /** Submission index of the current primitive, or -1. */
     var index: Int = -1
         private set
 
-    /** The three vertices that attributes are interpolated between. */
+    /** The three vertices between which attributes are interpolated. */
     @JvmField val vertices: Vertices = Vertices(3)
 
-    /** What [attributes] fills in: bits [Attributes.WORLD] to [Attributes.COLOR]. */
+    /** The attributes that [attributes] fills in: bits [Attributes.WORLD] to [Attributes.COLOR]. */
     var fields: Int = 0
         private set
 
-    /** -1 to turn normals round, otherwise 1. */
+    /** -1 to reverse normals, otherwise 1. */
     @JvmField var normalSign: Double = 1.0
 
     /** 1/w of each vertex. */
@@ -42,14 +42,14 @@ internal class Face : EdgeForms() {
 
     @JvmField var over2: Double = 1.0
 
-    /** What the sum of the edge functions, each over its w, is at least. */
+    /** A lower bound of the sum of the edge functions, each divided by its vertex's w. */
     @JvmField var least: Double = 0.0
 
-    /** What colours the primitive. */
+    /** The primitive's shader. */
     lateinit var shader: Shader
         private set
 
-    /** Whether all samples have one colour, [argb]: nothing varies that a material's shader depends on. */
+    /** Whether all samples have the same colour, [argb]: the inputs of a material's shader do not vary. */
     var isConstant: Boolean = false
         private set
 
@@ -58,14 +58,14 @@ internal class Face : EdgeForms() {
         private set
 
     /**
-     * Whether the edge functions are exact as doubles at the primitive's samples, at all others of a tile that has some of them,
-     * and in steps from one to the other. Their sum is the same everywhere, and at the primitive's samples none is more than
-     * four times that, 2^52: see [PlanarAssembly], which chooses the triangle of a polygon. A step by a column or row is at most
-     * 2^36, within a tile 2^45: see [ScreenGrid.GUARD].
+     * Whether the edge functions are exact as doubles at the primitive's samples, at all other samples of a tile that
+     * contains some of them, and in the steps between them. The sum of the edge functions is the same everywhere, and
+     * at the primitive's samples none exceeds four times that sum, 2^52: see [PlanarAssembly], which chooses the
+     * triangle of a polygon. A step by a column or row is at most 2^36, and within a tile 2^45: see [ScreenGrid.GUARD].
      */
     val isExact: Boolean get() = e0 + e1 + e2 < EXACT
 
-    /** Makes this triangle [triangle] of [batch]; [scratch] is for its colour. */
+    /** Loads triangle number [triangle] of [batch]; [scratch] is used to compute its colour. */
     fun fill(batch: TriangleBatch, triangle: Int, faces: FaceSetUp, scratch: Fragment) {
         index = batch.first + triangle
         shader = faces.shader
@@ -89,7 +89,7 @@ internal class Face : EdgeForms() {
         edges(grid[ga], grid[ga + 1], grid[gb], grid[gb + 1], grid[gc], grid[gc + 1])
     }
 
-    /** Makes this the [primitive] with submission index [index]; [scratch] is for its colour. */
+    /** Loads the [primitive] with submission index [index]; [scratch] is used to compute its colour. */
     fun fill(index: Int, primitive: PlanarPrimitive, scratch: Fragment) {
         this.index = index
         shader = primitive.shader
@@ -114,7 +114,7 @@ internal class Face : EdgeForms() {
         return isConstant
     }
 
-    /** Gives [fragment] the colour, if it [isConstant]. */
+    /** Sets the colour of [fragment], if it [isConstant]. */
     fun shadeConstant(fragment: Fragment) {
         fragment.moveTo(0, 0)
         if (fields != 0) {
@@ -136,8 +136,9 @@ internal class Face : EdgeForms() {
     }
 
     /**
-     * Whether interpolation between these values of the three vertices gives the first of them, to the bit, when it is rounded
-     * to single precision. Beyond the vertices, where a polygon may reach, equal ones need not.
+     * Whether interpolation between these values of the three vertices gives exactly the first of them after rounding
+     * to single precision. Outside the triangle of the vertices, which a polygon may extend beyond, equal values do not
+     * guarantee this.
      */
     fun isSame(a: Double, b: Double, c: Double): Boolean {
         val bits = a.toRawBits()
@@ -162,7 +163,7 @@ internal class Face : EdgeForms() {
     private fun edge(fromX: Int, fromY: Int, toX: Int, toY: Int): Long =
         (toX - fromX).toLong() * (ScreenGrid.CENTER - fromY) - (toY - fromY).toLong() * (ScreenGrid.CENTER - fromX)
 
-    /** Fills in the attributes of one sample, at place [i] of [batch]. */
+    /** Fills in the attributes of one sample, at index [i] of [batch]. */
     fun attributes(batch: FragmentBatch, i: Int, x: Int, y: Int) {
         val part0 = (e0 + e0dx * x + e0dy * y).toDouble() * over0
         val part1 = (e1 + e1dx * x + e1dy * y).toDouble() * over1
@@ -197,10 +198,10 @@ internal class Face : EdgeForms() {
         w0 * vertices.get(0, field) + w1 * vertices.get(1, field) + w2 * vertices.get(2, field)
 
     companion object {
-        /** Eight times this is an integer up to which all are exact as doubles. */
+        /** Bound of the sum: all integers up to eight times this, 2^53, are exact as doubles. */
         private const val EXACT = 1L shl 50
 
-        /** Bytes of a face: two objects, one of 22 fields, and the vertices' numbers. */
+        /** Bytes of a face: two objects, one with 22 fields, and the vertices' numbers. */
         const val BYTES: Long = 2 * 16L + 22 * 8L + 16L + 3 * Vertices.STRIDE * 8L
     }
 }

@@ -7,26 +7,26 @@ import dev.lazyz.setup.planar.PlanarPrimitive
 import dev.lazyz.setup.planar.triangleBatch
 
 /**
- * Flat primitives lately seen: one is met again on the next row. Belongs to one thread.
+ * A cache of recently used flat primitives: a primitive is often used again on the next row. Belongs to one thread.
  *
- * @property isUsed whether there are faces at all
+ * @property isUsed whether the cache is enabled
  */
 internal class FaceCache(private val content: FrameContent, val isUsed: Boolean) {
-    /** By the lower bits of their indices. */
+    /** Faces by the lower bits of their indices. */
     private val faces = arrayOfNulls<Face>(if (isUsed) FACES else 0)
 
-    /** What sets up the triangles of each batch, made when it is first met. */
+    /** The set-up of the triangles of each batch, created on first use. */
     private val setUps = arrayOfNulls<FaceSetUp>(content.batches.size)
     private var lastBatch = -1
     private val scratch = Fragment()
 
-    /** Bytes held at most. */
+    /** Peak number of bytes held. */
     val bytes: Long get() = faces.size * Face.BYTES
 
     /** Whether primitive [index] has a face. */
     fun isFlat(index: Int): Boolean = isUsed && (batch(index) >= 0 || content.single(index) is PlanarPrimitive)
 
-    /** Returns the face of primitive [index] if that has one colour, and if this is to be seen without the face. */
+    /** Returns the face of primitive [index] if its colour is constant and this is known without loading the face. */
     fun constant(index: Int): Face? {
         val number = batch(index)
         if (number < 0 || !setUp(number).isConstant(index - content.batches[number].first)) return null
@@ -51,7 +51,7 @@ internal class FaceCache(private val content: FrameContent, val isUsed: Boolean)
         return face
     }
 
-    /** Returns the number of the batch that a primitive is drawn from, or -1; mostly it is that of the one before. */
+    /** Returns the number of a primitive's batch, or -1; in most cases it is the same as for the previous primitive. */
     fun batch(index: Int): Int {
         if (lastBatch >= 0) {
             val triangle = index - content.batches[lastBatch].first
@@ -66,12 +66,12 @@ internal class FaceCache(private val content: FrameContent, val isUsed: Boolean)
         return number
     }
 
-    /** Returns what sets up the triangles of batch [number]. */
+    /** Returns the set-up of the triangles of batch [number]. */
     fun setUp(number: Int): FaceSetUp =
         setUps[number] ?: content.triangleBatch(number).faces().also { setUps[number] = it }
 
     private companion object {
-        /** Primitives that are remembered, a power of two. */
+        /** Number of cached primitives, a power of two. */
         const val FACES = 64
     }
 }

@@ -5,21 +5,23 @@ import dev.lazyz.FragmentBatch
 import dev.lazyz.shading.Vertices
 
 /**
- * What is done for every visible sample but shading itself: the loops of [TileShading].
+ * The loops of [TileShading] that run for every visible sample, except shading itself.
  *
- * All kernels give the same bits. Stateless but for scratch: belongs to one thread.
+ * All kernels give the same bits. No state except scratch memory; belongs to one thread.
  *
- * @param long samples from which on loops over arrays are worth it
+ * @param long fewest samples for which loops over arrays are worthwhile
  */
 internal abstract class FragmentKernel(private val long: Int) {
-    /** Weight of each vertex at the samples: what [weigh] leaves for [mix]. Vectors write behind its end. */
+    /**
+     * Weight of each vertex at the samples, which [weigh] computes for [mix]. Vectors may write beyond the last sample.
+     */
     protected val weight0: DoubleArray = DoubleArray(FragmentBatch.ROOM)
     protected val weight1: DoubleArray = DoubleArray(FragmentBatch.ROOM)
     protected val weight2: DoubleArray = DoubleArray(FragmentBatch.ROOM)
 
     /**
-     * Fills in the attributes of [face] at the samples from number [at] of [fragments] on, in a tile whose first sample is
-     * ([x], [y]). What stands behind the last, as far as [FragmentBatch.SPARE] further, may be overwritten.
+     * Fills in the attributes of [face] at the samples from number [at] of [fragments] on, in a tile whose first sample
+     * is ([x], [y]). Up to [FragmentBatch.SPARE] elements after the last sample may be overwritten.
      */
     fun attributes(face: Face, fragments: WaitingFragments, at: Int, x: Int, y: Int) {
         val fields = face.fields
@@ -56,20 +58,22 @@ internal abstract class FragmentKernel(private val long: Int) {
     }
 
     /**
-     * Computes the perspective-correct weights of the vertices at these samples, as [Face.attributes] has them, and keeps
-     * them. Edge functions are exact as doubles, see [Face.isExact].
+     * Computes and stores the perspective-correct weights of the vertices at these samples, with the same result as
+     * [Face.attributes]. Edge functions are exact as doubles, see [Face.isExact].
      */
     protected abstract fun weigh(face: Face, fragments: WaitingFragments, at: Int, x: Int, y: Int)
 
-    /** Mixes the vertices' [field] by the weights, times [sign], into [count] places of [out] from [at] on. */
+    /**
+     * Interpolates the vertices' [field] with the weights, times [sign], into [count] elements of [out] from [at] on.
+     */
     protected abstract fun mix(face: Face, field: Int, sign: Double, out: FloatArray, at: Int, count: Int)
 
     /**
-     * Returns the first place from [from] on whose key in [keys] is another primitive's than the one at [from], or [until].
-     * The lower half of a key says whose it is.
+     * Returns the first index after [from] whose key in [keys] belongs to another primitive than the key at [from], or
+     * [until]. The lower half of a key identifies the primitive.
      */
     abstract fun runEnd(keys: LongArray, from: Int, until: Int): Int
 
-    /** Packs the colours of [batch] into [argb], which has room for [FragmentBatch.SPARE] more. */
+    /** Packs the colours of [batch] into [argb], which must have room for [FragmentBatch.SPARE] more elements. */
     abstract fun pack(batch: FragmentBatch, argb: IntArray)
 }

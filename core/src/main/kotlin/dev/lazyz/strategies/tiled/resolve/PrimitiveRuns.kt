@@ -1,27 +1,30 @@
 package dev.lazyz.strategies.tiled.resolve
 
 /**
- * The runs of a tile's visible samples, primitive by primitive: neighbours on a row that show the same primitive are a run.
+ * The runs of a tile's visible samples, grouped by primitive. A run consists of adjacent samples on a row that show the
+ * same primitive.
  *
- * Primitives are told apart by the lower bits of their indices, and a primitive that another one has driven out begins again:
- * so it may come more than once. Belongs to one thread; used for tile after tile.
+ * Primitives are looked up by the lower bits of their indices. A primitive that is evicted by another one starts a new
+ * group, so the same primitive may have several groups. Belongs to one thread; reused for each tile.
  */
 internal class PrimitiveRuns {
-    /** By the lower bits of their indices: the primitives lately met, and what stands for each, see [find]. */
+    /** By the lower bits of their indices: recently used primitives, and the result of [find] for each. */
     private val owners = IntArray(SLOTS)
     private val groups = IntArray(SLOTS)
     private val colors = IntArray(SLOTS)
 
-    /** Of each primitive its index, number of samples, and last run. */
+    /** For each group, the primitive's index, the number of samples, and the last run. */
     private var indices = IntArray(CAPACITY)
     private var sizes = IntArray(CAPACITY)
     private var lasts = IntArray(CAPACITY)
 
-    /** Number of primitives that have runs. */
+    /** Number of groups. */
     var count: Int = 0
         private set
 
-    /** Runs: place of the first sample, see [place], length, and the same primitive's run before it or [NONE]. */
+    /**
+     * For each run, the place of the first sample (see [place]), the length, and the group's previous run or [NONE].
+     */
     private var starts = IntArray(CAPACITY)
     private var lengths = IntArray(CAPACITY)
     private var previous = IntArray(CAPACITY)
@@ -37,13 +40,16 @@ internal class PrimitiveRuns {
         owners.fill(NONE)
     }
 
-    /** Returns the number of a primitive, [CONSTANT] or [APART] if it was noted as that, or [NONE] if it is not known. */
+    /**
+     * Returns the number of a primitive's group, or [CONSTANT] or [ONE_BY_ONE] if it was recorded as such, or [NONE] if
+     * unknown.
+     */
     fun find(index: Int): Int {
         val slot = index and SLOTS - 1
         return if (owners[slot] == index) groups[slot] else NONE
     }
 
-    /** Notes a primitive that is not known, whose samples are to be gathered, and returns its number. */
+    /** Records an unknown primitive whose samples are to be collected, and returns the number of its new group. */
     fun note(index: Int): Int {
         if (count == indices.size) {
             indices = indices.copyOf(2 * count)
@@ -56,14 +62,14 @@ internal class PrimitiveRuns {
         return note(index, count++)
     }
 
-    /** Notes a primitive that is not known, all of whose samples have the colour [argb]; returns [CONSTANT]. */
+    /** Records an unknown primitive all of whose samples have the colour [argb]; returns [CONSTANT]. */
     fun noteConstant(index: Int, argb: Int): Int {
         colors[index and SLOTS - 1] = argb
         return note(index, CONSTANT)
     }
 
-    /** Notes a primitive that is not known, whose samples are to be coloured one by one; returns [APART]. */
-    fun noteApart(index: Int): Int = note(index, APART)
+    /** Records an unknown primitive whose samples are shaded one by one; returns [ONE_BY_ONE]. */
+    fun noteOneByOne(index: Int): Int = note(index, ONE_BY_ONE)
 
     private fun note(index: Int, group: Int): Int {
         owners[index and SLOTS - 1] = index
@@ -71,10 +77,10 @@ internal class PrimitiveRuns {
         return group
     }
 
-    /** The colour of a primitive that was noted as [CONSTANT]. */
+    /** The colour of a primitive that was recorded as [CONSTANT]. */
     fun color(index: Int): Int = colors[index and SLOTS - 1]
 
-    /** Adds a run of primitive number [group]. */
+    /** Adds a run to group number [group]. */
     fun add(group: Int, start: Int, length: Int) {
         if (runCount == starts.size) {
             starts = starts.copyOf(2 * runCount)
@@ -88,13 +94,13 @@ internal class PrimitiveRuns {
         lasts[group] = runCount++
     }
 
-    /** The index of primitive number [group]. */
+    /** The primitive's index of group number [group]. */
     fun index(group: Int): Int = indices[group]
 
-    /** Number of samples of primitive number [group]. */
+    /** Number of samples of group number [group]. */
     fun size(group: Int): Int = sizes[group]
 
-    /** Calls [action] for each run of primitive number [group]. */
+    /** Calls [action] for each run of group number [group]. */
     inline fun forEach(group: Int, action: (start: Int, length: Int) -> Unit) {
         var run = lasts[group]
         while (run != NONE) {
@@ -104,16 +110,16 @@ internal class PrimitiveRuns {
     }
 
     companion object {
-        /** No primitive, or none that is known. */
+        /** No primitive, or an unknown primitive. */
         const val NONE: Int = -1
 
-        /** In place of the number of a primitive that has one colour. */
+        /** Instead of a group number: the primitive has one colour. */
         const val CONSTANT: Int = -2
 
-        /** In place of the number of a primitive whose samples are coloured one by one. */
-        const val APART: Int = -3
+        /** Instead of a group number: the primitive's samples are shaded one by one. */
+        const val ONE_BY_ONE: Int = -3
 
-        /** Bits of a column in a tile, which is at most 512. */
+        /** Bits of a column within a tile; a tile has at most 512 columns. */
         private const val COLUMN_BITS = 9
 
         /** Returns the place of a sample of a tile. */
@@ -127,7 +133,7 @@ internal class PrimitiveRuns {
 
         private const val CAPACITY = 512
 
-        /** Primitives that are told apart, a power of two. */
+        /** Number of primitives in the look-up table, a power of two. */
         private const val SLOTS = 512
     }
 }

@@ -4,7 +4,7 @@ import dev.lazyz.FragmentBatch
 import dev.lazyz.Srgb
 import dev.lazyz.shading.Vertices
 
-/** The loops as any JVM runs them: those over arrays are such that C2 makes vectors of them. */
+/** Loops that run on any JVM. C2 can vectorize those over arrays. */
 internal class ScalarFragmentKernel : FragmentKernel(long = 12) {
     override fun weigh(face: Face, fragments: WaitingFragments, at: Int, x: Int, y: Int) {
         val first0 = (face.e0 + face.e0dx * x + face.e0dy * y).toDouble()

@@ -8,10 +8,12 @@ import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.shading.Vertices
 
 /**
- * Attributes of fragments each of which may be another triangle's: step by step for all of them, with nothing made for a
- * triangle. What comes out is what [dev.lazyz.strategies.tiled.resolve.Face] says, to the bit. Belongs to one thread.
+ * Attributes of fragments that may each belong to a different triangle. Each step processes all fragments, without any
+ * set-up for a triangle. The results equal those of [dev.lazyz.strategies.tiled.resolve.Face] bit for bit. Belongs to
+ * one thread.
  *
- * There is one make of it only: most of the time it waits for memory, and gathering by vectors did not make it faster.
+ * There is only one implementation: most of the time is spent waiting for memory, and vector gather loads did not make
+ * it faster.
  */
 internal class ScatteredAttributes {
     /** Weight of each of a fragment's vertices. */
@@ -24,7 +26,7 @@ internal class ScatteredAttributes {
     private val vertex1 = IntArray(FragmentBatch.CAPACITY)
     private val vertex2 = IntArray(FragmentBatch.CAPACITY)
 
-    /** What attributes are multiplied by: 1, or what turns each fragment's normals to the viewer. */
+    /** Factors of attributes: 1, or for normals the sign that makes each fragment's normal face the viewer. */
     private val signs = DoubleArray(FragmentBatch.CAPACITY)
     private val vertices = Vertices(3)
 
@@ -32,8 +34,8 @@ internal class ScatteredAttributes {
     val bytes: Long get() = FragmentBatch.CAPACITY * (4L * Double.SIZE_BYTES + 3L * Int.SIZE_BYTES)
 
     /**
-     * Fills in the attributes of all fragments of [batch], which show the triangles [numbers] of [triangles]. These have to be
-     * such that [FaceSetUp.isShared].
+     * Fills in the attributes of all fragments of [batch]. These belong to the triangles [numbers] of [triangles].
+     * Requires [FaceSetUp.isShared].
      */
     fun fill(batch: FragmentBatch, triangles: TriangleBatch, numbers: IntArray, faces: FaceSetUp) {
         val fields = faces.fields
@@ -66,7 +68,7 @@ internal class ScatteredAttributes {
         }
     }
 
-    /** Sets weights number [i] to the edge functions of [triangle] at a sample, each over its vertex's w. */
+    /** Sets weights number [i] to the edge functions of [triangle] at a sample, each divided by its vertex's w. */
     private fun weigh(triangles: TriangleBatch, triangle: Int, x: Int, y: Int, i: Int) {
         val corners = triangles.corners
         val grid = triangles.grid
@@ -103,7 +105,7 @@ internal class ScatteredAttributes {
         }
     }
 
-    /** Mixes number [k] of the [stride] numbers that [data] has for each vertex, and multiplies by the signs. */
+    /** Interpolates number [k] of the [stride] numbers that [data] has for each vertex, and multiplies by the signs. */
     private fun mix(data: FloatArray, stride: Int, k: Int, out: FloatArray, count: Int) {
         for (i in 0 until count) {
             val a = data[stride * vertex0[i] + k]

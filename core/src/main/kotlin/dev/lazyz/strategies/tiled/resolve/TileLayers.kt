@@ -9,13 +9,13 @@ import dev.lazyz.Rgba
 import dev.lazyz.strategies.tiled.raster.TileKeys
 
 /**
- * The translucent fragments of one tile that lie before what is opaque, by sample and nearest first. Belongs to one
- * thread; used for tile after tile.
+ * The translucent fragments of one tile that are before the opaque ones, by sample and from near to far. Belongs to one
+ * thread; reused for each tile.
  *
- * They are noted as they are found, and then brought into order: a counting sort by sample, a sort of each sample's
- * few by key. Nothing is held for tiles without translucent primitives.
+ * Fragments are recorded as they are found, and then sorted: a counting sort by sample, then a sort of each sample's
+ * few fragments by key. No memory is held if no tile has translucent primitives.
  *
- * @param opaque the keys of what is opaque, final before the first fragment comes
+ * @param opaque the keys of the opaque primitives, final before the first fragment is added
  */
 internal class TileLayers(private val opaque: TileKeys, private val test: DepthTest, private val counters: Counters) {
     /** Key and sample of each fragment, in order of arrival. */
@@ -32,7 +32,7 @@ internal class TileLayers(private val opaque: TileKeys, private val test: DepthT
     /** Whether there is nothing to blend. */
     val isEmpty: Boolean get() = count == 0
 
-    /** Bytes held at most. */
+    /** Peak number of bytes held. */
     val bytes: Long get() = Long.SIZE_BYTES * (keys.size + ordered.size) +
         Int.SIZE_BYTES * (samples.size + ends.size).toLong()
 
@@ -41,7 +41,9 @@ internal class TileLayers(private val opaque: TileKeys, private val test: DepthT
         count = 0
     }
 
-    /** Notes a span of a translucent primitive on row [y], as far as it is within the tile and in front. */
+    /**
+     * Records the part of a translucent primitive's span on row [y] that is within the tile and before the opaque keys.
+     */
     fun add(primitive: Primitive, index: Int, y: Int, start: Int, end: Int) {
         val from = maxOf(start, opaque.columnStart)
         val until = minOf(end, opaque.columnEnd)
@@ -53,7 +55,7 @@ internal class TileLayers(private val opaque: TileKeys, private val test: DepthT
         var z = form?.at(from, y) ?: 0L
         val step = form?.dx ?: 0L
         for (x in from until until) {
-            // One addition a sample where depth is linear
+            // Where depth is linear, each sample takes one addition
             val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
             z += step
             val key = test.key(depth, index)
@@ -71,7 +73,7 @@ internal class TileLayers(private val opaque: TileKeys, private val test: DepthT
         samples = samples.copyOf(size + size / 2)
     }
 
-    /** Brings the fragments into order, once all have been noted. */
+    /** Sorts the fragments, after all have been recorded. */
     fun order() {
         if (isEmpty) return
         if (ends.isEmpty()) ends = IntArray(opaque.size + 1)
@@ -87,12 +89,13 @@ internal class TileLayers(private val opaque: TileKeys, private val test: DepthT
 
     private fun end(sample: Int): Int = ends[sample]
 
-    /** Returns the nearest key at a [sample], or [none] if nothing translucent is there. */
+    /** Returns the nearest key at a [sample], or [none] if there is no translucent fragment. */
     fun nearest(sample: Int, none: Long): Long = if (start(sample) < end(sample)) ordered[start(sample)] else none
 
     /**
-     * Blends what is at a [sample] with what is behind (contract rule 5.5), and returns the colour, packed. [shade] gives
-     * the colour of the fragment with a key; [backdrop] is the key of what is opaque, or null for [background].
+     * Blends the fragments at a [sample] with what is behind them (contract rule 5.5), and returns the packed colour.
+     * [shade] returns the colour of the fragment with a key; [backdrop] is the key of the opaque primitive, or null for
+     * [background].
      */
     inline fun blend(sample: Int, backdrop: Long?, background: Rgba, shade: (key: Long) -> Fragment): Int {
         blending.clear()

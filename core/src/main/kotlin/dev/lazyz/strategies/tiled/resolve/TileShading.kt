@@ -16,12 +16,12 @@ import dev.lazyz.strategies.tiled.raster.Checkpoint
 import dev.lazyz.strategies.tiled.raster.TileKeys
 
 /**
- * Computes the colours of one tile, now that it is known what is visible: those of flat primitives many at a time,
- * others one by one. Belongs to one thread; used for tile after tile.
+ * Computes the colours of one tile after the visible primitives are known: many samples at a time for flat primitives,
+ * one by one for others. Belongs to one thread; reused for each tile.
  *
- * What is known of a flat primitive is fetched once, for all its samples of the tile: these are gathered, primitive after
- * primitive, until the shader or the attributes change or the batch is full. Of primitives with very few samples not even that
- * is fetched.
+ * The data of a flat primitive is loaded once for all its samples of the tile. Samples are collected, primitive after
+ * primitive, until the shader or the attributes change or the batch is full. For primitives with very few samples, this
+ * data is not loaded at all.
  */
 internal class TileShading(
     private val frame: Frame,
@@ -35,22 +35,29 @@ internal class TileShading(
     private val content = frame.content
     private val test = frame.raster.depthTest
 
-    /** What turns the upper half of a key into a depth: all its bits, where the greatest wins; see [DepthTest.depthOf]. */
+    /**
+     * Converts the upper half of a key into a depth: all bits set where the greatest depth wins; see
+     * [DepthTest.depthOf].
+     */
     private val depthTurn = test.depthOf(0)
     private val background = frame.raster.background.toArgb()
     private val single = LateShading(frame, coherence, counters)
     private val firstColumn = frame.region.columnStart
 
-    /** None where attributes are stepped along rows. */
+    /** Disabled if attributes are stepped along rows. */
     private val faces = FaceCache(content, coherence != Coherence.INCREMENTAL)
     private val packed = IntArray(FragmentBatch.ROOM)
     private val runs = PrimitiveRuns()
 
-    /** Fragments that wait for their colour, all of one shader and the same attributes, which are known. */
+    /**
+     * Fragments waiting to be shaded, all with the same shader and the same attributes, which are already filled in.
+     */
     private val waiting = WaitingFragments()
     private var shader: Shader? = null
 
-    /** Fragments of triangles so small that it is not worth to know all of them: [smallTriangles] of batch number [smallBatch]. */
+    /**
+     * Waiting fragments of triangles that are too small to load a face: [smallTriangles] of batch number [smallBatch].
+     */
     private val waitingSmall = WaitingFragments()
     private val smallTriangles = IntArray(FragmentBatch.CAPACITY)
     private var smallBatch = -1
@@ -61,7 +68,7 @@ internal class TileShading(
     private val fragment = Fragment()
     private lateinit var band: Band
 
-    /** Bytes held at most. */
+    /** Peak number of bytes held. */
     val bytes: Long
         get() = runs.bytes + waiting.bytes + waitingSmall.bytes + scattered.bytes + faces.bytes + single.peakBytes +
             Int.SIZE_BYTES * (packed.size + smallTriangles.size.toLong())
@@ -69,7 +76,7 @@ internal class TileShading(
     /**
      * Fills in colour, depth and primitive of the tile in [band].
      *
-     * @param isFine whether most triangles are thought to be so small that they are met once; this is for speed only
+     * @param isFine whether most triangles are probably so small that they have one run only; affects only the speed
      */
     fun shade(band: Band, isFine: Boolean) {
         this.band = band
@@ -87,7 +94,7 @@ internal class TileShading(
         counters.peakSuspensions = maxOf(counters.peakSuspensions, counters.shadingCalls - shadedBefore)
     }
 
-    /** Fills in background at all samples of a tile, the columns [columnStart] until [columnEnd] of [band]. */
+    /** Fills a tile with background: the columns [columnStart] until [columnEnd] of [band]. */
     fun clear(band: Band, columnStart: Int, columnEnd: Int) {
         for (row in 0 until band.rowEnd - band.rowStart) {
             band.argb[row].fill(background, columnStart - firstColumn, columnEnd - firstColumn)
@@ -131,7 +138,7 @@ internal class TileShading(
             number = note(index)
         }
         when (number) {
-            PrimitiveRuns.APART -> {
+            PrimitiveRuns.ONE_BY_ONE -> {
                 val primitive = primitive(index)
                 for (x in from until until) colors[x - firstColumn] = single.shaded(x, y, index, primitive).toArgb()
             }
@@ -146,20 +153,20 @@ internal class TileShading(
         }
     }
 
-    /** Notes a primitive that is met for the first time, see [PrimitiveRuns.find]. */
+    /** Records a primitive that is encountered for the first time, see [PrimitiveRuns.find]. */
     private fun note(index: Int): Int {
-        if (!faces.isFlat(index)) return runs.noteApart(index)
+        if (!faces.isFlat(index)) return runs.noteOneByOne(index)
         val constant = faces.constant(index) ?: return runs.note(index)
         return runs.noteConstant(index, constant.argb)
     }
 
-    /** Counts the calls of a shader. */
+    /** Counts shading calls. */
     private fun count(calls: Int) {
         counters.shadingCalls += calls
         counters.shadingStarts += calls
     }
 
-    /** Computes the colours of all samples of primitive [number] of [runs], or lets them wait. */
+    /** Computes the colours of all samples of group [number] of [runs], or adds the samples to those waiting. */
     private fun shadeAll(number: Int) {
         val index = runs.index(number)
         if (runs.size(number) < FEW && canGatherSmall(index, runs.size(number))) {
@@ -177,7 +184,7 @@ internal class TileShading(
         }
     }
 
-    /** Adds the samples of a face to those that wait. */
+    /** Adds the samples of a face to those waiting. */
     private fun gather(number: Int, face: Face) {
         if (face.shader !== shader || face.fields != waiting.batch.fields) {
             flush()
@@ -201,7 +208,9 @@ internal class TileShading(
         kernel.attributes(face, waiting, first, keys.columnStart, keys.rowStart)
     }
 
-    /** Makes room for [count] more samples of primitive [index] among those of small triangles, if it can be one of them. */
+    /**
+     * Returns whether primitive [index] can be shaded as a small triangle; if so, makes room for [count] more samples.
+     */
     private fun canGatherSmall(index: Int, count: Int): Boolean {
         val batch = if (faces.isUsed) faces.batch(index) else -1
         if (batch < 0 || !faces.setUp(batch).isShared) return false
@@ -213,21 +222,24 @@ internal class TileShading(
         return true
     }
 
-    /** Adds samples of primitive [index], of which [canGatherSmall] has been asked, to those of small triangles that wait. */
+    /**
+     * Adds samples of primitive [index] to the waiting ones of small triangles; [canGatherSmall] must have returned
+     * true.
+     */
     private fun gatherSmall(index: Int, start: Int, length: Int) {
         val first = waitingSmall.size
         waitingSmall.add(start, length)
         smallTriangles.fill(index - content.batches[smallBatch].first, first, first + length)
     }
 
-    /** Shades the fragments whose attributes are known. */
+    /** Shades the waiting fragments of faces. */
     private fun flush() {
         if (waiting.size == 0) return
         waiting.locate(keys.columnStart, keys.rowStart)
         shade(waiting, shader!!)
     }
 
-    /** Finds the attributes of small triangles' fragments, and shades them. */
+    /** Computes the attributes of the waiting fragments of small triangles, and shades these fragments. */
     private fun flushSmall() {
         if (waitingSmall.size == 0) return
         val setUp = faces.setUp(smallBatch)
@@ -268,7 +280,7 @@ internal class TileShading(
         }
     }
 
-    /** Returns the colour of a sample at which a translucent primitive is in front of what is [opaque]. */
+    /** Returns the colour of a sample at which a translucent primitive is before the [opaque] one. */
     private fun blend(x: Int, y: Int, opaque: Long): Int {
         val backdrop = if (test.indexOf(opaque) == DepthTest.BACKGROUND) null else opaque
         return layers.blend(keys.place(x, y), backdrop, frame.raster.background) { key ->
@@ -293,7 +305,7 @@ internal class TileShading(
     }
 
     private companion object {
-        /** Samples from which on it pays to know a triangle. */
+        /** Fewest samples for which it is worthwhile to load a triangle's face. */
         const val FEW = 4
     }
 }

@@ -14,7 +14,7 @@ import jdk.incubator.vector.VectorSpecies
 private val DOUBLES: VectorSpecies<Double> = DoubleVector.SPECIES_PREFERRED
 private val LANES: Int = DOUBLES.length()
 
-/** Bits of the half of a key. */
+/** Bits of half a key. */
 private const val HALF = 32L
 private val LONGS: VectorSpecies<Long> = LongVector.SPECIES_PREFERRED
 
@@ -25,10 +25,10 @@ private val FLOATS: VectorSpecies<Float> = FloatVector.SPECIES_PREFERRED
 private val INTS: VectorSpecies<Int> = IntVector.SPECIES_PREFERRED
 
 /**
- * The loops by the JVM's Vector API. To be loaded only where the JVM has the module `jdk.incubator.vector`.
+ * Loops with the JVM's Vector API. Can only be loaded if the JVM has the module `jdk.incubator.vector`.
  *
- * Edge functions are taken as doubles, which have them exactly: so the order in which steps are added up does not matter.
- * Methods are small, and hand arrays to each other: so C2 keeps vectors in registers.
+ * Edge functions are represented as doubles, which hold them exactly, so the order in which steps are added does not
+ * matter. Methods are small and pass arrays to each other, so that C2 keeps vectors in registers.
  */
 internal class VectorFragmentKernel : FragmentKernel(long = 4) {
     private val red = Component()
@@ -79,7 +79,7 @@ internal class VectorFragmentKernel : FragmentKernel(long = 4) {
     }
 
     override fun runEnd(keys: LongArray, from: Int, until: Int): Int {
-        // Most runs are short, or long
+        // Most runs are either short or long
         val rank = keys[from]
         var at = from + 1
         val near = minOf(from + NEAR, until)
@@ -111,7 +111,7 @@ internal class VectorFragmentKernel : FragmentKernel(long = 4) {
         join(argb, count)
     }
 
-    /** Written out: in a method of its own, three times, C2 does not inline the look-up. */
+    /** Repeats the code for the three components, because C2 does not inline the look-up if it is a separate method. */
     private fun join(argb: IntArray, count: Int) {
         val summands = Srgb.summands
         var i = 0
@@ -135,7 +135,7 @@ internal class VectorFragmentKernel : FragmentKernel(long = 4) {
         return true
     }
 
-    /** What [Srgb.encode] looks up for one component of a batch's colours. */
+    /** The table positions that [Srgb.encode] uses, for one component of a batch's colours. */
     private class Component {
         @JvmField val bits = IntArray(FragmentBatch.ROOM)
 
@@ -156,7 +156,7 @@ internal class VectorFragmentKernel : FragmentKernel(long = 4) {
     }
 
     private companion object {
-        /** Samples of a run that are looked at one by one. */
+        /** Number of samples at the start of a run that are tested one by one. */
         const val NEAR = 4
 
         const val OPAQUE = 0xFF shl 24

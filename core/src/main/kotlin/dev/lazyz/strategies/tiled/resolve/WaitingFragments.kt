@@ -2,15 +2,15 @@ package dev.lazyz.strategies.tiled.resolve
 
 import dev.lazyz.FragmentBatch
 
-/** Fragments of a tile that wait for their colour, and where they are in the tile. Belongs to one thread. */
+/** Fragments of a tile that wait to be shaded, and their places in the tile. Belongs to one thread. */
 internal class WaitingFragments {
-    /** Attributes and colours of the fragments; their number and their samples only after [locate]. */
+    /** Attributes and colours of the fragments. Their number and their samples are set by [locate]. */
     val batch: FragmentBatch = FragmentBatch(FragmentBatch.ROOM)
 
-    /** The place of each in the tile, see [PrimitiveRuns.place]. */
+    /** The place of each fragment in the tile, see [PrimitiveRuns.place]. */
     private val places = IntArray(FragmentBatch.CAPACITY)
 
-    /** Columns and rows of the tile, as numbers to calculate with. */
+    /** Columns and rows within the tile, as doubles for arithmetic. */
     val columns: DoubleArray = DoubleArray(FragmentBatch.ROOM)
     val rows: DoubleArray = DoubleArray(FragmentBatch.ROOM)
 
@@ -18,14 +18,14 @@ internal class WaitingFragments {
     var size: Int = 0
         private set
 
-    /** Number of fragments for which there is room. */
+    /** Number of fragments that can be added. */
     val room: Int get() = FragmentBatch.CAPACITY - size
 
     /** Bytes held. */
     val bytes: Long get() = batch.bytes + Int.SIZE_BYTES * places.size.toLong() +
         Double.SIZE_BYTES * (columns.size + rows.size.toLong())
 
-    /** Adds [length] fragments, for which there has to be [room], from [start] on. */
+    /** Adds [length] adjacent fragments from place [start] on. There must be [room] for them. */
     fun add(start: Int, length: Int) {
         val column = PrimitiveRuns.column(start)
         val row = PrimitiveRuns.row(start).toDouble()
@@ -53,8 +53,8 @@ internal class WaitingFragments {
     }
 
     /**
-     * Puts the fragments' colours, packed in [argb], where they belong among the rows [to], where the tile begins at
-     * [column], and starts anew.
+     * Stores the fragments' packed colours [argb] into the rows [to], where the tile starts at [column], and removes
+     * all fragments.
      */
     fun takeOut(argb: IntArray, to: Array<IntArray>, column: Int) {
         for (i in 0 until size) {
@@ -65,7 +65,7 @@ internal class WaitingFragments {
     }
 
     private companion object {
-        /** Samples from which on it pays to fill arrays whole. */
+        /** Fewest samples for which filling by whole arrays is worthwhile. */
         const val LONG = 12
 
         /** The columns of the widest tile. */

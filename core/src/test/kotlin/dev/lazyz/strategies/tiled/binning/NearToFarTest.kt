@@ -5,7 +5,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Keys come out roughly sorted: those that are far apart in order, those that are close in order of arrival. */
+/** Keys are approximately sorted: those that are far apart by value, those that are close by order of arrival. */
 class NearToFarTest {
     private fun sorted(keys: LongArray): List<Long> {
         val order = NearToFar()

@@ -18,7 +18,7 @@ import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 
-/** Which tiles hear of a triangle, and which it covers wholly, beside the samples themselves. */
+/** Compares the tiles that a triangle reaches or covers completely with the samples that it covers. */
 class TriangleTilesProperties {
     @Property(tries = 40, seed = "1988", edgeCases = EdgeCasesMode.NONE)
     fun tilesAreWhatTheirSamplesSay(@ForAll seed: Long) {
@@ -72,7 +72,9 @@ class TriangleTilesProperties {
         return covered
     }
 
-    /** Triangles whose vertices are samples, so that edges run through many; and some whose are anywhere. */
+    /**
+     * Triangles whose vertices are samples, so that edges pass through many samples; and some with arbitrary vertices.
+     */
     private fun batch(random: Random): TriangleBatch {
         val positions = FloatArray(9 * COUNT) { i ->
             val sample = random.nextInt(SIDE + 8) - 4 + if (i / 9 % 4 == 0) random.nextFloat() else 0.5f

@@ -23,7 +23,9 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.EnumSource
 
-/** How far triangles that reach many tiles hide each other: never what is seen, and all that is two units behind. */
+/**
+ * How far triangles that reach many tiles hide each other: never what is visible, and always what is two units behind.
+ */
 class WideTrianglesTest {
     private val camera =
         Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 2.0, 1.0, 9.0)
@@ -35,7 +37,7 @@ class WideTrianglesTest {
         return Scene(listOf(mesh), listOf(Light.Ambient(Rgba.WHITE)), camera).frame(raster)
     }
 
-    /** Walls over the whole raster, each as many [units] of depth behind one in the middle of the range. */
+    /** Walls over the whole raster, each [units] of depth behind a wall in the middle of the range. */
     private fun walls(test: DepthTest, vararg units: Int): Frame {
         val direction = if (test.isGreatest()) 1 else -1
         val positions = FloatArray(9 * units.size) { i ->
@@ -44,7 +46,7 @@ class WideTrianglesTest {
         val frame = frame(test, positions)
         val depths = List(units.size) { depth(frame, it, 0) }
         for (i in units.indices) {
-            // Those far away are only roughly there
+            // Depths of distant walls are only approximate
             val expected = depths[0] - direction * (units[i] - units[0])
             if (units[i] <= FAR) assertEquals(expected, depths[i])
         }
@@ -60,7 +62,7 @@ class WideTrianglesTest {
 
     private fun DepthTest.isLastFirst() = this == DepthTest.LESS_OR_EQUAL || this == DepthTest.GREATER_OR_EQUAL
 
-    /** Tiles that hear of the walls, all walls together. */
+    /** Number of entries in tiles, summed over all walls. */
     private fun entries(frame: Frame, tileSize: Int): Int {
         val test = frame.raster.depthTest
         val grid = TileGrid(frame.region, tileSize)
@@ -79,7 +81,7 @@ class WideTrianglesTest {
     @EnumSource
     fun rule_5_1_aSurfaceAUnitInFrontOfALargeOneIsSeen(test: DepthTest) {
         for (gap in listOf(0, 1, 2, 3, 4, 5, 100, FAR)) {
-            // The last wall is so far behind that the others count as equally near, and are taken as they come
+            // The last wall is so far behind that the others count as equally near, and keep their order
             val frame = walls(test, gap, 0, 1 shl 29)
             val expected = ZBuffer().render(frame)
             if (gap > 0) assertTrue(expected.primitive.all { it == 1 })
@@ -96,7 +98,7 @@ class WideTrianglesTest {
         for (tileSize in listOf(4, 16)) {
             val tiles = (SIDE / tileSize) * (SIDE / tileSize)
             for (gap in 0..5) {
-                // A unit on both sides is allowed for rounding; on the spot, the order of submission decides
+                // One unit on both sides is allowed for rounding; at the limit, the order of submission decides
                 val isHidden = gap > 2 || (gap == 2 && !test.isLastFirst())
                 assertEquals(if (isHidden) tiles else 2 * tiles, entries(walls(test, 0, gap), tileSize)) { "gap $gap" }
             }
@@ -139,10 +141,10 @@ class WideTrianglesTest {
     private companion object {
         const val SIDE = 32
 
-        /** Units that are many, but few beside the whole range. */
+        /** Many units, but few compared with the whole range. */
         const val FAR = 1 shl 19
 
-        /** A unit of depth in the world: 8 from the near to the far plane, and 2^24 units outside of each. */
+        /** A unit of depth in world space: 8 from the near to the far plane, and 2^24 units outside each of them. */
         const val UNIT = 8.0 / ((1L shl 31) - 1 - (1L shl 25))
 
         /** Three vertices around the picture. */

@@ -18,11 +18,11 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.EnumSource
 
-/** The edge functions and depths of a batch's triangles are those of its primitives, from any first sample on. */
+/** The edge functions and depths of a batch's triangles are those of its primitives, with any first sample. */
 class TriangleFormsTest {
     /**
-     * Triangles with vertices on samples, so that samples lie on edges, on horizontal ones too; some anywhere, and some
-     * too steep for a linear form.
+     * Triangles with vertices on samples, so that samples lie on edges, including horizontal ones; some with arbitrary
+     * vertices, and some too steep for a linear form.
      */
     private fun frame(test: DepthTest): Frame {
         val random = Random(1988)

@@ -16,7 +16,10 @@ import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 
-/** The loops over visible samples fill in what [PlanarPrimitive] defines, to the bit, however many samples there are. */
+/**
+ * The loops over visible samples compute the attributes that [PlanarPrimitive] defines, bit for bit, for any number of
+ * samples.
+ */
 class FragmentKernelTest {
     @Test
     fun attributesAreThoseOfThePrimitive() {
@@ -68,13 +71,13 @@ class FragmentKernelTest {
         }
     }
 
-    /** The mesh with its triangle once more, the other way round. */
+    /** The mesh with a copy of its triangle in the opposite orientation. */
     private fun twoSided(random: Random): Mesh {
         val mesh = mesh(random)
         return Mesh(mesh.positions, intArrayOf(0, 1, 2, 0, 2, 1), mesh.material, mesh.normals, mesh.uvs, mesh.colors)
     }
 
-    /** Compares [count] samples from the middle row of the primitive, which covers all the picture. */
+    /** Compares [count] samples from the middle row of the primitive, which covers the whole picture. */
     private fun assertAttributes(
         kernel: FragmentKernel,
         face: Face,
@@ -84,7 +87,7 @@ class FragmentKernelTest {
     ) {
         val fragments = WaitingFragments()
         fragments.batch.begin(face.fields)
-        // Some that are done already, so that the first place is not 0
+        // Some fragments that were filled in before, so that the first index is not 0
         fragments.add(PrimitiveRuns.place(0, 0), DONE)
         fragments.add(PrimitiveRuns.place(ROW, 0), count)
         kernel.attributes(face, fragments, DONE, 0, 0)
@@ -104,7 +107,10 @@ class FragmentKernelTest {
         fragment.u, fragment.v, fragment.vertexRed, fragment.vertexGreen, fragment.vertexBlue, fragment.vertexAlpha,
     )
 
-    /** A triangle larger than the picture, seen from the front or the back; components of attributes are often equal at all vertices. */
+    /**
+     * A triangle larger than the picture, seen from the front or the back; components of attributes are often equal at
+     * all vertices.
+     */
     private fun mesh(random: Random): Mesh {
         val z = FloatArray(3) { if (random.nextBoolean()) 0f else random.nextFloat() - 0.5f }
         val positions = floatArrayOf(-9f, -9f, z[0], 9f, -9f, z[1], 0f, 15f, z[2])
@@ -115,7 +121,7 @@ class FragmentKernelTest {
         )
     }
 
-    /** Returns [size] numbers for each of three vertices: each the same for all of them, or not. */
+    /** Returns [size] numbers for each of three vertices; each number may be the same for all vertices. */
     private fun numbers(random: Random, size: Int): FloatArray {
         val numbers = FloatArray(3 * size) { random.nextFloat() * 2 - 1 }
         for (k in 0 until size) {
@@ -147,7 +153,7 @@ class FragmentKernelTest {
         const val ROW = 37
         const val DONE = 3
 
-        /** On both sides of the counts from which on kernels use loops over arrays: 4 and 12. */
+        /** Values around the counts from which on kernels use loops over arrays: 4 and 12. */
         val COUNTS = listOf(1, 3, 4, 5, 11, 12, 13, 64)
     }
 }
