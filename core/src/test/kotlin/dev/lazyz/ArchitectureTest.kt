@@ -77,9 +77,22 @@ class ArchitectureTest {
     /** Every package has a row on the page, which names only what is there. */
     @Test
     fun thePageShowsThePackages() {
-        val rows = page.substringAfter("## Packages of").substringBefore("\n## ").lines().filter { it.startsWith("| `") }
+        val rows = page.substringAfter("## Packages of").substringBefore("\n## ").lines().filter {
+            it.startsWith("| `")
+        }
         val shown = rows.associateBy { row -> row.substringAfter('`').substringBefore('`').removePrefix("dev.lazyz") }
-        assertEquals(rooms.map { if (floor(it) == FLOORS.indexOf("strategies.*")) "strategies.*" else it }.toSet(), shown.keys)
+        assertEquals(
+            rooms.map {
+                if (floor(it) ==
+                    FLOORS.indexOf("strategies.*")
+                ) {
+                    "strategies.*"
+                } else {
+                    it
+                }
+            }.toSet(),
+            shown.keys
+        )
         for ((room, row) in shown) {
             val code = sources.filter { room(it) == room }.joinToString("\n") { it.readText() }
             for ((name) in Regex("`([A-Z]\\w+)").findAll(row).map { it.destructured }) {
@@ -90,7 +103,10 @@ class ArchitectureTest {
 
     @Test
     fun thePageNamesTheFilesOfEachStep() {
-        val roots = mapOf("core" to root, "scenes" to ProjectFiles.root.resolve("scenes/src/main/kotlin/dev/lazyz/scenes"))
+        val roots = mapOf(
+            "core" to root,
+            "scenes" to ProjectFiles.root.resolve("scenes/src/main/kotlin/dev/lazyz/scenes")
+        )
         val named = Regex("`(core|scenes): ([\\w/]+)`").findAll(page).map { it.destructured }.toList()
         assertTrue(named.size > 20) { "only ${named.size} files" }
         for ((module, path) in named) assertTrue(Files.exists(roots.getValue(module).resolve("$path.kt"))) { path }

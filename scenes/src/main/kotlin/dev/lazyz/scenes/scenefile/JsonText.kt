@@ -4,25 +4,22 @@ import dev.lazyz.scenes.Loading
 import dev.lazyz.scenes.Source
 import java.nio.ByteBuffer
 import java.nio.charset.CharacterCodingException
-import kotlinx.serialization.SerializationException
+import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonDecodingException
 import kotlinx.serialization.json.JsonElement
 
 /** From bytes to a tree of JSON, with a place for every fault. */
 internal object JsonText {
-    private val offsetPattern = Regex("""Unexpected JSON token at offset (\d+): (.*)""")
-    private val pathPattern = Regex(""" at path: \S*.*""")
-
+    @OptIn(ExperimentalSerializationApi::class)
     fun parse(source: Source): JsonElement {
         val text = decode(source)
         NestingCheck(source, text).run()
         try {
             return Json.parseToJsonElement(text)
-        } catch (e: SerializationException) {
-            val message = e.message.orEmpty().lineSequence().first()
-            val match = offsetPattern.find(message) ?: source.fail(null, "is not JSON: $message", cause = e)
-            val place = place(text, match.groupValues[1].toInt())
-            source.fail(place, "is not JSON: ${match.groupValues[2].replace(pathPattern, "")}", cause = e)
+        } catch (e: JsonDecodingException) {
+            val place = if (e.offset < 0) null else place(text, e.offset)
+            source.fail(place, "is not JSON: ${e.shortMessage}", cause = e)
         } catch (e: OutOfMemoryError) {
             source.fail(null, "does not fit into memory", "keep meshes in files of their own, or raise -Xmx", e)
         }

@@ -3,6 +3,7 @@ package dev.lazyz.scenes.writers
 import dev.lazyz.Image
 import dev.lazyz.RowSink
 import java.io.IOException
+import java.io.OutputStream
 import java.nio.channels.Channels
 import java.nio.channels.FileChannel
 import java.nio.file.Path
@@ -55,10 +56,16 @@ public object ImageFiles {
     }
 
     internal fun write(image: Image, path: Path, format: ImageFormat) {
-        val isOpaque = image.argb.all { it ushr 24 == 0xFF }
-        val alpha = if (isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
-        AtomicFile.write(path) { channel -> write(channel, image.width, image.height, format, alpha, image::sendTo) }
+        AtomicFile.write(path) { write(it, image.width, image.height, format, alpha(image), image::sendTo) }
     }
+
+    /** Writes a PNG to [output], and leaves it open. */
+    internal fun write(image: Image, output: OutputStream) {
+        PngSink(KeptOpen(output), image.width, image.height, alpha(image)).use(image::sendTo)
+    }
+
+    private fun alpha(image: Image): AlphaChannel =
+        if (image.argb.all { it ushr 24 == 0xFF }) AlphaChannel.DROP else AlphaChannel.KEEP
 
     private fun <R> write(
         channel: FileChannel,
@@ -72,4 +79,15 @@ public object ImageFiles {
         ImageFormat.PPM -> PpmSink(Channels.newOutputStream(channel), width, height).use { produce(it) }
         ImageFormat.PFM -> PfmSink(channel, width, height).use { produce(it) }
     }
+}
+
+/** Flushes [output] where others would close it. */
+private class KeptOpen(private val output: OutputStream) : OutputStream() {
+    override fun write(byte: Int) = output.write(byte)
+
+    override fun write(bytes: ByteArray, offset: Int, length: Int) = output.write(bytes, offset, length)
+
+    override fun flush() = output.flush()
+
+    override fun close() = output.flush()
 }

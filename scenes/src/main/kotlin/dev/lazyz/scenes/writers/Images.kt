@@ -4,7 +4,9 @@ package dev.lazyz.scenes.writers
 
 import dev.lazyz.Image
 import dev.lazyz.RowSink
+import java.io.ByteArrayOutputStream
 import java.io.IOException
+import java.io.OutputStream
 import java.nio.file.Path
 
 /**
@@ -16,6 +18,17 @@ import java.nio.file.Path
  * @throws IOException if the file cannot be written; the message says which file, why, and what to do
  */
 public fun Image.writePng(path: Path): Unit = ImageFiles.write(this, path, ImageFormat.PNG)
+
+/**
+ * Writes the colours as a PNG to [output], without an alpha channel if the whole picture is opaque. Flushes the stream and
+ * leaves it open. Java: `Images.writePng(image, output)`.
+ *
+ * @throws IOException if the stream does not take it
+ */
+public fun Image.writePng(output: OutputStream): Unit = ImageFiles.write(this, output)
+
+/** Returns the colours as the bytes of a PNG file, see [writePng]. Java: `Images.toPng(image)`. */
+public fun Image.toPng(): ByteArray = ByteArrayOutputStream().also { writePng(it) }.toByteArray()
 
 /**
  * Writes the colours to a binary PPM file, see [PpmSink]: alpha is dropped. Otherwise as [writePng].

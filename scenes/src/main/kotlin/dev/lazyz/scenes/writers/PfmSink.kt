@@ -31,7 +31,7 @@ public class PfmSink(private val output: SeekableByteChannel, private val width:
     Closeable {
     private val bytes: ByteBuffer
     private val start: Long
-    private val order = RowOrder(height)
+    private val order = RowOrder(width, height)
     private var isClosed = false
 
     init {
@@ -46,11 +46,12 @@ public class PfmSink(private val output: SeekableByteChannel, private val width:
     /**
      * Writes row [y]; colours are ignored.
      *
-     * @throws IllegalArgumentException if it is not the row after the last one; the first may have any number
+     * @throws IllegalArgumentException if it is not the row after the last one (the first may have any number), or has fewer than
+     *   [width] columns
      * @throws IOException if the channel does not take it
      */
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
-        order.take(y)
+        order.take(y, primitive)
         bytes.clear()
         for (x in 0 until width) {
             val isCovered = primitive[x] != DepthTest.BACKGROUND

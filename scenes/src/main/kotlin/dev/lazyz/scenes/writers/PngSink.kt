@@ -42,7 +42,7 @@ public class PngSink @JvmOverloads constructor(
     Closeable {
     private val blocks: PngBlocks
     private val compressed = ByteArrayOutputStream()
-    private val order = RowOrder(height)
+    private val order = RowOrder(width, height)
     private var isClosed = false
 
     init {
@@ -59,11 +59,12 @@ public class PngSink @JvmOverloads constructor(
     /**
      * Writes row [y]; depth and primitive are ignored.
      *
-     * @throws IllegalArgumentException if it is not the row after the last one; the first may have any number
+     * @throws IllegalArgumentException if it is not the row after the last one (the first may have any number), or has fewer than
+     *   [width] columns
      * @throws IOException if the stream does not take it
      */
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
-        order.take(y)
+        order.take(y, argb)
         blocks.add(argb)
     }
 

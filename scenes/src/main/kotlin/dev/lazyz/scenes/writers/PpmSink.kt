@@ -22,7 +22,7 @@ public class PpmSink(private val output: OutputStream, private val width: Int, p
     RowSink,
     Closeable {
     private val bytes: ByteArray
-    private val order = RowOrder(height)
+    private val order = RowOrder(width, height)
     private var isClosed = false
 
     init {
@@ -35,11 +35,12 @@ public class PpmSink(private val output: OutputStream, private val width: Int, p
     /**
      * Writes row [y]; depth and primitive are ignored.
      *
-     * @throws IllegalArgumentException if it is not the row after the last one; the first may have any number
+     * @throws IllegalArgumentException if it is not the row after the last one (the first may have any number), or has fewer than
+     *   [width] columns
      * @throws IOException if the stream does not take it
      */
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
-        order.take(y)
+        order.take(y, argb)
         for (x in 0 until width) {
             val color = argb[x]
             bytes[3 * x] = (color ushr 16).toByte()

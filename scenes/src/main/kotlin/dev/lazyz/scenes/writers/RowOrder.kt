@@ -2,15 +2,24 @@ package dev.lazyz.scenes.writers
 
 import java.io.IOException
 
-/** Watches that rows come in order. The first may have any number, for a picture may be a part of a larger raster. */
-internal class RowOrder(private val height: Int) {
+/**
+ * Checks that rows come in order, and with enough columns. The first may have any number: a picture may be a part of a larger
+ * raster.
+ */
+internal class RowOrder(private val width: Int, private val height: Int) {
     private var firstRow = 0
 
     /** Number of rows that have come. */
     var taken: Int = 0
         private set
 
-    fun take(y: Int) {
+    /**
+     * Takes row [y], of which a sink reads [values].
+     *
+     * @throws IllegalArgumentException if it is not the row after the last one, or has too few columns
+     */
+    fun take(y: Int, values: IntArray) {
+        require(values.size >= width) { "row $y has ${values.size} columns, and the image has $width" }
         if (taken == 0) firstRow = y
         require(taken < height) { "there are only $height rows: row $y" }
         require(y == firstRow + taken) { "rows must come in order from the top: $y instead of ${firstRow + taken}" }

@@ -9,10 +9,14 @@ import java.io.ByteArrayOutputStream
 import java.io.IOException
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
+import java.nio.channels.FileChannel
 import java.nio.file.Files
 import java.nio.file.Path
+import java.nio.file.StandardOpenOption.CREATE
+import java.nio.file.StandardOpenOption.WRITE
 import java.util.zip.CRC32
 import javax.imageio.ImageIO
+import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -73,6 +77,40 @@ class ImageSinksTest {
     }
 
     @Test
+    fun aPngGoesToAStreamWhichStaysOpen() {
+        val output = object : ByteArrayOutputStream() {
+            var isClosed = false
+            var isFlushed = false
+
+            override fun flush() {
+                isFlushed = true
+            }
+
+            override fun close() {
+                isClosed = true
+            }
+        }
+        image.writePng(output)
+        assertTrue(output.isFlushed && !output.isClosed)
+        image.writePng(folder.resolve("a.png"))
+        assertArrayEquals(Files.readAllBytes(folder.resolve("a.png")), output.toByteArray())
+        assertArrayEquals(output.toByteArray(), image.toPng())
+    }
+
+    @Test
+    fun rowsWithTooFewColumnsAreRefused() {
+        val short = IntArray(2)
+        val file = FileChannel.open(folder.resolve("a.pfm"), CREATE, WRITE)
+        val bytes = ByteArrayOutputStream()
+        val sinks = listOf(PngSink(bytes, 3, 2), PpmSink(bytes, 3, 2), PfmSink(file, 3, 2))
+        for (sink in sinks) {
+            val e = assertThrows(IllegalArgumentException::class.java) { sink.row(0, short, short, short) }
+            assertEquals("row 0 has 2 columns, and the image has 3", e.message)
+        }
+        file.close()
+    }
+
+    @Test
     fun ppmHasTheColoursAndDropsAlpha() {
         val path = folder.resolve("a.ppm")
         image.writePpm(path)
@@ -112,7 +150,7 @@ class ImageSinksTest {
     @Test
     fun aPartOfARasterIsAPictureOfItsOwn() {
         val part = Image(Region(7, 5, 10, 7), image.argb, image.depth, image.primitive, image.counters)
-        for (write in listOf(Image::writePng, Image::writePpm, Image::writePfm)) {
+        for (write in listOf<Image.(Path) -> Unit>(Image::writePng, Image::writePpm, Image::writePfm)) {
             write(image, folder.resolve("whole"))
             write(part, folder.resolve("part"))
             assertEquals(-1, Files.mismatch(folder.resolve("whole"), folder.resolve("part")))

@@ -1,0 +1,81 @@
+package example;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayInputStream;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
+import javax.imageio.ImageIO;
+import org.eclipse.jetty.ee10.servlet.ServletContextHandler;
+import org.eclipse.jetty.server.Server;
+import org.eclipse.jetty.server.ServerConnector;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+/** The servlet in a real server. */
+class PictureServletTest {
+    private static final String TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    private static final Server SERVER = new Server();
+    private static final ServerConnector CONNECTOR = new ServerConnector(SERVER);
+
+    @BeforeAll
+    static void start() throws Exception {
+        ServletContextHandler context = new ServletContextHandler();
+        context.addServlet(PictureServlet.class, "/picture");
+        SERVER.addConnector(CONNECTOR);
+        SERVER.setHandler(context);
+        SERVER.start();
+    }
+
+    @AfterAll
+    static void stop() throws Exception {
+        SERVER.stop();
+    }
+
+    private static HttpResponse<byte[]> post(String format, byte[] body) throws Exception {
+        URI uri = URI.create("http://localhost:" + CONNECTOR.getLocalPort() + "/picture?format=" + format);
+        HttpRequest request = HttpRequest.newBuilder(uri)
+                .POST(HttpRequest.BodyPublishers.ofByteArray(body))
+                .build();
+        return HttpClient.newHttpClient().send(request, HttpResponse.BodyHandlers.ofByteArray());
+    }
+
+    private static void assertRefused(int status, String reason, HttpResponse<byte[]> response) {
+        String text = new String(response.body(), StandardCharsets.UTF_8);
+        assertEquals(status, response.statusCode(), text);
+        assertTrue(text.contains(reason), text);
+    }
+
+    @Test
+    void aModelBecomesAPicture() throws Exception {
+        HttpResponse<byte[]> response = post("obj", TRIANGLE.getBytes(StandardCharsets.US_ASCII));
+        assertEquals(200, response.statusCode());
+        assertEquals("image/png", response.headers().firstValue("content-type").orElseThrow());
+        var image = ImageIO.read(new ByteArrayInputStream(response.body()));
+        assertEquals(512, image.getWidth());
+        assertTrue(image.getRGB(230, 280) != image.getRGB(0, 0), "the triangle is in the picture");
+    }
+
+    @Test
+    void badInputIsTheClientsMistake() throws Exception {
+        assertRefused(400, "line 4", post("obj", TRIANGLE.replace("f 1 2 3", "f 1 2 9").getBytes(StandardCharsets.US_ASCII)));
+        assertRefused(415, "format must be", post("exe", new byte[10]));
+        assertRefused(413, "at most 20 MiB", post("stl", new byte[(20 << 20) + 1]));
+    }
+
+    @Test
+    void aSmallFileThatDescribesAHugeModelIsRefused() throws Exception {
+        String json = """
+                {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+                 "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+                 "accessors": [{"componentType": 5126, "count": 300000000, "type": "VEC3",
+                                "min": [0, 0, 0], "max": [0, 0, 0]}]}
+                """;
+        assertRefused(400, "are more than", post("gltf", json.getBytes(StandardCharsets.US_ASCII)));
+    }
+}
