@@ -3,7 +3,7 @@ package dev.lazyz.world
 import org.joml.Matrix4dc
 import org.joml.Vector3d
 
-/** Moves spheres. */
+/** Transforms spheres. */
 internal object SphereGeometry {
     fun transformed(sphere: Sphere, m: Matrix4dc): Sphere {
         val xx = m.m00() * m.m00() + m.m01() * m.m01() + m.m02() * m.m02()
