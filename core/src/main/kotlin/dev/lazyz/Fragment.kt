@@ -92,7 +92,7 @@ public class Fragment {
     internal val light: FloatArray = FloatArray(6)
 
     /** A batch of one fragment, for a [BatchShader] that is called with this fragment. */
-    internal val alone: FragmentBatch by lazy(LazyThreadSafetyMode.NONE) { FragmentBatch(1) }
+    internal val singleBatch: FragmentBatch by lazy(LazyThreadSafetyMode.NONE) { FragmentBatch(1) }
 
     /**
      * Moves to column [x], row [y], and resets all attributes to their defaults, so that no value of another primitive

@@ -238,6 +238,6 @@ public fun interface BatchShader : Shader {
 
     /** Shades one fragment, as a batch of one. */
     override fun shade(fragment: Fragment) {
-        fragment.alone.shade(fragment, this)
+        fragment.singleBatch.shade(fragment, this)
     }
 }

@@ -179,8 +179,8 @@ internal class SpherePrimitive private constructor(
     }
 
     /**
-     * Returns the approximate columns at which row [y] enters and leaves a whole sphere, or null if rounding prevents
-     * it.
+     * Returns the approximate columns at which row [y] enters and leaves a whole sphere; null if rounding makes them
+     * NaN or infinite.
      */
     private fun columns(y: Int): DoubleArray? {
         val py = py(y)

@@ -101,7 +101,8 @@ public class Mesh @JvmOverloads constructor(
      * Returns this mesh with normals computed from its triangles. The normal at a vertex is the mean, weighted by area,
      * of the normals of the triangles around it that differ by less than [creaseAngle] degrees. Vertices at the same
      * position count as one vertex. A vertex on a crease is split, so that edges sharper than the angle stay sharp. If
-     * more than 341 triangles meet at a position, all of them are averaged. Cost: linear in the size of the mesh.
+     * more than 1024 corners of triangles are at one position, all of them are averaged. Cost: linear in the size of
+     * the mesh.
      *
      * @throws IllegalArgumentException if [creaseAngle] is not in 0..180
      */
