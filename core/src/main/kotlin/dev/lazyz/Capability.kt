@@ -15,7 +15,7 @@ public enum class Capability {
     STREAMS_ROWS,
 
     /**
-     * Reads primitives one by one and does not keep hidden ones: memory does not grow with the number of primitives.
+     * Reads primitives one by one and does not keep hidden ones: memory does not grow with their number.
      */
     STREAMS_PRIMITIVES,
 

@@ -36,7 +36,7 @@ public class SetUp @JvmOverloads constructor(
     init {
         require(Vectors.isFinite(origin)) { "origin must be finite: $origin" }
         require(Vectors.isZero(origin) || camera.projection != Projection.Screen) {
-            "a screen camera has no origin but the world's: $origin"
+            "origin must be 0 for a screen camera: $origin"
         }
     }
 
