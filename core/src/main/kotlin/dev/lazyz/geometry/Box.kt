@@ -23,7 +23,7 @@ public class Box(
     public val maxZ: Double,
 ) {
     init {
-        require(minX <= maxX && minY <= maxY && minZ <= maxZ) { "each minimum of a box must be at most its maximum: $this" }
+        require(minX <= maxX && minY <= maxY && minZ <= maxZ) { "minimum of a box must not exceed its maximum: $this" }
         require((maxX - minX).isFinite() && (maxY - minY).isFinite() && (maxZ - minZ).isFinite()) {
             "box must be finite: $this"
         }

@@ -26,7 +26,7 @@ import dev.lazyz.Region
 internal class AreaBounds(test: DepthTest, private val counters: Counters) {
     private val order = VisibilityOrder(test)
 
-    /** 1 if the smallest depth wins, -1 if the greatest wins: the sign of [VisibilityOrder.lead] for (0, 1). */
+    /** 1 if the smallest depth wins, -1 if the greatest wins: the lead of value 0 over value 1. */
     private val direction = order.lead(0, 1)
 
     /**
