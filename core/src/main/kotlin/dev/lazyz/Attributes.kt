@@ -1,16 +1,16 @@
 package dev.lazyz
 
-/** The attributes that a shader may read, one bit each. */
+/** The attributes that a shader can read, as bit flags. */
 internal object Attributes {
-    /** Position in the world. */
+    /** Position in world space: x, y, z. */
     const val WORLD: Int = 1
 
-    /** Normal vector. */
+    /** Normal: x, y, z. */
     const val NORMAL: Int = 2
 
-    /** Texture coordinates. */
+    /** Texture coordinates: u, v. */
     const val UV: Int = 4
 
-    /** Colour of the vertices, with alpha. */
+    /** Vertex colour: red, green, blue, alpha. */
     const val COLOR: Int = 8
 }

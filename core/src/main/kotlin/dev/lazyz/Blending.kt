@@ -1,26 +1,26 @@
 package dev.lazyz
 
 /**
- * Blends the fragments of one sample, nearest first (contract rule 5.5): all renderers that blend use these operations,
- * in this order, so that they agree to the bit.
+ * Blends the fragments of one sample from front to back (contract rule 5.5). All renderers that blend use these
+ * operations in this order, so their results are equal bit for bit.
  *
  *     blending.clear()
  *     for each translucent fragment, from the nearest, while blending.isOpen: blending.add(fragment)
  *     blending.end(the first opaque fragment, or the background)
  *
- * Each fragment weighs its alpha times what the nearer ones let through; the colour is the weighted mean, in linear
- * light, and alpha the sum of the weights. Four numbers of state, no allocation, one division a sample. Belongs to one
- * thread.
+ * The weight of a fragment is its alpha times the transmittance of the fragments in front of it. The colour is the
+ * weighted mean in linear light, and alpha is the sum of the weights. State: six floats. Cost: no allocation, three
+ * divisions a sample. Used by one thread.
  *
- * Source: Thomas Porter and Tom Duff, "Compositing Digital Images", SIGGRAPH 1984, the operator *over*. There colours are
- * premultiplied and stay so; here the result is divided by its alpha once, because pictures have straight alpha.
+ * Source: Thomas Porter and Tom Duff, "Compositing Digital Images", SIGGRAPH 1984, the operator *over*. The paper keeps
+ * colours premultiplied. Here the result is divided by its alpha once, because images have straight alpha.
  */
 internal class Blending {
-    /** Light let through by the fragments so far; 1 with none. */
+    /** Fraction of light that passes through the fragments so far; 1 if there are none. */
     private var transmittance = 1f
     private var weights = 0f
 
-    /** Sums of weight times component; after [end] the colour, linear light with straight [alpha]. */
+    /** Sum of weight times component. After [end]: the colour in linear light, with straight [alpha]. */
     var red: Float = 0f
         private set
     var green: Float = 0f
@@ -30,10 +30,10 @@ internal class Blending {
     var alpha: Float = 0f
         private set
 
-    /** Whether anything behind the fragments so far can still be seen. */
+    /** Whether a fragment behind the fragments so far would be visible. */
     val isOpen: Boolean get() = transmittance > 0f
 
-    /** Begins a sample. */
+    /** Starts a new sample. */
     fun clear() {
         transmittance = 1f
         weights = 0f
@@ -42,23 +42,23 @@ internal class Blending {
         blue = 0f
     }
 
-    /** Adds a translucent fragment behind those so far. */
+    /** Adds a translucent fragment behind the fragments so far. */
     fun add(fragment: Fragment) {
         val opacity = clamped(fragment.alpha)
         if (opacity > 0f) add(fragment.red, fragment.green, fragment.blue, opacity)
     }
 
-    /** Puts an opaque fragment behind all, and finishes the colour. */
+    /** Adds the opaque fragment behind all others, and computes the final colour. */
     fun end(backdrop: Fragment) {
         end(backdrop.red, backdrop.green, backdrop.blue, backdrop.alpha)
     }
 
-    /** Puts the background behind all, and finishes the colour. */
+    /** Adds the background behind all fragments, and computes the final colour. */
     fun end(background: Rgba) {
         end(background.red, background.green, background.blue, background.alpha)
     }
 
-    /** Returns the finished colour, packed to 8-bit sRGB. */
+    /** Returns the final colour, packed to 8-bit sRGB, `0xAARRGGBB`. */
     fun toArgb(): Int = Srgb.pack(red, green, blue, alpha)
 
     private fun add(red: Float, green: Float, blue: Float, opacity: Float) {
@@ -71,7 +71,7 @@ internal class Blending {
     }
 
     private fun end(red: Float, green: Float, blue: Float, alpha: Float) {
-        // With nothing in front the backdrop is left as it is
+        // With nothing in front, the backdrop is unchanged
         if (weights == 0f) {
             this.red = red
             this.green = green

@@ -1,46 +1,51 @@
 package dev.lazyz
 
 /**
- * What a renderer promises beyond the picture. Whoever declares one is held to it by the conformance suite; what is not
- * declared is neither used nor tested.
+ * A guarantee that a renderer gives in addition to the correct image. The conformance suite checks each declared
+ * capability (contract rule 7.6). A capability that is not declared is neither used nor tested.
  */
 public enum class Capability {
-    /** Shades each visible sample once and nothing else: shading calls = visible samples. */
+    /** Shades each visible sample exactly once, and nothing else: shading calls = visible samples. */
     SHADES_ONLY_VISIBLE,
 
-    /** Working memory does not grow with the number of rows of the raster. */
+    /** The amount of working memory does not depend on the number of rows of the raster. */
     CONSTANT_MEMORY,
 
-    /** Hands out a row as soon as it is ready, before later rows are begun. */
+    /** Passes each row to the sink as soon as it is complete, before work on later rows starts. */
     STREAMS_ROWS,
 
-    /** Takes primitives one by one and does not keep them: memory does not grow with their number. */
+    /**
+     * Reads primitives one by one and does not keep hidden ones: memory does not grow with their number.
+     */
     STREAMS_PRIMITIVES,
 
-    /** Works on several threads, [RenderOptions.threads]. */
+    /** Uses several threads, up to [RenderOptions.threads]. */
     PARALLEL,
 
-    /** Blends translucent primitives in exact order of depth. */
+    /** Blends translucent primitives in exact depth order. */
     TRANSPARENCY,
 
-    /** Keeps to [RenderOptions.memoryBudget]. */
+    /** Limits its working memory to [RenderOptions.memoryBudget]. */
     MEMORY_BUDGET,
 
-    /** Shades late, and heeds [RenderOptions.coherence]. */
+    /** Shades after visibility is known, and supports [RenderOptions.coherence]. */
     COHERENCE,
 
-    /** Lets the caller choose which fragments of a sample make its colour. */
+    /** Supports [RenderOptions.selector]: the caller chooses which fragments of a sample determine its colour. */
     SELECTION,
 }
 
-/** How late shading moves from sample to sample; the colours are the same bits (see [ShadingCursor]). */
+/**
+ * How late shading gets the attributes of the next sample. All modes give the same colours, bit for bit (see
+ * [ShadingCursor]).
+ */
 public enum class Coherence {
-    /** Each colour is evaluated by itself. */
+    /** The attributes of each sample are evaluated directly. */
     DIRECT,
 
-    /** Each colour is reached by steps from the last visible sample of the primitive on the row. */
+    /** The attributes are stepped from the last visible sample of the same primitive on the row. */
     INCREMENTAL,
 
-    /** A cost model chooses between the two, for each primitive and gap (see [Primitive.shadingStartCost]). */
+    /** A cost model chooses between the two for each primitive and gap (see [Primitive.shadingStartCost]). */
     ADAPTIVE,
 }

@@ -1,55 +1,61 @@
 package dev.lazyz
 
 /**
- * What a renderer did, in terms that mean the same for every renderer (contract rule 8).
+ * Work that a renderer did, in units that have the same meaning for every renderer (contract rule 8).
  *
- * A renderer fills one in while it works; the caller reads it afterwards. Not thread safe.
+ * The renderer updates the counters while it works; the caller reads them afterwards. Not thread safe.
  */
 public class Counters {
-    /** Primitives that were submitted, those that cover nothing included. */
+    /** Submitted primitives, including those that cover no sample. */
     @JvmField
     public var primitives: Long = 0
 
-    /** Covered samples, counted once for each primitive that covers them. */
+    /**
+     * Covered samples of the region, counted once for each primitive that covers them. Primitives that are rejected as
+     * hidden before their samples are determined are not counted.
+     */
     @JvmField
     public var fragments: Long = 0
 
-    /** Times a depth was computed, by a step or directly. */
+    /** Depth computations, by a step or directly. */
     @JvmField
     public var depthEvaluations: Long = 0
 
-    /** Fragments that were the visible one of their sample at the time they were compared. */
+    /** Fragments that were the visible fragment of their sample at the time they were compared. */
     @JvmField
     public var depthPasses: Long = 0
 
-    /** Colours computed, by [Primitive.shade] or [ShadingCursor.shade]. */
+    /** Colour computations, by [Primitive.shade] or [ShadingCursor.shade]. */
     @JvmField
     public var shadingCalls: Long = 0
 
-    /** Shading calls whose attributes were evaluated at the sample, not reached by steps. Late shading only. */
+    /** Shading calls that evaluated the attributes at the sample instead of stepping to it. Late shading only. */
     @JvmField
     public var shadingStarts: Long = 0
 
-    /** Steps of incremental shading, from a column to the next. */
+    /** Steps of incremental shading; one step moves one column. */
     @JvmField
     public var shadingSteps: Long = 0
 
-    /** Most steps of incremental shading that one shading call had to make up for. */
+    /** The largest number of incremental steps before a single shading call. */
     @JvmField
     public var longestChain: Long = 0
 
-    /** Most suspended shading calls alive at one time. */
+    /** The largest number of shading calls that were pending at the same time. */
     @JvmField
     public var peakSuspensions: Long = 0
 
     /**
-     * Bytes of working memory at its peak: what the renderer itself held, by the size of its arrays; neither the frame
-     * nor the target of the rows.
+     * Peak working memory of the renderer, in bytes: the size of its arrays, without the frame and without the memory
+     * of the row sink.
      */
     @JvmField
     public var peakBytes: Long = 0
 
-    /** Returns the work of this and [other] together, one done after the other: sums, and the greater of peaks. */
+    /**
+     * Returns the work of this and [other] together, when one runs after the other. Counts are added; [longestChain],
+     * [peakSuspensions] and [peakBytes] are the larger of both.
+     */
     public fun plus(other: Counters): Counters {
         val sum = Counters()
         sum.primitives = primitives + other.primitives

@@ -1,13 +1,16 @@
 package dev.lazyz
 
 /**
- * Depth as every frame stores it: 31-bit fixed point, 0..2^31-1 (contract rule 4).
+ * Depth values as every frame stores them: 31-bit fixed point, 0..2^31-1 (contract rule 4).
  *
- * What a camera sees lies in [NEAR]..[FAR]; the margins on both sides keep rounding, and the planes of polygons that
- * are not quite flat, from leaving the range.
+ * What a camera sees is in [NEAR]..[FAR]. The margins outside that range absorb rounding errors, and the planes of
+ * polygons that are not exactly flat.
  */
 public object Depth {
-    /** Units on each side of the range that no vertex has: 2^24, less than one percent of all. */
+    /**
+     * Size of the margin at each end of the range, which no vertex uses: 2^24 units, less than one percent of the
+     * range.
+     */
     public const val MARGIN: Int = 1 shl 24
 
     /** Depth of the near plane. */
@@ -16,12 +19,18 @@ public object Depth {
     /** Depth of the far plane. */
     public const val FAR: Int = Int.MAX_VALUE - MARGIN
 
-    /** Returns the depth at [unit] of the way from the near plane (0) to the far plane (1), rounded; clamped to both. */
+    /**
+     * Returns the depth at the fraction [unit] of the way from the near plane (0) to the far plane (1), rounded to
+     * nearest. [unit] is clamped to 0..1.
+     */
     @JvmStatic
     public fun ofUnit(unit: Double): Int =
         Math.rint(NEAR + unit.coerceIn(0.0, 1.0) * (FAR.toDouble() - NEAR)).toInt()
 
-    /** Returns where [depth] lies between the near plane (0) and the far plane (1); outside 0..1 within the margins. */
+    /**
+     * Returns where [depth] is between the near plane (0) and the far plane (1). The result is outside 0..1 for depths
+     * in the margins.
+     */
     @JvmStatic
     public fun toUnit(depth: Int): Double = (depth.toDouble() - NEAR) / (FAR.toDouble() - NEAR)
 }

@@ -1,6 +1,6 @@
 package dev.lazyz
 
-/** The primitive that covers nothing; it stands for whatever is degenerate or out of sight (contract rule 9.4). */
+/** A primitive that covers no sample. It replaces primitives that are degenerate or not visible (contract rule 9.4). */
 internal object EmptyPrimitive : Primitive {
     override val rowStart: Int get() = 0
     override val rowEnd: Int get() = 0

@@ -1,11 +1,11 @@
 package dev.lazyz
 
 /**
- * One primitive at one sample, on its way to a colour.
+ * One primitive at one sample, with its attributes and, after shading, its colour.
  *
- * A renderer owns a fragment per thread and reuses it: [moveTo] a sample, [Primitive.shade], then read the colour. The
- * primitive fills in the attributes at the sample; the [Shader] reads them and calls [setColor]. Attributes that a
- * surface or its shading does not have keep the values given below. Not thread safe.
+ * A renderer has one fragment per thread and reuses it: [moveTo] a sample, [Primitive.shade], then read the colour. The
+ * primitive sets the attributes at the sample; the [Shader] reads them and calls [setColor]. Attributes that the
+ * surface does not have, or that its shading does not need, keep the default values given below. Not thread safe.
  */
 public class Fragment {
     /** Column of the sample. */
@@ -17,8 +17,8 @@ public class Fragment {
         private set
 
     /**
-     * Position in world space, relative to `Scene.origin`; or in screen space for primitives that were given there; 0
-     * without.
+     * Position in world space, relative to `Scene.origin`. Position in screen space (pixels) for primitives that were
+     * defined there. Default 0.
      */
     @JvmField
     public var worldX: Float = 0f
@@ -31,7 +31,7 @@ public class Fragment {
     @JvmField
     public var worldZ: Float = 0f
 
-    /** Interpolated normal in world space, turned to the viewer, not renormalised; 0 without. */
+    /** Interpolated normal in world space, facing the viewer, not renormalised. Default 0. */
     @JvmField
     public var normalX: Float = 0f
 
@@ -43,15 +43,15 @@ public class Fragment {
     @JvmField
     public var normalZ: Float = 0f
 
-    /** Texture coordinate to the right, see `Texture`; 0 without. */
+    /** Texture coordinate to the right, see `Texture`. Default 0. */
     @JvmField
     public var u: Float = 0f
 
-    /** Texture coordinate downward, see `Texture`; 0 without. */
+    /** Texture coordinate downward, see `Texture`. Default 0. */
     @JvmField
     public var v: Float = 0f
 
-    /** Interpolated vertex colour, linear light; 1 without. */
+    /** Interpolated vertex colour, linear light. Default 1. */
     @JvmField
     public var vertexRed: Float = 1f
 
@@ -63,11 +63,11 @@ public class Fragment {
     @JvmField
     public var vertexBlue: Float = 1f
 
-    /** Interpolated opacity, 0..1; 1 without. */
+    /** Interpolated vertex opacity, 0..1. Default 1. */
     @JvmField
     public var vertexAlpha: Float = 1f
 
-    /** The shader's answer, linear light. */
+    /** The colour set by the shader, linear light. */
     public var red: Float = 0f
         private set
 
@@ -79,20 +79,25 @@ public class Fragment {
     public var blue: Float = 0f
         private set
 
-    /** The shader's answer: opacity, 0..1. */
+    /** The opacity set by the shader, 0..1. */
     public var alpha: Float = 1f
         private set
 
-    /** Room for a texture's answer, so that shading allocates nothing. */
+    /**
+     * Scratch array for the result of a texture lookup (red, green, blue, alpha), so that shading does not allocate.
+     */
     internal val texel: FloatArray = FloatArray(4)
 
-    /** Room for the lights' answer. */
+    /** Scratch array for the result of [dev.lazyz.shading.Lighting]. */
     internal val light: FloatArray = FloatArray(6)
 
-    /** This fragment as a batch, for shaders that want one. */
-    internal val alone: FragmentBatch by lazy(LazyThreadSafetyMode.NONE) { FragmentBatch(1) }
+    /** A batch of one fragment, for a [BatchShader] that is called with this fragment. */
+    internal val singleBatch: FragmentBatch by lazy(LazyThreadSafetyMode.NONE) { FragmentBatch(1) }
 
-    /** Goes to a sample and forgets all attributes, so that nothing of another primitive can show through. */
+    /**
+     * Moves to column [x], row [y], and resets all attributes to their defaults, so that no value of another primitive
+     * remains.
+     */
     public fun moveTo(x: Int, y: Int) {
         this.x = x
         this.y = y
@@ -110,7 +115,7 @@ public class Fragment {
         vertexAlpha = 1f
     }
 
-    /** Sets the colour, linear light with straight alpha; [alpha] is 1 when it is left out. */
+    /** Sets the colour in linear light with straight alpha. [alpha] defaults to 1. */
     @JvmOverloads
     public fun setColor(red: Float, green: Float, blue: Float, alpha: Float = 1f) {
         this.red = red
@@ -126,11 +131,11 @@ public class Fragment {
 }
 
 /**
- * Gives a fragment its colour: a pure function of the fragment's sample and attributes.
+ * Computes the colour of a fragment: a pure function of the fragment's sample and attributes.
  *
- * Called from any thread, any number of times for a sample, in any order; it must not keep the fragment, nor state of
- * its own that a result depends on. Use only arithmetic that is the same on every machine: `+ - * /` and `sqrt`, and
- * [StrictMath] for the rest; no `Math.sin`, `pow`, `fma` (contract rule 6.3).
+ * A shader can be called from any thread, any number of times for a sample, in any order. It must not keep a reference
+ * to the fragment, and its result must not depend on mutable state. Use only arithmetic that gives the same result on
+ * every machine: `+ - * /`, `sqrt`, and [StrictMath] for the rest; no `Math.sin`, `pow`, `fma` (contract rule 6.3).
  */
 public fun interface Shader {
     /** Reads the attributes of [fragment] and calls [Fragment.setColor]. */

@@ -1,12 +1,12 @@
 package dev.lazyz
 
 /**
- * Fragments on their way to a colour, many at a time: each attribute of [Fragment] as an array, of which the first [size]
- * elements count. What a [BatchShader] reads and fills in.
+ * Many fragments, as one array for each attribute of [Fragment]. Elements 0 until [size] are valid. A [BatchShader]
+ * reads the attributes and writes the colours.
  *
- * A batch has room for [CAPACITY] fragments, of one material, from anywhere in the picture and from any of its primitives.
- * Attributes that a surface does not have are 0, or 1 for vertex colours. Renderers make their own batches; make one with
- * [of] to try a shader on its own. Not thread safe.
+ * A batch has at most [CAPACITY] fragments. They have one material, and can be at any samples and of any primitives of
+ * the image. Attributes that a surface does not have are 0, or 1 for vertex colours. Renderers create their own
+ * batches; call [of] to test a shader. Not thread safe.
  */
 public class FragmentBatch internal constructor(capacity: Int) {
     /** Number of fragments, 1 to [CAPACITY]. */
@@ -21,7 +21,10 @@ public class FragmentBatch internal constructor(capacity: Int) {
     @JvmField
     public val y: IntArray = IntArray(capacity)
 
-    /** Positions in world space, or in screen space for primitives that were given there. */
+    /**
+     * Positions in world space, relative to `Scene.origin`; positions in screen space (pixels) for primitives that were
+     * defined there.
+     */
     @JvmField
     public val worldX: FloatArray = FloatArray(capacity)
 
@@ -33,7 +36,7 @@ public class FragmentBatch internal constructor(capacity: Int) {
     @JvmField
     public val worldZ: FloatArray = FloatArray(capacity)
 
-    /** Interpolated normals in world space, turned to the viewer, not renormalised. */
+    /** Interpolated normals in world space, facing the viewer, not renormalised. */
     @JvmField
     public val normalX: FloatArray = FloatArray(capacity)
 
@@ -65,11 +68,11 @@ public class FragmentBatch internal constructor(capacity: Int) {
     @JvmField
     public val vertexBlue: FloatArray = FloatArray(capacity)
 
-    /** Interpolated opacity, 0..1. */
+    /** Interpolated vertex opacity, 0..1. */
     @JvmField
     public val vertexAlpha: FloatArray = FloatArray(capacity)
 
-    /** The shader's answer, linear light. */
+    /** The colour set by the shader, linear light. */
     @JvmField
     public val red: FloatArray = FloatArray(capacity)
 
@@ -81,20 +84,23 @@ public class FragmentBatch internal constructor(capacity: Int) {
     @JvmField
     public val blue: FloatArray = FloatArray(capacity)
 
-    /** The shader's answer: opacity, 0..1. It is 1 unless the shader sets it. */
+    /** The opacity set by the shader, 0..1. It is 1 unless the shader sets it. */
     @JvmField
     public val alpha: FloatArray = FloatArray(capacity)
 
     private val each = Fragment()
 
-    /** The attributes that the fragments have, see [begin]; the others hold what stands for none. At first colours are 0. */
+    /**
+     * Bits of the attributes that the fragments have, see [begin]; all other attributes have their default. Initially
+     * COLOR, because the arrays of a new batch contain 0, which is not the default of a vertex colour.
+     */
     internal var fields: Int = Attributes.COLOR
         private set
 
-    /** Bytes held. */
+    /** Bytes of the arrays. */
     internal val bytes: Long get() = 18L * Int.SIZE_BYTES * x.size
 
-    /** Begins a batch whose fragments have the attributes [fields], bits [Attributes.WORLD] and so on. */
+    /** Starts a batch whose fragments have the attributes [fields], a combination of the bits in [Attributes]. */
     internal fun begin(fields: Int) {
         size = 0
         val stale = this.fields and fields.inv()
@@ -107,7 +113,7 @@ public class FragmentBatch internal constructor(capacity: Int) {
         }
     }
 
-    /** Notes that the samples from column [x] on of row [y] are those from place [at] on. */
+    /** Assigns the samples of row [y] from column [x] on to the elements from [at] on, [count] of them. */
     internal fun place(at: Int, x: Int, y: Int, count: Int) {
         for (i in 0 until count) {
             this.x[at + i] = x + i
@@ -115,7 +121,7 @@ public class FragmentBatch internal constructor(capacity: Int) {
         }
     }
 
-    /** Shades all fragments one after the other. */
+    /** Calls [shader] for each fragment. */
     internal fun shadeEach(shader: Shader) {
         val fragment = each
         for (i in 0 until size) {
@@ -128,7 +134,7 @@ public class FragmentBatch internal constructor(capacity: Int) {
         }
     }
 
-    /** Makes [fragment] number [i]. */
+    /** Copies sample and attributes of element [i] to [fragment]. */
     internal fun moveTo(fragment: Fragment, i: Int) {
         fragment.moveTo(x[i], y[i])
         fragment.worldX = worldX[i]
@@ -145,7 +151,7 @@ public class FragmentBatch internal constructor(capacity: Int) {
         fragment.vertexAlpha = vertexAlpha[i]
     }
 
-    /** Makes this a batch of the one [fragment], shades it, and leaves the answer there. */
+    /** Shades the single [fragment] as a batch of size 1, and copies the colour back to it. */
     internal fun shade(fragment: Fragment, shader: BatchShader) {
         size = 1
         x[0] = fragment.x
@@ -170,13 +176,13 @@ public class FragmentBatch internal constructor(capacity: Int) {
     override fun toString(): String = "FragmentBatch($size fragments)"
 
     public companion object {
-        /** Most fragments in a batch. */
+        /** Maximum number of fragments in a batch. */
         public const val CAPACITY: Int = 256
 
         /**
-         * Returns a batch of [size] fragments to call a [BatchShader] with, in a test of it, say. They are at sample (0, 0) and
-         * have no attributes but for what the caller writes into the arrays: positions, normals and texture coordinates are
-         * 0, vertex colours 1. The answer is black with alpha 1 until the shader gives another.
+         * Returns a batch of [size] fragments to call a [BatchShader] with, for example in a test. All samples are (0,
+         * 0). Attributes have their defaults (positions, normals and texture coordinates 0, vertex colours 1) until the
+         * caller writes to the arrays. Colours are black with alpha 1 until the shader sets them.
          *
          * ```
          * val batch = FragmentBatch.of(3)
@@ -197,22 +203,24 @@ public class FragmentBatch internal constructor(capacity: Int) {
             return batch
         }
 
-        /** Places behind the last fragment of a full batch: the most lanes that a vector has, less one. */
+        /**
+         * Unused elements after the last fragment of a full batch: the maximum number of lanes of a vector, minus one.
+         */
         internal const val SPARE: Int = 64 - 1
 
-        /** Places that an array needs which is written vector by vector. */
+        /** Length of an array that is written in whole vectors. */
         internal const val ROOM: Int = CAPACITY + SPARE
     }
 }
 
 /**
- * A [Shader] that colours many fragments at a time, in loops that the JVM can vectorise. Faster than a plain shader where
- * there is much to compute, and equal to it otherwise. Keep loops short, with few arrays each: compilers give up vectorising
- * long ones.
+ * A [Shader] that colours many fragments per call, in loops that the JVM can vectorise. It is faster than a plain
+ * shader if the computation is long, and as fast otherwise. Keep loops short, with few arrays in each: compilers do not
+ * vectorise long loops.
  *
- * What is computed for a fragment must depend on that fragment's attributes only, not on its place in the batch or on its
- * neighbours there: batches are put together differently by every renderer, and some shade fragments one by one. Thread
- * safe, like all shaders. Arithmetic as contract rule 6.3 has it.
+ * The colour of a fragment must depend only on the attributes of that fragment, not on its index in the batch or on
+ * other fragments. Each renderer fills batches differently, and some shade fragments one by one. Must be thread safe,
+ * like all shaders. Use only the arithmetic of contract rule 6.3.
  *
  * ```
  * val stripes = BatchShader { batch ->
@@ -225,11 +233,11 @@ public class FragmentBatch internal constructor(capacity: Int) {
  * ```
  */
 public fun interface BatchShader : Shader {
-    /** Reads the attributes of the first [FragmentBatch.size] fragments of [batch], and fills in their colours. */
+    /** Reads the attributes of the first [FragmentBatch.size] elements of [batch], and writes their colours. */
     public fun shade(batch: FragmentBatch)
 
     /** Shades one fragment, as a batch of one. */
     override fun shade(fragment: Fragment) {
-        fragment.alone.shade(fragment, this)
+        fragment.singleBatch.shade(fragment, this)
     }
 }

@@ -1,13 +1,13 @@
 package dev.lazyz
 
 /**
- * Everything a renderer needs: a raster, primitives in submission order, set up once, and the part of the raster to render.
+ * The input of a renderer: a raster, primitives in submission order, and the part of the raster to render.
  *
- * All that could make two renderers disagree has happened by now; a renderer only chooses the order of evaluation.
- * Immutable and thread safe if its primitives are.
+ * All rounding has already happened when primitives are set up, so that renderers cannot differ in their result; a
+ * renderer only chooses the order of evaluation. Immutable, and thread safe if its primitives are.
  *
  * @property raster the grid of samples
- * @property region the samples to render; the whole raster unless it is given
+ * @property region the samples to render; by default the whole raster
  * @throws IllegalArgumentException if [region] is not within the raster
  */
 public class Frame internal constructor(
@@ -24,8 +24,8 @@ public class Frame internal constructor(
     }
 
     /**
-     * What to render; the position in the list is the submission index, which decides ties. Its size costs nothing; the
-     * triangles of a scene's meshes are made when the first element is asked for.
+     * The primitives to render. The index in the list is the submission index, which resolves ties of depth. `size` has
+     * constant cost. The triangles of a scene's opaque meshes become objects when the first element is accessed.
      */
     public val primitives: List<Primitive> get() = content.primitives
 
@@ -36,18 +36,23 @@ public class Frame internal constructor(
     public val height: Int get() = region.height
 
     /**
-     * Whether some primitive is translucent, so that the picture needs a renderer that blends: one with
-     * [Capability.TRANSPARENCY]. Others refuse the frame before they start (contract rule 5.6). Cost: one pass over the
+     * Whether any primitive is translucent. Such a frame needs a renderer with [Capability.TRANSPARENCY]; other
+     * renderers throw [IllegalArgumentException] before they start (contract rule 5.6). Cost: one pass over the
      * primitives, once.
      */
     public val hasTranslucency: Boolean get() = content.hasTranslucency
 
-    /** Returns the part of this frame within [region]: the picture is that rectangle of the whole picture. */
+    /**
+     * Returns this frame restricted to [region]. Its image is that rectangle of the whole image.
+     *
+     * @throws IllegalArgumentException if [region] is not within the raster
+     */
     public fun within(region: Region): Frame = Frame(raster, content, region)
 
     /**
-     * Returns the part of this frame with those primitives whose index passes [test]. The others cover nothing but keep
-     * their indices, so that pictures of parts can be merged into the picture of the whole, see [Image.merge].
+     * Returns this frame with only the primitives for whose index [test] returns true. The other primitives cover
+     * nothing but keep their indices, so that images of parts can be merged into the image of the whole frame, see
+     * [Image.merge].
      */
     public fun keeping(test: (index: Int) -> Boolean): Frame =
         Frame(
@@ -59,8 +64,8 @@ public class Frame internal constructor(
         )
 
     /**
-     * Returns this frame with its translucent primitives made opaque: their colours have alpha 1, and any renderer takes
-     * them. The frame itself if nothing is translucent; otherwise cost: one small object a translucent primitive.
+     * Returns this frame with all primitives opaque: their colours have alpha 1, and any renderer accepts them. Returns
+     * this frame itself if nothing is translucent. Cost: one small object for each translucent primitive.
      */
     public fun asOpaque(): Frame =
         if (hasTranslucency) Frame(raster, content.withSingles { it.asOpaque() }, region) else this

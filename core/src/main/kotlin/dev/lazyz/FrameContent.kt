@@ -1,11 +1,11 @@
 package dev.lazyz
 
 /**
- * What is in a frame: primitives in batches, and primitives one by one. Immutable and thread safe.
+ * The content of a frame: batches of primitives, and single primitives. Immutable and thread safe.
  *
- * @property size number of primitives, those in batches included
+ * @property size number of primitives, including those in batches
  * @property batches in ascending order of their submission indices
- * @property singles the primitives that are in no batch, and those that a batch leaves out, in submission order
+ * @property singles in submission order: the primitives that are in no batch, and the exceptions of the batches
  */
 internal class FrameContent private constructor(
     val size: Int,
@@ -13,20 +13,20 @@ internal class FrameContent private constructor(
     val singles: List<Primitive>,
     private val indices: IntArray?,
 ) {
-    /** Returns the submission index of [singles]`[number]`. */
+    /** Returns the submission index of `singles[number]`. */
     fun index(number: Int): Int = if (indices == null) number else indices[number]
 
-    /** Whether some primitive is translucent; those in batches are opaque. */
+    /** Whether any primitive is translucent. Primitives in batches are opaque. */
     val hasTranslucency: Boolean by lazy { singles.any { it.isTranslucent } }
 
-    /** All primitives by submission index. Those in batches are made when the first element is asked for. */
+    /** All primitives by submission index. Those in batches become objects when the first element is accessed. */
     val primitives: List<Primitive> = if (batches.isEmpty()) singles else AllPrimitives()
 
-    /** Returns the single primitive with a submission index; it must be one. */
+    /** Returns the single primitive with submission index [index]; there must be one. */
     fun single(index: Int): Primitive =
         singles[if (indices == null) index else java.util.Arrays.binarySearch(indices, index)]
 
-    /** Returns the number in [batches] of the one that the primitive with this submission index is drawn from, or -1. */
+    /** Returns the number in [batches] of the batch that draws the primitive with submission index [index], or -1. */
     fun batchNumber(index: Int): Int {
         var low = 0
         var high = batches.size
@@ -40,7 +40,7 @@ internal class FrameContent private constructor(
         return if (triangle < batch.count && batch.isDrawn(triangle)) low - 1 else -1
     }
 
-    /** Returns this content with each single primitive replaced by what [change] makes of it. */
+    /** Returns this content with each single primitive replaced by the result of [change]. */
     fun withSingles(change: (Primitive) -> Primitive): FrameContent =
         FrameContent(size, batches, singles.map(change), indices)
 
@@ -62,14 +62,14 @@ internal class FrameContent private constructor(
         override fun get(index: Int): Primitive = all[index]
     }
 
-    /** Collects a frame's content in submission order. Not thread safe. */
+    /** Builds the content of a frame in submission order. Not thread safe. */
     class Builder {
         private var size = 0
         private val batches = ArrayList<PrimitiveBatch>()
         private val singles = ArrayList<Primitive>()
         private var indices = IntArray(16)
 
-        /** Submission index of what is added next. */
+        /** Submission index of the next primitive. */
         val next: Int get() = size
 
         /** Adds a primitive. */
@@ -78,7 +78,7 @@ internal class FrameContent private constructor(
             size++
         }
 
-        /** Adds a batch, whose first index is [next]. */
+        /** Adds a batch. Its first index must be [next]. */
         fun add(batch: PrimitiveBatch) {
             batches.add(batch)
             for ((triangle, primitive) in batch.exceptions) addSingle(primitive, batch.first + triangle)
@@ -91,7 +91,7 @@ internal class FrameContent private constructor(
             singles.add(primitive)
         }
 
-        /** Returns what has been added. */
+        /** Returns the content. */
         fun build(): FrameContent = if (batches.isEmpty()) {
             of(singles)
         } else {
@@ -100,7 +100,7 @@ internal class FrameContent private constructor(
     }
 
     companion object {
-        /** Returns the content that has the given primitives and no batch. */
+        /** Returns content that has the given primitives and no batches. */
         fun of(primitives: List<Primitive>): FrameContent =
             FrameContent(primitives.size, emptyList(), primitives, null)
     }

@@ -3,16 +3,17 @@ package dev.lazyz
 import java.security.MessageDigest
 
 /**
- * A finished picture: for every sample a colour, a depth and the visible primitive.
+ * A rendered image: a colour, a depth and the index of the visible primitive for each sample.
  *
- * Two images are equal if all three are, bit for bit (contract rule 7.1). Immutable; the arrays returned are the
- * image's own and must not be changed.
+ * Two images are equal if their regions, colours, depths and primitives are equal, bit for bit (contract rule 7.1).
+ * Immutable: the arrays are not copied and must not be changed.
  *
- * @property region the samples of the raster that the picture shows; the whole raster as a rule
+ * @property region the samples of the raster that the image shows; usually the whole raster
  * @property argb colours in rows from the top, 8-bit sRGB with straight alpha, `0xAARRGGBB`
  * @property depth depths in rows from the top, 0..2^31-1, see [Depth]
  * @property primitive submission index of the visible primitive, or [DepthTest.BACKGROUND], in rows from the top
- * @property counters what the rendering took
+ * @property counters the work that the rendering took
+ * @throws IllegalArgumentException if an array does not have one element for each sample of [region]
  */
 public class Image(
     public val region: Region,
@@ -28,7 +29,7 @@ public class Image(
         }
     }
 
-    /** A picture of a whole raster of [width] x [height] samples. */
+    /** An image of a whole raster of [width] x [height] samples. */
     public constructor(
         width: Int,
         height: Int,
@@ -44,21 +45,35 @@ public class Image(
     /** Number of rows. */
     public val height: Int get() = region.height
 
-    /** Number of samples at which some primitive is visible. Cost: one pass over the samples. */
+    /** Number of samples at which a primitive is visible. Cost: one pass over the samples. */
     public val visible: Int get() = primitive.count { it != DepthTest.BACKGROUND }
 
-    /** Returns the colour at column [x] and row [y] of the raster, `0xAARRGGBB`. */
+    /**
+     * Returns the colour at column [x] and row [y] of the raster, `0xAARRGGBB`.
+     *
+     * @throws IllegalArgumentException if the sample is not in [region]
+     */
     public fun argb(x: Int, y: Int): Int = argb[index(x, y)]
 
-    /** Returns the depth at column [x] and row [y] of the raster. */
+    /**
+     * Returns the depth at column [x] and row [y] of the raster, 0..2^31-1.
+     *
+     * @throws IllegalArgumentException if the sample is not in [region]
+     */
     public fun depth(x: Int, y: Int): Int = depth[index(x, y)]
 
-    /** Returns the index of the primitive visible at column [x] and row [y] of the raster, or [DepthTest.BACKGROUND]. */
+    /**
+     * Returns the submission index of the primitive visible at column [x] and row [y] of the raster, or
+     * [DepthTest.BACKGROUND].
+     *
+     * @throws IllegalArgumentException if the sample is not in [region]
+     */
     public fun primitive(x: Int, y: Int): Int = primitive[index(x, y)]
 
     /**
-     * Returns the picture's identity: the SHA-256 of the colours, four bytes a sample in the order alpha, red, green,
-     * blue, in rows from the top, as 64 hexadecimal digits. Width and height are not part of it.
+     * Returns the pixel hash: the SHA-256 of the colours, four bytes a sample in the order alpha, red, green, blue, in
+     * rows from the top, as 64 hexadecimal digits (contract rule 7.2). Width and height are not part of it. Cost: one
+     * pass over the samples.
      */
     public fun pixelHash(): String {
         val hash = PixelHash()
@@ -83,9 +98,9 @@ public class Image(
     override fun toString(): String = "Image($region, $visible visible, ${pixelHash().take(12)})"
 
     /**
-     * A sink that keeps all rows. Not thread safe.
+     * A sink that collects all rows of [region] in memory. Not thread safe.
      *
-     * @throws IllegalArgumentException if the region has more than 2^31-1 samples: stream its rows instead
+     * @throws IllegalArgumentException if the region has more than 2^31-9 samples: stream its rows instead
      */
     public class Collector(private val region: Region) : RowSink {
         private val argb: IntArray
@@ -108,7 +123,7 @@ public class Image(
             System.arraycopy(primitive, 0, this.primitive, at, region.width)
         }
 
-        /** Returns the image. Call it once, after the last row. */
+        /** Returns the image, without copying. Call it once, after the last row. */
         public fun toImage(counters: Counters): Image =
             Image(region, argb, depth, primitive, counters)
     }
@@ -117,12 +132,14 @@ public class Image(
         private const val MAX_SAMPLES: Long = Int.MAX_VALUE - 8L
 
         /**
-         * Merges two pictures of parts of one frame (split by primitives, see [Frame.keeping], or by regions, see
-         * [Frame.within]): at each sample what is visible by [raster]'s depth test.
+         * Merges two images of parts of one frame (split by primitives, see [Frame.keeping], or by regions, see
+         * [Frame.within]). Each sample shows what is visible by the depth test of [raster].
          *
-         * The least of a total order, so merging is associative, commutative and idempotent, and a picture without
-         * primitives is its identity (contract rule 5.1). The result shows the least region that holds both; samples of
-         * neither are background. Counters are added up, peaks taken as if one part followed the other.
+         * The result is the minimum of a total order, so merging is associative, commutative and idempotent, and an
+         * image without primitives is its identity (contract rule 5.1). The result covers the smallest region that
+         * contains both; samples outside both parts show the background. Counters are added as by [Counters.plus].
+         *
+         * @throws IllegalArgumentException if the result would have more than 2^31-9 samples
          */
         @JvmStatic
         public fun merge(first: Image, second: Image, raster: Raster): Image {
@@ -155,7 +172,7 @@ public class Image(
     }
 }
 
-/** The identity of a picture, fed row by row; see [Image.pixelHash]. Not thread safe. */
+/** Computes [Image.pixelHash] row by row. Not thread safe. */
 public class PixelHash {
     private val sha = MessageDigest.getInstance("SHA-256")
     private var bytes = ByteArray(0)
@@ -173,6 +190,6 @@ public class PixelHash {
         sha.update(bytes, 0, 4 * width)
     }
 
-    /** Returns the hash of the rows so far as 64 hexadecimal digits, and starts anew. */
+    /** Returns the hash of the rows so far as 64 hexadecimal digits, and resets. */
     public fun digest(): String = sha.digest().joinToString("") { "%02x".format(it) }
 }

@@ -1,15 +1,16 @@
 package dev.lazyz
 
 /**
- * A quantity that changes evenly over the raster: v(x, y) = c + dx x + dy y, in 64-bit two's complement.
+ * A linear function of the sample position: v(x, y) = c + dx x + dy y, in 64-bit two's complement.
  *
  * x and y are the column and row of a sample. Addition wraps and is associative, so stepping along a row by [dx],
- * stepping down a column by [dy] and evaluating with [at] give the same bits (contract rule 3.1). Of a depth the upper
- * 32 bits are the integer part, the lower 32 the fraction; edge functions are integers. Immutable and thread safe.
+ * stepping down a column by [dy] and evaluating with [at] give the same result, bit for bit (contract rule 3.1). In the
+ * form of a depth, the upper 32 bits are the integer part and the lower 32 the fraction. Edge functions are plain
+ * integers. Immutable and thread safe.
  *
  * @property c value at sample (0, 0)
- * @property dx change from a column to the next
- * @property dy change from a row to the next
+ * @property dx change from one column to the next
+ * @property dy change from one row to the next
  */
 public class LinearForm(public val c: Long, public val dx: Long, public val dy: Long) {
     /** Returns the value at sample ([x], [y]). Cost: two multiplications. */
@@ -27,7 +28,7 @@ public class LinearForm(public val c: Long, public val dx: Long, public val dy: 
         @JvmStatic
         public fun constant(value: Int): LinearForm = LinearForm((value.toLong() shl 32) + HALF, 0, 0)
 
-        /** Half a unit of the integer part: added once, so that dropping the fraction rounds to nearest. */
+        /** Half a unit of the integer part. It is added once, so that truncating the fraction rounds to nearest. */
         internal const val HALF: Long = 1L shl 31
     }
 }

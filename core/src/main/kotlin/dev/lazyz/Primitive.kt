@@ -1,10 +1,10 @@
 package dev.lazyz
 
 /**
- * Something that covers samples of a raster: what a renderer orders.
+ * Something that covers samples of a raster. Renderers determine which primitive is visible at each sample.
  *
- * A renderer asks three questions only: which samples do you cover, how deep are you there, what colour are you there.
- * They are the operations of Hill's paper, and a primitive of one's own answers them in the same way:
+ * A primitive answers three questions: which samples it covers, its depth there, and its colour there. These are the
+ * operations of Hill's paper. Implement this interface to add a custom primitive:
  *
  * | paper      | here                                                                     |
  * |------------|--------------------------------------------------------------------------|
@@ -15,33 +15,34 @@ package dev.lazyz
  * | `depth`    | [depth]                                                                  |
  * | `shade`    | [shade]                                                                  |
  *
- * Every answer is a pure function of the primitive and the sample: the same bits at every call, in any order, from any
- * thread. A primitive never covers a sample outside its raster. `SetUp` makes primitives of surfaces.
+ * Every result must be a pure function of the primitive and the sample: the same bits for every call, in any order,
+ * from any thread. A primitive must not cover samples outside its raster. `SetUp` converts surfaces to primitives.
  *
  * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), section 2.
  */
 public interface Primitive {
-    /** First row that may be covered. */
+    /** First row that can have covered samples. */
     public val rowStart: Int
 
-    /** The row after the last that may be covered; [rowStart] or less if none is. */
+    /** The row after the last row that can have covered samples; [rowStart] or less if nothing is covered. */
     public val rowEnd: Int
 
-    /** First column that may be covered. */
+    /** First column that can have covered samples. */
     public val columnStart: Int
 
-    /** The column after the last that may be covered. */
+    /** The column after the last column that can have covered samples. */
     public val columnEnd: Int
 
     /**
-     * Depth as a linear form whose integer part is [depth], or null if depth is no linear form.
+     * Depth as a linear form whose integer part is [depth], or null if depth is not a linear form.
      *
      * At covered samples its integer part is in 0..2^31-1; elsewhere it may wrap around.
      */
     public val depthForm: LinearForm? get() = null
 
     /**
-     * A lower bound of the depth at all covered samples, 0..2^31-1. A close one helps renderers that sort or reject.
+     * A lower bound of the depth at all covered samples, 0..2^31-1. A tight bound makes renderers that sort or reject
+     * faster.
      */
     public val leastDepth: Int get() = 0
 
@@ -49,71 +50,75 @@ public interface Primitive {
     public val greatestDepth: Int get() = Int.MAX_VALUE
 
     /**
-     * Whether the colour may let through what lies behind, so that a picture needs blending. A frame with such
-     * primitives needs a renderer that blends, see [Capability.TRANSPARENCY].
+     * Whether the colour can have an alpha below 1, so that what is behind it shows through. A frame with such a
+     * primitive needs a renderer with [Capability.TRANSPARENCY].
      */
     public val isTranslucent: Boolean get() = false
 
     /**
-     * Bytes of memory that stay in use as long as this primitive is kept, at most; what it shares with many others, such
-     * as a texture, is not counted. Renderers that keep primitives of a stream within [RenderOptions.memoryBudget] add
-     * these up. Override it in a primitive that holds more.
+     * Upper bound of the memory, in bytes, that stays in use as long as this primitive is referenced. What it shares
+     * with many others, such as a texture, is not counted. Renderers that keep primitives of a stream add these up to
+     * stay within [RenderOptions.memoryBudget]. Override it in a primitive that holds more than the default.
      */
     public val heldBytes: Long get() = 256
 
     /**
-     * Adds the spans of covered samples of row [y] to [spans], from left to right, none of them empty, none overlapping.
+     * Adds the spans of covered samples of row [y] to [spans], from left to right; no span is empty, and spans do not
+     * overlap.
      *
-     * [y] may be any row of the raster; outside [rowStart] until [rowEnd] there is nothing to add.
+     * [y] can be any row of the raster. Outside [rowStart] until [rowEnd] there is nothing to add.
      */
     public fun spans(y: Int, spans: Spans)
 
-    /** Returns a cursor over the rows from [y] on. It gives the spans that [spans] gives, and may be faster. */
+    /** Returns a cursor over the rows from [y] on. It gives the same spans as [spans], and can be faster. */
     public fun cursor(y: Int): SpanCursor = DirectCursor(this, y)
 
-    /** Returns the depth at a covered sample, 0..2^31-1. */
+    /** Returns the depth at the covered sample at column [x], row [y], 0..2^31-1. */
     public fun depth(x: Int, y: Int): Int
 
-    /** Computes the colour at the covered sample [Fragment.x], [Fragment.y] and leaves it in the fragment. */
+    /** Computes the colour at the covered sample [Fragment.x], [Fragment.y] and stores it in [fragment]. */
     public fun shade(fragment: Fragment)
 
     /**
-     * Returns shading that steps along row [y] from column [x], or null if there is nothing to gain from it. It gives
-     * the colours that [shade] gives, bit for bit.
+     * Returns a cursor that steps shading along row [y] from column [x], or null if stepping is not faster. It gives
+     * the same colours as [shade], bit for bit.
      */
     public fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
 
     /**
-     * What it costs to evaluate the attributes of one sample afresh, in steps of a [shadingCursor], at least 0.
-     * [Coherence.ADAPTIVE] steps over as many columns and no more; with 0 it never steps. The default takes a step for
-     * as expensive as a start: neighbours are stepped to, gaps are not. Override it where starting is more expensive.
+     * Cost of evaluating the attributes at a sample directly, measured in steps of a [shadingCursor], at least 0.
+     * [Coherence.ADAPTIVE] steps over at most this many columns; with 0 it never steps. The default, 1, means that a
+     * step costs as much as a direct evaluation: it steps to the next column, but not across gaps. Override it where
+     * direct evaluation is more expensive.
      */
     public val shadingStartCost: Int get() = 1
 }
 
-/** Returns this primitive, or an opaque one like it whose colours have alpha 1 if it is translucent. */
+/** Returns this primitive if it is opaque; otherwise an opaque version of it, whose colours have alpha 1. */
 public fun Primitive.asOpaque(): Primitive = if (isTranslucent) OpaquePrimitive(this) else this
 
 /**
- * Coherent shading: state that is carried from sample to sample along a row. Belongs to one thread.
+ * Incremental shading: carries state from sample to sample along a row. Used by one thread.
  *
  * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), section 4.
  */
 public interface ShadingCursor {
-    /** Goes to the next column. Cheap beside [shade]: [Primitive.shadingStartCost] says how much. */
+    /**
+     * Moves to the next column. Less expensive than a direct evaluation; [Primitive.shadingStartCost] gives the ratio.
+     */
     public fun step()
 
-    /** Computes the colour at the current column; [fragment] has been moved there. */
+    /** Computes the colour at the current column. [fragment] has already been moved there. */
     public fun shade(fragment: Fragment)
 }
 
-/** Gives a primitive's spans row by row, downward. Belongs to one thread. */
+/** Returns the spans of a primitive row by row, downward. Used by one thread. */
 public fun interface SpanCursor {
-    /** Replaces the contents of [spans] by the spans of the current row, then steps to the next row. */
+    /** Replaces the contents of [spans] with the spans of the current row, then moves to the next row. */
     public fun next(spans: Spans)
 }
 
-/** The plain twin of every cursor: evaluates each row on its own. */
+/** The reference implementation of a cursor: evaluates each row directly. */
 private class DirectCursor(private val primitive: Primitive, private var y: Int) : SpanCursor {
     override fun next(spans: Spans) {
         spans.clear()

@@ -1,22 +1,22 @@
 package dev.lazyz
 
 /**
- * Consecutive primitives of a frame which are kept together, without an object for each. They are made one by one only for
- * renderers that ask for them. Immutable and thread safe.
+ * Consecutive primitives of a frame, stored together without an object for each. They are converted to single
+ * primitives only for renderers that need them. Immutable and thread safe.
  */
 internal interface PrimitiveBatch {
-    /** Submission index of the first. */
+    /** Submission index of the first primitive. */
     val first: Int
 
-    /** How many there are, those that are not drawn from here included. */
+    /** Number of primitives, including those that are not drawn from this batch. */
     val count: Int
 
-    /** The primitives that have to be drawn one by one, by their number in this batch. */
+    /** The primitives that must be drawn one by one, with their number in this batch. */
     val exceptions: List<IndexedValue<Primitive>>
 
-    /** Whether primitive [number] is drawn from this batch. */
+    /** Whether primitive [number], 0 until [count], is drawn from this batch. */
     fun isDrawn(number: Int): Boolean
 
-    /** Returns all of them as primitives of their own. */
+    /** Returns all primitives of the batch as single primitives. */
     fun primitives(): Sequence<Primitive>
 }

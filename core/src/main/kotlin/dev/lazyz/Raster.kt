@@ -1,18 +1,18 @@
 package dev.lazyz
 
 /**
- * The grid of samples that a frame is rendered on, and what it holds before the first primitive.
+ * The grid of samples that a frame is rendered on, and its initial content.
  *
- * Column x grows to the right and row y downward; the sample of pixel (x, y) is at its centre (contract rule 1.1).
+ * Columns x increase to the right and rows y downward. The sample of pixel (x, y) is at its centre (contract rule 1.1).
  * Immutable and thread safe.
  *
  * @property width number of columns, 1..[MAX_SIDE]
  * @property height number of rows, 1..[MAX_SIDE]
- * @property background colour of samples that nothing covers, linear light
- * @property convention which way depth grows
- * @property depthTest which of two fragments of a sample is visible
- * @property backgroundDepth depth of the background; what does not pass [depthTest] against it is invisible. The
- *   default lies behind everything: the textbooks' infinity
+ * @property background colour of samples that no primitive covers, linear light
+ * @property convention the direction in which depth increases
+ * @property depthTest decides which of two fragments of a sample is visible
+ * @property backgroundDepth depth of the background, 0..2^31-1. Fragments that do not pass [depthTest] against it are
+ *   invisible. The default is behind everything, which textbooks call infinity
  * @throws IllegalArgumentException if a side or [backgroundDepth] is out of range
  */
 public class Raster @JvmOverloads constructor(
@@ -32,56 +32,59 @@ public class Raster @JvmOverloads constructor(
     /** Number of samples. */
     public val size: Long get() = width.toLong() * height
 
-    /** All samples. */
+    /** The region of all samples. */
     public val region: Region get() = Region(0, 0, width, height)
 
     override fun toString(): String =
         "Raster($width x $height, $background, $convention, $depthTest, backgroundDepth=$backgroundDepth)"
 
     public companion object {
-        /** The greatest width and height, in samples. */
+        /** Maximum width and height, in samples. */
         public const val MAX_SIDE: Int = 262_144
     }
 }
 
 /**
- * Which way depth grows (contract rule 4.1). Both give the same picture; the stored depths are mirrored.
+ * The direction in which depth increases (contract rule 4.1). Both conventions give the same image, but the stored
+ * depths are mirrored.
  *
- * @property farthest the depth that lies behind everything, the usual one of a background
+ * @property farthest the depth behind everything, the default for a background
  */
 public enum class DepthConvention(public val farthest: Int) {
-    /** Depth grows away from the viewer; the background is at maximum depth. */
+    /** Depth increases away from the viewer; the background is at the maximum depth, 2^31-1. */
     SMALLER_IS_NEARER(Int.MAX_VALUE) {
         override val nearest: DepthTest get() = DepthTest.LESS
     },
 
-    /** Depth grows toward the viewer; the background is at depth 0. */
+    /** Depth increases toward the viewer; the background is at depth 0. */
     LARGER_IS_NEARER(0) {
         override val nearest: DepthTest get() = DepthTest.GREATER
     },
     ;
 
-    /** The depth test that shows what is nearest. */
+    /** The depth test that makes the nearest fragment visible. */
     public abstract val nearest: DepthTest
 }
 
 /**
- * Decides which of two fragments of a sample is visible: a total order of (depth, submission index).
+ * Decides which of two fragments of a sample is visible, by a total order of (depth, submission index).
  *
- * Each order is the minimum of one 64-bit [key], so fragments may be compared in any order, by any number of threads
- * (contract rule 5).
+ * Each fragment has a 64-bit [key], and the fragment with the minimum key is visible. So fragments can be compared in
+ * any order, by any number of threads (contract rule 5).
  */
 public enum class DepthTest {
-    /** The least depth; among equals what was submitted first. The background counts as submitted before all. */
+    /**
+     * The smallest depth wins; ties go to the primitive submitted first. The background counts as submitted before all.
+     */
     LESS,
 
-    /** The least depth; among equals what was submitted last. */
+    /** The smallest depth wins; ties go to the primitive submitted last. */
     LESS_OR_EQUAL,
 
-    /** The greatest depth; among equals what was submitted first. */
+    /** The greatest depth wins; ties go to the primitive submitted first. */
     GREATER,
 
-    /** The greatest depth; among equals what was submitted last. */
+    /** The greatest depth wins; ties go to the primitive submitted last. */
     GREATER_OR_EQUAL,
     ;
 
@@ -89,7 +92,7 @@ public enum class DepthTest {
     private val isLastFirst: Boolean get() = this == LESS_OR_EQUAL || this == GREATER_OR_EQUAL
 
     /**
-     * Returns the sort key of a fragment: the visible fragment of a sample is the one of least key.
+     * Returns the sort key of a fragment. The visible fragment of a sample is the one with the smallest key.
      *
      * @param depth 0..2^31-1
      * @param index submission index, 0..2^31-2, or [BACKGROUND] for the background
@@ -101,20 +104,20 @@ public enum class DepthTest {
         return upper.toLong() shl 32 or lower.toLong()
     }
 
-    /** Returns the depth within a [key]. */
+    /** Returns the depth that is encoded in a [key]. */
     public fun depthOf(key: Long): Int {
         val upper = (key ushr 32).toInt()
         return if (isReversed) Int.MAX_VALUE - upper else upper
     }
 
-    /** Returns the submission index within a [key], or [BACKGROUND]. */
+    /** Returns the submission index that is encoded in a [key], or [BACKGROUND]. */
     public fun indexOf(key: Long): Int {
         val lower = key.toInt()
         return (if (isLastFirst) Int.MAX_VALUE - lower else lower) - 1
     }
 
     public companion object {
-        /** The submission index that stands for the background: no primitive. */
+        /** The submission index of the background: no primitive. */
         public const val BACKGROUND: Int = -1
     }
 }

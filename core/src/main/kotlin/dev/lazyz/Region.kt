@@ -3,7 +3,7 @@ package dev.lazyz
 /**
  * A rectangle of samples: columns [columnStart] until [columnEnd], rows [rowStart] until [rowEnd]. Immutable.
  *
- * @throws IllegalArgumentException if it is empty or starts at a negative column or row
+ * @throws IllegalArgumentException if it contains no sample or starts at a negative column or row
  */
 public class Region(
     public val columnStart: Int,
@@ -32,7 +32,7 @@ public class Region(
         columnStart <= other.columnStart && other.columnEnd <= columnEnd && rowStart <= other.rowStart &&
             other.rowEnd <= rowEnd
 
-    /** Returns the least region that holds both. */
+    /** Returns the smallest region that contains both. */
     public fun union(other: Region): Region = Region(
         minOf(columnStart, other.columnStart),
         minOf(rowStart, other.rowStart),

@@ -1,16 +1,16 @@
 package dev.lazyz
 
 /**
- * Choices that change what a rendering costs and, but for [selector], never its picture. Immutable.
+ * Options of a rendering. Except for [selector], they change its cost and never its image. Immutable.
  *
- * A renderer heeds those that go with its [Capability]s, see [Renderer.configured].
+ * A renderer uses the options that its [Capability]s support and ignores the others, see [Renderer.configured].
  *
- * @property coherence how late shading moves from sample to sample
- * @property memoryBudget most bytes of working memory besides the image, or null for no limit
- * @property threads number of threads, at least 1
- * @property tileSize width and height of tiles, for renderers that have tiles; samples, a power of two in 8..512
- * @property selector what a sample shows of its fragments, for renderers with [Capability.SELECTION]; null for the usual:
- *   the visible one, or all blended where the frame has translucent primitives
+ * @property coherence how late shading gets from sample to sample
+ * @property memoryBudget maximum working memory in bytes, in addition to the image; null for no limit
+ * @property threads maximum number of threads, at least 1
+ * @property tileSize width and height of tiles in samples, a power of two in 8..512; for renderers that have tiles
+ * @property selector chooses what each sample shows, for renderers with [Capability.SELECTION]. With null, a sample
+ *   shows its visible fragment, or all fragments blended if the frame has translucent primitives
  * @throws IllegalArgumentException if a number is out of range
  */
 public class RenderOptions @JvmOverloads constructor(

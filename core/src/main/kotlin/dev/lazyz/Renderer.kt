@@ -1,38 +1,42 @@
 package dev.lazyz
 
 /**
- * A hidden-surface algorithm: an order in which to evaluate which primitive is visible at which sample.
+ * A hidden-surface algorithm: determines which primitive is visible at each sample, and computes the image.
  *
- * All renderers give the same bits; they differ in time, memory and the number of shading calls. To write one,
- * implement [render] with a sink, and prove it with the suite of `lazyz-conformance`.
+ * All renderers give the same result, bit for bit. They differ in time, memory and the number of shading calls. To
+ * write your own, implement [render] with a sink, and check it with the suite in `lazyz-conformance`.
  *
- * A renderer may be used for any number of frames, one after the other or from several threads at once.
+ * A renderer can be used for any number of frames, one after the other or from several threads at the same time.
  */
 public interface Renderer {
-    /** Short lower-case name, unique among renderers, such as `zbuffer`. */
+    /** Short lower-case name, unique among renderers, for example `zbuffer`. */
     public val id: String
 
-    /** What the renderer does, in one line. */
+    /** A description of the renderer in one line. */
     public val summary: String
 
-    /** What the renderer promises beyond the picture. */
+    /** What the renderer guarantees in addition to the correct image. */
     public val capabilities: Set<Capability> get() = emptySet()
 
-    /** Returns a renderer like this one that heeds [options], as far as they go with its [capabilities]. */
+    /** Returns this renderer with the given [options]. Options that its [capabilities] do not support are ignored. */
     public fun configured(options: RenderOptions): Renderer = this
 
     /**
-     * Renders [frame] and hands every row of its region to [sink], from the top row to the bottom row, each once, on the
-     * calling thread.
+     * Renders [frame] and passes every row of its region to [sink], once, from top to bottom, on the calling thread.
      *
-     * If that thread is interrupted, some renderers throw [InterruptedException]; the others go on, and its interrupt
-     * status stays set.
+     * If the calling thread is interrupted, some renderers throw [InterruptedException]; the others continue, and the
+     * interrupt status stays set. An exception from a primitive, a shader or the sink ends the rendering and is
+     * rethrown unchanged.
      *
-     * @return what it took
+     * @return the work that the rendering took
+     * @throws IllegalArgumentException if the frame has translucent primitives and the renderer does not blend
      */
     public fun render(frame: Frame, sink: RowSink): Counters
 
-    /** Renders [frame] into memory. Cost: 12 bytes a sample besides the renderer's own memory. */
+    /**
+     * Renders [frame] into memory. Throws like the other [render]. Cost: 12 bytes a sample in addition to the
+     * renderer's own memory.
+     */
     public fun render(frame: Frame): Image {
         val collector = Image.Collector(frame.region)
         val counters = render(frame, collector)
@@ -40,12 +44,12 @@ public interface Renderer {
     }
 }
 
-/** Takes finished rows, in order from the top. */
+/** Receives finished rows, in order from the top. */
 public fun interface RowSink {
     /**
-     * Takes row [y] of the raster. The arrays belong to the renderer and are valid during this call only; each holds one
-     * element a column, beginning with the first column of the frame's region (and may be longer than the row). The sink
-     * may write into these elements, which changes nothing in later rows, and into no others.
+     * Receives row [y] of the raster. The arrays belong to the renderer and are valid only during this call. Element 0
+     * is the first column of the frame's region. The arrays can be longer than the row. The sink may change the
+     * elements of the row, which does not affect later rows, but no other elements.
      *
      * @param argb colours, 8-bit sRGB with straight alpha, `0xAARRGGBB`
      * @param depth depths, 0..2^31-1, see [Depth]

@@ -3,8 +3,8 @@ package dev.lazyz
 /**
  * A colour in linear light with straight (not premultiplied) alpha.
  *
- * Components are nominally in 0..1; larger values are legal light and are clamped when the colour is packed
- * (contract rule 6.4). Immutable and thread safe.
+ * Components are normally in 0..1. Larger values are allowed, and are clamped when the colour is packed (contract rule
+ * 6.4). Immutable and thread safe.
  */
 public class Rgba @JvmOverloads constructor(
     public val red: Float,
@@ -18,7 +18,7 @@ public class Rgba @JvmOverloads constructor(
     /** Returns this colour with its alpha replaced. */
     public fun withAlpha(alpha: Float): Rgba = Rgba(red, green, blue, alpha)
 
-    /** Returns this colour with red, green and blue multiplied by [factor]; alpha is kept. */
+    /** Returns this colour with red, green and blue multiplied by [factor]; alpha is unchanged. */
     public fun scaled(factor: Float): Rgba = Rgba(red * factor, green * factor, blue * factor, alpha)
 
     override fun equals(other: Any?): Boolean =
@@ -38,7 +38,7 @@ public class Rgba @JvmOverloads constructor(
         @JvmField
         public val BLACK: Rgba = Rgba(0f, 0f, 0f)
 
-        /** Nothing at all: black with alpha 0. */
+        /** Fully transparent: black with alpha 0. */
         @JvmField
         public val TRANSPARENT: Rgba = Rgba(0f, 0f, 0f, 0f)
 
@@ -58,7 +58,7 @@ public class Rgba @JvmOverloads constructor(
         /**
          * Parses an sRGB colour: `#rgb`, `#rrggbb`, `#rrggbbaa`, `transparent`, `black` or `white`.
          *
-         * @throws IllegalArgumentException if [text] is none of these
+         * @throws IllegalArgumentException if [text] has none of these forms
          */
         @JvmStatic
         public fun parse(text: String): Rgba {

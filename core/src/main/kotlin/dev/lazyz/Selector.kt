@@ -1,11 +1,12 @@
 package dev.lazyz
 
 /**
- * Chooses what a sample shows, given all its fragments: the paper's selection over a list of (depth, suspended colour).
+ * Chooses what a sample shows, given all its fragments. This is the selection over a list of (depth, suspended colour)
+ * of Hill's paper.
  *
- * A selector is asked about each sample that is covered, once; samples that nothing covers show the background. It must
- * be a pure function of the cell, and thread safe. Give it to a renderer with [Capability.SELECTION] as
- * [RenderOptions.selector]. One of one's own, in Kotlin, shows what lies behind everything else if it is red:
+ * A selector is called once for each sample that has a fragment; other samples show the background. It must be a pure
+ * function of the cell, and thread safe. Pass it to a renderer with [Capability.SELECTION] as [RenderOptions.selector].
+ * For example, this custom selector in Kotlin shows the farthest fragment if it is red, and otherwise the nearest:
  *
  *     val selector = Selector { cell ->
  *         val last = cell.size - 1
@@ -15,21 +16,27 @@ package dev.lazyz
  * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), where cells hold lists of pairs.
  */
 public fun interface Selector {
-    /** Looks at [cell] and calls [Cell.show] for what is to be seen; without a call the background is. */
+    /**
+     * Examines [cell] and calls [Cell.show] to set what the sample shows. Without a call, the sample shows the
+     * background.
+     */
     public fun select(cell: Cell)
 
     public companion object {
-        /** Returns the usual selector: the visible fragment by the raster's depth test. One shading call a sample. */
+        /**
+         * Returns the default selector for opaque frames: shows the visible fragment by the raster's depth test. Cost:
+         * one shading call a sample.
+         */
         @JvmStatic
         public fun nearest(): Selector = NearestSelector
 
-        /** Returns the selector of the fragment that the depth test ranks last: the back of everything. */
+        /** Returns the selector that shows the fragment that the depth test ranks last: the farthest one. */
         @JvmStatic
         public fun farthest(): Selector = FarthestSelector
 
         /**
-         * Returns the selector of the fragment number [k] by the depth test, 1 for the nearest; samples with fewer
-         * fragments show the background. These are the layers of depth peeling, without the passes.
+         * Returns the selector that shows the [k]-th fragment by the depth test, 1 for the nearest. Samples with fewer
+         * fragments show the background. The results are the layers of depth peeling, without several passes.
          *
          * @throws IllegalArgumentException if [k] is not positive
          */
@@ -40,7 +47,7 @@ public fun interface Selector {
         }
 
         /**
-         * Returns the selector that shows overdraw: the number of fragments as a colour, without any shading call.
+         * Returns the selector that shows overdraw: the number of fragments as a colour, without shading calls.
          *
          * | fragments | sRGB      | | fragments   | sRGB      |
          * |-----------|-----------|-|-------------|-----------|
@@ -56,7 +63,7 @@ public fun interface Selector {
         public fun count(): Selector = CountSelector
 
         /**
-         * Returns the selector that blends: translucent fragments in exact order of depth over the first opaque one, or
+         * Returns the selector that blends translucent fragments in exact depth order over the first opaque one, or
          * over the background (contract rule 5.5). Depth and primitive are those of the nearest fragment.
          */
         @JvmStatic
@@ -65,10 +72,10 @@ public fun interface Selector {
 }
 
 /**
- * The fragments of one sample, in the order of the raster's depth test: number 0 is the nearest.
+ * The fragments of one sample, in the order of the raster's depth test: fragment 0 is the nearest.
  *
- * Only fragments that pass the depth test against the background are there. Colours are suspended: what is not shaded
- * costs nothing. Belongs to the renderer and is valid during [Selector.select] only.
+ * Contains only fragments that pass the depth test against the background. Colours are computed on demand by [shade].
+ * The cell belongs to the renderer and is valid only during [Selector.select].
  */
 public interface Cell {
     /** Column of the sample. */
@@ -80,10 +87,12 @@ public interface Cell {
     /** Number of fragments, at least 1. */
     public val size: Int
 
-    /** Colour behind all fragments, linear light. */
+    /** Colour of the background, linear light. */
     public val background: Rgba
 
-    /** Returns the depth of fragment [i], 0..2^31-1. Asking for number 0 only is cheaper: it saves sorting. */
+    /**
+     * Returns the depth of fragment [i], 0..2^31-1. Accessing only fragment 0 is cheaper, because it needs no sorting.
+     */
     public fun depth(i: Int): Int
 
     /** Returns the submission index of the primitive of fragment [i]. */
@@ -93,14 +102,17 @@ public interface Cell {
     public fun isTranslucent(i: Int): Boolean
 
     /**
-     * Forces the colour of fragment [i]: one shading call, each time. The fragment is the renderer's and is overwritten by
-     * the next call.
+     * Computes the colour of fragment [i]; each call is one shading call. The result belongs to the renderer and is
+     * overwritten by the next call.
      */
     public fun shade(i: Int): Fragment
 
-    /** Shows fragment [i]: its colour, depth and primitive. The last call decides. */
+    /** Sets the sample to the colour, depth and primitive of fragment [i]. The last call of `show` is used. */
     public fun show(i: Int)
 
-    /** Shows the depth and the primitive of fragment [i] in another colour, linear light with straight alpha. */
+    /**
+     * Sets the sample to the depth and primitive of fragment [i], and to the given colour, linear light with straight
+     * alpha.
+     */
     public fun show(i: Int, red: Float, green: Float, blue: Float, alpha: Float)
 }

@@ -29,7 +29,7 @@ internal class KthNearestSelector(private val k: Int) : Selector {
 
 /** See [Selector.count]. */
 internal object CountSelector : Selector {
-    /** Eight steps from dark to light, evenly spaced on the viridis scale. */
+    /** Eight colours from dark to light, evenly spaced on the viridis scale. */
     private val ramp = listOf(
         0x440154, 0x46327E, 0x365C8D, 0x277F8E, 0x1FA187, 0x4AC16D, 0xA0DA39, 0xFDE725,
     ).map(Rgba::ofRgb)
@@ -53,7 +53,7 @@ internal object CountSelector : Selector {
 /** See [Selector.blend]. */
 internal object BlendSelector : Selector {
     override fun select(cell: Cell) {
-        // An opaque fragment in front is all there is to see
+        // An opaque fragment in front hides everything else
         if (!cell.isTranslucent(0)) {
             cell.show(0)
             return
@@ -63,7 +63,7 @@ internal object BlendSelector : Selector {
         var i = 0
         while (i < cell.size && cell.isTranslucent(i) && blending.isOpen) blending.add(cell.shade(i++))
 
-        // The backdrop comes last, if anything of it can be seen
+        // The backdrop comes last, if any light from it passes through
         if (blending.isOpen && i < cell.size) blending.end(cell.shade(i)) else blending.end(cell.background)
         cell.show(0, blending.red, blending.green, blending.blue, blending.alpha)
     }

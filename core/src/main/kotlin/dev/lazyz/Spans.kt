@@ -1,18 +1,18 @@
 package dev.lazyz
 
 /**
- * The spans of one row: half-open runs of columns, [start] until [end].
+ * The spans of one row: half-open ranges of columns, [start] until [end].
  *
- * A reusable list; not thread safe. Grows as needed and never shrinks.
+ * A reusable list. It grows as needed and never shrinks. Not thread safe.
  *
- * @property columnStart columns before this one are dropped as they are added
- * @property columnEnd columns from this one on are dropped as they are added
+ * @property columnStart columns before this one are dropped by [add]
+ * @property columnEnd columns from this one on are dropped by [add]
  */
 public class Spans @JvmOverloads constructor(
     public val columnStart: Int = 0,
     public val columnEnd: Int = Int.MAX_VALUE,
 ) {
-    /** Spans that keep the columns of [region]. */
+    /** An empty list that keeps only the columns of [region]. */
     public constructor(region: Region) : this(region.columnStart, region.columnEnd)
 
     private var bounds = IntArray(16)
@@ -21,18 +21,19 @@ public class Spans @JvmOverloads constructor(
     public var count: Int = 0
         private set
 
-    /** Bytes that the list holds, grown as it is. */
+    /** Bytes of the list at its current capacity. */
     internal val bytes: Long get() = Int.SIZE_BYTES * bounds.size.toLong()
 
     /** First column of span [i]. */
     public fun start(i: Int): Int = bounds[2 * i]
 
-    /** Column after the last of span [i]. */
+    /** The column after the last of span [i]. */
     public fun end(i: Int): Int = bounds[2 * i + 1]
 
     /**
-     * Appends the columns [from] until [until], as far as they are kept; nothing if none is. A span that touches the
-     * last one extends it. The caller adds spans from left to right, not overlapping.
+     * Appends the columns [from] until [until], clipped to [columnStart] until [columnEnd]. Adds nothing if the result
+     * is empty. A span that starts where the last one ends extends it. The caller must add spans from left to right,
+     * without overlap.
      */
     public fun add(from: Int, until: Int) {
         val start = maxOf(from, columnStart)

@@ -1,15 +1,15 @@
 package dev.lazyz
 
 /**
- * The sRGB transfer function between linear light and 8-bit codes (IEC 61966-2-1), the same bits on every machine.
+ * The sRGB transfer function between linear light and 8-bit codes (IEC 61966-2-1), equal bit for bit on every machine.
  *
- * Encoding rounds to the nearest code. It is a table of the 255 linear values at which the code changes, computed once
- * with [StrictMath], so that no call depends on a library's `pow` (contract rule 6.3).
+ * Encoding rounds to the nearest code. It uses the 255 linear values at which the code changes, computed once with
+ * [StrictMath], so that no call depends on a library's `pow` (contract rule 6.3).
  */
 internal object Srgb {
     private val linearOfCode = FloatArray(256) { toLinear(it / 255.0).toFloat() }
 
-    /** `threshold[k]` is the least linear value whose code is at least k. */
+    /** `threshold[k]` is the smallest linear value whose code is at least k. */
     private val threshold = FloatArray(257) {
         when (it) {
             0 -> Float.NEGATIVE_INFINITY
@@ -19,9 +19,9 @@ internal object Srgb {
     }
 
     /**
-     * What turns the bits of a value from [LEAST] to 1 into its code, by the upper ones of these bits above [LEAST_BITS], 256
-     * buckets an octave: the sum of both, shifted right by [BUCKET_SHIFT], is the code. No bucket has more than one value at
-     * which the code changes; from there on the sum's lower bits carry over.
+     * A table that converts the bits of a value in [LEAST]..1 to its code. The index is `bits - LEAST_BITS` shifted
+     * right by [BUCKET_SHIFT], which gives 256 buckets an octave. The code is `summand + bits`, shifted right by
+     * [BUCKET_SHIFT]. The code changes at most once in a bucket; from that value on, the lower bits of the sum carry.
      */
     val summands: IntArray = IntArray(BUCKETS + 1)
 
@@ -65,17 +65,17 @@ internal object Srgb {
 
     private fun leastOfBucket(bucket: Int): Float = Float.fromBits(LEAST_BITS + (bucket shl BUCKET_SHIFT))
 
-    /** 2^-13, below which the code is 0. */
+    /** 2^-13. Smaller values have code 0. */
     const val LEAST: Float = 1f / 8192f
 
-    /** [LEAST] as bits: an exponent of 127 - 13. */
+    /** The bits of [LEAST]: an exponent of 127 - 13. */
     const val LEAST_BITS: Int = (127 - 13) shl 23
 
-    /** 1 as bits. */
+    /** The bits of 1. */
     const val MOST_BITS: Int = 127 shl 23
     const val BUCKET_SHIFT: Int = 23 - 8
     private const val BUCKET = 1 shl BUCKET_SHIFT
 
-    /** Number of buckets below 1, which has one of its own. */
+    /** Number of buckets below 1. The value 1 has its own bucket. */
     private const val BUCKETS = 13 shl 8
 }

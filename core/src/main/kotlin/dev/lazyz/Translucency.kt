@@ -1,8 +1,8 @@
 package dev.lazyz
 
 /**
- * Refuses a frame with translucent primitives on behalf of a [renderer] that does not blend, before it starts
- * (contract rule 5.6).
+ * Checks that [frame] has no translucent primitives, for a [renderer] that does not blend (contract rule 5.6). Called
+ * before the rendering starts.
  *
  * @throws IllegalArgumentException if the frame has translucent primitives
  */
@@ -12,7 +12,7 @@ internal fun requireOpaque(frame: Frame, renderer: Renderer) {
     requireOpaque(frame.primitives[index], index, renderer)
 }
 
-/** As [requireOpaque] for a frame: for the primitive that arrives as number [index] of a stream. */
+/** Same check for one [primitive] of a stream, with submission index [index]. */
 internal fun requireOpaque(primitive: Primitive, index: Int, renderer: Renderer) {
     require(!primitive.isTranslucent) {
         "primitive $index is translucent and the renderer '${renderer.id}' does not blend: " +
@@ -20,7 +20,7 @@ internal fun requireOpaque(primitive: Primitive, index: Int, renderer: Renderer)
     }
 }
 
-/** A translucent primitive made opaque: the same coverage, depth and light, with alpha 1. */
+/** An opaque version of a translucent primitive: the same coverage, depth and light, with alpha 1. */
 internal class OpaquePrimitive(val whole: Primitive) : Primitive by whole {
     override val isTranslucent: Boolean get() = false
 

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import org.junit.jupiter.api.Test;
 
-/** How those who write a {@link BatchShader} test it, outside of any renderer. */
+/** A {@link BatchShader} can be tested without a renderer. */
 class JavaBatchShaderTest {
     private final BatchShader stripes = batch -> {
         for (int i = 0; i < batch.getSize(); i++) {

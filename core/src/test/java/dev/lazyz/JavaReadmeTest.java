@@ -9,7 +9,7 @@ import dev.lazyz.world.Sphere;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** The README's lines of Java, compiled and run: the same picture as its lines of Kotlin. */
+/** Compiles and runs the Java code of the README; it gives the same image as the Kotlin code. */
 class JavaReadmeTest {
     @Test
     void tenLines() {

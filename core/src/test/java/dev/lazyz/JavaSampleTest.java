@@ -13,7 +13,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What Java users write. */
+/** Typical Java code of a user of the library. */
 class JavaSampleTest {
     @Test
     void aShaderIsALambda() {

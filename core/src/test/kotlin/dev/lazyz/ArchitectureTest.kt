@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** What the sources of `core` may import and call. */
+/** Which packages and functions the sources of `core` may import and call. */
 class ArchitectureTest {
     private val root: Path = ProjectFiles.root.resolve("core/src/main/kotlin/dev/lazyz")
 
@@ -25,22 +25,22 @@ class ArchitectureTest {
             it.startsWith("import ")
         }.map { it.removePrefix("import ").substringBefore(" as ") }
 
-    /** The package of a source below `dev.lazyz`; empty for that itself. */
-    private fun room(source: Path): String = source.relativeTo(root).parent?.joinToString(".").orEmpty()
+    /** The package of a source file, without the prefix `dev.lazyz`; empty for that package itself. */
+    private fun packageOf(source: Path): String = source.relativeTo(root).parent?.joinToString(".").orEmpty()
 
-    /** The package that an import names, below `dev.lazyz`; null for other libraries. */
-    private fun room(import: String): String? {
+    /** The package of an import, without the prefix `dev.lazyz`; null for other libraries. */
+    private fun packageOf(import: String): String? {
         if (!import.startsWith("dev.lazyz.")) return null
         val name = import.removePrefix("dev.lazyz.").split('.').takeWhile { it.first().isLowerCase() }.joinToString(".")
-        return rooms.filter { name == it || name.startsWith("$it.") }.maxByOrNull(String::length)
+        return allPackages.filter { name == it || name.startsWith("$it.") }.maxByOrNull(String::length)
     }
 
-    private val rooms: Set<String> = sources.map(::room).toSet()
+    private val allPackages: Set<String> = sources.map(::packageOf).toSet()
     private val page: String = ProjectFiles.root.resolve("docs/architecture.md").readText()
 
-    /** The name of a strategy's package, or null for sources that belong to none. */
+    /** The name of a strategy's package, or null for source files that are not part of a strategy. */
     private fun strategy(source: Path): String? =
-        room(source).takeIf { it.startsWith("strategies.") }?.split('.')?.get(1)
+        packageOf(source).takeIf { it.startsWith("strategies.") }?.split('.')?.get(1)
 
     @Test
     fun sourcesAreFound() {
@@ -50,63 +50,50 @@ class ArchitectureTest {
 
     @Test
     fun packagesImportOnlyThoseBelowThem() {
-        assertEquals(emptySet<String>(), rooms.filter { it !in FLOORS && !it.startsWith("strategies.") }.toSet())
-        val offences = sources.filter { it.relativeTo(root).toString() !in SEAMS }.flatMap { source ->
-            val from = room(source)
+        assertEquals(emptySet<String>(), allPackages.filter { it !in LEVELS && !it.startsWith("strategies.") }.toSet())
+        val offences = sources.filter { it.relativeTo(root).toString() !in EXCEPTIONS }.flatMap { source ->
+            val from = packageOf(source)
             imports(source).mapNotNull { import ->
-                val to = room(import)
-                val isPermitted = to == null || to == from || floor(to) < floor(from)
+                val to = packageOf(import)
+                val isPermitted = to == null || to == from || level(to) < level(from)
                 if (isPermitted) null else "$from/${source.name} imports $import"
             }
         }
         assertEquals(emptyList<String>(), offences)
     }
 
-    /** How far up a package is; the packages of strategies that are no parts of `tiled` are on one floor. */
-    private fun floor(room: String): Int = FLOORS.indexOf(if (room in FLOORS) room else "strategies.*")
+    /** The level of a package. All packages of strategies, except the parts of `tiled`, are on one level. */
+    private fun level(name: String): Int = LEVELS.indexOf(if (name in LEVELS) name else "strategies.*")
 
     @Test
-    fun seamsAreNeeded() {
-        for (seam in SEAMS) {
-            val source = root.resolve(seam)
-            val above = imports(source).mapNotNull(::room).filter { floor(it) > floor(room(source)) }
-            assertTrue(above.isNotEmpty()) { "$seam imports nothing from above: take it off the list" }
+    fun exceptionsAreNeeded() {
+        for (file in EXCEPTIONS) {
+            val source = root.resolve(file)
+            val above = imports(source).mapNotNull(::packageOf).filter { level(it) > level(packageOf(source)) }
+            assertTrue(above.isNotEmpty()) { "$file imports nothing from above: take it off the list" }
         }
     }
 
-    /** Every package has a row on the page, which names only what is there. */
+    /** Every package has a row on the page, and the row contains only types that exist in the package. */
     @Test
     fun thePageShowsThePackages() {
-        val rows = page.substringAfter("## Packages of").substringBefore("\n## ").lines().filter {
-            it.startsWith("| `")
-        }
+        val rows = page.substringAfter("## Packages of").substringBefore("\n## ").lines()
+            .filter { it.startsWith("| `") }
         val shown = rows.associateBy { row -> row.substringAfter('`').substringBefore('`').removePrefix("dev.lazyz") }
-        assertEquals(
-            rooms.map {
-                if (floor(it) ==
-                    FLOORS.indexOf("strategies.*")
-                ) {
-                    "strategies.*"
-                } else {
-                    it
-                }
-            }.toSet(),
-            shown.keys
-        )
-        for ((room, row) in shown) {
-            val code = sources.filter { room(it) == room }.joinToString("\n") { it.readText() }
-            for ((name) in Regex("`([A-Z]\\w+)").findAll(row).map { it.destructured }) {
-                assertTrue(Regex("(class|object|interface) $name\\b").containsMatchIn(code)) { "$room has no $name" }
+        val expected = allPackages.map { if (level(it) == LEVELS.indexOf("strategies.*")) "strategies.*" else it }
+        assertEquals(expected.toSet(), shown.keys)
+        for ((name, row) in shown) {
+            val code = sources.filter { packageOf(it) == name }.joinToString("\n") { it.readText() }
+            for ((type) in Regex("`([A-Z]\\w+)").findAll(row).map { it.destructured }) {
+                assertTrue(Regex("(class|object|interface) $type\\b").containsMatchIn(code)) { "$name has no $type" }
             }
         }
     }
 
     @Test
     fun thePageNamesTheFilesOfEachStep() {
-        val roots = mapOf(
-            "core" to root,
-            "scenes" to ProjectFiles.root.resolve("scenes/src/main/kotlin/dev/lazyz/scenes")
-        )
+        val scenes = ProjectFiles.root.resolve("scenes/src/main/kotlin/dev/lazyz/scenes")
+        val roots = mapOf("core" to root, "scenes" to scenes)
         val named = Regex("`(core|scenes): ([\\w/]+)`").findAll(page).map { it.destructured }.toList()
         assertTrue(named.size > 20) { "only ${named.size} files" }
         for ((module, path) in named) assertTrue(Files.exists(roots.getValue(module).resolve("$path.kt"))) { path }
@@ -164,7 +151,7 @@ class ArchitectureTest {
     fun rule_6_3_onlyPermittedArithmeticIsUsed() {
         val offences = sources.flatMap { source ->
             val code = source.readLines().map { it.substringBefore("//") }.filterNot { it.trimStart().startsWith("*") }
-                // A product of vectors' lanes is rounded as one of numbers is
+                // Vector lanes are rounded like scalar products
                 .map { if (source.name.removeSuffix(".kt") in VECTORS) it.replace(".mul(", ".times(") else it }
             code.filter { line -> FORBIDDEN.any { it.containsMatchIn(line) } }.map { "${source.name}: ${it.trim()}" }
         }
@@ -188,18 +175,19 @@ class ArchitectureTest {
 
     private companion object {
         /** The packages from bottom to top: each imports only those before it, see `docs/architecture.md`. */
-        val FLOORS = listOf(
+        val LEVELS = listOf(
             "", "raster", "geometry", "world", "shading", "setup", "setup.planar", "pipeline",
             "strategies.tiled.raster", "strategies.tiled.binning", "strategies.tiled.resolve",
             "strategies.*", "strategies",
         )
 
-        /** The files by which scenes, and drawings on the screen, call set-up, which is above them. */
-        val SEAMS = setOf("world/SetUp.kt", "world/FrameBuilder.kt")
+        /** The files of `world` that may call set-up, which is above them. */
+        val EXCEPTIONS = setOf("world/SetUp.kt", "world/FrameBuilder.kt")
 
-        /** `java.` but for desktop and what has no place in a renderer. */
+        /** The classes that may import the Vector API. */
         val VECTORS = listOf("VectorBlockKernel", "VectorCoverageKernel", "VectorFragmentKernel")
 
+        /** Prefixes of permitted imports: of `java.`, only packages that a renderer needs. */
         val ALLOWED = listOf(
             "dev.lazyz.", "kotlin.", "kotlinx.coroutines.", "org.joml.", "java.util.", "java.security.", "java.lang.",
             "java.nio.", "java.io.",

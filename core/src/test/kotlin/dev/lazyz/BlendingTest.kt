@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Contract rule 5.5: blending goes on until the transmittance is 0, however little light that may be. */
+/** Contract rule 5.5: blending continues until the transmittance is 0, however small it is before. */
 class BlendingTest {
     private val blending = Blending()
     private val half = fragment(0f, 0f, 0f, 0.5f)
@@ -15,7 +15,7 @@ class BlendingTest {
     private fun fragment(red: Float, green: Float, blue: Float, alpha: Float): Fragment =
         Fragment().also { it.setColor(red, green, blue, alpha) }
 
-    /** The colour of a sample behind [layers] black panes of alpha 1/2. */
+    /** The colour of a sample behind [layers] black layers of alpha 1/2. */
     private fun behind(layers: Int, backdrop: Fragment): List<Float> {
         blending.clear()
         repeat(layers) { blending.add(half) }
@@ -25,7 +25,7 @@ class BlendingTest {
 
     @Test
     fun rule_5_5_openUntilNothingIsLetThrough() {
-        // 2^-149 is the least float above 0
+        // 2^-149 is the smallest float above 0
         blending.clear()
         assertTrue(blending.isOpen)
         for (layer in 1..149) {
@@ -45,7 +45,7 @@ class BlendingTest {
     @Test
     fun rule_5_5_theBackdropCountsHoweverLittleIsLeft() {
         for (layers in 1..126) {
-            // As much brighter as the panes make it darker; weights add up to 1
+            // As much brighter as the layers make it darker; the weights add up to 1
             val light = StrictMath.scalb(1f, layers)
             val color = behind(layers, fragment(light, light / 2, light / 4, 1f))
             assertEquals(listOf(1f, 0.5f, 0.25f, 1f), color) { "$layers layers" }
@@ -60,7 +60,7 @@ class BlendingTest {
             blending.clear()
             blending.add(fragment(1f, 1f, 1f, none))
             blending.end(fragment(0.25f, 0.5f, 0.75f, none))
-            // Nothing in front: the backdrop as it is, its alpha unclamped
+            // Nothing in front: the backdrop is unchanged, and its alpha is not clamped
             assertEquals(listOf(0.25f, 0.5f, 0.75f), listOf(blending.red, blending.green, blending.blue))
             assertEquals(none, blending.alpha)
             assertEquals(listOf(0f, 0f, 0f, 0.5f), behind(1, fragment(8f, 8f, 8f, none)))

@@ -6,23 +6,26 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 import net.jqwik.api.Tuple
 
-/** A place on the 1/256 pixel grid. */
+/** A position on the 1/256 pixel grid. */
 data class GridPoint(val x: Int, val y: Int) {
     val pixelX: Double get() = x / 256.0
     val pixelY: Double get() = y / 256.0
 
-    /** Which side of the line from [a] to [b] this is on: positive to the right on the screen, 0 on the line. Exact. */
+    /**
+     * Side of the line from [a] to [b] on which this point is: positive to the right on the screen, 0 on the line.
+     * Exact.
+     */
     fun side(a: GridPoint, b: GridPoint): Long = Math.subtractExact(
         Math.multiplyExact((b.x - a.x).toLong(), (y - a.y).toLong()),
         Math.multiplyExact((b.y - a.y).toLong(), (x - a.x).toLong()),
     )
 }
 
-/** Contours on a small raster, and what they cover by the contract's own words: the oracle of coverage. */
+/** Contours on a small raster, and their coverage as defined by the contract: the oracle of the coverage tests. */
 data class Drawing(val width: Int, val height: Int, val contours: List<List<GridPoint>>) {
     val raster: Raster get() = Raster(width, height)
 
-    /** Sum of the windings at or left of a sample (contract rules 2.1 to 2.4), edge by edge, in exact integers. */
+    /** Sum of the windings at or left of a sample (contract rules 2.1 to 2.4), for each edge, in exact integers. */
     fun windings(x: Int, y: Int): Int {
         val sample = GridPoint(256 * x + 128, 256 * y + 128)
         var sum = 0
@@ -56,7 +59,10 @@ data class Drawing(val width: Int, val height: Int, val contours: List<List<Grid
     companion object {
         private const val LIMIT = 1 shl 27
 
-        /** Deliberately awkward: on samples, on pixel corners, a step beside them, off the raster, at the far ends. */
+        /**
+         * Edge cases: on samples, on pixel corners, one step beside them, outside the raster, and at the limits of the
+         * guard band.
+         */
         fun coordinates(size: Int): Arbitrary<Int> {
             val pixels = Arbitraries.integers().between(-1, size)
             return Arbitraries.frequencyOf(
@@ -73,20 +79,20 @@ data class Drawing(val width: Int, val height: Int, val contours: List<List<Grid
         fun points(width: Int, height: Int): Arbitrary<GridPoint> =
             Combinators.combine(coordinates(width), coordinates(height)).`as`(::GridPoint)
 
-        /** Rasters of 1 x 1, one row, one column, and some samples a side. */
+        /** Rasters of 1 x 1, one row, one column, and several samples on each side. */
         fun sizes(): Arbitrary<Pair<Int, Int>> = Combinators.combine(
             Arbitraries.of(1, 2, 5, 9, 16),
             Arbitraries.of(1, 2, 5, 9, 16),
         ).`as` { width, height -> Pair(width, height) }
 
-        /** One to three contours of up to [vertices] vertices each, that overlap and cross as they like. */
+        /** One to three contours of up to [vertices] vertices each, which can overlap and self-intersect. */
         fun any(vertices: Int = 7): Arbitrary<Drawing> = sizes().flatMap { (width, height) ->
             points(width, height).list().ofMinSize(1).ofMaxSize(vertices)
                 .list().ofMinSize(1).ofMaxSize(3)
                 .map { Drawing(width, height, it) }
         }
 
-        /** Three vertices, anywhere. */
+        /** Three vertices at arbitrary positions. */
         fun triangles(): Arbitrary<Drawing> = sizes().flatMap { (width, height) ->
             points(width, height).list().ofSize(3).map { Drawing(width, height, listOf(it)) }
         }

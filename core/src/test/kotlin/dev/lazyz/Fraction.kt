@@ -3,7 +3,7 @@ package dev.lazyz
 import java.math.BigDecimal
 import java.math.BigInteger
 
-/** A rational number: what "exact" means in the tests. Not reduced, so only for short calculations. */
+/** A rational number, for exact results in tests. Not reduced, so only suitable for short calculations. */
 class Fraction(private val top: BigInteger, private val bottom: BigInteger) : Comparable<Fraction> {
     constructor(value: Long) : this(BigInteger.valueOf(value), BigInteger.ONE)
 
@@ -31,7 +31,7 @@ class Fraction(private val top: BigInteger, private val bottom: BigInteger) : Co
 
     fun signum(): Int = top.signum() * bottom.signum()
 
-    /** To about 17 digits, for messages and for statistics. */
+    /** Accurate to about 17 digits, for messages and statistics. */
     fun toDouble(): Double = BigDecimal(top).divide(BigDecimal(bottom), java.math.MathContext(40)).toDouble()
 
     override fun toString(): String = toDouble().toString()
@@ -39,7 +39,7 @@ class Fraction(private val top: BigInteger, private val bottom: BigInteger) : Co
     companion object {
         val ZERO: Fraction = Fraction(0)
 
-        /** The value of a double, exactly. */
+        /** The exact value of a double. */
         fun of(value: Double): Fraction {
             val decimal = BigDecimal(value)
             val unscaled = decimal.unscaledValue()

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Test
 
-/** Contract rule 7: equality and identity of pictures. */
+/** Contract rule 7: equality and identity of images. */
 class ImageTest {
     private val argb = intArrayOf(0x01020304, 0x7FFFFFFF, -1, 0x00FF00FF, 5, 6)
 

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** The README's ten lines, compiled and run. */
+/** Compiles and runs the ten lines of the README. */
 class KotlinSampleTest {
     @Test
     fun tenLines() {
@@ -46,7 +46,7 @@ class KotlinSampleTest {
     }
 
     private companion object {
-        /** The same on every machine; it changes only when the contract or the default lights do. */
+        /** Equal on every machine. It changes only when the contract or the default lights change. */
         const val PINNED = "9867446e185b98450badc79a2e3d78c345ffebac4a201006bd8d8409362ce1de"
     }
 }

@@ -14,9 +14,9 @@ import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 
-/** Contract rule 2.8: primitives and surfaces of the user's own. */
+/** Contract rule 2.8: custom primitives and surfaces. */
 class OwnPrimitiveTest {
-    /** A disk on the screen whose depth is a bowl: no linear form, no cursor of its own. */
+    /** A disk in screen space with the depth of a bowl: it has no linear form and no cursor of its own. */
     private class Disk(private val raster: Raster, private val middle: Int, private val radius: Int) : Primitive {
         override val rowStart: Int get() = maxOf(middle - radius, 0)
         override val rowEnd: Int get() = minOf(middle + radius + 1, raster.height)
@@ -95,7 +95,7 @@ class OwnPrimitiveTest {
         assertEquals(0, image.primitive(0, 0))
     }
 
-    /** A surface of two spheres and a part that is never seen. */
+    /** A surface that consists of two spheres and a part that is never visible. */
     private class Dumbbell(private val material: Material) : Surface {
         private val left = Sphere(Vector3d(-1.0, 0.0, 0.0), 0.8, material)
         private val right = Sphere(Vector3d(1.0, 0.0, 0.0), 0.8, material)

@@ -6,8 +6,8 @@ import org.joml.Vector3d
 import org.joml.Vector4d
 
 /**
- * Tells by rays through the eye, without any clipping, whether a convex flat polygon is seen at a sample between the
- * planes of a camera under perspective.
+ * Determines with rays through the eye, without clipping, whether a convex flat polygon is visible at a sample, between
+ * the planes of a perspective camera.
  */
 class RayOracle(camera: Camera, private val raster: Raster, corners: List<Vector3d>) {
     private val near = camera.near
@@ -21,7 +21,7 @@ class RayOracle(camera: Camera, private val raster: Raster, corners: List<Vector
         Vector3d(p.x, p.y, p.z)
     }
 
-    /** Half-spaces of rays (x, y, -1): those of the edges, and those of the two planes. */
+    /** Half-spaces of rays (x, y, -1): one for each edge, and one for each of the two planes. */
     private val sides: List<Vector3d>
 
     init {
@@ -31,7 +31,7 @@ class RayOracle(camera: Camera, private val raster: Raster, corners: List<Vector
         val sign = Math.signum(height)
         val edges = points.indices.map { Vector3d(points[it]).cross(points[(it + 1) % points.size]).mul(sign) }
 
-        // The plane is met at t = height / (normal . ray): near <= t <= far, for a positive height
+        // The ray meets the plane at t = height / (normal . ray): near <= t <= far, for a positive height
         val total = Vector3d(normal).mul(sign)
         val lengthened = { limit: Double, direction: Double ->
             Vector3d(total).mul(-limit * direction).sub(0.0, 0.0, Math.abs(height) * direction)
@@ -39,7 +39,7 @@ class RayOracle(camera: Camera, private val raster: Raster, corners: List<Vector
         sides = edges + lengthened(near, 1.0) + lengthened(far, -1.0)
     }
 
-    /** Whether the sample is covered; null within a 64th of a pixel of the border. */
+    /** Whether the sample is covered; null if it is within 1/64 pixel of the border. */
     fun verdict(x: Int, y: Int): Boolean? {
         var isInside = true
         for (side in sides) {

@@ -18,7 +18,7 @@ import dev.lazyz.world.Vertex
 import java.util.Random
 import org.joml.Vector3d
 
-/** Scenes for tests: small, and with some of everything. */
+/** Small scenes for tests that use all features. */
 object SampleScenes {
     val camera: Camera = Camera.perspective(
         Vector3d(0.3, 0.4, 5.0), Vector3d(0.0, 0.0, 0.0), Vector3d(0.0, 1.0, 0.0), 40.0, 1.0, 20.0,
@@ -28,7 +28,7 @@ object SampleScenes {
         2, 2, intArrayOf(-0x1, 0x40ff0000, 0x4000ff00, -0xffff01), TextureFilter.NEAREST,
     )
 
-    /** A mesh of random triangles with all attributes; some reach behind the camera or past the far plane. */
+    /** A mesh of random triangles with all attributes; some extend behind the camera or beyond the far plane. */
     fun soup(random: Random, triangles: Int, material: Material, reach: Double = 3.0): Mesh {
         val count = 3 * triangles
         return Mesh(
@@ -41,7 +41,7 @@ object SampleScenes {
         )
     }
 
-    /** Every kind of surface and of shading, with textures, masks and blending. */
+    /** All kinds of surfaces and shading, with textures, masks and blending. */
     fun mixed(random: Random): Scene {
         val surfaces = ArrayList<Surface>()
         for (shading in Shading.entries) {
@@ -79,7 +79,7 @@ object SampleScenes {
         return Polygon(listOf(points), material, FillRule.NON_ZERO)
     }
 
-    /** Triangles on the screen, [count] of them, with depths from a few planes so that ties happen. */
+    /** [count] triangles in screen space, with depths from a few planes so that there are ties. */
     fun drawn(random: Random, raster: Raster, count: Int): Frame {
         val builder = FrameBuilder(raster)
         repeat(count) {

@@ -2,7 +2,7 @@ package dev.lazyz
 
 import org.junit.jupiter.api.Assertions.assertTrue
 
-/** Samples of a raster, each in or out. */
+/** A set of samples of a raster. */
 class SampleSet(val width: Int, val height: Int) {
     private val bits = BooleanArray(width * height)
 
@@ -32,7 +32,7 @@ class SampleSet(val width: Int, val height: Int) {
     }
 }
 
-/** Returns the samples that this primitive says it covers, after a check of its spans against contract rule 2.3. */
+/** Returns the samples that this primitive covers, and checks its spans against contract rule 2.3. */
 fun Primitive.samples(raster: Raster): SampleSet {
     val set = SampleSet(raster.width, raster.height)
     val spans = Spans()
@@ -44,7 +44,7 @@ fun Primitive.samples(raster: Raster): SampleSet {
     return set
 }
 
-/** Returns the samples that this primitive's cursor gives, from [firstRow] on. */
+/** Returns the samples that the cursor of this primitive returns, from [firstRow] on. */
 fun Primitive.samplesByCursor(raster: Raster, firstRow: Int): SampleSet {
     val set = SampleSet(raster.width, raster.height)
     val spans = Spans()

@@ -7,13 +7,13 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /**
- * Contract rule 6.4, without any rounding: the curve's power 2.4 is 12/5, so that a value and a place on the curve compare
- * as integer powers of rational numbers.
+ * Contract rule 6.4, without rounding: the curve's exponent 2.4 is 12/5, so a value and a point of the curve can be
+ * compared as integer powers of rational numbers.
  */
 class SrgbTableTest {
-    /** The sign of [linear] minus what the sRGB value [numerator] / [denominator] decodes to. Exact. */
+    /** The sign of [linear] minus the decoded sRGB value [numerator] / [denominator]. Exact. */
     private fun compare(linear: BigDecimal, numerator: Long, denominator: Long): Int {
-        // Below 0.04045 a straight line: linear * 12.92 against s
+        // At 0.04045 and below, a straight line: linear * 12.92 against s
         if (100_000L * numerator <= 4045L * denominator) {
             return (linear * BigDecimal(1292L * denominator)).compareTo(BigDecimal(100L * numerator))
         }
@@ -25,15 +25,15 @@ class SrgbTableTest {
 
     private fun exact(value: Float) = BigDecimal(value.toDouble())
 
-    /** Whether [linear] is at least what lies half a code below [code]. */
+    /** Whether [linear] is at least the value half a code below [code]. */
     private fun reaches(linear: Float, code: Int): Boolean = compare(exact(linear), 2L * code - 1, 510) >= 0
 
-    /** The least value of each code. */
+    /** The smallest value of each code. */
     private val leastOfCode = FloatArray(256) { code ->
         var low = 0
         var high = 1f.toRawBits()
         while (low < high) {
-            // Positive floats are ordered as their bits are
+            // Positive floats have the same order as their bits
             val middle = (low + high) / 2
             if (code == 0 || reaches(Float.fromBits(middle), code)) high = middle else low = middle + 1
         }
@@ -55,7 +55,8 @@ class SrgbTableTest {
 
     @Test
     fun rule_6_4_everyEntryOfTheTableHoldsFromItsFirstToItsLastValue() {
-        // 256 entries an octave: an error of one float shows at an end of an entry, or beside the step within it
+        // 256 entries an octave: an error of one float would be visible at an end of an entry, or next to the step
+        // within it
         for (bits in Srgb.LEAST_BITS / 2..1.1f.toRawBits() step (1 shl Srgb.BUCKET_SHIFT)) {
             val first = Float.fromBits(bits)
             for (linear in listOf(first, Math.nextUp(first), Math.nextDown(first).coerceAtLeast(0f))) {

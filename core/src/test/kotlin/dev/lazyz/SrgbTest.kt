@@ -4,7 +4,7 @@ import java.util.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 
-/** Contract rule 6.4: from linear light to 8 bits and back. */
+/** Contract rule 6.4: conversion from linear light to 8 bits and back. */
 class SrgbTest {
     /** The sRGB curve in double precision, times 255, before rounding. */
     private fun codes(linear: Float): Double {
@@ -18,7 +18,7 @@ class SrgbTest {
 
     private fun assertNearest(linear: Float) {
         val exact = codes(linear.coerceIn(0f, 1f))
-        // The published curve jumps by 3e-8 where its two parts meet, far from any place where codes change
+        // The published curve has a step of 3e-8 where its two parts meet, far from all values at which codes change
         assertEquals(Math.floor(exact + 0.5).toInt(), red(linear)) { "$linear is code $exact" }
     }
 
@@ -53,7 +53,7 @@ class SrgbTest {
             val step = if (s <= 0.04045) s / 12.92 else StrictMath.pow((s + 0.055) / 1.055, 2.4)
             var linear = Math.nextDown(Math.nextDown(step.toFloat()))
             repeat(5) {
-                // Whether the code has changed is known without the inverse curve's rounding
+                // Here the code is certain, in spite of the rounding of the inverse curve
                 assertEquals(if (linear >= step) code else code - 1, red(linear)) { "$linear beside $step" }
                 linear = Math.nextUp(linear)
             }

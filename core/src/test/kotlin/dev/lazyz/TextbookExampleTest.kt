@@ -7,11 +7,14 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** The worked example of `docs/algorithms/zbuffer.md`, and that the page shows what is computed. */
+/** The worked example of `docs/algorithms/zbuffer.md`; checks that the page shows the computed values. */
 class TextbookExampleTest {
     private val raster = Raster(4, 4)
 
-    /** A textbook's depth as the way from near to far; in steps that are whole numbers of depth units. */
+    /**
+     * Converts a textbook depth to the fraction of the distance from near to far, in steps that are whole units of
+     * depth.
+     */
     private fun unit(depth: Double): Double = Depth.toUnit(Depth.NEAR + ((depth + 1) * STEP).toInt())
 
     /** The upper three rows, at depth 3. */
@@ -22,7 +25,7 @@ class TextbookExampleTest {
         0.0, 3.0, unit(3.0),
     )
 
-    /** The triangle below the diagonal; depth 3 at the samples of the first row, 0 at those of the last. */
+    /** The triangle below the diagonal, with depth 3 at the samples of the first row and 0 at those of the last. */
     private val b = doubleArrayOf(
         4.0, 0.0, unit(3.5),
         4.0, 4.0, unit(-0.5),
@@ -55,7 +58,7 @@ class TextbookExampleTest {
         inf inf inf inf
     """.trimIndent()
 
-    /** The margin's bar keeps the blanks before the first digit. */
+    /** The margin bar of trimMargin keeps the blanks before the first digit. */
     private val afterA = """
         |  3   3   3   3
         |  3   3   3   3

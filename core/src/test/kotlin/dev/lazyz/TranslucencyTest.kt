@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.assertThrows
 
-/** Contract rule 5.6: what is translucent, and who refuses it. */
+/** Contract rule 5.6: which primitives are translucent, and which renderers refuse them. */
 class TranslucencyTest {
     private val raster = Raster(4, 3)
     private val wall = Pane(raster.region, 2000, Rgba.BLACK)

@@ -4,14 +4,14 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * An axis-aligned box in world space, closed on all sides; possibly of no thickness.
+ * An axis-aligned box in world space. Its boundary is part of it, and its thickness can be 0.
  *
- * @property minX least x
- * @property minY least y
- * @property minZ least z
- * @property maxX greatest x
- * @property maxY greatest y
- * @property maxZ greatest z
+ * @property minX minimum x
+ * @property minY minimum y
+ * @property minZ minimum z
+ * @property maxX maximum x
+ * @property maxY maximum y
+ * @property maxZ maximum z
  * @throws IllegalArgumentException if a bound is not finite or a minimum exceeds its maximum
  */
 public class Box(
@@ -23,17 +23,22 @@ public class Box(
     public val maxZ: Double,
 ) {
     init {
-        require(minX <= maxX && minY <= maxY && minZ <= maxZ) { "box must not be inside out: $this" }
+        require(minX <= maxX && minY <= maxY && minZ <= maxZ) { "minimum of a box must not exceed its maximum: $this" }
         require((maxX - minX).isFinite() && (maxY - minY).isFinite() && (maxZ - minZ).isFinite()) {
             "box must be finite: $this"
         }
     }
 
-    /** The middle of the box; a new vector at each call. */
+    /** The centre of the box; a new vector for each call. */
     public val center: Vector3d
         get() = Vector3d(minX + (maxX - minX) / 2, minY + (maxY - minY) / 2, minZ + (maxZ - minZ) / 2)
 
-    /** Returns the corner with the given number, 0..7; bit 0 chooses maximum x, bit 1 y, bit 2 z. */
+    /**
+     * Returns corner [number], 0..7. Bit 0 selects the maximum of x, bit 1 of y, bit 2 of z. A new vector for each
+     * call.
+     *
+     * @throws IllegalArgumentException if [number] is not in 0..7
+     */
     public fun corner(number: Int): Vector3d {
         require(number in 0..7) { "corner must be in 0..7: $number" }
         return Vector3d(
@@ -43,7 +48,7 @@ public class Box(
         )
     }
 
-    /** Returns the least box that holds both. */
+    /** Returns the smallest box that contains both. */
     public fun union(other: Box): Box = Box(
         minOf(minX, other.minX),
         minOf(minY, other.minY),
@@ -53,15 +58,16 @@ public class Box(
         maxOf(maxZ, other.maxZ),
     )
 
-    /** Returns the box moved by [way]. */
+    /** Returns the box translated by [way]. */
     internal fun moved(way: Vector3dc): Box = Box(
         minX + way.x(), minY + way.y(), minZ + way.z(),
         maxX + way.x(), maxY + way.y(), maxZ + way.z(),
     )
 
     /**
-     * Returns where the origin of what fills this box should be: in its middle if it is so small and so far away that
-     * 32-bit floats could not tell its details, or else that of the world.
+     * Returns a suitable origin for the contents of this box: the centre of the box if the box is so small and so far
+     * from the world's origin that 32-bit floats would lose details; otherwise the world's origin. A new vector for
+     * each call.
      */
     public fun origin(): Vector3d {
         val far = listOf(minX, minY, minZ, maxX, maxY, maxZ).maxOf { StrictMath.abs(it) }
@@ -73,15 +79,19 @@ public class Box(
 
     public companion object {
         /**
-         * Returns the least box around points given as x, y, z triples, or null if no point is finite. Points with a
-         * coordinate that is NaN or infinite are passed over, as they are by every renderer (contract rule 9.5).
+         * Returns the smallest box around points given as x, y, z triples, or null if no point is finite. Points with a
+         * NaN or infinite coordinate are ignored, as by every renderer (contract rule 9.5). Cost: linear in the number
+         * of points.
          */
         @JvmStatic
         public fun around(xyz: FloatArray): Box? = around(xyz.size / 3) { point, axis ->
             xyz[3 * point + axis].toDouble()
         }
 
-        /** As above, for [count] points whose coordinates [coordinate] gives by number and axis, 0..2. */
+        /**
+         * Same for [count] points. [coordinate] returns one coordinate of a point; axis is 0..2. Points with a
+         * coordinate that is [LARGEST] or more in absolute value are ignored too.
+         */
         internal inline fun around(count: Int, coordinate: (point: Int, axis: Int) -> Double): Box? {
             val low = doubleArrayOf(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY)
             val high = doubleArrayOf(Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY)
@@ -99,12 +109,15 @@ public class Box(
         }
 
         /**
-         * How many times its size something may be away from the world's origin. Of the 24 binary places of a float, 18
-         * are left there for the details: an eighth of a pixel in a picture of 32,768.
+         * Maximum distance from the world's origin, as a multiple of an object's size. At this distance, 18 of the 24
+         * bits of a float's significand remain for details: an eighth of a pixel in an image of 32,768 pixels.
          */
         private const val FAR = 64.0
 
-        /** Coordinates from here on are treated as infinite: they could not be added up and multiplied. */
+        /**
+         * Coordinates of this magnitude or more are treated as infinite, because sums and products of them could
+         * overflow.
+         */
         internal const val LARGEST: Double = 1e100
     }
 }

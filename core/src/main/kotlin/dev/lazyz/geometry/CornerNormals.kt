@@ -3,15 +3,15 @@ package dev.lazyz.geometry
 import kotlin.math.sqrt
 
 /**
- * The normals of the corners at one position after the other, and the vertex copies that have them: corners of one
- * vertex with the same normal share a copy. Not thread safe.
+ * Computes the normals of the corners at one position after the other, and assigns vertex copies to them. Corners of
+ * one vertex that have the same normal share a copy. Not thread safe.
  *
  * @param vertices the vertex of each corner
  * @param faces see [FaceNormals]
- * @param creaseAngle from which on an edge is a crease, degrees
- * @param firstCopy by vertex: the copy to begin its chain with, or -1; an array for all instances, which do different
- * vertices
- * @param copyOf by corner: where its copy is written; an array for all instances
+ * @param creaseAngle the smallest angle of an edge that is a crease, degrees
+ * @param firstCopy by vertex: the first copy in its chain, or -1; one array for all instances, which process different
+ *   vertices
+ * @param copyOf by corner: receives the corner's copy; one array for all instances
  */
 internal class CornerNormals(
     private val vertices: IntArray,
@@ -22,19 +22,23 @@ internal class CornerNormals(
 ) {
     private val cosine = StrictMath.cos(radians(creaseAngle))
 
-    /** Of an angle safely below half the crease's: no two faces that lean from one direction by less make a crease. */
+    /**
+     * Cosine of an angle slightly below half the crease angle. If all faces are within this angle of one direction, no
+     * two of them make a crease.
+     */
     private val narrowCosine = if (creaseAngle > 1.0) StrictMath.cos(radians(creaseAngle) / 2 - MARGIN) else NEVER
 
-    /** How many copies there are so far. */
+    /** Number of copies so far. */
     var size = 0
         private set
 
-    /** x, y, z of each copy. */
+    /** Normals of the copies: x, y, z for each. */
     var normals = FloatArray(3 * LEAST)
         private set
     private var nextCopy = IntArray(LEAST)
 
-    // Of each corner at the position at hand, unless it is crowded: its face, and that one's normal
+    // Data of each corner at the current position, unless there are more than CROWD: offset of its face, and the face's
+    // normal
     private val most = minOf(CROWD, vertices.size)
     private val face = IntArray(most)
     private val x = DoubleArray(most)
@@ -43,12 +47,12 @@ internal class CornerNormals(
     private val length = DoubleArray(most)
     private val normal = FloatArray(3)
 
-    // The sum of all faces at the position at hand
+    // The sum of the normals of all faces at the current position
     private var sumX = 0.0
     private var sumY = 0.0
     private var sumZ = 0.0
 
-    /** Does the [corners] from place [from] until [until], which are at one position. */
+    /** Processes the elements [from] until [until] of [corners], which are the corners at one position. */
     fun add(corners: IntArray, from: Int, until: Int) {
         val count = until - from
         addUp(corners, from, until)
@@ -62,7 +66,7 @@ internal class CornerNormals(
         }
     }
 
-    /** Gives all the corners the sum of their faces, at unit length. */
+    /** Assigns the sum of all face normals, at unit length, to all these corners. */
     private fun shareMean(corners: IntArray, from: Int, until: Int) {
         VertexTransforms.unit(sumX, sumY, sumZ, normal, 0)
         var vertex = -1
@@ -77,7 +81,7 @@ internal class CornerNormals(
         }
     }
 
-    /** Takes the faces of the corners, and adds them up. */
+    /** Loads the face normals of the corners, and adds them up. */
     private fun addUp(corners: IntArray, from: Int, until: Int) {
         val isCrowded = until - from > CROWD
         sumX = 0.0
@@ -96,7 +100,9 @@ internal class CornerNormals(
         }
     }
 
-    /** Whether all faces lean from their sum by so little that no two make a crease; false if that is not certain. */
+    /**
+     * Whether all face normals are so close to their sum that no two faces make a crease; false if this is not certain.
+     */
     private fun areNarrow(count: Int): Boolean {
         val sumSquare = sumX * sumX + sumY * sumY + sumZ * sumZ
         if (sumSquare !in SMALLEST..LARGEST) return false
@@ -124,7 +130,7 @@ internal class CornerNormals(
         return dot <= cosine * length[i] * length[j] && face[i] != face[j]
     }
 
-    /** Makes [normal] the sum of the faces that make no crease with face [i], at unit length. */
+    /** Sets [normal] to the sum of the normals of the faces that make no crease with face [i], at unit length. */
     private fun sumOfSmooth(i: Int, count: Int) {
         var smoothX = 0.0
         var smoothY = 0.0
@@ -138,7 +144,7 @@ internal class CornerNormals(
         VertexTransforms.unit(smoothX, smoothY, smoothZ, normal, 0)
     }
 
-    /** Returns the copy of [vertex] that has [normal], a new one if there is none. */
+    /** Returns the copy of [vertex] that has [normal]; creates it if there is none. */
     private fun copy(vertex: Int): Int {
         var copy = firstCopy[vertex]
         while (copy >= 0 && !hasNormal(copy)) copy = nextCopy[copy]
@@ -153,22 +159,28 @@ internal class CornerNormals(
         return size++
     }
 
-    /** By their bits: -0 is another number than 0 here, and NaN the same as NaN. */
+    /** Compares bits: -0 differs from 0, and all NaNs are equal. */
     private fun hasNormal(copy: Int): Boolean = normals[3 * copy].toBits() == normal[0].toBits() &&
         normals[3 * copy + 1].toBits() == normal[1].toBits() && normals[3 * copy + 2].toBits() == normal[2].toBits()
 
     private companion object {
         const val LEAST = 16
 
-        /** Where more corners than this meet, creases are not looked for: it would cost the square of their number. */
+        /**
+         * If more corners than this are at one position, creases are not detected, because the cost is quadratic in
+         * their number.
+         */
         const val CROWD = 1024
 
-        /** Radians, far more than roundings turn a vector by whose squared length is in [SMALLEST]..[LARGEST]. */
+        /**
+         * Radians; much more than the rounding error in the direction of a vector whose squared length is in
+         * [SMALLEST]..[LARGEST].
+         */
         const val MARGIN = 1e-6
         const val SMALLEST = 1e-140
         const val LARGEST = 1e140
 
-        /** More than any cosine. */
+        /** Greater than any cosine. */
         const val NEVER = 2.0
 
         fun radians(degrees: Double) = degrees * (StrictMath.PI / 180.0)

@@ -1,21 +1,22 @@
 package dev.lazyz.geometry
 
 /**
- * The corners of a mesh's triangles, three a triangle, by where they are: positions are numbered, and each has its
- * corners in the order of the triangles. Immutable.
+ * The corners of a mesh's triangles (three for each) grouped by position. Positions are numbered, and the corners of
+ * each position are in the order of the triangles. Immutable.
  */
 internal class CornersByPosition(positions: FloatArray, triangles: IntArray) {
-    /** By vertex: number of its position. */
+    /** By vertex: the number of its position. */
     val positionOf: IntArray = positionNumbers(positions)
 
-    /** By position: where in [corners] its corners begin; the next one's are behind. */
+    /** By position: the index in [corners] of its first corner. The corners of position i end at `starts[i + 1]`. */
     val starts: IntArray
 
-    /** The corners, position by position. */
+    /** The corners, grouped by position. */
     val corners: IntArray
 
     init {
-        // Counted two places up, the sums are each position's start one place up, which then moves to its end
+        // Counts are stored two places up, so their running sums are the starts of the positions, one place up. The
+        // loop below then advances each of them to the end of its position, which is the start of the next
         starts = IntArray((positionOf.maxOrNull() ?: -1) + 3)
         for (vertex in triangles) starts[positionOf[vertex] + 2]++
         for (i in 2 until starts.size) starts[i] += starts[i - 1]
@@ -23,10 +24,10 @@ internal class CornersByPosition(positions: FloatArray, triangles: IntArray) {
         for ((corner, vertex) in triangles.withIndex()) corners[starts[positionOf[vertex] + 1]++] = corner
     }
 
-    /** How many positions there are. */
+    /** Number of positions. */
     val count: Int get() = starts.size - 2
 
-    /** -0 is where 0 is, and NaN where NaN is; nothing is at one position for being near. */
+    /** -0 equals 0, and all NaNs are equal. Positions that are close together but not equal are different. */
     private fun positionNumbers(p: FloatArray): IntArray {
         val count = p.size / 3
         val distinct = DistinctTriples(count)

@@ -3,24 +3,27 @@ package dev.lazyz.geometry
 import java.util.concurrent.ThreadLocalRandom
 
 /**
- * Numbers the different triples of whole numbers among those that are added, from 0 in the order of their first
- * appearance: what a reader of meshes needs to find the corners that are one vertex.
+ * Assigns numbers to distinct triples of integers, from 0 in the order of their first appearance. Readers of meshes use
+ * it to find the corners that are the same vertex.
  *
- * The numbers depend on the triples and their order alone. A table with open addressing finds them; its hash function is
- * another in each process, so that no file can be made to collide. Cost: constant time an addition, on average; 20 bytes
- * a triple at least. Not thread safe.
+ * The numbers depend only on the triples and their order. The implementation is a hash table with open addressing. Its
+ * hash function is different in each process, so that no file can be constructed to cause collisions. Cost: constant
+ * time for each addition, on average; at least 20 bytes for each distinct triple. Not thread safe.
  *
- * @param expected how many different triples to make room for at first
+ * @param expected initial capacity, in distinct triples
  * @throws IllegalArgumentException if [expected] is negative
  */
 public class DistinctTriples @JvmOverloads constructor(expected: Int = 0) {
-    /** The triples one after the other. */
+    /** The triples, three numbers for each. */
     private var triples: IntArray
 
-    /** A triple's number plus 1 at the first free place from where its hash points to; 0 where the table is free. */
+    /**
+     * The number of a triple plus 1, at the first free place from the index given by its hash on; 0 if the place is
+     * free.
+     */
     private var table: IntArray
 
-    /** How many different triples there are. */
+    /** Number of distinct triples. */
     public var size: Int = 0
         private set
 
@@ -30,7 +33,11 @@ public class DistinctTriples @JvmOverloads constructor(expected: Int = 0) {
         table = IntArray(tableSize(triples.size / 3))
     }
 
-    /** Returns the number of the triple, a new one if it is not there yet. */
+    /**
+     * Returns the number of the triple ([a], [b], [c]); assigns the next number if it is new.
+     *
+     * @throws IllegalStateException if there would be more than 715,827,879 distinct triples
+     */
     public fun add(a: Int, b: Int, c: Int): Int {
         var place = hash(a, b, c) and table.size - 1
         while (true) {
@@ -43,7 +50,7 @@ public class DistinctTriples @JvmOverloads constructor(expected: Int = 0) {
         return append(a, b, c, place)
     }
 
-    /** Returns one of the three numbers of a triple; [place] is 0, 1 or 2. */
+    /** Returns one of the three integers of triple [number], 0 until [size]; [place] is 0, 1 or 2. */
     public fun get(number: Int, place: Int): Int = triples[3 * number + place]
 
     override fun toString(): String = "DistinctTriples($size)"
@@ -82,18 +89,21 @@ public class DistinctTriples @JvmOverloads constructor(expected: Int = 0) {
     private companion object {
         const val LEAST = 16
 
-        /** As many as three numbers each fit into an array. */
+        /** Maximum number of triples, limited by the size of an array. */
         const val MOST = (Int.MAX_VALUE - 8) / 3
 
-        /** Secret factors, odd. */
+        /** Random odd factors, different in each process. */
         val A = ThreadLocalRandom.current().nextLong() or 1
         val B = ThreadLocalRandom.current().nextLong() or 1
         val C = ThreadLocalRandom.current().nextLong() or 1
 
-        /** A table at most three quarters full when [count] triples are in it: a power of two. */
+        /** Returns the size of a table that is at most three quarters full with [count] triples: a power of two. */
         fun tableSize(count: Int): Int = minOf(Integer.highestOneBit(count + count / 3) * 2L, 1L shl 30).toInt()
 
-        /** A secret linear form (multiply-shift hashing by M. Dietzfelbinger), then S. Vigna's mixing of its bits. */
+        /**
+         * A linear form with random factors (multiply-shift hashing by M. Dietzfelbinger), followed by S. Vigna's bit
+         * mixing.
+         */
         fun hash(a: Int, b: Int, c: Int): Int {
             var h = a * A + b * B + c * C
             h = (h xor (h ushr 30)) * -0x40a7b892e31b1a47L

@@ -2,12 +2,15 @@ package dev.lazyz.geometry
 
 import dev.lazyz.inParallel
 
-/** The normals of a mesh's triangles. */
+/** Computes the normals of a mesh's triangles. */
 internal object FaceNormals {
-    /** Triangles that one thread does at a time. */
+    /** Number of triangles in one task of a thread. */
     private const val CHUNK = 1 shl 16
 
-    /** Returns x, y, z for each triangle of vertices, as long as twice its area; 0 where they are not finite. */
+    /**
+     * Returns x, y, z of each triangle's normal. Its length is twice the area of the triangle. Normals that are not
+     * finite are (0, 0, 0).
+     */
     fun of(positions: FloatArray, triangles: IntArray): DoubleArray {
         val normals = DoubleArray(triangles.size)
         val count = triangles.size / 3

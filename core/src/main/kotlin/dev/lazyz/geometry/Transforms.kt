@@ -4,20 +4,23 @@ import org.joml.Matrix4d
 import org.joml.Matrix4dc
 
 /**
- * Matrix arithmetic with one order of operations, the same bits on every machine (contract rule 6.3).
+ * Matrix arithmetic with a fixed order of operations: the same bits on every machine (contract rule 6.3).
  *
- * JOML's own products may use fused multiply-add when a JVM flag says so, and its rotations use `Math.sin`, whose last
- * bit is the machine's choice. So JOML gives the types, and Lazy Z the arithmetic; use this for transforms whose pictures
- * must not differ between machines.
+ * JOML's own products use fused multiply-add if a JVM flag enables it, and its rotations use `Math.sin`, whose last bit
+ * depends on the machine. So Lazy Z uses the types of JOML, and its own arithmetic. Use this class for transforms if
+ * images must not differ between machines.
  */
 public object Transforms {
-    /** Returns the product of [left] and [right]: the transform that applies [right], then [left]. */
+    /**
+     * Returns the product of [left] and [right]: the transform that applies [right], then [left]. A new matrix for each
+     * call.
+     */
     @JvmStatic
     public fun product(left: Matrix4dc, right: Matrix4dc): Matrix4d =
-        // Through arrays: JOML's access to single elements by number goes through sun.misc.Unsafe
+        // Use arrays: JOML accesses single elements by index through sun.misc.Unsafe
         Matrix4d().set(product(left.get(DoubleArray(16)), right.get(DoubleArray(16))))
 
-    /** The same of the elements of matrices, column by column. */
+    /** Same for arrays of 16 matrix elements, column by column. */
     internal fun product(a: DoubleArray, b: DoubleArray): DoubleArray {
         val product = DoubleArray(16)
         for (column in 0 until 4) {

@@ -3,14 +3,17 @@ package dev.lazyz.geometry
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
-/** Vector arithmetic with one order of operations, see [Transforms]. */
+/** Vector arithmetic with a fixed order of operations, see [Transforms]. */
 internal object Vectors {
-    /** What three divisions by a length, squared and summed, can be off by. */
+    /** Maximum rounding error of the squared length of a vector whose components were divided by its length. */
     private const val ROUNDING = 8 * 2.220446049250313e-16
 
     /**
-     * Returns [v] at unit length. What has it already, but for rounding, is returned as it is, so that a vector that is
-     * written to a file and read again keeps its bits.
+     * Returns [v] scaled to unit length. A vector whose length is already 1, up to rounding, is returned unchanged, so
+     * that a vector that is written to a file and read again keeps its bits.
+     *
+     * @param what name of the vector, for the message of the exception
+     * @throws IllegalArgumentException if [v] is zero or not finite
      */
     fun unit(v: Vector3dc, what: String): Vector3d {
         val square = v.x() * v.x() + v.y() * v.y() + v.z() * v.z()
@@ -20,7 +23,7 @@ internal object Vectors {
         return Vector3d(v.x() / length, v.y() / length, v.z() / length)
     }
 
-    /** Whether all components are finite. JOML's own test loads the formats of its texts, and with them Java's locales. */
+    /** Whether all components are finite. JOML's own method loads its text formats, and with them Java's locales. */
     fun isFinite(v: Vector3dc): Boolean = v.x().isFinite() && v.y().isFinite() && v.z().isFinite()
 
     val ZERO: Vector3dc = Vector3d()

@@ -4,9 +4,9 @@ import kotlin.math.sqrt
 import org.joml.Matrix4dc
 import org.joml.Vector3dc
 
-/** Moves positions and normals, three numbers each. */
+/** Transforms positions and normals, given as x, y, z triples. */
 internal object VertexTransforms {
-    /** Returns positions that are relative to [origin], of those that are relative to [before]. */
+    /** Returns [positions], which are relative to [before], as positions relative to [origin]. */
     fun relativeTo(origin: Vector3dc, positions: FloatArray, before: Vector3dc): FloatArray {
         val way = Vectors.minus(before, origin)
         val moved = FloatArray(positions.size)
@@ -18,10 +18,10 @@ internal object VertexTransforms {
         return moved
     }
 
-    /** Whether [m] mirrors. */
+    /** Whether [m] is a reflection: its determinant is negative. */
     fun isMirror(m: Matrix4dc): Boolean = Cofactors(m).isMirror
 
-    /** Returns positions, relative to [before], moved by [m], relative to [origin]. */
+    /** Returns the positions [from], which are relative to [before], transformed by [m] and relative to [origin]. */
     fun positions(from: FloatArray, before: Vector3dc, m: Matrix4dc, origin: Vector3dc): FloatArray {
         val to = FloatArray(from.size)
         for (i in to.indices step 3) {
@@ -35,7 +35,10 @@ internal object VertexTransforms {
         return to
     }
 
-    /** Returns the origin that what fills [box] should have when it was moved by [m]. */
+    /**
+     * Returns a suitable origin for the contents of [box] after the transform [m], see [Box.origin]; (0, 0, 0) if [box]
+     * is null.
+     */
     fun origin(box: Box?, m: Matrix4dc): Vector3dc {
         if (box == null) return Vectors.ZERO
         val corners = List(8) { box.corner(it) }
@@ -46,7 +49,7 @@ internal object VertexTransforms {
         return moved?.origin() ?: Vectors.ZERO
     }
 
-    /** Returns normals moved by the inverse transpose of [m], of unit length. */
+    /** Returns normals transformed by the inverse transpose of [m], at unit length. */
     fun normals(from: FloatArray, m: Matrix4dc): FloatArray {
         val c = Cofactors(m)
         val sign = if (c.isMirror) -1.0 else 1.0
@@ -66,7 +69,10 @@ internal object VertexTransforms {
         return to
     }
 
-    /** The cofactors are the inverse transpose times the determinant; its sign is what mirrors. */
+    /**
+     * The cofactor matrix: the inverse transpose times the determinant. The transform is a reflection if the
+     * determinant is negative.
+     */
     private class Cofactors(m: Matrix4dc) {
         val c00 = m.m11() * m.m22() - m.m12() * m.m21()
         val c01 = m.m12() * m.m20() - m.m10() * m.m22()
@@ -80,7 +86,10 @@ internal object VertexTransforms {
         val isMirror = m.m00() * c00 + m.m01() * c01 + m.m02() * c02 < 0.0
     }
 
-    /** Writes (x, y, z) with unit length to three places of [out]; a vector without length stays 0. */
+    /**
+     * Writes (x, y, z) scaled to unit length to [out] at index [at] and the next two. Writes 0 if the length is 0 or
+     * not finite.
+     */
     fun unit(x: Double, y: Double, z: Double, out: FloatArray, at: Int) {
         val length = sqrt(x * x + y * y + z * z)
         val scale = if (length > 0.0 && length.isFinite()) 1.0 / length else 0.0

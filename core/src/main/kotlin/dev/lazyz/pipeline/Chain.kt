@@ -7,30 +7,34 @@ import dev.lazyz.Spans
 import dev.lazyz.raster.reaches
 
 /**
- * The stages through which rows run, in submission order: one for each primitive that is alive on the current row.
+ * The stages that rows pass through, in submission order: one for each primitive that can cover the current row.
  *
- * A stage joins at its primitive's first row within the region and leaves after the last, so what is retained follows the
- * primitives alive on a row and not the number of rows; besides there are 8 bytes for each primitive of the region,
- * sorted by first row. A pipeline runs each row through the chain from upstream to downstream:
+ * A stage is added at the first row of its primitive within the region, and removed after the last. So memory depends
+ * on the number of primitives on a row, not on the number of rows; in addition there are 8 bytes for each primitive of
+ * the region, sorted by first row. A pipeline passes each row through the chain from upstream to downstream:
  *
  *     var row = chain.begin(y)
  *     for (i in 0 until chain.size) row = chain[i].next(row)
  *     chain.end(row)
  *
- * Belongs to one thread.
+ * Used by one thread.
  *
- * @param stage makes a stage of a primitive's index and the first row it will see
+ * @param stage creates the stage of a primitive from the frame, the primitive's index, the first row that the stage
+ *   will receive, and scratch memory for spans
  */
 internal class Chain(
     private val frame: Frame,
     private val coherence: Coherence,
     private val stage: (Frame, Int, Int, Spans) -> Stage,
 ) {
-    /** What is still to join: first row and index in one word, sorted. */
+    /**
+     * Primitives of the region: first row and index in one word, sorted. Those before [entered] have already been
+     * added.
+     */
     private val entries = entries(frame)
     private var entered = 0
 
-    /** The chain, from upstream to downstream; null from [size] on. */
+    /** The stages, from upstream to downstream; null from [size] on. */
     private var stages = arrayOfNulls<Stage>(CAPACITY)
     private var stageBytes = 0L
     private val spans = Spans(frame.region)
@@ -41,7 +45,10 @@ internal class Chain(
 
     operator fun get(i: Int): Stage = stages[i]!!
 
-    /** Begins row [y]: stages join whose primitives begin here. Returns what the first stage takes: a row of background. */
+    /**
+     * Begins row [y]: adds the stages whose primitives begin here. Returns the input of the first stage: a row of
+     * background.
+     */
     fun begin(y: Int): Row {
         join(y)
         val row = Row(frame, y, coherence)
@@ -49,7 +56,7 @@ internal class Chain(
         return row
     }
 
-    /** Ends [row], as it came from the last stage: stages leave whose primitives end here. */
+    /** Ends [row], the output of the last stage: removes the stages whose primitives end here. */
     fun end(row: Row) {
         row.counters.peakSuspensions = row.keys.count { row.test.indexOf(it) != DepthTest.BACKGROUND }.toLong()
         row.hold(Long.SIZE_BYTES * entries.size + REFERENCE_BYTES * stages.size + stageBytes + spans.bytes)
@@ -65,14 +72,14 @@ internal class Chain(
             stageBytes += joining.bytes
         }
 
-        // Two runs in submission order become one: to a merge sort this is a merge
+        // Two sequences in submission order become one; merge sort does this in linear time
         if (before in 1 until size && get(before - 1).index > get(before).index) {
             java.util.Arrays.sort(stages, 0, size, BY_INDEX)
         }
     }
 
     private fun leave(y: Int) {
-        // Close up to the stages that go on
+        // Keep the stages that continue, without gaps
         var kept = 0
         for (i in 0 until size) {
             val stage = get(i)
@@ -81,19 +88,19 @@ internal class Chain(
         stages.fill(null, kept, size)
         size = kept
 
-        // Give back the room of a crowd that has left
+        // Shrink the array if most stages have been removed
         if (stages.size > CAPACITY && stages.size / 4 >= size) stages = stages.copyOf(maxOf(CAPACITY, 2 * size))
     }
 
     private companion object {
         const val CAPACITY = 16
 
-        /** Of a Java heap beyond 32 gigabytes; half as much below. */
+        /** Bytes of a reference in a Java heap larger than 32 gigabytes; it is half as much in smaller heaps. */
         const val REFERENCE_BYTES = 8L
 
         val BY_INDEX = Comparator<Stage?> { a, b -> a!!.index.compareTo(b!!.index) }
 
-        /** Finds the primitives that may cover samples of the region, and sorts them by first row, then by index. */
+        /** Finds the primitives that can cover samples of the region, and sorts them by first row, then by index. */
         fun entries(frame: Frame): LongArray {
             val region = frame.region
             val all = LongArray(frame.primitives.size)

@@ -7,10 +7,10 @@ import dev.lazyz.RowSink
 import dev.lazyz.shading.LateShading
 
 /**
- * Turns visibility keys into rows: takes depth and primitive out of each key, shades what is visible, hands the row
- * out.
+ * Converts visibility keys to rows: decodes depth and primitive of each key, shades the visible samples, and passes the
+ * row to the sink.
  *
- * Shared by the renderers that hold a key for each sample of several rows. Belongs to one thread.
+ * Used by renderers that hold a key for each sample of several rows. Used by one thread.
  */
 internal class KeyedRows(private val frame: Frame, private val shading: LateShading, private val counters: Counters) {
     private val width = frame.width
@@ -19,10 +19,13 @@ internal class KeyedRows(private val frame: Frame, private val shading: LateShad
     private val depths = IntArray(width)
     private val indices = IntArray(width)
 
-    /** Bytes held, at their peak so far. */
+    /** Peak memory so far, in bytes. */
     val bytes: Long get() = 3L * Int.SIZE_BYTES * width + shading.peakBytes
 
-    /** Hands the rows of [band], as wide as the frame's region, to [sink]. [keys] are in rows from the band's top. */
+    /**
+     * Passes the rows of [band], which is as wide as the frame's region, to [sink]. [keys] has one key a sample, in
+     * rows from the top of the band.
+     */
     fun handOut(band: Region, keys: LongArray, sink: RowSink) {
         val shadedBefore = counters.shadingCalls
         for (row in 0 until band.height) {
@@ -35,7 +38,7 @@ internal class KeyedRows(private val frame: Frame, private val shading: LateShad
             sink.row(band.rowStart + row, colors, depths, indices)
         }
 
-        // Until now all these were suspended
+        // All these shading calls were pending until now
         counters.peakSuspensions = maxOf(counters.peakSuspensions, counters.shadingCalls - shadedBefore)
     }
 }

@@ -10,32 +10,34 @@ import dev.lazyz.RowSink
 import dev.lazyz.shading.LateShading
 
 /**
- * A row of cells, each a depth and a suspended colour: what the pull renderers hand out, one row at a time.
+ * A row of cells, each with a depth and a colour that is computed on demand. The pull renderers return one row at a
+ * time.
  *
- * Which primitive is visible, and how deep, is known for every column. A colour is computed when it is first asked for,
- * and kept: whoever looks at one column makes one shading call, whoever looks at none makes none. Columns are those of
- * the raster, [columnStart] until [columnEnd], which is the region's width.
+ * The visible primitive and the depth of every column are known. A colour is computed when it is first requested, and
+ * then stored: reading the colour of one column makes one shading call, reading none makes none. Columns are those of
+ * the raster, [columnStart] until [columnEnd], the columns of the region.
  *
- * A row owns its cells: it stays valid when the next row is pulled, and as long as it is kept. Thread safe. Memory: 8
- * bytes a column, and 4 more once colours have been asked for.
+ * A row owns its cells: it stays valid after the next row is pulled. Thread safe. Memory: 8 bytes a column, and 4 more
+ * once colours have been requested.
  *
- * Use [Renderer.render] for whole pictures; use rows to stream them, to stop early, or to look at some samples only. Come
- * by one through `LazyZBuffer.rows` or `FlowPipeline.rows`.
+ * Use [Renderer.render] for whole images. Use rows to stream an image, to stop early, or to read only some samples. Get
+ * rows from `LazyZBuffer.rows` or `FlowPipeline.rows`.
  *
- * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), section 2. There a cell is a pair of
- * a depth and an unevaluated colour; here it is one visibility key, in which the primitive's index is the suspension:
- * with the sample it determines the colour (contract rule 6.1).
+ * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), section 2. There a cell is a pair
+ * of a depth and an unevaluated colour. Here it is one visibility key: the primitive's index and the sample determine
+ * the colour (contract rule 6.1).
  *
  * @property y the row of the raster
  */
 public class Row internal constructor(private val frame: Frame, public val y: Int, private val coherence: Coherence,) {
     /**
-     * What was done for this row alone: by the renderer to make it, and since then to colour it. Added up over all rows
-     * ([Counters.plus]) they are the counters of the whole rendering; the first row brings the number of primitives.
+     * The work for this row only: of the renderer to create it, and of later calls to shade it. Added up over all rows
+     * with [Counters.plus], they are the counters of the whole rendering. The number of primitives is counted in the
+     * first row.
      */
     public val counters: Counters = Counters()
 
-    /** First column of the row. */
+    /** The first column of the row. */
     public val columnStart: Int get() = frame.region.columnStart
 
     /** The column after the last of the row. */
@@ -47,35 +49,48 @@ public class Row internal constructor(private val frame: Frame, public val y: In
     internal val test = frame.raster.depthTest
     private val background = frame.raster.background.toArgb()
 
-    /** The cells, from [columnStart] on. Stages lower them while the row runs down the chain; nobody does afterwards. */
+    /**
+     * The keys of the cells, from [columnStart] on. Stages lower them while the row passes through the chain; after
+     * that, they do not change.
+     */
     internal val keys = LongArray(width)
 
-    /** Bytes that the renderer and this row hold. */
+    /** Bytes of the renderer and of this row. */
     private var bytes = Long.SIZE_BYTES * keys.size.toLong()
 
     /** The colours computed so far. */
     private var colors: IntArray? = null
 
-    /** Which columns have their colour, one bit a column; null if none or all have. */
+    /** The columns whose colour has been computed, one bit for each; null if there are none, or if all have been. */
     private var forced: LongArray? = null
     private var isWhole = false
 
-    /** Computes single colours. */
+    /** Computes the colours of single columns. */
     private var single: LateShading? = null
 
     init {
         keys.fill(test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND))
     }
 
-    /** Returns the depth at column [x], 0..2^31-1, see [Depth]. Shades nothing. */
+    /**
+     * Returns the depth at column [x], 0..2^31-1, see [Depth]. No shading calls.
+     *
+     * @throws IllegalArgumentException if [x] is not in the row
+     */
     public fun depth(x: Int): Int = test.depthOf(keys[at(x)])
 
-    /** Returns the index of the primitive visible at column [x], or [DepthTest.BACKGROUND]. Shades nothing. */
+    /**
+     * Returns the submission index of the primitive visible at column [x], or [DepthTest.BACKGROUND]. No shading calls.
+     *
+     * @throws IllegalArgumentException if [x] is not in the row
+     */
     public fun primitive(x: Int): Int = test.indexOf(keys[at(x)])
 
     /**
-     * Returns the colour at column [x], `0xAARRGGBB`: one shading call if it is asked for the first time and a primitive
-     * is visible there. Evaluated by itself, under any [Coherence].
+     * Returns the colour at column [x], `0xAARRGGBB`. Cost: one shading call if it is the first request and a primitive
+     * is visible there. The attributes are evaluated directly, whatever the [Coherence].
+     *
+     * @throws IllegalArgumentException if [x] is not in the row
      */
     @Synchronized
     public fun argb(x: Int): Int {
@@ -83,7 +98,7 @@ public class Row internal constructor(private val frame: Frame, public val y: In
         val colors = colors()
         if (isWhole) return colors[at]
 
-        // Force the suspension, unless it has been
+        // Compute the colour unless it is known
         val forced = forced()
         if (!isForced(forced, at)) {
             val shading = single ?: LateShading(frame, Coherence.DIRECT, counters).also { single = it }
@@ -94,8 +109,8 @@ public class Row internal constructor(private val frame: Frame, public val y: In
     }
 
     /**
-     * Returns all colours, `0xAARRGGBB`, from [columnStart] on: one shading call for each visible sample that has not
-     * been shaded yet, from left to right, with the renderer's [Coherence]. The array is the row's own and must not be
+     * Returns all colours, `0xAARRGGBB`, from [columnStart] on. Cost: one shading call for each visible sample that has
+     * not been shaded yet, from left to right, with the renderer's [Coherence]. The array is not copied and must not be
      * changed.
      */
     @Synchronized
@@ -107,7 +122,7 @@ public class Row internal constructor(private val frame: Frame, public val y: In
         for (i in 0 until width) if (forced == null || !isForced(forced, i)) colors[i] = color(i, shading)
         account(shading.peakBytes)
 
-        // From here on there is nothing left to force
+        // All colours are known now
         isWhole = true
         single = null
         bytes -= Long.SIZE_BYTES * (forced?.size ?: 0).toLong()
@@ -115,7 +130,7 @@ public class Row internal constructor(private val frame: Frame, public val y: In
         return colors
     }
 
-    /** Hands this row to [sink], all colours computed. The sink must leave the arrays alone. */
+    /** Computes all colours and passes this row to [sink]. The sink must not change the array of colours. */
     public fun sendTo(sink: RowSink) {
         val colors = argb()
         val depths = IntArray(width)
@@ -147,13 +162,13 @@ public class Row internal constructor(private val frame: Frame, public val y: In
         return if (index == DepthTest.BACKGROUND) background else shading.shade(columnStart + at, y, index)
     }
 
-    /** Enters [more] bytes into the counters, held from now on. */
+    /** Adds [more] bytes, which stay in use, to the memory counter. */
     internal fun hold(more: Long) {
         bytes += more
         account(0)
     }
 
-    /** Enters [passing] bytes into the counters, on top of those that are held. */
+    /** Updates the memory counter with [passing] bytes, in temporary use in addition to those that stay. */
     @Synchronized
     private fun account(passing: Long) {
         counters.peakBytes = maxOf(counters.peakBytes, bytes + passing)

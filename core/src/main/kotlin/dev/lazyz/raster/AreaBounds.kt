@@ -7,29 +7,31 @@ import dev.lazyz.Primitive
 import dev.lazyz.Region
 
 /**
- * How near and how far a primitive can be within an area, a rectangle of samples, without looking at each sample.
+ * Bounds of a primitive's depth within an area (a rectangle of samples), without evaluating each sample.
  *
- * Shared by the renderers that decide areas at a time. A linear form is least and greatest at corners of the area,
- * which the signs of its steps name; so a bound takes one evaluation. Where there is no form the primitive's own
- * bounds serve. Belongs to one thread.
+ * Used by renderers that decide visibility for whole areas. A linear form has its minimum and maximum at corners of the
+ * area, and the signs of its steps determine which corners. So a bound costs one evaluation. A primitive without a form
+ * uses its own bounds. Used by one thread.
  *
- * Why corners bound what is covered, though a form wraps around where it is not. Let the form change by less than 2^63
- * from any sample of the area to any other ([isGentle]), counted in true integers.
+ * The following shows why the corners bound the covered samples, even though the form can wrap around at samples that
+ * are not covered. Suppose that the form, as an exact integer, changes by less than 2^63 between any two samples of the
+ * area ([isGentle]).
  *
- * - Two covered samples: both values are in 0 until 2^63, so their difference is below 2^63 in absolute value; so is
- *   the
- *   true change; the two are equal modulo 2^64, hence equal. Covered samples lie in one true plane.
- * - A corner, in an area with a covered sample: the true value of that plane there is in -2^63 until 2^64. If it is in
- *   0 until 2^63 the wrapped value is the true one, and otherwise the wrapped value is negative. So a value that is not
- *   negative is true, and one that is proves nothing.
+ * - Two covered samples: both values are in 0 until 2^63, so their difference is below 2^63 in absolute value. So is
+ *   the exact change. Both are equal modulo 2^64, hence equal. So all covered samples lie in one exact plane.
+ * - A corner of an area that has a covered sample: the exact value of that plane at the corner is in -2^63 until 2^64.
+ *   If it is in 0 until 2^63, the wrapped value equals the exact one; otherwise the wrapped value is negative. So a
+ *   wrapped value that is not negative is exact, and a negative one gives no bound.
  */
 internal class AreaBounds(test: DepthTest, private val counters: Counters) {
     private val order = VisibilityOrder(test)
 
-    /** 1 where the least depth wins, -1 where the greatest does: the sign of a lead of 1. */
+    /** 1 if the smallest depth wins, -1 if the greatest wins: the lead of value 0 over value 1. */
     private val direction = order.lead(0, 1)
 
-    /** Returns a key that no fragment of [primitive] in [area] is before. Cost: one depth evaluation at most. */
+    /**
+     * Returns a lower bound of the keys of all fragments of [primitive] in [area]. Cost: at most one depth evaluation.
+     */
     fun nearestKey(primitive: Primitive, index: Int, area: Region): Long {
         val bound = order.nearestKey(primitive, index)
         val form = primitive.depthForm ?: return bound
@@ -37,7 +39,9 @@ internal class AreaBounds(test: DepthTest, private val counters: Counters) {
         return if (value < 0) bound else maxOf(bound, order.key(value, index))
     }
 
-    /** Returns a key that no fragment of [primitive] in [area] is behind. Cost: one depth evaluation at most. */
+    /**
+     * Returns an upper bound of the keys of all fragments of [primitive] in [area]. Cost: at most one depth evaluation.
+     */
     fun farthestKey(primitive: Primitive, index: Int, area: Region): Long {
         val bound = order.farthestKey(primitive, index)
         val form = primitive.depthForm ?: return bound
@@ -46,13 +50,14 @@ internal class AreaBounds(test: DepthTest, private val counters: Counters) {
     }
 
     /**
-     * Whether it is proved that the plane [front] of a primitive that covers all of [area] leads the plane [behind]
-     * everywhere in it by [leastLead], see [VisibilityOrder.leastLead]. Cost: two depth evaluations at most.
+     * Returns true if the plane [front], of a primitive that covers all of [area], certainly leads the plane [behind]
+     * by at least [leastLead] everywhere in the area, see [VisibilityOrder.leastLead]. Cost: at most two depth
+     * evaluations.
      */
     fun leads(front: LinearForm, behind: LinearForm, area: Region, leastLead: Long): Boolean {
         if (!isGentle(front, area) || !isGentle(behind, area)) return false
 
-        // The lead is a linear form as well: go where it is least
+        // The lead is a linear form too: evaluate it at the corner where it is smallest
         val x = if (order.lead(front.dx, behind.dx) >= 0) area.columnStart else area.columnEnd - 1
         val y = if (order.lead(front.dy, behind.dy) >= 0) area.rowStart else area.rowEnd - 1
         counters.depthEvaluations += 2
@@ -60,7 +65,10 @@ internal class AreaBounds(test: DepthTest, private val counters: Counters) {
         return value >= 0 && order.lead(front.at(x, y), value) >= leastLead
     }
 
-    /** Returns the form's least value in [area] for the [sign] 1, its greatest for -1; negative if it is not known. */
+    /**
+     * Returns the minimum of the form in [area] if [sign] is 1, the maximum if it is -1; a negative number if it is
+     * unknown.
+     */
     private fun extreme(form: LinearForm, area: Region, sign: Long): Long {
         if (!isGentle(form, area)) return -1
         counters.depthEvaluations++
@@ -77,7 +85,7 @@ internal class AreaBounds(test: DepthTest, private val counters: Counters) {
     }
 
     private companion object {
-        /** 2^62: half of what is needed, so that the rounding of four operations does not matter. */
+        /** 2^62: half of the limit, so that the rounding of four operations does not matter. */
         const val GENTLE = 4611686018427387904.0
     }
 }

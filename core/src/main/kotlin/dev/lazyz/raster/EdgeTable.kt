@@ -6,14 +6,14 @@ import dev.lazyz.Spans
 /**
  * The edges of a polygon that cross rows of the raster, as exact integers (contract rule 2).
  *
- * Vertices are on the 1/256 pixel grid. Row y is crossed by an edge whose upper end is at the row's samples or above
- * and whose lower end is below them; the crossing covers the samples at it and to its right. Both "at" together are the
- * top-left rule.
+ * Vertices are on the 1/256 pixel grid. An edge crosses row y if its upper end is at or above the samples of the row,
+ * and its lower end is below them. The crossing covers the samples at it and to the right of it. The two uses of "at"
+ * are the top-left rule.
  *
- * @param xs vertices' x, grid units, contour after contour
- * @param ys vertices' y, grid units
- * @param contourEnds for each contour the number of vertices up to its end
- * @param fillRule what is inside
+ * @param xs x of the vertices, grid units, one contour after the other
+ * @param ys y of the vertices, grid units
+ * @param contourEnds for each contour, the index after its last vertex
+ * @param fillRule which samples are inside
  * @param width columns of the raster
  * @param height rows of the raster
  */
@@ -25,16 +25,16 @@ internal class EdgeTable(
     val width: Int,
     height: Int,
 ) {
-    /** Fields of each edge, [STRIDE] numbers an edge. */
+    /** Fields of the edges, [STRIDE] numbers for each. */
     private val fields: IntArray
 
     /** Number of edges. */
     val count: Int
 
-    /** First row that an edge crosses. */
+    /** First row that any edge crosses. */
     val rowStart: Int
 
-    /** Row after the last that an edge crosses; at most [rowStart] if there is none. */
+    /** The row after the last row that any edge crosses; at most [rowStart] if there is none. */
     val rowEnd: Int
 
     init {
@@ -46,7 +46,7 @@ internal class EdgeTable(
         for (contourEnd in contourEnds) {
             var previous = contourEnd - 1
             for (current in contourStart until contourEnd) {
-                // Keep an edge if it crosses a row of samples; horizontal ones never do
+                // Keep an edge if it crosses a row of samples; horizontal edges never do
                 val isDown = ys[previous] < ys[current]
                 val upper = if (isDown) previous else current
                 val lower = if (isDown) current else previous
@@ -74,27 +74,28 @@ internal class EdgeTable(
         rowEnd = bottom
     }
 
-    /** Bytes of the table: its fields, counted as if each took 8 bytes, and its array. */
+    /** Bytes of the table: its fields, counted as 8 bytes each, and its array. */
     val heldBytes: Long get() = 72L + Int.SIZE_BYTES * fields.size
 
     /** First row that edge [edge] crosses. */
     fun start(edge: Int): Int = fields[STRIDE * edge + START]
 
-    /** Row after the last that edge [edge] crosses. */
+    /** The row after the last row that edge [edge] crosses. */
     fun end(edge: Int): Int = fields[STRIDE * edge + END]
 
     /** +1 if the contour runs downward along [edge], -1 if it runs upward. */
     fun winding(edge: Int): Int = fields[STRIDE * edge + WINDING]
 
-    /** Horizontal extent of [edge], grid units, to the right. */
+    /** Horizontal extent of [edge], grid units, from its upper end to its lower end; positive to the right. */
     fun dx(edge: Int): Long = fields[STRIDE * edge + DX].toLong()
 
-    /** Vertical extent of [edge], grid units; positive. */
+    /** Vertical extent of [edge], grid units; always positive. */
     fun dy(edge: Int): Long = fields[STRIDE * edge + DY].toLong()
 
     /**
-     * Returns where [edge] crosses row [y], as a numerator over `256 * dy(edge)`, in pixels, such that the first column
-     * at or after the crossing is the quotient rounded up. Exact.
+     * Returns the position where [edge] crosses row [y], as the numerator of a fraction in pixels with denominator `256
+     * * dy(edge)`. The fraction is relative to the sample of column 0, so the first column at or after the crossing is
+     * the quotient rounded up. Exact.
      */
     fun crossing(edge: Int, y: Int): Long {
         val at = STRIDE * edge
@@ -106,13 +107,15 @@ internal class EdgeTable(
     /** Returns the first column whose sample is at or after the crossing of [edge] with row [y]. */
     fun column(edge: Int, y: Int): Int = ceilDiv(crossing(edge, y), ScreenGrid.STEPS * dy(edge)).toInt()
 
-    /** Whether samples with this sum of windings to their left are inside. */
+    /** Whether a sample is inside if [windings] is the sum of the windings of the crossings at or left of it. */
     fun isInside(windings: Int): Boolean = if (fillRule == FillRule.EVEN_ODD) windings and 1 != 0 else windings != 0
 
     /**
-     * Adds the spans of row [y] to [spans]: the plain twin of [TrapezoidCursor], each crossing computed by itself.
+     * Adds the spans of row [y] to [spans]. This is the reference implementation for [TrapezoidCursor]; it computes
+     * each crossing directly.
      *
-     * A sample is inside by the sum of the windings of the crossings at or left of it, so only their columns matter.
+     * A sample is inside by the sum of the windings of the crossings at or left of it, so only the columns of the
+     * crossings matter.
      */
     fun spans(y: Int, spans: Spans) {
         // Collect the crossings, sorted by column
@@ -142,7 +145,7 @@ internal class EdgeTable(
         }
     }
 
-    /** Adds the part of a span that lies within the raster. */
+    /** Adds the part of a span that is within the raster. */
     fun addClipped(start: Int, end: Int, spans: Spans) {
         val from = maxOf(start, 0)
         val to = minOf(end, width)
@@ -159,7 +162,7 @@ internal class EdgeTable(
         private const val WINDING = 6
         private const val STRIDE = 7
 
-        /** Returns the quotient rounded up; the divisor is positive. */
+        /** Returns the quotient rounded up; [divisor] must be positive. */
         fun ceilDiv(dividend: Long, divisor: Long): Long = -Math.floorDiv(-dividend, divisor)
     }
 }

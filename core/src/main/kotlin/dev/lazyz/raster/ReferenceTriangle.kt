@@ -3,9 +3,9 @@ package dev.lazyz.raster
 import dev.lazyz.LinearForm
 
 /**
- * Three snapped vertices that a primitive's linear forms pass through (contract rule 3).
+ * Three snapped vertices that define the linear forms of a primitive (contract rule 3).
  *
- * Coordinates are on the 1/256 pixel grid, within the guard band, so every product below is exact in 64 bits.
+ * Coordinates are on the 1/256 pixel grid, within the guard band, so all products below are exact in 64 bits.
  */
 internal class ReferenceTriangle(val x0: Int, val y0: Int, val x1: Int, val y1: Int, val x2: Int, val y2: Int) {
     private val dx1: Long get() = (x1 - x0).toLong()
@@ -13,16 +13,16 @@ internal class ReferenceTriangle(val x0: Int, val y0: Int, val x1: Int, val y1: 
     private val dx2: Long get() = (x2 - x0).toLong()
     private val dy2: Long get() = (y2 - y0).toLong()
 
-    /** Twice the signed area, grid units; positive if the vertices run clockwise on the screen. */
+    /** Twice the signed area, square grid units; positive if the vertices are in clockwise order on the screen. */
     private val area: Long get() = dx1 * dy2 - dx2 * dy1
 
     /** Twice the area, square grid units. */
     val size: Long get() = Math.abs(area)
 
     /**
-     * Returns the edge function opposite to vertex [corner], 0..2: at each sample twice the area, in square grid units, of
-     * the triangle of the sample and the other two vertices; positive on the side of [corner]. Exact, without fraction.
-     * At any sample the three add up to [size].
+     * Returns the edge function opposite to vertex [corner], 0..2. At each sample it is twice the area, in square grid
+     * units, of the triangle of the sample and the other two vertices; positive on the side of [corner]. It is an exact
+     * integer, without a fraction. At every sample the three edge functions add up to [size].
      */
     fun edgeFunction(corner: Int): LinearForm = when (corner) {
         0 -> edgeFunction(x1, y1, x2, y2)
@@ -40,26 +40,26 @@ internal class ReferenceTriangle(val x0: Int, val y0: Int, val x1: Int, val y1: 
     }
 
     /**
-     * Returns the form that takes the values [v0], [v1], [v2] at the three vertices, to within [ERROR_BOUND] units.
+     * Returns the form that has the values [v0], [v1], [v2] at the three vertices, to within [ERROR_BOUND] units.
      *
-     * A form that changes by [STEEP] or more from a sample to the next cannot be represented and is [v0] everywhere
-     * (rule 3.4); so is that of a triangle without area.
+     * A form that changes by [STEEP] or more from one sample to the next cannot be represented; the result is then [v0]
+     * everywhere (rule 3.4). The same holds for a triangle without area.
      */
     fun form(v0: Int, v1: Int, v2: Int): LinearForm = formUnlessSteep(v0, v1, v2) ?: LinearForm.constant(v0)
 
-    /** As [form], but null where the form is too steep or the triangle has no area. */
+    /** As [form], but returns null if the form is too steep or the triangle has no area. */
     fun formUnlessSteep(v0: Int, v1: Int, v2: Int): LinearForm? {
         val dv1 = v1.toLong() - v0
         val dv2 = v2.toLong() - v0
 
-        // Solve the plane exactly, round each slope once
+        // Solve for the plane exactly, round each slope once
         val slopeX = slope(dv1 * dy2 - dv2 * dy1, area)
         val slopeY = slope(dv2 * dx1 - dv1 * dx2, area)
         if (isSteep(slopeX, slopeY)) return null
         return LinearForm(origin(v0, x0, y0, slopeX, slopeY), rounded(slopeX), rounded(slopeY))
     }
 
-    /** Returns the plane's value at the grid point ([x], [y]), as a double; NaN or infinite if there is no plane. */
+    /** Returns the value of the plane at the grid point ([x], [y]); NaN or infinite if there is no plane. */
     fun valueAt(x: Int, y: Int, v0: Int, v1: Int, v2: Int): Double {
         val dv1 = v1.toLong() - v0
         val dv2 = v2.toLong() - v0
@@ -69,16 +69,19 @@ internal class ReferenceTriangle(val x0: Int, val y0: Int, val x1: Int, val y1: 
     }
 
     companion object {
-        /** Returns a slope of a form, fraction units a pixel: [numerator] over [area], both exact. */
+        /** Returns a slope of a form in fraction units a pixel: [numerator] / [area], both exact. */
         fun slope(numerator: Long, area: Long): Double = numerator.toDouble() / area.toDouble() * PER_PIXEL
 
-        /** Whether slopes are too steep for a form, or not numbers. */
+        /** Whether the slopes are too steep for a form, or NaN. */
         fun isSteep(slopeX: Double, slopeY: Double): Boolean = !(Math.abs(slopeX) < STEEP && Math.abs(slopeY) < STEEP)
 
-        /** Returns the step of a form from its slope. */
+        /** Returns the step of a form with this slope. */
         fun rounded(slope: Double): Long = Math.rint(slope).toLong()
 
-        /** Returns the value at sample (0, 0) of the form with these slopes whose integer part is [v0] at ([x0], [y0]). */
+        /**
+         * Returns the value at sample (0, 0) of the form that has these slopes and the integer part [v0] at ([x0],
+         * [y0]).
+         */
         fun origin(v0: Int, x0: Int, y0: Int, slopeX: Double, slopeY: Double): Long {
             // Anchor at the pixel of the vertex, then move the origin to sample (0, 0)
             val column = x0 shr ScreenGrid.SHIFT
@@ -89,17 +92,19 @@ internal class ReferenceTriangle(val x0: Int, val y0: Int, val x1: Int, val y1: 
             return anchor - rounded(slopeX) * column - rounded(slopeY) * row
         }
 
-        /** Fraction units of a form a grid unit of slope: 256 steps a pixel times 2^32. */
+        /** Conversion from a slope in units a grid step to fraction units a pixel: 256 steps a pixel times 2^32. */
         private const val PER_PIXEL = 256.0 * 4294967296.0
 
-        /** Least slope that is too steep: 2^61, a quarter of the whole range from a sample to the next. */
+        /** The smallest slope that is too steep: 2^61, a quarter of the range of depths from one sample to the next. */
         const val STEEP: Double = 2305843009213693952.0
 
         /**
-         * Units by which a form's integer part may differ from exact rational arithmetic, at any sample of the raster.
+         * Maximum difference, in units, between the integer part of a form and exact rational arithmetic, at any sample
+         * of the raster.
          *
-         * Half a unit for rounding to an integer; each slope is off by at most 3 x 2^-53 of itself (two conversions and
-         * one division) and by half a fraction unit, over at most 3/4 x 2^20 pixels, for two slopes below 2^61: 0.29.
+         * Half a unit is due to rounding to an integer. Each slope has an error of at most 3 x 2^-53 of itself (two
+         * conversions and one division) and of half a fraction unit, over at most 3/4 x 2^20 pixels; for two slopes
+         * below 2^61 this is 0.29.
          */
         const val ERROR_BOUND: Double = 0.8
     }

@@ -1,6 +1,6 @@
 package dev.lazyz.raster
 
-/** From the first to the last of the samples of row [y] that some shapes on the 1/256 pixel grid cover. */
+/** The range from the first to the last sample of row [y] that any of several shapes on the 1/256 pixel grid covers. */
 internal class RowHull(private val y: Int) {
     /** First column. */
     var start: Int = Int.MAX_VALUE
@@ -10,11 +10,11 @@ internal class RowHull(private val y: Int) {
     var end: Int = Int.MIN_VALUE
         private set
 
-    /** Columns of the crossings of the shape that is under way. */
+    /** Columns of the crossings of the current shape. */
     private var left = Int.MAX_VALUE
     private var right = Int.MIN_VALUE
 
-    /** Adds an edge of a convex shape, of which two cross the row or none (contract rule 2.1). */
+    /** Adds an edge of a convex shape, which has either two edges that cross the row or none (contract rule 2.1). */
     fun addEdge(fromX: Int, fromY: Int, toX: Int, toY: Int) {
         val isDown = fromY < toY
         val upperX = if (isDown) fromX else toX
@@ -30,12 +30,14 @@ internal class RowHull(private val y: Int) {
         right = maxOf(right, column)
     }
 
-    /** Adds the samples between the crossings of the shape whose edges have been added. */
+    /**
+     * Adds the samples between the crossings of the edges added so far. These edges must form a single convex shape.
+     */
     fun endShape() {
         if (left < right) add(left, right)
     }
 
-    /** Adds the sample of the square of one pixel around a grid point. */
+    /** Adds the sample that a square of one pixel around a grid point covers, if it is in this row. */
     fun addPixel(pointX: Int, pointY: Int) {
         if (ScreenGrid.firstSample(pointY - ScreenGrid.CENTER) != y) return
         val column = ScreenGrid.firstSample(pointX - ScreenGrid.CENTER)

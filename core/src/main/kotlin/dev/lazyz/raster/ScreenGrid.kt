@@ -9,30 +9,36 @@ internal object ScreenGrid {
     /** Grid steps a pixel. */
     const val STEPS: Int = 256
 
-    /** Binary logarithm of [STEPS]. */
+    /** Base-2 logarithm of [STEPS]. */
     const val SHIFT: Int = 8
 
-    /** From a pixel's corner to its sample. */
+    /** Offset of the sample from the upper left corner of its pixel, grid steps. */
     const val CENTER: Int = STEPS / 2
 
-    /** No vertex is further than this from the raster's origin, in pixels: the guard band. */
+    /** The guard band: no vertex is farther than this from the raster's origin, in pixels. */
     const val GUARD: Int = 1 shl 19
 
-    /** Greatest size of points and width of lines, in pixels. */
+    /** Maximum size of points and width of lines, in pixels. */
     const val GREATEST_SIZE: Int = 1 shl 12
 
-    /** Lines are clipped to this many pixels from the raster's origin, so that their corners stay within [GUARD]. */
+    /** The guard band of lines, in pixels. It is smaller, so that the corners of a widened line stay within [GUARD]. */
     const val LINE_GUARD: Int = GUARD - GREATEST_SIZE
 
-    /** Returns half of a size in pixels, in grid steps: at least half a pixel, so that a point has a sample. */
+    /**
+     * Returns half of [size] (pixels) in grid steps. The result is at least half a pixel, so that a point covers a
+     * sample.
+     */
     fun half(size: Double): Int = maxOf(Math.floor(size * CENTER + 0.5).toInt(), CENTER)
 
-    /** Returns the grid line nearest to [pixels]; halfway, the greater one, so that whole-pixel moves change nothing. */
+    /**
+     * Returns the grid position nearest to [pixels], clamped to the guard band. Ties round up, so that moving by whole
+     * pixels does not change how a position rounds.
+     */
     fun snap(pixels: Double): Int {
         val limit = GUARD.toDouble() * STEPS
         return Math.floor(pixels * STEPS + 0.5).coerceIn(-limit, limit).toInt()
     }
 
-    /** Returns the first column (or row) whose sample is at [grid] or after it. */
+    /** Returns the first column (or row) whose sample is at or after the grid position [grid]. */
     fun firstSample(grid: Int): Int = (grid - CENTER + STEPS - 1) shr SHIFT
 }

@@ -4,36 +4,38 @@ import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
 
 /**
- * Walks a polygon as a stack of trapezoids and steps their sides from row to row.
+ * Returns the spans of a polygon by dividing it into trapezoids and stepping their sides from row to row.
  *
- * Between two rows at which an edge begins, ends or crosses another, a polygon is a row of trapezoids: nothing has to be
- * sorted or counted there, and each side moves by one exact step a row.
+ * Between two rows at which an edge begins, ends or crosses another, a polygon consists of trapezoids side by side. In
+ * such a slab of rows nothing has to be sorted or counted, and each side moves by one exact step a row.
  *
  * Source: the depth-buffer algorithm of the computer graphics notes of the University of California, Davis, which
- * divides polygons into trapezoids and updates depth and intensity incrementally along each. There a side is a real
- * number; here it is a column and an exact remainder (Bresenham's idea), so that a step gives the same samples as
+ * divides polygons into trapezoids and updates depth and intensity incrementally along each. There, a side is a real
+ * number. Here, it is a column and an exact remainder (Bresenham's idea), so that stepping gives the same samples as
  * evaluating the edge.
  */
 internal class TrapezoidCursor(private val edges: EdgeTable, private var y: Int) : SpanCursor {
-    /** Row after the last of the current trapezoids. */
+    /** The row after the last row of the current slab. */
     private var slabEnd = y
 
-    /** Edges that cross the current rows; while a slab is made, sorted from left to right. */
+    /** Edges that cross the current rows. They are sorted from left to right while a slab is set up. */
     private val active = IntArray(edges.count)
 
-    /** Sides of the current trapezoids, left and right in turn: the edge's column at row y ... */
+    /** Sides of the current trapezoids, alternately left and right: the column of the edge at row y. */
     private val column = IntArray(edges.count)
 
-    /** ... the remainder, in 0 until 256 dy: how far the column's sample is to the right of the crossing ... */
+    /**
+     * For each side the remainder, in 0 until 256 dy: how far the sample of the column is to the right of the crossing.
+     */
     private val remainder = LongArray(edges.count)
 
-    /** ... and the steps of both from a row to the next, and the divisor. */
+    /** For each side the steps of column and remainder from one row to the next, and the divisor of the remainder. */
     private val columnStep = IntArray(edges.count)
     private val remainderStep = LongArray(edges.count)
     private val divisor = LongArray(edges.count)
     private var sides = 0
 
-    /** Bytes that this cursor holds: an object of eleven fields and, for each edge, three ints and three longs. */
+    /** Bytes of this cursor: an object of eleven fields and, for each edge, three ints and three longs. */
     val bytes: Long get() = 152L + 36L * edges.count
 
     override fun next(spans: Spans) {
@@ -55,9 +57,9 @@ internal class TrapezoidCursor(private val edges: EdgeTable, private var y: Int)
         }
     }
 
-    /** Finds the trapezoids that begin at row y. */
+    /** Sets up the trapezoids that begin at row y. */
     private fun beginSlab() {
-        // Find the edges that cross this row, and the next row at which that changes
+        // Find the edges that cross this row, and the next row at which an edge starts or ends
         var count = 0
         slabEnd = if (y < edges.rowStart) edges.rowStart else maxOf(edges.rowEnd, y + 1)
         for (edge in 0 until edges.count) {
@@ -72,10 +74,10 @@ internal class TrapezoidCursor(private val edges: EdgeTable, private var y: Int)
             }
         }
 
-        // Where edges cross each other, halve the slab until they don't within it
+        // If edges cross each other within the slab, halve it until they do not
         while (!isOrderedAt(slabEnd - 1, count)) slabEnd = y + (slabEnd - y) / 2
 
-        // Pair the edges at which the fill rule's answer changes
+        // Keep the edges at which the fill rule changes between outside and inside
         sides = 0
         var windings = 0
         for (i in 0 until count) {
@@ -99,14 +101,14 @@ internal class TrapezoidCursor(private val edges: EdgeTable, private var y: Int)
         return true
     }
 
-    /** Whether [a] is to the right of [b] at [row], or meets it there and is so below. */
+    /** Whether [a] is to the right of [b] at [row]; if both meet there, whether it is to the right below. */
     private fun isRightOf(a: Int, b: Int, row: Int): Boolean {
         val order = crossingOrder(a, b, row)
         if (order != 0) return order > 0
         return edges.dx(a) * edges.dy(b) > edges.dx(b) * edges.dy(a)
     }
 
-    /** Compares where two edges cross [row]: negative if [a] is to the left. Exact. */
+    /** Compares the positions where two edges cross [row]: negative if [a] is to the left. Exact. */
     private fun crossingOrder(a: Int, b: Int, row: Int): Int {
         val crossingA = edges.crossing(a, row)
         val crossingB = edges.crossing(b, row)
@@ -114,7 +116,7 @@ internal class TrapezoidCursor(private val edges: EdgeTable, private var y: Int)
         val columnB = Math.floorDiv(crossingB, edges.dy(b))
         if (columnA != columnB) return columnA.compareTo(columnB)
 
-        // Same grid column: compare the remainders over dy, both below 2^28, so the products are exact
+        // Same integer part: compare the remainders over dy. Both are below 2^28, so the products are exact
         val restA = crossingA - columnA * edges.dy(a)
         val restB = crossingB - columnB * edges.dy(b)
         return (restA * edges.dy(b)).compareTo(restB * edges.dy(a))

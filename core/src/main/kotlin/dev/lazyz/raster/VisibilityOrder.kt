@@ -4,47 +4,50 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Primitive
 
 /**
- * The order of fragments that a [DepthTest] makes, asked about whole primitives: by their bounds, and by linear forms.
+ * The order of fragments of a [DepthTest], applied to whole primitives: to their bounds, and to linear forms.
  *
- * Shared by the renderers that decide many samples at a time. Immutable and thread safe.
+ * Used by renderers that decide visibility for many samples at once. Immutable and thread safe.
  *
- * Why two samples can decide all between them. Let the forms of two primitives have the values f and b at a sample that
- * both cover, and call b - f (f - b where the greatest depth wins) the *lead* of the first. Depth is the value without
- * its lower 32 bits, rounded down; ties go by submission index. So, at one sample:
+ * The following shows why comparing two samples decides all samples between them. Let the forms of two primitives have
+ * the values f and b at a sample that both cover. The *lead* of the first is b - f (f - b if the greatest depth wins).
+ * Depth is the value without its lower 32 bits, rounded down; ties are resolved by submission index. So, at one sample:
  *
- * - lead >= 0 implies that the depth of the first is not behind: rounding down keeps an order (and where the greatest
- *   depth wins, depths compare as their values do, the other way round). If the first also wins ties, it is visible.
- * - lead >= 2^32 implies that the depth of the first is at least one unit before the other, whoever wins ties.
+ * - lead >= 0 implies that the first is not behind the second, because rounding down keeps the order (and if the
+ *   greatest depth wins, depths compare like their values, in reverse). If the first also wins ties, it is visible.
+ * - lead >= 2^32 implies that the first is at least one unit in front of the second, whichever wins ties.
  *
- * That is [leastLead]. The lead of two linear forms is a linear form, so its minimum over samples in a row, or over a
- * convex set of samples, is at an end or a corner: what has the least lead there has it everywhere, and is visible
- * everywhere. Nothing wraps: at covered samples a value is in 0 until 2^63, so a difference of two is exact in 64 bits;
- * and the sum of a form's value and its step at neighbours that are both covered is the true sum, for two numbers below
- * 2^63 that are equal modulo 2^64 are equal.
+ * This is [leastLead]. The lead of two linear forms is a linear form, so its minimum over consecutive samples of a row
+ * is at an end, and over a convex set of samples at a corner. If the lead is at least [leastLead] there, it is so
+ * everywhere, and the first primitive is visible everywhere. Nothing wraps around: at covered samples a value is in 0
+ * until 2^63, so the difference of two is exact in 64 bits. The value at a covered sample plus a step to a covered
+ * neighbour is exact too, because two numbers below 2^63 that are equal modulo 2^64 are equal.
  */
 internal class VisibilityOrder(private val test: DepthTest) {
     /** Whether the greatest depth wins. */
     private val isReversed = test.key(1, 0) < test.key(0, 0)
 
-    /** Returns a key that no fragment of [primitive] is before. */
+    /** Returns a lower bound of the keys of all fragments of [primitive]. */
     fun nearestKey(primitive: Primitive, index: Int): Long =
         test.key(if (isReversed) primitive.greatestDepth else primitive.leastDepth, index)
 
-    /** Returns a key that no fragment of [primitive] is behind. */
+    /** Returns an upper bound of the keys of all fragments of [primitive]. */
     fun farthestKey(primitive: Primitive, index: Int): Long =
         test.key(if (isReversed) primitive.leastDepth else primitive.greatestDepth, index)
 
-    /** Returns the key of a fragment of the primitive [index], whose form has the value [value] there. */
+    /** Returns the key of a fragment of primitive [index] at a sample where its form has the value [value]. */
     fun key(value: Long, index: Int): Long = test.key((value shr 32).toInt(), index)
 
-    /** Returns how far the form's value [front] is before the value [behind] at the same sample, covered by both. */
+    /**
+     * Returns how far the value [front] of one form is in front of the value [behind] of another, at a sample that both
+     * cover.
+     */
     fun lead(front: Long, behind: Long): Long = if (isReversed) front - behind else behind - front
 
-    /** Returns the lead that implies that the primitive [front] is visible, not the primitive [behind]. */
+    /** Returns the smallest lead that implies that primitive [front] is visible in front of primitive [behind]. */
     fun leastLead(front: Int, behind: Int): Long = if (test.key(0, front) < test.key(0, behind)) 0 else UNIT
 
     private companion object {
-        /** One unit of depth, as a linear form counts: with 32 bits of fraction. */
+        /** One unit of depth in a linear form, which has 32 fraction bits. */
         const val UNIT = 1L shl 32
     }
 }

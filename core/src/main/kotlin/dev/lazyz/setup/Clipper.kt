@@ -3,35 +3,35 @@ package dev.lazyz.setup
 import dev.lazyz.shading.Vertices
 
 /**
- * Cuts polygons at the near plane, the far plane and the guard band, in homogeneous space (contract rule 9).
+ * Clips polygons at the near plane, the far plane and the guard band, in homogeneous space (contract rule 9).
  *
- * Source: Ivan Sutherland and Gary Hodgman, "Reentrant Polygon Clipping", Communications of the ACM 17 (1974), contour by
- * contour. Two refinements. A cut is computed in one way whichever way the contour goes, so that both polygons at an edge
- * get the same point. And where a contour runs along the plane, from where it left to where it
- * came back, it visits every other cut in between: runs that overlap then share their ends, and cancel exactly after
- * snapping.
+ * Source: Ivan Sutherland and Gary Hodgman, "Reentrant Polygon Clipping", Communications of the ACM 17 (1974), applied
+ * to each contour. There are two refinements. A cut is computed in the same way for both directions of an edge, so that
+ * both polygons at the edge get the same point. And where a contour continues along the plane, from the cut where it
+ * leaves to the cut where it returns, all other cuts between them become vertices of it. So overlapping parts have the
+ * same end points, and cancel exactly after snapping.
  *
- * @param guardX the guard band: what is inside has -guardX w <= x <= guardX w
- * @param guardY see [guardX]
- * @param near the near plane: what is inside has near w <= z <= w
+ * @param guardX the guard band: inside is -guardX w <= x <= guardX w
+ * @param guardY the guard band: inside is -guardY w <= y <= guardY w
+ * @param near the near plane: inside is near w <= z <= w
  */
 internal class Clipper(private val guardX: Double, private val guardY: Double, private val near: Double) {
-    /** Returns a bit for each plane that [vertex] is outside of. */
+    /** Returns a bit for each plane that [vertex] is outside of; 0 if it is inside all planes. */
     fun outcode(vertices: Vertices, vertex: Int): Int {
         var code = 0
         for (plane in 0 until PLANES) if (distance(vertices, vertex, plane) < 0.0) code = code or (1 shl plane)
         return code
     }
 
-    /** Whether a position in clip space is inside all planes, and somewhere: finite, and before the eye. */
+    /** Whether a position in clip space is inside all planes, finite, and in front of the eye. */
     fun isInside(x: Double, y: Double, z: Double, w: Double): Boolean =
         w > 0.0 && w < Double.POSITIVE_INFINITY && z - near * w >= 0.0 && w - z >= 0.0 &&
             guardX * w + x >= 0.0 && guardX * w - x >= 0.0 && guardY * w + y >= 0.0 && guardY * w - y >= 0.0
 
     /**
-     * Cuts the contours at the planes in [planes] (bits as in [outcode]); new vertices are appended to [vertices].
+     * Clips the contours at the planes in [planes] (bits as in [outcode]); appends new vertices to [vertices].
      *
-     * @return what is left of the contours, without empty ones
+     * @return the clipped contours, without empty ones
      */
     fun clip(vertices: Vertices, contours: List<IntArray>, planes: Int): List<IntArray> {
         var left = contours
@@ -40,9 +40,9 @@ internal class Clipper(private val guardX: Double, private val guardY: Double, p
     }
 
     /**
-     * Cuts the segment between two vertices at all planes; new vertices are appended to [vertices].
+     * Clips the segment between two vertices at all planes; appends new vertices to [vertices].
      *
-     * @return the ends of what is left, in the segment's direction, or null if that is nothing
+     * @return the ends of the clipped segment, in its direction, or null if it is empty
      */
     fun clipSegment(vertices: Vertices, from: Int, to: Int): Pair<Int, Int>? {
         var first = from
@@ -85,7 +85,10 @@ internal class Clipper(private val guardX: Double, private val guardY: Double, p
         return result.copyOf(size)
     }
 
-    /** Inserts into each run along the plane the other cuts that lie on it. Cuts are the vertices from [firstCut] on. */
+    /**
+     * Inserts the other cuts into each part of [contour] that runs along the plane. Cuts are the vertices from
+     * [firstCut] on.
+     */
     private fun withBridgesSplit(vertices: Vertices, contour: IntArray, firstCut: Int): IntArray {
         val result = ArrayList<Int>()
         for (i in contour.indices) {
@@ -105,7 +108,7 @@ internal class Clipper(private val guardX: Double, private val guardY: Double, p
         return result.toIntArray()
     }
 
-    /** How far along the run from [from] to [to] the cut [cut] is, on the screen, to scale. */
+    /** Position of [cut] on the part from [from] to [to], on the screen, in arbitrary units. */
     private fun along(vertices: Vertices, from: Int, to: Int, cut: Int): Double {
         val fromX = vertices.get(from, Vertices.X) / vertices.get(from, Vertices.W)
         val fromY = vertices.get(from, Vertices.Y) / vertices.get(from, Vertices.W)
@@ -116,7 +119,7 @@ internal class Clipper(private val guardX: Double, private val guardY: Double, p
         return runX * cutX + runY * cutY
     }
 
-    /** Distance of [vertex] from a plane, to scale; negative outside. Linear in the position. */
+    /** Distance of [vertex] from [plane], in arbitrary units; negative outside. Linear in the position. */
     private fun distance(vertices: Vertices, vertex: Int, plane: Int): Double {
         val w = vertices.get(vertex, Vertices.W)
         return when (plane) {

@@ -8,18 +8,18 @@ import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.shading.AttributedPrimitive
 
 /**
- * A line segment on the raster: a quad around its snapped ends, and the two samples that are nearest to them (contract
- * rule 2.10).
+ * A line segment on the raster: a quad around its snapped ends, and the sample nearest to each end (contract rule
+ * 2.10).
  *
- * Depth and attributes are functions of how far along the segment a sample is; beyond an end they are those of the end.
+ * Depth and attributes are functions of the position along the segment. Beyond an end they are constant.
  *
- * @param segment its number among the strokes
- * @param half half the width, in grid steps
- * @param x0 column position of the first end on the 1/256 pixel grid; the others likewise
- * @param z0 depth of the first end
- * @param over0 1/w of the first end
- * @param from where on the surface's segment the first end is, which is at 0 unless it has been cut
- * @param until the same of the second end, which is at 1 unless it has been cut
+ * @param segment number of the segment in [strokes]
+ * @param half half the width, grid steps
+ * @param x0 column position of the first end on the 1/256 pixel grid; y0, x1 and y1 likewise
+ * @param z0 depth of the first end; z1 likewise
+ * @param over0 1/w of the first end; over1 likewise
+ * @param from position of the first end on the unclipped segment: 0 unless it has been clipped
+ * @param until position of the second end on the unclipped segment: 1 unless it has been clipped
  */
 internal class LinePrimitive(
     private val strokes: LineStrokes,
@@ -39,10 +39,13 @@ internal class LinePrimitive(
     private val runX: Long get() = (x1 - x0).toLong()
     private val runY: Long get() = (y1 - y0).toLong()
 
-    /** Square of the length, in grid steps. */
+    /** Square of the length, square grid steps. */
     private val square: Long get() = runX * runX + runY * runY
 
-    /** Half the width along the segment; the same turned by a right angle leads across it. */
+    /**
+     * A vector of half the width in the direction of the segment, grid steps. Rotated by 90 degrees, it points across
+     * the segment.
+     */
     private val alongX: Int
     private val alongY: Int
 
@@ -58,7 +61,8 @@ internal class LinePrimitive(
     override val columnEnd: Int
 
     init {
-        // The quad reaches as far as both parts of the half width together, and a sample of an end half a pixel
+        // The quad extends beyond the ends by at most the sum of both components, and the sample of an end by half a
+        // pixel
         val reach = maxOf(Math.abs(alongX) + Math.abs(alongY), ScreenGrid.CENTER)
         rowStart = maxOf(ScreenGrid.firstSample(minOf(y0, y1) - reach), 0)
         rowEnd = minOf(ScreenGrid.firstSample(maxOf(y0, y1) + reach), strokes.raster.height)
@@ -99,7 +103,10 @@ internal class LinePrimitive(
     override fun depth(x: Int, y: Int): Int =
         if (isLevel) z0 else z0 + StrictMath.rint(along(x, y) * (z1.toDouble() - z0.toDouble())).toInt()
 
-    /** Returns how far along the segment a sample is, 0 at the first end and before, 1 at the second and beyond. */
+    /**
+     * Returns the position of a sample along the segment: 0 at the first end and before it, 1 at the second end and
+     * beyond.
+     */
     private fun along(x: Int, y: Int): Double {
         val right = (x * ScreenGrid.STEPS + ScreenGrid.CENTER - x0).toLong()
         val down = (y * ScreenGrid.STEPS + ScreenGrid.CENTER - y0).toLong()
@@ -115,7 +122,7 @@ internal class LinePrimitive(
     }
 
     override fun attributes(fragment: Fragment) {
-        // Perspective-correct, as rule 3.6 says
+        // Perspective-correct (rule 3.6)
         val t = along(fragment.x, fragment.y)
         val weight0 = (1.0 - t) * over0
         val weight1 = t * over1
@@ -126,10 +133,10 @@ internal class LinePrimitive(
     override fun toString(): String = "LinePrimitive(rows $rowStart..<$rowEnd, columns $columnStart..<$columnEnd)"
 
     private companion object {
-        /** A header, a reference, twelve numbers of 4 bytes and four of 8. */
+        /** Bytes of this object: a header, a reference, twelve numbers of 4 bytes and four of 8. */
         const val BYTES = 96L
 
-        /** The part of [half] in a direction, away from zero, so that no line is thinner than it should be. */
+        /** Returns the component of [half] in one direction, rounded away from zero so that no line is too thin. */
         fun share(half: Int, run: Long, length: Double): Int {
             val size = StrictMath.ceil(half.toDouble() * Math.abs(run).toDouble() / length).toInt()
             return if (run < 0L) -size else size

@@ -14,24 +14,24 @@ import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Shading
 
-/** Sets up the segments of one surface, and is what they have in common. Immutable and thread safe. */
+/** Sets up the segments of one [Lines] surface, and holds the data that they share. Immutable and thread safe. */
 internal class LineStrokes(private val lines: Lines, private val stage: VertexStage, lighting: Lighting) {
     private val material = lines.material.withoutTexture(Shading.CONSTANT)
     private val materialShader = MaterialShader(material, lighting, isPrelit = false)
 
-    /** Half the width, in grid steps. */
+    /** Half the width, grid steps. */
     private val half = ScreenGrid.half(lines.width)
 
     val raster: Raster get() = stage.viewport.raster
 
-    /** What colours the lines. */
+    /** The shader of all segments. */
     val shader: Shader get() = material.shader ?: materialShader
 
-    /** Returns the segments as primitives, each set up when it is asked for. */
+    /** Returns the segments as primitives, each set up when the sequence reaches it. */
     fun primitives(): Sequence<Primitive> = (0 until lines.segmentCount).asSequence().map { primitive(it) }
 
     private fun primitive(segment: Int): Primitive {
-        // Cut what is outside, and remember which part of the segment is left
+        // Clip the segment, and keep track of which part of it remains
         val vertices = Vertices(2)
         for (end in 0..1) {
             val from = 3 * lines.segments[2 * segment + end]
@@ -58,7 +58,7 @@ internal class LineStrokes(private val lines: Lines, private val stage: VertexSt
         return MaskedPrimitive(whole, materialShader, material.alphaCutoff)
     }
 
-    /** Whether a segment lets through what lies behind somewhere: the material's doing or a vertex colour's. */
+    /** Whether a segment is translucent anywhere, because of the material or a vertex colour. */
     fun isTranslucent(segment: Int): Boolean {
         if (material.isTranslucent) return true
         val colors = lines.colors
@@ -66,7 +66,7 @@ internal class LineStrokes(private val lines: Lines, private val stage: VertexSt
         return (0..1).any { colors[4 * lines.segments[2 * segment + it] + 3] != 1f }
     }
 
-    /** Fills in the attributes of [segment] at [place], 0 at its first vertex and 1 at its second. */
+    /** Sets the attributes of [fragment] to those of [segment] at [place]: 0 is its first vertex and 1 its second. */
     fun attributes(segment: Int, place: Double, fragment: Fragment) {
         val a = lines.segments[2 * segment]
         val b = lines.segments[2 * segment + 1]
@@ -85,7 +85,10 @@ internal class LineStrokes(private val lines: Lines, private val stage: VertexSt
         (from.toDouble() + place * (to.toDouble() - from.toDouble())).toFloat()
 
     private companion object {
-        /** The field of a vertex that says where on its segment it is: lines have no texture coordinates. */
+        /**
+         * The vertex field that stores the position on the segment. It is free because lines have no texture
+         * coordinates.
+         */
         const val PLACE = Vertices.UV
     }
 }

@@ -14,7 +14,7 @@ import dev.lazyz.world.Points
 import dev.lazyz.world.Shading
 import dev.lazyz.world.Sides
 
-/** Sets up the points of one surface, and is what they have in common. Immutable and thread safe. */
+/** Sets up the points of one [Points] surface, and holds the data that they share. Immutable and thread safe. */
 internal class PointCloud(private val points: Points, private val stage: VertexStage, lighting: Lighting) {
     private val material: Material = points.material.withoutTexture(
         when {
@@ -27,13 +27,13 @@ internal class PointCloud(private val points: Points, private val stage: VertexS
 
     val raster: Raster get() = stage.viewport.raster
 
-    /** Half the side of a point's square, in grid steps. */
+    /** Half the side of the squares, grid steps. */
     val half: Int = ScreenGrid.half(points.size)
 
-    /** What colours the points. */
+    /** The shader of all points. */
     val shader: Shader get() = material.shader ?: materialShader
 
-    /** Returns the points as primitives, each set up when it is asked for. */
+    /** Returns the points as primitives, each set up when the sequence reaches it. */
     fun primitives(): Sequence<Primitive> = (0 until points.pointCount).asSequence().map { primitive(it) }
 
     private fun primitive(number: Int): Primitive {
@@ -53,7 +53,7 @@ internal class PointCloud(private val points: Points, private val stage: VertexS
         return if (!point.isVisible || isTurnedAway(number) || isCutOut(number)) EmptyPrimitive else point
     }
 
-    /** Whether a point shows a side that is not drawn. */
+    /** Whether the visible side of a point is not drawn. */
     private fun isTurnedAway(number: Int): Boolean =
         material.sides == Sides.FRONT && points.normals != null && towardEye(number) < 0.0
 
@@ -63,14 +63,14 @@ internal class PointCloud(private val points: Points, private val stage: VertexS
         return !(materialShader.alphaAt(fragment) >= material.alphaCutoff)
     }
 
-    /** Whether a point lets through what lies behind: the material's doing or its colour's. */
+    /** Whether a point is translucent, because of the material or its colour. */
     fun isTranslucent(number: Int): Boolean {
         val colors = points.colors
         return material.isTranslucent ||
             (material.alphaMode == AlphaMode.BLEND && colors != null && colors[4 * number + 3] != 1f)
     }
 
-    /** Fills in the attributes of a point, which are the same at all its samples. */
+    /** Sets the attributes of [fragment] to those of a point, which are the same at all its samples. */
     fun attributes(number: Int, fragment: Fragment) {
         fragment.worldX = points.positions[3 * number]
         fragment.worldY = points.positions[3 * number + 1]
@@ -89,7 +89,7 @@ internal class PointCloud(private val points: Points, private val stage: VertexS
         fragment.vertexAlpha = colors[4 * number + 3]
     }
 
-    /** Positive if a point's normal points to the viewer's side; there must be normals. */
+    /** Positive if the normal of a point points to the viewer's side. The points must have normals. */
     private fun towardEye(number: Int): Double {
         val p = points.positions
         val n = points.normals!!
@@ -101,7 +101,7 @@ internal class PointCloud(private val points: Points, private val stage: VertexS
     }
 }
 
-/** Returns this material for what has no area to be mapped: without its texture, lit at [shading]. */
+/** Returns this material for points and lines: without its texture, and with the given [shading]. */
 internal fun Material.withoutTexture(shading: Shading): Material = Material(
     baseColor, null, shading, specular, shininess, emission, alphaMode, alphaCutoff, sides, shader, name,
 )

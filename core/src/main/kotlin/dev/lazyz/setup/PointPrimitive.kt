@@ -7,13 +7,14 @@ import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.shading.AttributedPrimitive
 
 /**
- * A point on the raster: a square around its snapped vertex, of one depth (contract rule 2.9).
+ * A point on the raster: a square around its snapped vertex, with constant depth (contract rule 2.9).
  *
- * There may be tens of millions of them, so this is four numbers and what it shares with its [cloud]: 32 bytes.
+ * A frame can have tens of millions of points, so a point has only four numbers and a reference to its [cloud]: 32
+ * bytes.
  *
- * @param number of the point within the cloud
+ * @param number number of the point in the cloud
  * @param x column position of the vertex on the 1/256 pixel grid
- * @param y row position, likewise
+ * @param y row position of the vertex on the 1/256 pixel grid
  */
 internal class PointPrimitive(
     private val cloud: PointCloud,
@@ -32,7 +33,7 @@ internal class PointPrimitive(
     override val isTranslucent: Boolean get() = cloud.isTranslucent(number)
     override val heldBytes: Long get() = BYTES
 
-    /** Whether it covers a sample. */
+    /** Whether the point covers any sample. */
     val isVisible: Boolean get() = rowStart < rowEnd && columnStart < columnEnd
 
     override fun spans(y: Int, spans: Spans) {
@@ -52,7 +53,7 @@ internal class PointPrimitive(
         "PointPrimitive(rows $rowStart..<$rowEnd, columns $columnStart..<$columnEnd, depth $depth)"
 
     private companion object {
-        /** A header, a reference and four numbers. */
+        /** Bytes of this object: a header, a reference and four numbers. */
         const val BYTES = 32L
     }
 }

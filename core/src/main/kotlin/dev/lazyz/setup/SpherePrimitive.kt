@@ -11,13 +11,13 @@ import dev.lazyz.world.Sides
 import dev.lazyz.world.Sphere
 
 /**
- * A sphere on the raster: at every sample the ray through it is cut with the sphere (contract rule 2.6).
+ * A sphere on the raster. For each sample, the ray through it is intersected with the sphere (contract rule 2.6).
  *
- * Camera space, t is the distance from the eye along the line of sight. The ray through a sample is `t (px, py, -1)`
- * under perspective and `(px, py, -t)` without; the cut is a quadratic in t, with discriminant
- * `|d|^2 r^2 - |d x c|^2`, which, unlike the textbook's `b^2 - ac`, does not cancel for small spheres far away.
+ * In camera space, t is the distance from the eye along the line of sight. The ray through a sample is `t (px, py, -1)`
+ * for perspective and `(px, py, -t)` otherwise. The intersection is a quadratic equation in t, with the discriminant
+ * `|d|^2 r^2 - |d x c|^2`. Unlike the textbook's `b^2 - ac`, it has no cancellation for small distant spheres.
  *
- * A sphere that reaches the near plane is cut open there, and shows its inside.
+ * A sphere that intersects the near plane is cut open there, and shows its inside.
  */
 internal class SpherePrimitive private constructor(
     private val sphere: Sphere,
@@ -36,7 +36,7 @@ internal class SpherePrimitive private constructor(
     private val halfHeight = camera.halfHeight()
     private val halfWidth = halfHeight * (width.toDouble() / height)
 
-    /** Whether the whole sphere lies between the planes, so that a row has one span at most. */
+    /** Whether the whole sphere is between the planes, so that a row has at most one span. */
     private val isWhole = -cz - radius >= camera.near && -cz + radius <= camera.far
 
     override val rowStart: Int
@@ -72,7 +72,7 @@ internal class SpherePrimitive private constructor(
     override fun spans(y: Int, spans: Spans) {
         if (y < rowStart || y >= rowEnd) return
         if (isWhole) {
-            // One span: look for its ends from outside
+            // One span: search for its ends from outside
             var start = columnStart
             var end = columnEnd
             val ends = columns(y)
@@ -86,7 +86,7 @@ internal class SpherePrimitive private constructor(
             return
         }
 
-        // Cut by a plane: any number of spans
+        // Clipped by a plane: any number of spans
         for (x in columnStart until columnEnd) if (!hit(x, y).isNaN()) spans.add(x, x + 1)
     }
 
@@ -115,7 +115,7 @@ internal class SpherePrimitive private constructor(
         fragment.worldY = (eye.y() + position.y).toFloat()
         fragment.worldZ = (eye.z() + position.z).toFloat()
 
-        // The normal points outward, but the inside shows its other side
+        // The normal points outward; on the inside it is reversed
         val normal = camera.toWorldDirection((x - cx) / radius, (y - cy) / radius, (-t - cz) / radius)
         val sign = if (nearRoot(fragment.x, fragment.y) < camera.near) -1.0 else 1.0
         fragment.normalX = (sign * normal.x).toFloat()
@@ -129,13 +129,13 @@ internal class SpherePrimitive private constructor(
 
     private fun py(y: Int): Double = if (isScreen) -(y + 0.5) else (1.0 - (2 * y + 1).toDouble() / height) * halfHeight
 
-    /** Where [px] would be some value, in pixels. */
+    /** Returns the column position, in pixels, at which [px] has the given value. */
     private fun columnAt(px: Double): Double = if (isScreen) px else (1.0 + px / halfWidth) * 0.5 * width
 
-    /** Where [py] would be some value, in pixels. */
+    /** Returns the row position, in pixels, at which [py] has the given value. */
     private fun rowAt(py: Double): Double = if (isScreen) -py else (1.0 - py / halfHeight) * 0.5 * height
 
-    /** A quarter of the discriminant of the cut; negative if the ray misses the sphere. */
+    /** A quarter of the discriminant of the intersection; negative if the ray misses the sphere. */
     private fun discriminant(px: Double, py: Double): Double {
         if (!isPerspective) return radius * radius - (px - cx) * (px - cx) - (py - cy) * (py - cy)
         val crossX = py * cz + cy
@@ -144,7 +144,7 @@ internal class SpherePrimitive private constructor(
         return (px * px + py * py + 1.0) * (radius * radius) - (crossX * crossX + crossY * crossY + crossZ * crossZ)
     }
 
-    /** One of the two distances at which the ray cuts the sphere; a miss counts as a touch. */
+    /** One of the two distances at which the ray intersects the sphere. A ray that misses counts as touching it. */
     private fun root(x: Int, y: Int, sign: Double): Double {
         val px = px(x)
         val py = py(y)
@@ -154,7 +154,7 @@ internal class SpherePrimitive private constructor(
 
     private fun nearRoot(x: Int, y: Int): Double = root(x, y, -1.0)
 
-    /** Distance of the visible point at a covered sample. */
+    /** Distance of the visible point at a covered sample, world units along the line of sight. */
     private fun distance(x: Int, y: Int): Double {
         val near = nearRoot(x, y)
         return if (near >= camera.near) near else root(x, y, 1.0)
@@ -170,7 +170,7 @@ internal class SpherePrimitive private constructor(
         return if (far >= camera.near && far <= camera.far) far else Double.NaN
     }
 
-    /** Least and greatest px (or py) of a whole sphere, from its centre's x (or y) in camera space. */
+    /** Minimum and maximum px (or py) of a whole sphere, given the x (or y) of its centre in camera space. */
     private fun extent(c: Double): DoubleArray {
         if (!isPerspective) return doubleArrayOf(c - radius, c + radius)
         val a = cz * cz - radius * radius
@@ -178,7 +178,10 @@ internal class SpherePrimitive private constructor(
         return doubleArrayOf((-c * cz - spread) / a, (-c * cz + spread) / a)
     }
 
-    /** Returns about where row [y] enters and leaves a whole sphere, in columns, or null if rounding hides it. */
+    /**
+     * Returns the approximate columns at which row [y] enters and leaves a whole sphere; null if rounding makes them
+     * NaN or infinite.
+     */
     private fun columns(y: Int): DoubleArray? {
         val py = py(y)
         val middle: Double
@@ -205,7 +208,7 @@ internal class SpherePrimitive private constructor(
     override fun toString(): String = "SpherePrimitive($sphere)"
 
     companion object {
-        /** Sets up a sphere; null if it is degenerate or not between the near and the far plane. */
+        /** Sets up a sphere. Returns null if it is degenerate or not between the near and the far plane. */
         fun of(sphere: Sphere, camera: Camera, viewport: Viewport, shader: Shader): SpherePrimitive? {
             val center = sphere.center
             val eye = camera.eye

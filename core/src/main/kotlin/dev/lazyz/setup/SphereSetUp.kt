@@ -10,10 +10,10 @@ import dev.lazyz.world.Camera
 import dev.lazyz.world.Shading
 import dev.lazyz.world.Sphere
 
-/** Makes primitives of spheres. */
+/** Converts spheres to primitives. */
 internal object SphereSetUp {
     fun sphere(sphere: Sphere, camera: Camera, viewport: Viewport, lighting: Lighting): Primitive {
-        // A sphere has no faces and no vertices to light before its fragments
+        // A sphere has no faces or vertices that could be lit during set-up
         val material = when (sphere.material.shading) {
             Shading.FLAT, Shading.GOURAUD -> sphere.material.withShading(Shading.PHONG)
             else -> sphere.material

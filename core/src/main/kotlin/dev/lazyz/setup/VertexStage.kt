@@ -6,21 +6,24 @@ import dev.lazyz.world.Camera
 import dev.lazyz.world.Mesh
 import dev.lazyz.world.Projection
 
-/** What all vertices of a frame go through: from the world to clip space, and on to the raster. Immutable and thread safe. */
+/**
+ * The transforms of all vertices of a frame: from world space to clip space, and to the raster. Immutable and thread
+ * safe.
+ */
 internal class VertexStage(camera: Camera, val viewport: Viewport) {
     val clipper: Clipper = clipper(ScreenGrid.GUARD)
 
-    /** As [clipper], for lines, which are widened after they have been clipped. */
+    /** The clipper for lines. Its guard band is smaller, because lines are widened after clipping. */
     val lineClipper: Clipper = clipper(ScreenGrid.LINE_GUARD)
 
-    /** Whether w differs from vertex to vertex. */
+    /** Whether w can differ between vertices. */
     val isPerspective: Boolean = camera.projection is Projection.Perspective
 
     val worldToClip = camera.setUpMatrix(viewport.raster.width.toDouble() / viewport.raster.height)
     private val eye = camera.eye
     private val back = camera.toWorldDirection(0.0, 0.0, 1.0)
 
-    /** Calls [action] with the position in clip space of a point of the world. */
+    /** Calls [action] with the clip-space position of the world-space point ([x], [y], [z]). */
     inline fun toClip(x: Double, y: Double, z: Double, action: (x: Double, y: Double, z: Double, w: Double) -> Unit) {
         val m = worldToClip
         action(
@@ -31,7 +34,7 @@ internal class VertexStage(camera: Camera, val viewport: Viewport) {
         )
     }
 
-    /** Sets the clip-space and the world position of a vertex. */
+    /** Sets the clip-space position and the world position of [vertex] from the world-space point ([x], [y], [z]). */
     fun place(vertices: Vertices, vertex: Int, x: Double, y: Double, z: Double) {
         toClip(x, y, z) { clipX, clipY, clipZ, clipW ->
             vertices.set(vertex, Vertices.X, clipX)
@@ -44,20 +47,20 @@ internal class VertexStage(camera: Camera, val viewport: Viewport) {
         vertices.set(vertex, Vertices.WORLD + 2, z)
     }
 
-    /** Makes vertex [vertex] that of [mesh] with number [from]. */
+    /** Sets position and attributes of [vertex] to those of vertex [from] of [mesh]. */
     fun place(vertices: Vertices, vertex: Int, mesh: Mesh, from: Int) {
         val p = mesh.positions
         place(vertices, vertex, p[3 * from].toDouble(), p[3 * from + 1].toDouble(), p[3 * from + 2].toDouble())
         vertices.setAttributes(vertex, mesh, from)
     }
 
-    /** Positive if the viewer is on the side of [normal] of a face with this vertex. */
+    /** Positive if the viewer is on the side that [normal] points to, for a face with this vertex. */
     fun towardEye(vertices: Vertices, vertex: Int, normal: DoubleArray): Double = towardEye(
         vertices.get(vertex, Vertices.WORLD), vertices.get(vertex, Vertices.WORLD + 1),
         vertices.get(vertex, Vertices.WORLD + 2), normal[0], normal[1], normal[2],
     )
 
-    /** Positive if the viewer is on the side that a normal points to, at the point ([x], [y], [z]) of the world. */
+    /** Positive if the viewer is on the side that the normal points to, at the world-space point ([x], [y], [z]). */
     fun towardEye(x: Double, y: Double, z: Double, normalX: Double, normalY: Double, normalZ: Double): Double {
         if (!isPerspective) return normalX * back.x + normalY * back.y + normalZ * back.z
         return normalX * (eye.x() - x) + normalY * (eye.y() - y) + normalZ * (eye.z() - z)

@@ -8,15 +8,18 @@ import dev.lazyz.shading.Vertices
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
 
-/** From clip space to the raster's grid: the one place where a vertex is rounded (contract rules 1.3 and 4.2). */
+/**
+ * Converts clip space to the grid of the raster. This is the only place where vertices are rounded (contract rules 1.3
+ * and 4.2).
+ */
 internal open class Viewport(val raster: Raster) {
-    /** Returns how far a guard band around this raster reaches, [pixels] from its origin, as a multiple of w. */
+    /** Returns the extent in x, as a multiple of w, of a guard band that ends [pixels] from the raster's origin. */
     open fun guardX(pixels: Int): Double = 2.0 * pixels / raster.width - 1.0
 
-    /** See [guardX]. */
+    /** Same in y, see [guardX]. */
     open fun guardY(pixels: Int): Double = 2.0 * pixels / raster.height - 1.0
 
-    /** The near plane, as a multiple of w. */
+    /** z of the near plane, as a multiple of w. */
     open val near: Double = -1.0
 
     /** Returns the column position of a vertex on the 1/256 pixel grid. */
@@ -40,20 +43,24 @@ internal open class Viewport(val raster: Raster) {
     /** As [depth], for a vertex with this z and w in clip space. */
     open fun depth(z: Double, w: Double): Int = depthOfUnit((z / w + 1.0) * 0.5)
 
-    /** Returns the depth at [unit] of the way from near to far, in the raster's convention. */
+    /**
+     * Returns the depth at the fraction [unit] of the distance from near (0) to far (1), in the raster's convention.
+     */
     fun depthOfUnit(unit: Double): Int {
         val depth = Depth.ofUnit(unit)
         return if (raster.convention == DepthConvention.SMALLER_IS_NEARER) depth else Int.MAX_VALUE - depth
     }
 
     companion object {
-        /** Returns the way from what [camera] makes of vertices to [raster]. */
+        /** Returns the viewport that maps the clip space of [camera] to [raster]. */
         fun of(raster: Raster, camera: Camera): Viewport =
             if (camera.projection == Projection.Screen) ScreenViewport(raster) else Viewport(raster)
     }
 }
 
-/** Vertices are given in pixels, and depth as the fraction of the way from near to far: w is 1. */
+/**
+ * The viewport of a screen camera: x and y are pixels, z is the fraction of the distance from near to far, and w is 1.
+ */
 private class ScreenViewport(raster: Raster) : Viewport(raster) {
     override val near: Double get() = 0.0
 

@@ -9,38 +9,42 @@ import dev.lazyz.Primitive
 import dev.lazyz.ShadingCursor
 
 /**
- * Forces the suspended colours of a row, once it is known what is visible: one shading call a visible sample.
+ * Computes the colours of a row once visibility is known: one shading call for each visible sample.
  *
- * Shared by all renderers that shade late. A suspension is no more than the index of the primitive: primitive and sample
- * determine the colour (contract rule 6.1). What is carried along the row under [Coherence.INCREMENTAL] is a chain of
- * steps, one for each primitive seen on the row: where the primitive is hidden the steps are still made, the colours are
- * dropped; so a chain costs steps for its gaps, and saves evaluating the attributes where it is visible. Under
- * [Coherence.ADAPTIVE] a gap is stepped over if that costs no more than a new chain, by the primitive's own word
- * ([Primitive.shadingStartCost]).
+ * Used by all renderers that shade late. Only the primitive's index has to be stored until then, because primitive and
+ * sample determine the colour (contract rule 6.1). Under [Coherence.INCREMENTAL], each primitive that is visible on the
+ * row has a chain of steps along the row. Where the primitive is hidden, the steps are made without shading. So a chain
+ * costs steps for its gaps, and saves evaluating the attributes where the primitive is visible. Under
+ * [Coherence.ADAPTIVE], a gap is stepped over if that costs no more than a new chain, according to
+ * [Primitive.shadingStartCost].
  *
  * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), section 4. There a chain begins at
- * the primitive's first sample on the row; here at the first that is visible, which gives the same colours for less.
+ * the primitive's first sample on the row. Here it begins at the first visible sample, which gives the same colours at
+ * lower cost.
  *
- * Belongs to one thread.
+ * Used by one thread.
  */
 internal class LateShading(private val frame: Frame, private val coherence: Coherence, private val counters: Counters) {
     private val fragment = Fragment()
     private val background = frame.raster.background.toArgb()
     private val firstColumn = frame.region.columnStart
 
-    /** The chains of this row, by primitive, and the one that was used last: neighbours are mostly of one primitive. */
+    /**
+     * The chains of this row, by primitive, and the most recent one, because neighbours are usually of the same
+     * primitive.
+     */
     private val chains = HashMap<Int, ShadingChain>()
     private var last: ShadingChain? = null
 
-    /** Bytes held by chains at their most numerous, estimated by the size of their fields. */
+    /** Peak memory of the chains, in bytes, estimated from their fields. */
     var peakBytes: Long = 0
         private set
 
     private class ShadingChain(val index: Int, val cursor: ShadingCursor, var x: Int)
 
     /**
-     * Computes the colours of row [y] for the visible primitives of [indices] (one a column, from the region's first)
-     * into [argb].
+     * Computes the colours of row [y] into [argb]. [indices] has the visible primitive of each column, from the first
+     * column of the region on.
      */
     fun shadeRow(y: Int, indices: IntArray, argb: IntArray) {
         beginRow()
@@ -50,18 +54,20 @@ internal class LateShading(private val frame: Frame, private val coherence: Cohe
         }
     }
 
-    /** Ends all chains. To be called before each row that is not shaded by [shadeRow]. */
+    /** Ends all chains. Must be called before each row that is not shaded with [shadeRow]. */
     fun beginRow() {
         chains.clear()
         last = null
     }
 
-    /** Computes the colour of the primitive [index] at a sample. Within a row, columns do not decrease. */
+    /**
+     * Returns the colour of the primitive [index] at a sample, `0xAARRGGBB`. Within a row, columns must not decrease.
+     */
     fun shade(x: Int, y: Int, index: Int): Int = shaded(x, y, index, frame.primitives[index]).toArgb()
 
     /**
-     * As [shade], for a [primitive] that the frame need not hold. Returns a fragment with the colour, not packed; it is
-     * valid until the next call.
+     * As [shade], for a [primitive] that need not be in the frame. Returns a fragment with the unpacked colour, which
+     * is valid until the next call.
      */
     fun shaded(x: Int, y: Int, index: Int, primitive: Primitive): Fragment {
         counters.shadingCalls++
@@ -82,9 +88,9 @@ internal class LateShading(private val frame: Frame, private val coherence: Cohe
         Coherence.ADAPTIVE -> primitive.shadingStartCost > 0
     }
 
-    /** Returns shading of the primitive [index] at column [x], or null if the primitive has none that steps. */
+    /** Returns a cursor for the primitive [index] at column [x], or null if the primitive does not support stepping. */
     private fun cursorAt(x: Int, y: Int, index: Int, primitive: Primitive): ShadingCursor? {
-        // Go on with the primitive's chain
+        // Continue the primitive's chain
         val chain = last?.takeIf { it.index == index } ?: chains[index]
         if (chain != null && isWorthStepping(x - chain.x, primitive)) {
             val gap = x - chain.x
@@ -96,7 +102,7 @@ internal class LateShading(private val frame: Frame, private val coherence: Cohe
             return chain.cursor
         }
 
-        // Begin a new one
+        // Begin a new chain
         val cursor = primitive.shadingCursor(x, y) ?: return null
         counters.shadingStarts++
         last = ShadingChain(index, cursor, x).also { chains[index] = it }
@@ -108,7 +114,7 @@ internal class LateShading(private val frame: Frame, private val coherence: Cohe
         coherence == Coherence.INCREMENTAL || gap <= primitive.shadingStartCost
 
     private companion object {
-        /** A chain: two objects of a header and five 8-byte fields, and an entry of the map. */
+        /** Bytes of a chain: two objects of a header and five 8-byte fields, and a map entry. */
         const val CHAIN_BYTES = 152L
     }
 }

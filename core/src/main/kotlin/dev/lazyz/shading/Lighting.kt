@@ -10,14 +10,17 @@ import kotlin.math.sqrt
 /**
  * The lighting formula of the contract (rule 6.5): ambient light, Lambert's law, and a highlight.
  *
- * All arithmetic is single precision in the order written. Sources: Bui Tuong Phong, "Illumination for Computer Generated
- * Pictures", Communications of the ACM 18 (1975); James Blinn, "Models of Light Reflection for Computer Synthesized
- * Pictures", SIGGRAPH 1977.
+ * All arithmetic is in single precision, in the order written. Sources: Bui Tuong Phong, "Illumination for Computer
+ * Generated Pictures", Communications of the ACM 18 (1975); James Blinn, "Models of Light Reflection for Computer
+ * Synthesized Pictures", SIGGRAPH 1977.
  */
 internal class Lighting(lights: List<Light>, camera: Camera) {
     private val ambient = FloatArray(3)
 
-    /** Position or direction of each other light, [STRIDE] numbers: x, y, z, red, green, blue, 1 for a point. */
+    /**
+     * The other lights, [STRIDE] numbers each: position, or direction to the light (x, y, z), red, green, blue, and 1
+     * for a point light or 0 for a directional light.
+     */
     private val sources: FloatArray
 
     private val isPerspective = camera.projection is Projection.Perspective
@@ -58,8 +61,9 @@ internal class Lighting(lights: List<Light>, camera: Camera) {
     }
 
     /**
-     * Adds up the light at a point: [out] 0..2 receives what the surface's own colour is multiplied by, 3..5 what is
-     * added to it. The normal need not be of unit length; where it has no length, it points to the viewer.
+     * Computes the light at a point. [out] receives in 0..2 the light that the surface's colour is multiplied by, and
+     * in 3..5 the light that is added to the product. The normal can have any length; a normal of length 0 is replaced
+     * by the direction to the viewer.
      */
     fun illuminate(
         material: Material,
@@ -91,7 +95,7 @@ internal class Lighting(lights: List<Light>, camera: Camera) {
         val ny = if (length > 0f) normalY / length else vy
         val nz = if (length > 0f) normalZ / length else vz
 
-        // Sum over the lights, in their order
+        // Add up the lights in their order
         for (channel in 0 until 3) out[channel] = ambient[channel]
         out[3] = material.emission.red
         out[4] = material.emission.green
@@ -116,7 +120,8 @@ internal class Lighting(lights: List<Light>, camera: Camera) {
             for (channel in 0 until 3) out[channel] += sources[at + 3 + channel] * cosine
             if (!isShiny) continue
 
-            // Phong: between the reflected ray and the viewer; otherwise between the normal and the halfway vector
+            // Cosine for the highlight. Phong: between the reflected ray and the viewer; otherwise between the normal
+            // and the halfway vector
             val highlight = if (material.shading == Shading.PHONG) {
                 2f * cosine * (nx * vx + ny * vy + nz * vz) - (lx * vx + ly * vy + lz * vz)
             } else {

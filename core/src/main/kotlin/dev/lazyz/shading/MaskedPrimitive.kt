@@ -7,10 +7,10 @@ import dev.lazyz.ShadingCursor
 import dev.lazyz.Spans
 
 /**
- * A primitive cut out by its own opacity: it covers the samples whose alpha reaches the cutoff (contract rule 2.7).
+ * A primitive with an alpha mask: it covers the samples whose alpha reaches the cutoff (contract rule 2.7).
  *
- * Making the mask part of coverage, not of shading, keeps it out of every renderer's way: a hole is a hole before any
- * depth is compared. Cost: one look at the texture for each covered sample of each row that is asked for.
+ * The mask is part of coverage, not of shading, so renderers need no code for masks: a masked-out sample is never
+ * compared by depth. Cost: one texture lookup for each covered sample of each requested row.
  */
 internal class MaskedPrimitive(
     val whole: AttributedPrimitive,

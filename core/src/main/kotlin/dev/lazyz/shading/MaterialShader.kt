@@ -8,10 +8,10 @@ import dev.lazyz.world.Material
 import dev.lazyz.world.Shading
 
 /**
- * A material as a shader, with the lights as its uniforms.
+ * A shader for a material and lights.
  *
- * Where light is evaluated before the fragment (flat and Gouraud shading of polygons), [litColor] has put base colour
- * and light into the vertex colours, and only the texture is left to do.
+ * For flat and Gouraud shading of polygons, light is evaluated during set-up: [litColor] has stored the product of base
+ * colour and light in the vertex colours, and this shader only applies the texture.
  *
  * @param isPrelit whether the vertex colours come from [litColor]
  */
@@ -65,7 +65,7 @@ internal class MaterialShader(
     override fun shade(batch: FragmentBatch) {
         val count = batch.size
         if (texture == null && (isPrelit || material.shading == Shading.CONSTANT)) {
-            // No more than a product and a sum: what the loops of the JVM are good at
+            // Only a product and a sum: simple loops, which the JVM vectorises
             scale(batch.vertexRed, base.red, material.emission.red, batch.red, count)
             scale(batch.vertexGreen, base.green, material.emission.green, batch.green, count)
             scale(batch.vertexBlue, base.blue, material.emission.blue, batch.blue, count)
@@ -83,7 +83,7 @@ internal class MaterialShader(
         }
     }
 
-    /** Returns the opacity at the fragment, before the alpha mode is applied. */
+    /** Returns the opacity at the fragment, 0..1, before the alpha mode is applied. */
     fun alphaAt(fragment: Fragment): Float {
         var alpha = fragment.vertexAlpha
         if (!isPrelit) alpha *= base.alpha
@@ -94,7 +94,10 @@ internal class MaterialShader(
         return alpha
     }
 
-    /** Replaces the colour of [vertex] by the lit colour of the material there, without its texture. */
+    /**
+     * Replaces the colour of [vertex] with the lit colour of the material there, without its texture. [light] is
+     * scratch memory of 6 numbers.
+     */
     fun litColor(vertices: Vertices, vertex: Int, light: FloatArray) {
         val at = Vertices.STRIDE * vertex
         val data = vertices.data

@@ -3,13 +3,13 @@ package dev.lazyz.shading
 import dev.lazyz.world.Mesh
 
 /**
- * Vertices in clip space with their attributes, [STRIDE] numbers a vertex.
+ * Vertices in clip space with their attributes, [STRIDE] numbers for each.
  *
- * The first four are the homogeneous position, -w..w on each axis where it is visible; the others are attributes in
- * the order of the constants below. Attributes that a surface lacks are left at 0 and never read.
+ * The first four are the homogeneous position; x, y and z are in -w..w if it is visible. The others are attributes, in
+ * the order of the constants below. Attributes that a surface does not have stay 0 and are not read.
  */
 internal class Vertices(count: Int) {
-    /** All numbers, vertex after vertex. */
+    /** The numbers of all vertices. */
     var data: DoubleArray = DoubleArray(STRIDE * count)
         private set
 
@@ -23,7 +23,7 @@ internal class Vertices(count: Int) {
         data[STRIDE * vertex + field] = value
     }
 
-    /** Sets the world position of [vertex] to that of the [mesh]'s vertex [from]. */
+    /** Sets the world position of [vertex] to that of vertex [from] of [mesh]. */
     fun setWorld(vertex: Int, mesh: Mesh, from: Int) {
         val at = STRIDE * vertex + WORLD
         data[at] = mesh.positions[3 * from].toDouble()
@@ -31,7 +31,7 @@ internal class Vertices(count: Int) {
         data[at + 2] = mesh.positions[3 * from + 2].toDouble()
     }
 
-    /** Sets the attributes of [vertex] but for its position to those of the [mesh]'s vertex [from]. */
+    /** Sets the attributes of [vertex], except its position, to those of vertex [from] of [mesh]. */
     fun setAttributes(vertex: Int, mesh: Mesh, from: Int) {
         setNormal(vertex, mesh, from)
         setUv(vertex, mesh, from)
@@ -47,7 +47,7 @@ internal class Vertices(count: Int) {
         data[at + 2] = normals[3 * from + 2].toDouble()
     }
 
-    /** Sets the texture coordinates of [vertex], if the mesh has some. */
+    /** Sets the texture coordinates of [vertex], if the mesh has texture coordinates. */
     fun setUv(vertex: Int, mesh: Mesh, from: Int) {
         val uvs = mesh.uvs ?: return
         val at = STRIDE * vertex + UV
@@ -55,7 +55,7 @@ internal class Vertices(count: Int) {
         data[at + 1] = uvs[2 * from + 1].toDouble()
     }
 
-    /** Sets the colour of [vertex], white if the mesh has none. */
+    /** Sets the colour of [vertex]: white if the mesh has no colours. */
     fun setColor(vertex: Int, mesh: Mesh, from: Int) {
         val colors = mesh.colors
         val at = STRIDE * vertex + COLOR
@@ -66,23 +66,24 @@ internal class Vertices(count: Int) {
         data[at + 3] = colors[4 * from + 3].toDouble()
     }
 
-    /** Returns a new object with copies of the given vertices, in their order. */
+    /** Returns a new object with copies of the vertices in [selection], in that order. */
     fun copyOf(selection: IntArray): Vertices {
         val copy = Vertices(selection.size)
         for (i in selection.indices) copy.copy(this, selection[i], i)
         return copy
     }
 
-    /** Makes vertex [to] a copy of vertex [vertex] of [from]. */
+    /** Copies vertex [vertex] of [from] to vertex [to]. */
     fun copy(from: Vertices, vertex: Int, to: Int) {
         from.data.copyInto(data, STRIDE * to, STRIDE * vertex, STRIDE * (vertex + 1))
     }
 
     /**
-     * Appends the point where the edge from [inner] to [outer] meets a plane, and returns its number. The distances from
-     * the plane are not negative at the inner vertex and negative at the outer one.
+     * Appends the point where the edge from [inner] to [outer] intersects a plane, and returns its number. The distance
+     * from the plane must be at least 0 at the inner vertex, and negative at the outer one.
      *
-     * The point is reached from the nearer end: from a vertex very far away, rounding would leave nothing of it.
+     * The point is computed from the vertex that is nearer to the plane, because rounding would remove all precision if
+     * a very distant vertex were the start.
      */
     fun addCut(inner: Int, outer: Int, innerDistance: Double, outerDistance: Double): Int {
         if (STRIDE * (count + 1) > data.size) data = data.copyOf(maxOf(2 * data.size, 8 * STRIDE))
@@ -97,7 +98,7 @@ internal class Vertices(count: Int) {
         return count++
     }
 
-    /** Whether the position of [vertex] is free of NaN and infinity. */
+    /** Whether the position of [vertex] is finite. */
     fun isFinite(vertex: Int): Boolean =
         get(vertex, X).isFinite() && get(vertex, Y).isFinite() && get(vertex, Z).isFinite() && get(vertex, W).isFinite()
 

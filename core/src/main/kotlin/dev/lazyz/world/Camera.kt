@@ -7,12 +7,13 @@ import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
-/** How space is flattened. */
+/** How camera space is projected to the image plane. */
 public sealed class Projection {
     /**
-     * Things far away look smaller.
+     * Perspective: distant objects look smaller.
      *
-     * @property verticalFieldOfView angle between the top and the bottom of the picture, degrees, above 0 and below 180
+     * @property verticalFieldOfView angle between the top and the bottom of the image, degrees, above 0 and below 180
+     * @throws IllegalArgumentException if [verticalFieldOfView] is out of range
      */
     public class Perspective(public val verticalFieldOfView: Double) : Projection() {
         init {
@@ -25,9 +26,10 @@ public sealed class Projection {
     }
 
     /**
-     * Things look the same size at any distance.
+     * Orthographic: objects have the same size at any distance.
      *
-     * @property height height of the visible part of space, in world units, above 0
+     * @property height height of the visible part of space, world units, above 0
+     * @throws IllegalArgumentException if [height] is not positive and finite
      */
     public class Orthographic(public val height: Double) : Projection() {
         init {
@@ -37,34 +39,33 @@ public sealed class Projection {
         override fun toString(): String = "Orthographic($height)"
     }
 
-    /** None: world space is the raster already, see [Camera.screen]. */
+    /** No projection: world space is already raster space, see [Camera.screen]. */
     public object Screen : Projection() {
         override fun toString(): String = "Screen"
     }
 }
 
-/**
- * Chooses a camera once the shape of the raster is known: a [Camera] itself, or a rule such as [Camera.fit].
- */
+/** Returns a camera for a given scene and raster shape: a [Camera] itself, or a rule such as [Camera.fit]. */
 public fun interface Viewpoint {
     /**
-     * Returns the camera for a scene within [bounds] (null when the scene is empty) and a raster [aspect] times as wide
-     * as it is high.
+     * Returns the camera for a scene with the given [bounds] (null if the scene is empty) and a raster with the given
+     * [aspect]: width divided by height.
      */
     public fun camera(bounds: Box?, aspect: Double): Camera
 }
 
 /**
- * A place to look from, in right-handed world space.
+ * A camera in right-handed world space.
  *
- * Camera space has x to the right, y up, and looks along -z. Only what lies between the [near] and the [far] plane is
- * seen; both are distances from the eye along the line of sight. Immutable and thread safe.
+ * In camera space, x is to the right, y is up, and the camera looks along -z. Only what is between the [near] and the
+ * [far] plane is visible. Both are distances from the eye along the line of sight, in world units. Immutable and thread
+ * safe.
  *
- * Every number is computed with [StrictMath] and plain products, so a camera is the same bits on every machine.
+ * All numbers are computed with [StrictMath] and plain products, so a camera is equal bit for bit on every machine.
  *
- * @property projection with perspective or without
- * @property near distance of the near plane from the eye, along the line of sight
- * @property far distance of the far plane from the eye, along the line of sight
+ * @property projection perspective, orthographic or none
+ * @property near distance of the near plane from the eye along the line of sight, world units
+ * @property far distance of the far plane from the eye along the line of sight, world units
  */
 public class Camera private constructor(
     eye: Vector3dc,
@@ -75,22 +76,25 @@ public class Camera private constructor(
     public val far: Double,
     moved: Camera? = null,
 ) : Viewpoint {
-    /** Where the camera is, world space. */
+    /** Position of the camera, world space. */
     public val eye: Vector3dc = Vector3d(eye)
 
-    /** A point in the middle of the picture, world space; only its direction from the eye matters. */
+    /**
+     * The point that the camera looks at: the centre of the image, world space. Only its direction from the eye
+     * matters.
+     */
     public val target: Vector3dc = Vector3d(target)
 
-    /** Roughly the direction that is up in the picture, as it was given. */
+    /** Approximate up direction of the image, as given to the constructor. */
     public val up: Vector3dc = Vector3d(up)
 
-    /** From the target to the eye; unit length. */
+    /** Direction from the target to the eye; unit length. */
     internal val backward: Vector3d
 
-    /** To the right of the picture; unit length. */
+    /** Direction to the right of the image; unit length. */
     internal val right: Vector3d
 
-    /** To the top of the picture; unit length. */
+    /** Direction to the top of the image; unit length. */
     internal val upward: Vector3d
 
     init {
@@ -110,14 +114,15 @@ public class Camera private constructor(
     private fun rightOf(up: Vector3d): Vector3d {
         val side = Vectors.cross(up, backward)
 
-        // Looking along the up vector leaves the roll open: take the axis that is least along the line of sight
+        // If the line of sight is parallel to up, the roll is undefined: use the axis with the smallest component along
+        // it
         val isRollOpen = Vectors.dot(side, side) < 1e-12
         return Vectors.unit(if (isRollOpen) Vectors.cross(leastAxis(backward), backward) else side, "right")
     }
 
     override fun camera(bounds: Box?, aspect: Double): Camera = this
 
-    /** Returns the matrix from world space to camera space; a new matrix at each call. */
+    /** Returns the matrix from world space to camera space; a new matrix for each call. */
     public fun viewMatrix(): Matrix4d = Matrix4d().set(viewElements())
 
     private fun viewElements(): DoubleArray = doubleArrayOf(
@@ -128,10 +133,13 @@ public class Camera private constructor(
     )
 
     /**
-     * Returns the matrix from camera space to clip space, -w..w on each axis, near at -w, for a raster [aspect] times as
-     * wide as it is high; a new matrix at each call.
+     * Returns the matrix from camera space to clip space, for a raster with the given [aspect] (width divided by
+     * height). In clip space, visible x, y and z are in -w..w, and the near plane is at z = -w. A new matrix for each
+     * call.
      *
-     * @throws IllegalStateException for [Projection.Screen], whose scale is the raster's size and not its shape
+     * @throws IllegalArgumentException if [aspect] is not positive and finite
+     * @throws IllegalStateException for [Projection.Screen], which has no projection matrix: its scale depends on the
+     *   size of the raster, not only on its shape
      */
     public fun projectionMatrix(aspect: Double): Matrix4d = Matrix4d().set(projectionElements(aspect))
 
@@ -162,8 +170,9 @@ public class Camera private constructor(
     }
 
     /**
-     * Returns the matrix from world space to what set-up clips and snaps: clip space, or, for [Projection.Screen],
-     * pixels and the fraction of the way from near to far. There it multiplies by 1 and adds 0: nothing is rounded.
+     * Returns the matrix from world space to the space in which set-up clips and snaps: clip space. For
+     * [Projection.Screen] it is pixels, and the fraction of the distance from near to far; x and y are then multiplied
+     * by 1 and summed with 0, so they are not rounded.
      */
     internal fun setUpMatrix(aspect: Double): SetUpMatrix {
         if (projection != Projection.Screen) {
@@ -180,21 +189,27 @@ public class Camera private constructor(
         )
     }
 
-    /** Returns the world-space direction of a camera-space direction; not normalised. */
+    /** Converts a direction from camera space to world space. The result is a new vector and is not normalised. */
     public fun toWorldDirection(x: Double, y: Double, z: Double): Vector3d = Vector3d(
         right.x * x + upward.x * y + backward.x * z,
         right.y * x + upward.y * y + backward.y * z,
         right.z * x + upward.z * y + backward.z * z,
     )
 
-    /** Returns this camera as it is seen from [origin]; it looks the same way, even where eye and target become one. */
+    /**
+     * Returns this camera relative to [origin]. Its direction is unchanged, even if eye and target round to the same
+     * point.
+     */
     internal fun relativeTo(origin: Vector3dc): Camera = if (Vectors.isZero(origin)) {
         this
     } else {
         Camera(Vectors.minus(eye, origin), Vectors.minus(target, origin), up, projection, near, far, this)
     }
 
-    /** Half the visible height: at distance 1 under perspective, anywhere without. Of no meaning on the screen. */
+    /**
+     * Half the visible height, world units: at distance 1 for perspective, at any distance for orthographic.
+     * Meaningless for [Projection.Screen].
+     */
     internal fun halfHeight(): Double = when (projection) {
         is Projection.Perspective -> StrictMath.tan(projection.verticalFieldOfView * (StrictMath.PI / 360.0))
         is Projection.Orthographic -> projection.height / 2
@@ -204,15 +219,17 @@ public class Camera private constructor(
     override fun toString(): String = "Camera(eye=$eye, backward=$backward, $projection, $near..$far)"
 
     public companion object {
-        /** Field of view that [fit] uses, degrees. */
+        /** Vertical field of view of [fit], degrees. */
         public const val DEFAULT_FIELD_OF_VIEW: Double = 30.0
 
         /**
-         * Returns a camera at [eye] that looks at [target] with perspective.
+         * Returns a perspective camera at [eye] that looks at [target].
          *
-         * @param up roughly the direction that is up in the picture; when it is the line of sight, an axis is chosen
-         * @param verticalFieldOfView degrees
-         * @throws IllegalArgumentException if [eye] is [target], or unless 0 < [near] < [far]
+         * @param up approximate up direction of the image; if it is parallel to the line of sight, a coordinate axis is
+         *   used instead
+         * @param verticalFieldOfView degrees, above 0 and below 180
+         * @throws IllegalArgumentException if [eye] equals [target], a vector is not finite, [up] is zero,
+         *   [verticalFieldOfView] is out of range, or not 0 < [near] < [far]
          */
         @JvmStatic
         public fun perspective(
@@ -225,9 +242,10 @@ public class Camera private constructor(
         ): Camera = Camera(eye, target, up, Projection.Perspective(verticalFieldOfView), near, far)
 
         /**
-         * Returns a camera at [eye] that looks at [target] without perspective; the picture is [height] world units high.
+         * Returns an orthographic camera at [eye] that looks at [target]. The image is [height] world units high.
          *
-         * @throws IllegalArgumentException if [eye] is [target], or unless [near] < [far]
+         * @throws IllegalArgumentException if [eye] equals [target], a vector is not finite, [up] is zero, [height] is
+         *   not positive, or not [near] < [far]
          */
         @JvmStatic
         public fun orthographic(
@@ -240,13 +258,13 @@ public class Camera private constructor(
         ): Camera = Camera(eye, target, up, Projection.Orthographic(height), near, far)
 
         /**
-         * Returns a camera for scenes that are given on the screen: x and y of the world are pixels, x to the right and
-         * y downward from the raster's upper left corner (the sample of pixel (0, 0) is at (0.5, 0.5)), and z is depth,
-         * which grows away from the viewer. Positions are snapped as they are, without a product or a sum before.
+         * Returns a camera for scenes that are defined in screen space: x and y are pixels, x to the right and y
+         * downward from the upper left corner of the raster (the sample of pixel (0, 0) is at (0.5, 0.5)). z is depth,
+         * which increases away from the viewer. Positions are snapped directly, without a preceding product or sum.
          *
-         * With the usual planes z is the fraction of the range of depths, as [FrameBuilder] takes it, and polygons have
-         * the same bits; but what lies before the near plane, behind the far one or outside the guard band is clipped.
-         * Planes in pixels, say -100 and 100, make room for spheres.
+         * With the default planes, z is the fraction of the range of depths, as in [FrameBuilder], and polygons give
+         * the same bits. But what is in front of the near plane, behind the far plane or outside the guard band is
+         * clipped. Spheres need planes in pixels, for example -100 and 100.
          *
          * @throws IllegalArgumentException unless [near] < [far]
          */
@@ -256,12 +274,14 @@ public class Camera private constructor(
             Camera(Vector3d(), Vector3d(0.0, 0.0, 1.0), Vector3d(0.0, -1.0, 0.0), Projection.Screen, near, far)
 
         /**
-         * Returns a rule that frames the whole scene, whatever its size and the raster's shape.
+         * Returns a rule that fits the whole scene into the image, for any size of the scene and any shape of the
+         * raster.
          *
-         * @param azimuth degrees around the up axis; 0 looks at the front (from +z when y is up), 90 from +x
+         * @param azimuth degrees around the up axis; 0 looks at the front (from +z, y is up), 90 from +x
          * @param elevation degrees above the horizon, -90..90
-         * @param zoom 1 fills the picture but for a margin of 5 percent; 2 shows half as much
-         * @param kind with perspective or without
+         * @param zoom above 0; 1 fills the image except for a margin of 5 percent, 2 shows half as much
+         * @param kind perspective or orthographic
+         * @throws IllegalArgumentException if a number is out of range or not finite
          */
         @JvmStatic
         @JvmOverloads
@@ -292,9 +312,9 @@ public class Camera private constructor(
 
 /** The projection of a fitted camera, see [Camera.fit]. */
 public enum class Fit {
-    /** With perspective, [Camera.DEFAULT_FIELD_OF_VIEW] degrees high. */
+    /** Perspective, with a vertical field of view of [Camera.DEFAULT_FIELD_OF_VIEW] degrees. */
     PERSPECTIVE,
 
-    /** Without perspective. */
+    /** Orthographic. */
     ORTHOGRAPHIC,
 }

@@ -5,12 +5,13 @@ import dev.lazyz.geometry.Vectors
 import org.joml.Vector3d
 
 /**
- * Frames the whole scene from a given side; made by [Camera.fit]. The world's y axis is up. Immutable.
+ * A rule that fits the whole scene into the image, seen from a given direction. Created by [Camera.fit]. The world's y
+ * axis is up. Immutable.
  *
  * @property azimuth degrees around the up axis; 0 is the front (+z), 90 is +x
  * @property elevation degrees above the horizon, -90..90
- * @property zoom 1 fills the picture but for a margin
- * @property kind with perspective or without
+ * @property zoom 1 fills the image except for a margin of 5 percent
+ * @property kind perspective or orthographic
  */
 public class FittedViewpoint internal constructor(
     public val azimuth: Double,
@@ -62,7 +63,7 @@ public class FittedViewpoint internal constructor(
         }
     }
 
-    /** From the scene's centre to the camera. */
+    /** Direction from the centre of the scene to the camera; unit length. */
     private fun direction(): Vector3d {
         val a = azimuth * (StrictMath.PI / 180.0)
         val e = elevation * (StrictMath.PI / 180.0)
@@ -70,7 +71,7 @@ public class FittedViewpoint internal constructor(
         return Vector3d(StrictMath.sin(a) * horizontal, StrictMath.sin(e), StrictMath.cos(a) * horizontal)
     }
 
-    /** Seen from straight above or below, up is where the camera's front would be. */
+    /** Up direction for a view from straight above or below: the horizontal direction given by the azimuth. */
     private fun upAtPole(): Vector3d {
         val a = azimuth * (StrictMath.PI / 180.0)
         val sign = if (elevation > 0) -1.0 else 1.0
@@ -83,18 +84,18 @@ public class FittedViewpoint internal constructor(
         center.z + direction.z * distance,
     )
 
-    /** What is left free before and behind a scene of the given half size. */
+    /** Distance between the planes and a scene of the given half size, in front of the scene and behind it. */
     private fun pad(halfSize: Double, center: Vector3d): Double {
         val away = maxOf(StrictMath.abs(center.x), StrictMath.abs(center.y), StrictMath.abs(center.z))
 
-        // A single point has no size: give it some, so that the camera exists
+        // A single point has no size: use a small positive one, because a camera needs near < far
         return if (halfSize > 0.0) halfSize * 0.01 + 1e-12 * away else 1e-6 * maxOf(away, 1e-6)
     }
 
     override fun toString(): String = "FittedViewpoint(azimuth=$azimuth, elevation=$elevation, zoom=$zoom, $kind)"
 
     private companion object {
-        /** Part of the picture that a fitted scene fills. */
+        /** Part of the image that a fitted scene fills. */
         const val FILL = 0.95
 
         val UNIT_BOX = Box(-0.5, -0.5, -0.5, 0.5, 0.5, 0.5)

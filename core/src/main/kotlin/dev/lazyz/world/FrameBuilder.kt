@@ -15,39 +15,42 @@ import dev.lazyz.setup.planar.orEmpty
 import dev.lazyz.shading.Vertices
 
 /**
- * Collects primitives that are given on the screen, without a scene or a camera: for tests, diagrams and 2D drawing.
+ * Builds a frame from primitives that are defined in screen space, without a scene or a camera: for tests, diagrams and
+ * 2D drawing.
  *
- * A vertex is three numbers: x and y in pixels (the sample of pixel (0, 0) is at (0.5, 0.5)), and depth from 0, near, to
- * 1, far. Vertices are snapped like all others. Attributes: position on the screen as [Fragment.worldX] and so on. Not
- * thread safe.
+ * A vertex is three numbers: x and y in pixels (the sample of pixel (0, 0) is at (0.5, 0.5)), and depth from 0 (near)
+ * to 1 (far). Depth is clamped to 0..1. Vertices are snapped like all others. The only attribute is the position on the
+ * screen, in [Fragment.worldX], [Fragment.worldY] and [Fragment.worldZ]. Not thread safe.
  */
 public class FrameBuilder(private val raster: Raster) {
     private val viewport = Viewport(raster)
     private val primitives = ArrayList<Primitive>()
 
-    /** Adds a primitive of one's own behind those already added. */
+    /** Adds a custom primitive after those already added. */
     public fun add(primitive: Primitive): FrameBuilder = apply { primitives.add(primitive) }
 
     /**
-     * Adds a polygon; it counts as opaque.
+     * Adds a polygon. It is treated as opaque, whatever alpha [shader] sets.
      *
-     * @param contours for each closed contour x, y, depth triples; vertices with NaN or infinity make it cover nothing
-     * @throws IllegalArgumentException if a contour is not made of triples, or is more than 2^19 pixels away
+     * @param contours x, y, depth triples for each closed contour; with a vertex that is NaN or infinite, the polygon
+     *   covers nothing
+     * @throws IllegalArgumentException if a contour does not consist of triples, or a vertex is more than 2^19 pixels
+     *   from the origin
      */
     public fun polygon(shader: Shader, fillRule: FillRule, vararg contours: DoubleArray): FrameBuilder = apply {
         add(shader, fillRule, contours.asList(), isTranslucent = false)
     }
 
     /**
-     * Adds a polygon of one contour, convex or concave, all of one [color]; translucent if the colour's alpha is below 1.
-     * Throws as the other [polygon] does.
+     * Adds a polygon of one contour, convex or concave, in one [color]. It is translucent if the alpha of the colour is
+     * below 1. Throws like the other [polygon].
      */
     public fun polygon(color: Rgba, contour: DoubleArray): FrameBuilder = apply {
         val shader = Shader { it.setColor(color.red, color.green, color.blue, color.alpha) }
         add(shader, FillRule.NON_ZERO, listOf(contour), isTranslucent = !(color.alpha >= 1f))
     }
 
-    /** Returns the frame so far; the builder may go on. */
+    /** Returns the frame so far. The builder can be used further. */
     public fun build(): Frame = Frame(raster, primitives.toList())
 
     private fun add(shader: Shader, fillRule: FillRule, contours: List<DoubleArray>, isTranslucent: Boolean) {

@@ -6,38 +6,38 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * A source of light, in world space. Immutable and thread safe.
+ * A light source, in world space. Immutable and thread safe.
  *
- * Colours are linear light and may exceed 1. Only the three kinds below exist: the lighting formula is part of the
- * contract (rule 6.5). A shader of one's own may do anything else.
+ * Colours are linear light and can exceed 1. Only the three kinds below exist, because the lighting formula is part of
+ * the contract (rule 6.5). For other light, write a custom shader.
  */
 public sealed class Light {
-    /** The light's colour and strength, linear; alpha is ignored. */
+    /** Colour and strength of the light, linear; alpha is ignored. */
     public abstract val color: Rgba
 
-    /** Returns this light as it is seen from [origin]. */
+    /** Returns this light relative to [origin]. */
     internal open fun relativeTo(origin: Vector3dc): Light = this
 
-    /** Light from everywhere, the same on every surface. */
+    /** Ambient light, equal on every surface. */
     public class Ambient(override val color: Rgba) : Light() {
         override fun toString(): String = "Light.Ambient($color)"
     }
 
-    /**
-     * Parallel light, as from the sun, that travels along [direction].
-     *
-     * @throws IllegalArgumentException if [direction] is zero or not finite
-     */
+    /** Parallel light, like sunlight, that travels along [direction]. */
     public class Directional(direction: Vector3dc, override val color: Rgba) : Light() {
-        /** The way the light travels; unit length. */
+        /** The direction in which the light travels; unit length. */
         public val direction: Vector3dc = Vectors.unit(direction, "direction of a light")
 
         override fun toString(): String = "Light.Directional($direction, $color)"
     }
 
-    /** Light from a point in all directions, the same strength at any distance. */
+    /**
+     * Light from a point in all directions, with the same strength at any distance.
+     *
+     * @throws IllegalArgumentException if [position] is not finite
+     */
     public class Point(position: Vector3dc, override val color: Rgba) : Light() {
-        /** Where the light is. */
+        /** Position of the light, world space. */
         public val position: Vector3dc = Vector3d(position)
 
         init {
@@ -51,9 +51,9 @@ public sealed class Light {
 
     public companion object {
         /**
-         * Returns lights that make a bare shape readable from [camera]: a key light from the upper left, a weak fill
-         * from the right, and a little ambient light, all fixed to the camera. A white surface stays darker than white,
-         * so that it can be told from a white background.
+         * Returns lights that make a shape readable from [camera]: a key light from the upper left, a weak fill light
+         * from the right, and a little ambient light. Their directions are relative to the camera. A white surface
+         * stays darker than white, so that it is visible in front of a white background.
          */
         @JvmStatic
         public fun studio(camera: Camera): List<Light> = listOf(

@@ -9,23 +9,24 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * Line segments of one width in pixels, however far away they are (contract rule 2.10).
+ * Line segments with a constant width in pixels, at any distance (contract rule 2.10).
  *
- * Segments share vertices; [segments] holds two vertex numbers a segment. Ends are square: a segment reaches half a width
- * beyond its vertices, so that those of a polyline leave no gaps. Depth and colour change along a segment, not across it.
- * Lines are shown in their own colour, without light, whatever the material's [Shading]; textures are ignored, for a
- * line has no area that could be mapped.
+ * Segments share vertices; [segments] has two vertex numbers for each segment. Ends are square: a segment extends half
+ * a width beyond its vertices, so that polylines have no gaps. Depth and colour change along a segment, not across it.
+ * Lines are shown in their own colour, without light, whatever the material's [Shading]. Textures are ignored, because
+ * a line has no area to map.
  *
- * Positions that are NaN or infinite are legal: a segment with such a vertex covers nothing. The lines keep the arrays
- * without copying them; leave them alone. Thread safe.
+ * Positions can be NaN or infinite: a segment with such a vertex covers nothing. The arrays are not copied; do not
+ * change them. Thread safe.
  *
  * @property positions x, y, z for each vertex, world space, relative to [origin]
- * @property segments two vertex numbers for each segment; the order of segments is the order of submission
- * @property width pixels across a segment, above 0 and at most [Points.MAX_SIZE]; what is less than a pixel counts as one
- * @property material how it looks
+ * @property segments two vertex numbers for each segment; the order of segments is the submission order
+ * @property width width in pixels, above 0 and at most [Points.MAX_SIZE]; widths below 1 count as 1
+ * @property material the appearance
  * @property colors red, green, blue, alpha for each vertex, linear light; null means white
- * @param origin what is added to all positions, see [Mesh.origin]; must be finite
- * @throws IllegalArgumentException if an array has the wrong length, or a vertex number or the width is out of range
+ * @param origin added to all positions, see [Mesh.origin]; must be finite
+ * @throws IllegalArgumentException if an array has the wrong length, a vertex number or the width is out of range, or
+ *   [origin] is not finite
  */
 public class Lines @JvmOverloads constructor(
     public val positions: FloatArray,
@@ -35,7 +36,7 @@ public class Lines @JvmOverloads constructor(
     public val colors: FloatArray? = null,
     origin: Vector3dc = Vectors.ZERO,
 ) : Surface {
-    /** What is added to all positions, world space. */
+    /** The origin of [positions], world space: it is added to each of them. */
     public val origin: Vector3dc = if (origin === Vectors.ZERO) origin else Vector3d(origin)
 
     /** Number of vertices. */
@@ -66,10 +67,10 @@ public class Lines @JvmOverloads constructor(
     override fun withMaterials(change: (Material) -> Material): Lines =
         Lines(positions, segments, width, change(material), colors, origin)
 
-    /** Returns these lines in another [width]. */
+    /** Returns these lines with another [width]; the arrays are shared. */
     public fun withWidth(width: Double): Lines = Lines(positions, segments, width, material, colors, origin)
 
-    /** Returns these lines at the same place with positions relative to [origin]. */
+    /** Returns the same lines with positions relative to [origin]. */
     internal fun relativeTo(origin: Vector3dc): Lines = if (origin == this.origin) {
         this
     } else {
@@ -77,7 +78,7 @@ public class Lines @JvmOverloads constructor(
         Lines(moved, segments, width, material, colors, origin)
     }
 
-    /** Returns these lines moved by an affine [transform], in the same width. */
+    /** Returns these lines transformed by an affine [transform]. The width is unchanged. */
     public fun transformed(transform: Matrix4dc): Lines {
         val moved = VertexTransforms.origin(bounds, transform)
         val positions = VertexTransforms.positions(positions, origin, transform, moved)

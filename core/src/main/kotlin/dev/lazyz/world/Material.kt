@@ -3,62 +3,66 @@ package dev.lazyz.world
 import dev.lazyz.Rgba
 import dev.lazyz.Shader
 
-/** Where light is evaluated on a surface. */
+/** Where on a surface light is evaluated. */
 public enum class Shading {
-    /** No light at all: the base colour, the texture and the vertex colours as they are. */
+    /** No light: the base colour, the texture and the vertex colours only. */
     CONSTANT,
 
-    /** Once a face, with the face's own normal: facets show. */
+    /** Once for each face, with the normal of the face: facets are visible. */
     FLAT,
 
-    /** Once a vertex, with the vertex's normal; the resulting colours are interpolated (Gouraud 1971). */
+    /** Once for each vertex, with the normal of the vertex; the resulting colours are interpolated (Gouraud 1971). */
     GOURAUD,
 
-    /** At every shaded sample, with the interpolated, renormalised normal; highlight by the reflected ray (Phong 1975). */
+    /**
+     * At every shaded sample, with the interpolated and renormalised normal; the highlight uses the reflected ray
+     * (Phong 1975).
+     */
     PHONG,
 
-    /** As [PHONG], with the highlight by the halfway vector (Blinn 1977). */
+    /** As [PHONG], but the highlight uses the halfway vector (Blinn 1977). */
     BLINN_PHONG,
 }
 
-/** What a material's alpha does. */
+/** How a material's alpha is used. */
 public enum class AlphaMode {
     /** Alpha is ignored; the surface is opaque. */
     OPAQUE,
 
-    /** A sample whose alpha is below the material's cutoff is not covered at all; the rest is opaque. */
+    /** Samples whose alpha is below the material's cutoff are not covered; the others are opaque. */
     MASK,
 
-    /** Alpha is kept in the colour, for renderers that blend. */
+    /** Alpha is part of the colour, for renderers that blend. */
     BLEND,
 }
 
 /** Which sides of a surface are drawn. */
 public enum class Sides {
-    /** Both; the normal of the side seen from behind is turned to the viewer. */
+    /** Both sides; on the back, the normal is reversed so that it faces the viewer. */
     BOTH,
 
-    /** Only the side from which the vertices run counter-clockwise. */
+    /** Only the front, from which the vertices are in counter-clockwise order. */
     FRONT,
 }
 
 /**
- * How a surface looks.
+ * The appearance of a surface.
  *
- * The base colour is multiplied by the texture and by the vertex colours where a surface has them. Immutable and thread
- * safe; one material serves any number of surfaces.
+ * The base colour is multiplied by the texture and by the vertex colours if the surface has them. Immutable and thread
+ * safe; any number of surfaces can share a material.
  *
  * @property baseColor diffuse colour and opacity, linear light
- * @property texture multiplies the base colour, or null
- * @property shading where light is evaluated; ignored when [shader] is given
+ * @property texture multiplies the base colour; null for none
+ * @property shading where light is evaluated; ignored if [shader] is given
  * @property specular colour of highlights, linear light
- * @property shininess the highlight's exponent, an integer in 1..1024, so that the power is a product (contract rule 6.3)
- * @property emission light that the surface gives off by itself, linear light
- * @property alphaMode what alpha does
- * @property alphaCutoff least alpha that is covered under [AlphaMode.MASK], 0..1
+ * @property shininess exponent of the highlight, an integer in 1..1024, so that the power is a product (contract rule
+ *   6.3)
+ * @property emission light that the surface emits, linear light
+ * @property alphaMode how alpha is used
+ * @property alphaCutoff smallest alpha that is covered under [AlphaMode.MASK], 0..1
  * @property sides which sides are drawn
- * @property shader a shader of the user's own that replaces [shading] and lights, or null
- * @property name for messages and files
+ * @property shader a custom shader that replaces [shading] and the lights, or null
+ * @property name name for messages and files
  * @throws IllegalArgumentException if [shininess] or [alphaCutoff] is out of range
  */
 public class Material @JvmOverloads constructor(
@@ -80,19 +84,20 @@ public class Material @JvmOverloads constructor(
     }
 
     /**
-     * Whether a sample of this material may let through what lies behind it: [AlphaMode.BLEND] with alpha below 1 in the
-     * base colour or the texture, or with a shader of the user's own. Vertex colours may make it so besides.
+     * Whether samples of this material can be translucent: [AlphaMode.BLEND], with alpha below 1 in the base colour or
+     * the texture, or with a custom shader. Vertex colours can make a surface translucent too, but are not considered
+     * here.
      */
     public val isTranslucent: Boolean
         get() = alphaMode == AlphaMode.BLEND &&
             (!(baseColor.alpha >= 1f) || texture?.hasAlpha == true || shader != null)
 
-    /** Returns this material with light evaluated elsewhere. */
+    /** Returns this material with another [shading]. */
     public fun withShading(shading: Shading): Material = Material(
         baseColor, texture, shading, specular, shininess, emission, alphaMode, alphaCutoff, sides, shader, name,
     )
 
-    /** Returns this material coloured by [shader] alone. */
+    /** Returns this material with the custom [shader], which replaces shading and lights. */
     public fun withShader(shader: Shader): Material = Material(
         baseColor, texture, shading, specular, shininess, emission, alphaMode, alphaCutoff, sides, shader, name,
     )

@@ -9,21 +9,22 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * Triangles that share vertices, all of one material.
+ * Triangles that share vertices and have one material.
  *
- * All arrays are indexed by vertex; [triangles] holds three vertex numbers a triangle, counter-clockwise seen from
- * outside. Positions that are NaN or infinite are legal: a triangle with such a vertex covers nothing. The mesh keeps
- * the arrays without copying them; leave them alone. Thread safe.
+ * [positions], [normals], [uvs] and [colors] are indexed by vertex. [triangles] has three vertex numbers for each
+ * triangle, counter-clockwise seen from outside. Positions can be NaN or infinite: a triangle with such a vertex covers
+ * nothing. The arrays are not copied; do not change them. Thread safe.
  *
  * @property positions x, y, z for each vertex, world space, relative to [origin]
- * @property triangles three vertex numbers for each triangle; the order of triangles is the order of submission
- * @property material how it looks
- * @property normals x, y, z for each vertex, pointing outward, need not be of unit length; null means each triangle's own
+ * @property triangles three vertex numbers for each triangle; the order of triangles is the submission order
+ * @property material the appearance
+ * @property normals x, y, z for each vertex, pointing outward, of any length; null means the normal of each triangle
  * @property uvs u, v for each vertex, see [Texture]; null means none
  * @property colors red, green, blue, alpha for each vertex, linear light; null means white
- * @param origin what is added to all positions: it keeps the details of a mesh that is far away from the world's origin,
- *   as in coordinates of maps, where 32-bit positions would be too coarse; must be finite
- * @throws IllegalArgumentException if an array has the wrong length or a vertex number is out of range
+ * @param origin added to all positions; must be finite. It keeps the details of a mesh that is far from the world's
+ *   origin, for example in map coordinates, where 32-bit positions are too coarse
+ * @throws IllegalArgumentException if an array has the wrong length, a vertex number is out of range, or [origin] is
+ *   not finite
  */
 public class Mesh @JvmOverloads constructor(
     public val positions: FloatArray,
@@ -34,7 +35,7 @@ public class Mesh @JvmOverloads constructor(
     public val colors: FloatArray? = null,
     origin: Vector3dc = Vectors.ZERO,
 ) : Surface {
-    /** What is added to all positions, world space. */
+    /** The origin of [positions], world space: it is added to each of them. */
     public val origin: Vector3dc = if (origin === Vectors.ZERO) origin else Vector3d(origin)
 
     /** Number of vertices. */
@@ -68,7 +69,7 @@ public class Mesh @JvmOverloads constructor(
     override fun withMaterials(change: (Material) -> Material): Mesh =
         Mesh(positions, triangles, change(material), normals, uvs, colors, origin)
 
-    /** Returns this mesh at the same place with positions relative to [origin]. */
+    /** Returns the same mesh with positions relative to [origin]. */
     internal fun relativeTo(origin: Vector3dc): Mesh = if (origin == this.origin) {
         this
     } else {
@@ -77,9 +78,10 @@ public class Mesh @JvmOverloads constructor(
     }
 
     /**
-     * Returns this mesh moved by an affine [transform]. Normals are moved by the inverse transpose; a transform that
-     * mirrors also turns every triangle round, so that outside stays outside. A mesh that comes to lie far away from the
-     * world's origin, for its size, gets an [origin] in its middle.
+     * Returns this mesh transformed by an affine [transform]. Normals are transformed by the inverse transpose. A
+     * reflection also reverses the vertex order of every triangle, so that outside stays outside. If the result is far
+     * from the world's origin compared with its size, it gets an [origin] at its centre. Cost: linear in the size of
+     * the mesh.
      */
     public fun transformed(transform: Matrix4dc): Mesh {
         val corners = triangles.copyOf()
@@ -96,12 +98,13 @@ public class Mesh @JvmOverloads constructor(
     }
 
     /**
-     * Returns this mesh with normals made of its triangles': at each vertex the mean, weighted by area, of the normals
-     * of the triangles around it that differ by less than [creaseAngle] degrees. Vertices at one position count as one
-     * vertex, and are split where a crease runs, so that edges sharper than the angle stay sharp; where more than 341
-     * triangles meet, all are averaged. Cost: linear in the size of the mesh.
+     * Returns this mesh with normals computed from its triangles. The normal at a vertex is the mean, weighted by area,
+     * of the normals of the triangles around it that differ by less than [creaseAngle] degrees. Vertices at the same
+     * position count as one vertex. A vertex on a crease is split, so that edges sharper than the angle stay sharp. If
+     * more than 1024 corners of triangles are at one position, all of them are averaged. Cost: linear in the size of
+     * the mesh.
      *
-     * @throws IllegalArgumentException unless [creaseAngle] is in 0..180
+     * @throws IllegalArgumentException if [creaseAngle] is not in 0..180
      */
     @JvmOverloads
     public fun withSmoothNormals(creaseAngle: Double = 45.0): Mesh = SmoothNormals(this, creaseAngle).mesh()

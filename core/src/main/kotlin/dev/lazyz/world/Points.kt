@@ -10,23 +10,26 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * A cloud of points: squares of one size in pixels, however far away they are (contract rule 2.9).
+ * A point cloud: squares with a constant size in pixels, at any distance (contract rule 2.9).
  *
- * All arrays are indexed by point. Points without [normals] are shown in their own colour, without light; points with
- * normals are lit, and [Shading.FLAT] and [Shading.GOURAUD] mean [Shading.PHONG] here. Textures are ignored, for a point
- * has no area that could be mapped. A mask takes or leaves a point as a whole, by its colour's alpha.
+ * [positions], [normals] and [colors] are indexed by point. Points without [normals] are shown in their own colour,
+ * without light. Points with normals are lit; for them, [Shading.FLAT] and [Shading.GOURAUD] mean [Shading.PHONG].
+ * Textures are ignored, because a point has no area to map. A mask keeps or removes a whole point, by the alpha of its
+ * colour.
  *
- * Positions that are NaN or infinite are legal: such a point covers nothing. The cloud keeps the arrays without copying
- * them; leave them alone. Thread safe. A frame holds 40 bytes a point besides the arrays.
+ * Positions can be NaN or infinite: such a point covers nothing. The arrays are not copied; do not change them. Thread
+ * safe. A frame uses 40 bytes a point in addition to the arrays.
  *
- * @property positions x, y, z for each point, world space, relative to [origin]; the order of points is the order of submission
- * @property size side of the squares, pixels, above 0 and at most [MAX_SIZE]; what is less than a pixel counts as one, so
- *   that no point falls between the samples
- * @property material how it looks
- * @property normals x, y, z for each point, need not be of unit length; null means no light
+ * @property positions x, y, z for each point, world space, relative to [origin]; the order of points is the submission
+ *   order
+ * @property size side of the squares in pixels, above 0 and at most [MAX_SIZE]; sizes below 1 count as 1, so that every
+ *   point covers a sample
+ * @property material the appearance
+ * @property normals x, y, z for each point, of any length; null means no light
  * @property colors red, green, blue, alpha for each point, linear light; null means white
- * @param origin what is added to all positions, see [Mesh.origin]; must be finite
- * @throws IllegalArgumentException if an array has the wrong length or the size is out of range
+ * @param origin added to all positions, see [Mesh.origin]; must be finite
+ * @throws IllegalArgumentException if an array has the wrong length, the size is out of range, or [origin] is not
+ *   finite
  */
 public class Points @JvmOverloads constructor(
     public val positions: FloatArray,
@@ -36,7 +39,7 @@ public class Points @JvmOverloads constructor(
     public val colors: FloatArray? = null,
     origin: Vector3dc = Vectors.ZERO,
 ) : Surface {
-    /** What is added to all positions, world space. */
+    /** The origin of [positions], world space: it is added to each of them. */
     public val origin: Vector3dc = if (origin === Vectors.ZERO) origin else Vector3d(origin)
 
     /** Number of points. */
@@ -61,10 +64,10 @@ public class Points @JvmOverloads constructor(
     override fun withMaterials(change: (Material) -> Material): Points =
         Points(positions, size, change(material), normals, colors, origin)
 
-    /** Returns these points in another [size]. */
+    /** Returns these points with another [size]; the arrays are shared. */
     public fun withSize(size: Double): Points = Points(positions, size, material, normals, colors, origin)
 
-    /** Returns these points at the same place with positions relative to [origin]. */
+    /** Returns the same points with positions relative to [origin]. */
     internal fun relativeTo(origin: Vector3dc): Points = if (origin == this.origin) {
         this
     } else {
@@ -72,7 +75,10 @@ public class Points @JvmOverloads constructor(
         Points(moved, size, material, normals, colors, origin)
     }
 
-    /** Returns these points moved by an affine [transform], in the same size. Normals are moved by the inverse transpose. */
+    /**
+     * Returns these points transformed by an affine [transform]. Normals are transformed by the inverse transpose. The
+     * size is unchanged.
+     */
     public fun transformed(transform: Matrix4dc): Points {
         val moved = VertexTransforms.origin(bounds, transform)
         val positions = VertexTransforms.positions(positions, origin, transform, moved)
@@ -83,7 +89,7 @@ public class Points @JvmOverloads constructor(
     override fun toString(): String = "Points($pointCount points of $size pixels, $material)"
 
     public companion object {
-        /** Greatest size of points and width of [Lines], pixels. */
+        /** Maximum size of points and width of [Lines], pixels. */
         public const val MAX_SIZE: Int = ScreenGrid.GREATEST_SIZE
     }
 }

@@ -9,15 +9,15 @@ import org.joml.Matrix4dc
 import org.joml.Vector3dc
 
 /**
- * A flat polygon of any number of contours: convex, concave, with holes, or crossing itself.
+ * A flat polygon with any number of contours: convex, concave, with holes, or self-intersecting.
  *
- * Each contour is closed by itself. Depth and attributes are those of the plane through a reference triangle of the
- * polygon's vertices (contract rule 3.5), so vertices should lie in one plane; where they do not, the plane is drawn.
- * Immutable if the vertices are left alone; thread safe.
+ * Each contour is closed. Depth and attributes are those of the plane through a reference triangle of the polygon's
+ * vertices (contract rule 3.5), so all vertices should be in one plane; if they are not, that plane is drawn. Immutable
+ * and thread safe if the lists of vertices are not changed.
  *
- * @property contours closed runs of vertices, world space; the outer one counter-clockwise seen from the front
- * @property material how it looks
- * @property fillRule what is inside
+ * @property contours lists of vertices, world space; the outer contour is counter-clockwise seen from the front
+ * @property material the appearance
+ * @property fillRule which samples are inside
  */
 public class Polygon @JvmOverloads constructor(
     public val contours: List<List<Vertex>>,
@@ -33,11 +33,11 @@ public class Polygon @JvmOverloads constructor(
 
     override fun withMaterials(change: (Material) -> Material): Polygon = Polygon(contours, change(material), fillRule)
 
-    /** Returns this polygon moved by an affine [transform]. */
+    /** Returns this polygon transformed by an affine [transform]. */
     public fun transformed(transform: Matrix4dc): Polygon =
         Polygon(contours.map { contour -> contour.map { it.transformed(transform) } }, material, fillRule)
 
-    /** Returns this polygon as it is seen from [origin]. */
+    /** Returns this polygon relative to [origin]. */
     internal fun relativeTo(origin: Vector3dc): Polygon = if (Vectors.isZero(origin)) {
         this
     } else {
@@ -48,14 +48,14 @@ public class Polygon @JvmOverloads constructor(
 }
 
 /**
- * A corner of a [Polygon]. Immutable.
+ * A vertex of a [Polygon]. Immutable.
  *
  * @property x position, world space
  * @property y see [x]
  * @property z see [x]
  * @property u texture coordinate to the right, see [Texture]
  * @property v texture coordinate downward, see [Texture]
- * @property color vertex colour, multiplies the material's
+ * @property color vertex colour; multiplies the colour of the material
  */
 public class Vertex @JvmOverloads constructor(
     public val x: Double,

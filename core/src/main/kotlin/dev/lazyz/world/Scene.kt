@@ -11,14 +11,14 @@ import dev.lazyz.geometry.Vectors
 import org.joml.Vector3dc
 
 /**
- * Surfaces, lights and a point of view, in world space: right-handed, y up, any unit of length.
+ * Surfaces, lights and a viewpoint, in world space: right-handed, y up, any unit of length.
  *
- * Immutable and thread safe if its surfaces are (the built-in ones are). The order of [surfaces] is the order of
- * submission, which decides ties of depth (contract rule 5.2).
+ * Immutable and thread safe if its surfaces are (the built-in ones are). The order of [surfaces] is the submission
+ * order, which resolves ties of depth (contract rule 5.2).
  *
- * @property surfaces what there is to see, in submission order
- * @property lights sources of light; none at all means [Light.studio] lights, fixed to the camera
- * @property viewpoint the camera, or a rule that finds one
+ * @property surfaces the surfaces, in submission order
+ * @property lights light sources; if empty, [Light.studio] lights for the camera are used
+ * @property viewpoint the camera, or a rule that chooses one
  * @property background colour of samples that no surface covers
  */
 public class Scene @JvmOverloads constructor(
@@ -27,25 +27,27 @@ public class Scene @JvmOverloads constructor(
     public val viewpoint: Viewpoint = Camera.fit(),
     public val background: Rgba = Rgba.WHITE,
 ) {
-    /** The least box around all surfaces, or null if there is nothing in it. Computed once. */
+    /** The smallest box around all surfaces, or null if there is none. Computed once. */
     public val bounds: Box? by lazy { surfaces.mapNotNull { it.bounds }.reduceOrNull(Box::union) }
 
     /**
-     * Where shading has its origin: [Fragment.worldX] and its like are relative to it. That of the first surface that has one
-     * of its own, in scenes far away from the world's origin; else the world's.
+     * The origin of shading: [Fragment.worldX], [Fragment.worldY] and [Fragment.worldZ] are relative to it. It is the
+     * origin of the first surface whose own origin is not zero (in scenes far from the world's origin), or else the
+     * world's origin.
      */
     public val origin: Vector3dc by lazy {
         surfaces.firstNotNullOfOrNull { surface -> originOf(surface)?.takeIf { !Vectors.isZero(it) } } ?: Vectors.ZERO
     }
 
-    /** Returns the camera that a raster of this size sees the scene through. */
+    /** Returns the camera for a raster of [width] x [height] samples. */
     public fun camera(width: Int, height: Int): Camera = viewpoint.camera(bounds, width.toDouble() / height)
 
     /**
-     * Returns the scene's primitives on a raster, in submission order, each set up when it is asked for.
+     * Returns the primitives of the scene on a raster, in submission order. Each is set up when the sequence reaches
+     * it.
      *
-     * The sequence may be walked more than once. Cost: linear in the size of the scene, memory for one surface's
-     * vertices at a time.
+     * The sequence can be iterated more than once. Cost: linear in the size of the scene; memory for the vertices of
+     * one surface at a time.
      */
     public fun primitives(raster: Raster): Sequence<Primitive> {
         val setUp = setUp(raster)
@@ -58,13 +60,18 @@ public class Scene @JvmOverloads constructor(
         return SetUp(raster, camera, lights.ifEmpty { Light.studio(camera) }, if (isOnScreen) Vectors.ZERO else origin)
     }
 
-    /** Sets the scene up for a raster of [width] x [height] samples, the usual way to a picture. */
+    /**
+     * Sets up the scene for a raster of [width] x [height] samples and the scene's background. This is the usual way to
+     * get a frame.
+     *
+     * @throws IllegalArgumentException if a side is not in 1..[Raster.MAX_SIDE]
+     */
     public fun frame(width: Int, height: Int): Frame = frame(Raster(width, height, background))
 
     /**
-     * Sets the scene up for [raster], whose background replaces the scene's own. Cost: linear in the size of the scene.
-     * Opaque meshes are kept as arrays, with 20 bytes a vertex and nothing for each triangle, and large ones are set up by
-     * several threads.
+     * Sets up the scene for [raster], whose background replaces the scene's own. Cost: linear in the size of the scene.
+     * Opaque meshes are stored as arrays, with 20 bytes a vertex and no object for each triangle; large ones are set up
+     * in parallel.
      */
     public fun frame(raster: Raster): Frame {
         val setUp = setUp(raster)
@@ -76,41 +83,41 @@ public class Scene @JvmOverloads constructor(
         return Frame(raster, content.build(), raster.region)
     }
 
-    /** Returns this scene with each material replaced by what [change] makes of it. */
+    /** Returns this scene with each material replaced by the result of [change]. */
     public fun withMaterials(change: (Material) -> Material): Scene =
         Scene(surfaces.map { it.withMaterials(change) }, lights, viewpoint, background)
 
-    /** Returns this scene seen from elsewhere. */
+    /** Returns this scene with another viewpoint. */
     public fun withViewpoint(viewpoint: Viewpoint): Scene = Scene(surfaces, lights, viewpoint, background)
 
-    /** Returns this scene in other light. */
+    /** Returns this scene with other lights. */
     public fun withLights(lights: List<Light>): Scene = Scene(surfaces, lights, viewpoint, background)
 
-    /** Returns this scene before another background. */
+    /** Returns this scene with another background. */
     public fun withBackground(background: Rgba): Scene = Scene(surfaces, lights, viewpoint, background)
 
     override fun toString(): String = "Scene(${surfaces.size} surfaces, ${lights.size} lights, $viewpoint)"
 
-    /** Collects a scene step by step; made for Java, where [scene] has no lambda with receiver. Not thread safe. */
+    /** Builds a scene step by step. Intended for Java; in Kotlin, [scene] is shorter. Not thread safe. */
     public class Builder {
         private val surfaces = ArrayList<Surface>()
         private val lights = ArrayList<Light>()
         private var viewpoint: Viewpoint = Camera.fit()
         private var background: Rgba = Rgba.WHITE
 
-        /** Adds a surface behind those already added in submission order. */
+        /** Adds a surface after those already added, in submission order. */
         public fun add(surface: Surface): Builder = apply { surfaces.add(surface) }
 
-        /** Adds a light. Without any, the scene gets [Light.studio] lights. */
+        /** Adds a light. If no light is added, the scene uses [Light.studio] lights. */
         public fun light(light: Light): Builder = apply { lights.add(light) }
 
-        /** Sets the camera, or the rule that finds one; [Camera.fit] unless it is called. */
+        /** Sets the camera, or a rule that chooses one. The default is [Camera.fit]. */
         public fun viewpoint(viewpoint: Viewpoint): Builder = apply { this.viewpoint = viewpoint }
 
-        /** Sets the background; white unless it is called. */
+        /** Sets the background. The default is white. */
         public fun background(background: Rgba): Builder = apply { this.background = background }
 
-        /** Returns the scene so far; the builder may go on. */
+        /** Returns the scene so far. The builder can be used further. */
         public fun build(): Scene = Scene(surfaces.toList(), lights.toList(), viewpoint, background)
     }
 

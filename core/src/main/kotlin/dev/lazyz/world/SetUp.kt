@@ -15,17 +15,17 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * Turns surfaces into primitives: transform, clip, project, snap, and set up linear forms.
+ * Converts surfaces to primitives: transforms, clips, projects and snaps them, and computes their linear forms.
  *
- * Everything that rounds happens here, once, before any renderer. A [Surface] of one's own calls these functions from
+ * All rounding happens here, once, before rendering. A custom [Surface] calls these functions from
  * [Surface.primitives]. Immutable and thread safe.
  *
  * @property raster the samples to cover
- * @property camera the point of view
- * @property lights sources of light, in the order in which they are summed
- * @property origin where shading has its origin, see [Scene.origin]; that of the world for [Projection.Screen]
- * @throws IllegalArgumentException if [origin] is not finite, or the camera's projection is [Projection.Screen] and it is
- *   not 0
+ * @property camera the camera
+ * @property lights light sources, in the order in which they are added up
+ * @property origin the origin of shading, see [Scene.origin]; must be 0 for [Projection.Screen]
+ * @throws IllegalArgumentException if [origin] is not finite, or is not 0 and the camera's projection is
+ *   [Projection.Screen]
  */
 public class SetUp @JvmOverloads constructor(
     public val raster: Raster,
@@ -36,7 +36,7 @@ public class SetUp @JvmOverloads constructor(
     init {
         require(Vectors.isFinite(origin)) { "origin must be finite: $origin" }
         require(Vectors.isZero(origin) || camera.projection != Projection.Screen) {
-            "a screen camera has no origin but the world's: $origin"
+            "origin must be 0 for a screen camera: $origin"
         }
     }
 
@@ -47,29 +47,29 @@ public class SetUp @JvmOverloads constructor(
     private val planar = PlanarSetUp(stage, lighting)
 
     /**
-     * Returns the triangles of [mesh] in order, set up one at a time as the sequence is walked. The vertices are
-     * transformed once, when the walk begins: 128 bytes a vertex.
+     * Returns the triangles of [mesh] in order, each set up when the sequence reaches it. All vertices are transformed
+     * when the iteration starts; this takes 128 bytes a vertex.
      */
     public fun mesh(mesh: Mesh): Sequence<Primitive> = planar.mesh(mesh.relativeTo(origin))
 
     /**
-     * Returns the triangles of [mesh], of which the first has the submission index [first], as a batch; or null if they
-     * have to be set up one by one.
+     * Returns the triangles of [mesh] as a batch, the first of them with submission index [first]; null if they must be
+     * set up one by one.
      */
     internal fun batch(mesh: Mesh, first: Int): TriangleBatch? = planar.batch(mesh.relativeTo(origin), first)
 
-    /** Returns [polygon] as one primitive. */
+    /** Returns [polygon] as a single primitive. */
     public fun polygon(polygon: Polygon): Primitive = planar.polygon(polygon.relativeTo(origin))
 
-    /** Returns [sphere] as one primitive. */
+    /** Returns [sphere] as a single primitive. */
     public fun sphere(sphere: Sphere): Primitive =
         SphereSetUp.sphere(sphere.relativeTo(origin), near, viewport, lighting)
 
-    /** Returns the points of [points] in order, set up one at a time as the sequence is walked; 32 bytes a point. */
+    /** Returns the points of [points] in order, each set up when the sequence reaches it; 32 bytes a point. */
     public fun points(points: Points): Sequence<Primitive> =
         PointCloud(points.relativeTo(origin), stage, lighting).primitives()
 
-    /** Returns the segments of [lines] in order, set up one at a time as the sequence is walked; 96 bytes a segment. */
+    /** Returns the segments of [lines] in order, each set up when the sequence reaches it; 96 bytes a segment. */
     public fun lines(lines: Lines): Sequence<Primitive> =
         LineStrokes(lines.relativeTo(origin), stage, lighting).primitives()
 

@@ -1,10 +1,10 @@
 package dev.lazyz.world
 
 /**
- * The matrix of [Camera.setUpMatrix], named as JOML names elements: column, then row. Without JOML, whose class of
- * matrices takes longer to load than a small picture to set up.
+ * The matrix of [Camera.setUpMatrix]. Elements are named as in JOML: column, then row. It does not use JOML, because
+ * loading JOML's matrix class takes longer than setting up a small image.
  *
- * @param elements column by column
+ * @param elements 16 elements, column by column
  */
 internal class SetUpMatrix(elements: DoubleArray) {
     val m00: Double = elements[0]

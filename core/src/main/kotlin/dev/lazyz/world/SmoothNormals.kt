@@ -6,20 +6,20 @@ import dev.lazyz.geometry.FaceNormals
 import dev.lazyz.inParallel
 
 /**
- * Gives a mesh normals made of its triangles', see [Mesh.withSmoothNormals].
+ * Computes normals of a mesh from its triangles, see [Mesh.withSmoothNormals].
  *
- * Faces are added up in the order of the triangles, and vertices are numbered in the order of their first corner, so
- * that the result is the same bits whatever is done in parallel.
+ * Face normals are added in the order of the triangles, and vertices are numbered in the order of their first corner,
+ * so the result does not depend on how the work is divided between threads.
  */
 internal class SmoothNormals(private val mesh: Mesh, private val creaseAngle: Double) {
     init {
         require(creaseAngle in 0.0..180.0) { "creaseAngle must be in 0..180 degrees: $creaseAngle" }
     }
 
-    /** By corner: the copy of its vertex, first within its chunk of positions, then within the new mesh. */
+    /** By corner: the copy of its vertex. First numbered within the chunk of positions, later within the new mesh. */
     private val triangles = IntArray(mesh.triangles.size)
 
-    /** Returns the mesh with normals; a vertex has as many copies as its corners have different normals. */
+    /** Returns the mesh with normals. A vertex has as many copies as its corners have different normals. */
     fun mesh(): Mesh {
         val byPosition = CornersByPosition(mesh.positions, mesh.triangles)
         val chunks = cornerNormals(byPosition)
@@ -40,7 +40,7 @@ internal class SmoothNormals(private val mesh: Mesh, private val creaseAngle: Do
         return chunks
     }
 
-    /** Numbers the copies in the order of their first corner. */
+    /** Renumbers the copies in the order of their first corner, and builds the mesh. */
     private fun numbered(chunks: List<CornerNormals>, positionOf: IntArray): Mesh {
         val numbers = Array(chunks.size) { IntArray(chunks[it].size) { -1 } }
         val sources = IntArray(chunks.sumOf { it.size })
@@ -69,7 +69,7 @@ internal class SmoothNormals(private val mesh: Mesh, private val creaseAngle: Do
         )
     }
 
-    /** Returns the [width] numbers of each of the [vertices]. */
+    /** Returns the [width] numbers of each of the [vertices], in the order of [vertices]. */
     private fun gathered(array: FloatArray, vertices: IntArray, width: Int): FloatArray {
         val result = FloatArray(width * vertices.size)
         for (i in vertices.indices) {
@@ -79,7 +79,7 @@ internal class SmoothNormals(private val mesh: Mesh, private val creaseAngle: Do
     }
 
     private companion object {
-        /** Positions that one thread does at a time. */
+        /** Number of positions in one task of a thread. */
         const val CHUNK = 1 shl 16
     }
 }

@@ -8,28 +8,29 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * A sphere, rendered as what it is: its outline and its depth are computed at every sample, not tessellated.
+ * A sphere. Its outline and depth are computed exactly at every sample, without tessellation.
  *
- * Normals point outward. Texture coordinates run once around: u along the equator eastward from -z, v from the north
- * pole (+y) to the south pole. [Shading.FLAT] and [Shading.GOURAUD] mean [Shading.PHONG] here, for a sphere has neither
- * faces nor vertices. A radius or centre that is NaN or infinite is legal: such a sphere covers nothing. Immutable.
+ * Normals point outward. Texture coordinates: u goes once around the equator, eastward from -z; v goes from the north
+ * pole (+y) to the south pole. [Shading.FLAT] and [Shading.GOURAUD] mean [Shading.PHONG], because a sphere has neither
+ * faces nor vertices. The radius or centre can be NaN or infinite: such a sphere covers nothing. Immutable.
  *
  * @property radius world units, not negative
- * @property material how it looks
+ * @property material the appearance
+ * @throws IllegalArgumentException if [radius] is negative
  */
 public class Sphere @JvmOverloads constructor(
     center: Vector3dc,
     public val radius: Double,
     public val material: Material = Material(),
 ) : Surface {
-    /** The middle, world space. */
+    /** The centre, world space. */
     public val center: Vector3dc = Vector3d(center)
 
     init {
         require(!(radius < 0.0)) { "radius must not be negative: $radius" }
     }
 
-    /** Whether coordinates are numbers that can still be added up. */
+    /** Whether the coordinates are finite and small enough to be added without overflow. */
     private val hasBounds: Boolean
         get() = StrictMath.abs(center.x()) + StrictMath.abs(center.y()) + StrictMath.abs(center.z()) + radius <
             Box.LARGEST
@@ -49,13 +50,13 @@ public class Sphere @JvmOverloads constructor(
     override fun withMaterials(change: (Material) -> Material): Sphere = Sphere(center, radius, change(material))
 
     /**
-     * Returns this sphere moved by [transform], which must keep it a sphere.
+     * Returns this sphere transformed by [transform], which must scale all directions equally.
      *
-     * @throws IllegalArgumentException if the transform does not scale all directions alike
+     * @throws IllegalArgumentException if the transform does not scale all directions equally
      */
     public fun transformed(transform: Matrix4dc): Sphere = SphereGeometry.transformed(this, transform)
 
-    /** Returns this sphere as it is seen from [origin]. */
+    /** Returns this sphere relative to [origin]. */
     internal fun relativeTo(origin: Vector3dc): Sphere =
         if (Vectors.isZero(origin)) this else Sphere(Vectors.minus(center, origin), radius, material)
 

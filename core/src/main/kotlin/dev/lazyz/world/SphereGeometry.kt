@@ -3,7 +3,7 @@ package dev.lazyz.world
 import org.joml.Matrix4dc
 import org.joml.Vector3d
 
-/** Moves spheres. */
+/** Transforms spheres. */
 internal object SphereGeometry {
     fun transformed(sphere: Sphere, m: Matrix4dc): Sphere {
         val xx = m.m00() * m.m00() + m.m01() * m.m01() + m.m02() * m.m02()
@@ -17,7 +17,7 @@ internal object SphereGeometry {
             maxOf(StrictMath.abs(xx - yy), StrictMath.abs(xx - zz)),
             maxOf(StrictMath.abs(xy), StrictMath.abs(yz), StrictMath.abs(zx)),
         )
-        require(error <= tolerance) { "a sphere can only be scaled alike in all directions: $m" }
+        require(error <= tolerance) { "a sphere must be scaled equally in all directions: $m" }
         val c = sphere.center
         val center = Vector3d(
             m.m00() * c.x() + m.m10() * c.y() + m.m20() * c.z() + m.m30(),

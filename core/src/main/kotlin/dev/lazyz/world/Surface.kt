@@ -4,23 +4,26 @@ import dev.lazyz.Primitive
 import dev.lazyz.geometry.Box
 
 /**
- * Something to see, in world space: a [Mesh], a [Polygon], a [Sphere], [Points], [Lines], or a kind of one's own.
+ * A visible object in world space: a [Mesh], a [Polygon], a [Sphere], [Points], [Lines], or a custom surface.
  *
- * To add a kind, turn the shape into primitives with [SetUp]'s functions, or into [Primitive]s of one's own.
- * Implementations are immutable and thread safe.
+ * A custom surface converts its shape to primitives with the functions of [SetUp], or returns custom [Primitive]s.
+ * Implementations must be immutable and thread safe.
  */
 public interface Surface {
-    /** A box around the surface, or null if there is nothing in it. */
+    /** A box around the surface, or null if it is empty. */
     public val bounds: Box?
 
     /**
-     * Returns the surface's primitives in submission order, set up for one raster and camera.
+     * Returns the primitives of the surface in submission order, set up for one raster and camera.
      *
-     * A degenerate or invisible part yields a primitive that covers nothing rather than none, so that numbering does
-     * not depend on the camera. The sequence may be walked more than once.
+     * A degenerate or invisible part must yield a primitive that covers nothing rather than no primitive, so that
+     * submission indices do not depend on the camera. The sequence can be iterated more than once.
      */
     public fun primitives(setUp: SetUp): Sequence<Primitive>
 
-    /** Returns this surface with its materials replaced by what [change] makes of them; itself if it has none. */
+    /**
+     * Returns this surface with its materials replaced by the results of [change]; this surface itself if it has no
+     * materials.
+     */
     public fun withMaterials(change: (Material) -> Material): Surface = this
 }

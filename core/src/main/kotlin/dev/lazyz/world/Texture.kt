@@ -2,37 +2,44 @@ package dev.lazyz.world
 
 import dev.lazyz.Srgb
 
-/** How a [Texture] is read between its texels. */
+/** How a [Texture] is sampled between texels. */
 public enum class TextureFilter {
     /** The texel that contains the point. */
     NEAREST,
 
-    /** The four texels around the point, weighted by distance, in linear light. */
+    /** The four texels around the point, weighted by distance in linear light. */
     BILINEAR,
 }
 
-/** What a [Texture] shows outside 0..1. */
+/** How a [Texture] is sampled outside 0..1. */
 public enum class TextureWrap {
-    /** The picture again and again. */
+    /** The image is repeated. */
     REPEAT,
 
-    /** The texel at the border. */
+    /** The nearest texel at the border is used. */
     CLAMP,
 
-    /** The picture again and again, every other time mirrored. */
+    /** The image is repeated, and every other copy is mirrored. */
     MIRROR,
 }
 
 /**
- * A picture that a surface wears.
+ * An image that colours a surface.
  *
- * Texture coordinates: u grows to the right and v downward, (0, 0) is the upper left corner of the upper left texel and
- * (1, 1) the lower right corner of the lower right one (glTF's convention; OBJ's v is `1 - v` here). Texels are 8-bit
- * sRGB with straight alpha, `0xAARRGGBB`, in rows from the top. Sampling happens in linear light. There are no mipmaps:
- * one sample a pixel is the contract.
+ * Texture coordinates: u increases to the right and v downward; (0, 0) is the upper left corner of the upper left texel
+ * and (1, 1) the lower right corner of the lower right one. This is the convention of glTF; a v of OBJ becomes `1 - v`.
+ * Texels are 8-bit sRGB with straight alpha, `0xAARRGGBB`, in rows from the top. Filtering uses linear light. There are
+ * no mipmaps, because the contract requires one lookup for each sample (rule 6.6).
  *
- * Immutable as long as the caller leaves [argb] alone; thread safe.
+ * The texels are not copied: immutable and thread safe if the caller does not change the array.
  *
+ * @property width number of columns, at least 1
+ * @property height number of rows, at least 1
+ * @param argb the texels, width x height
+ * @property filter sampling between texels
+ * @property wrapU sampling outside 0..1 in the direction of u
+ * @property wrapV sampling outside 0..1 in the direction of v
+ * @property name name for messages and files
  * @throws IllegalArgumentException if a side is not positive or [argb] does not hold width x height texels
  */
 public class Texture @JvmOverloads constructor(
@@ -51,10 +58,10 @@ public class Texture @JvmOverloads constructor(
         }
     }
 
-    /** Whether some texel is not fully opaque. Cost: one pass over the texels, once. */
+    /** Whether any texel is not fully opaque. Cost: one pass over the texels, once. */
     public val hasAlpha: Boolean by lazy { argb.any { it ushr 24 != 0xFF } }
 
-    /** Returns the texel at column [x] and row [y] as `0xAARRGGBB`. */
+    /** Returns the texel at column [x], 0 until [width], and row [y], 0 until [height], as `0xAARRGGBB`. */
     public fun texel(x: Int, y: Int): Int = argb[y * width + x]
 
     /** Returns this texture with other sampling rules; the texels are shared. */
@@ -62,9 +69,11 @@ public class Texture @JvmOverloads constructor(
         Texture(width, height, argb, filter, wrapU, wrapV, name)
 
     /**
-     * Reads the texture at ([u], [v]) into [out]: red, green, blue in linear light and alpha, in 0..1.
+     * Samples the texture at ([u], [v]) and stores red, green, blue (linear light) and alpha, each in 0..1, in [out] at
+     * 0..3.
      *
-     * A coordinate that is NaN or infinite reads as 0. Cost: one or four texels, no allocation.
+     * A coordinate that is NaN or infinite is treated as texel position 0. Cost: one texel with
+     * [TextureFilter.NEAREST], four with [TextureFilter.BILINEAR]; no allocation.
      */
     public fun sample(u: Float, v: Float, out: FloatArray) {
         val x = position(u, width, wrapU)
@@ -92,8 +101,8 @@ public class Texture @JvmOverloads constructor(
     }
 
     /**
-     * Maps a coordinate to texels: 0 until [size] when it repeats, 0..[size] when it is clamped, 0 until twice the [size]
-     * when it is mirrored.
+     * Converts a coordinate to a position in texels: in 0 until [size] for REPEAT, 0..[size] for CLAMP, 0 until twice
+     * the [size] for MIRROR.
      */
     private fun position(coordinate: Float, size: Int, wrap: TextureWrap): Double {
         if (!coordinate.isFinite()) return 0.0
@@ -108,7 +117,7 @@ public class Texture @JvmOverloads constructor(
 
     private fun index(x: Int, y: Int): Int = wrapIndex(y, height, wrapV) * width + wrapIndex(x, width, wrapU)
 
-    /** Brings an index that is at most one outside of what [position] gives into the texture. */
+    /** Wraps an index that is at most one outside the range of [position] to an index of the texture. */
     private fun wrapIndex(index: Int, size: Int, wrap: TextureWrap): Int = when {
         index in 0 until size -> index
         wrap == TextureWrap.REPEAT -> if (index < 0) size - 1 else 0

@@ -27,7 +27,7 @@ class DistinctTriplesTest {
 
     @Test
     fun triplesThatCollideElsewhereAreFoundInTime() {
-        // All of one hash code where that is 31 * (31 * a + b) + c; few bits that differ; all in one line
+        // All with the same hash code for 31 * (31 * a + b) + c; few bits that differ; all on one line
         val families = listOf<(Int) -> List<Int>>(
             { listOf(it, -31 * it, 0) },
             { listOf(0, it, -31 * it) },

@@ -13,7 +13,7 @@ class ChainTest {
     private fun frame(rows: Int, vararg extents: IntRange): Frame =
         Frame(Raster(4, rows), extents.map { Witness(Region(0, it.first, 4, it.last + 1), Depth.NEAR) })
 
-    /** The stages that each row of [frame] runs through, by index, and the bytes counted for each. */
+    /** The stages that each row of [frame] passes through, by index, and the bytes counted for each row. */
     private fun walk(frame: Frame): List<Pair<List<Int>, Long>> {
         val chain = Chain(frame, Coherence.DIRECT, ::Stage)
         return (frame.region.rowStart until frame.region.rowEnd).map { y ->

@@ -24,9 +24,9 @@ import dev.lazyz.world.scene
 import java.util.Random
 import org.joml.Vector3d
 
-/** Random frames for the strategies that hold suspensions: everything legal, on small rasters. */
+/** Random frames for the strategies that defer shading: everything that is legal, on small rasters. */
 internal object LayeredFrames {
-    /** A frame of opaque primitives of all kinds, on a random raster and region of it. */
+    /** A frame of opaque primitives of all kinds, on a random raster and region. */
     fun opaque(seed: Long): Frame {
         val random = Random(seed)
         val raster = raster(random)
@@ -36,7 +36,7 @@ internal object LayeredFrames {
         return Frame(raster, primitives.shuffled(random), region(random, raster))
     }
 
-    /** As [opaque], with about half of the primitives translucent, some of them wholly clear or not at all. */
+    /** As [opaque], with about half of the primitives translucent, some of them with alpha 0 or 1. */
     fun translucent(seed: Long): Frame {
         val random = Random(seed xor 0x5EED)
         val frame = opaque(seed)
@@ -77,12 +77,12 @@ internal object LayeredFrames {
             0 -> builder.polygon(color, contour(random, raster, 3))
             1 -> builder.polygon(Waves(color), FillRule.entries[random.nextInt(2)], contour(random, raster, 7))
             2 -> {
-                // A hole, or a second winding, in the plane of the outer contour or across it
+                // A hole, or a second contour of the same direction, in the plane of the outer contour or through it
                 val outer = contour(random, raster, 4)
                 builder.polygon(Waves(color), FillRule.entries[random.nextInt(2)], outer, contour(random, raster, 3))
             }
             3 -> {
-                // Two triangles that share an edge, all at one depth, so that ties with others happen
+                // Two triangles that share an edge, with constant depth, so that there are ties with others
                 val depth = random.nextInt(3) / 2.0
                 val quad = contour(random, raster, 4)
                 for (i in 2 until 12 step 3) quad[i] = depth
@@ -124,7 +124,10 @@ internal object LayeredFrames {
         return Scene(listOf(Sphere(center, random.nextDouble() * 1.5, material), mesh), viewpoint = camera)
     }
 
-    /** A colour that differs from sample to sample, and an alpha below 1 here and there: opaque all the same. */
+    /**
+     * A shader whose colour differs between samples, with alpha below 1 at some of them. It is used for opaque
+     * primitives.
+     */
     private class Waves(private val color: Rgba) : Shader {
         override fun shade(fragment: Fragment) {
             val wave = (fragment.x * 7 + fragment.y * 13 and 15) / 15f
@@ -133,7 +136,10 @@ internal object LayeredFrames {
         }
     }
 
-    /** A user's primitive: a disc whose depth is no linear form, with trivial bounds of depth, known by cursor only. */
+    /**
+     * A custom primitive: a disc whose depth is not a linear form, with trivial depth bounds, whose spans come from a
+     * cursor only.
+     */
     private class Bowl(raster: Raster, random: Random) : Primitive {
         private val width = raster.width
         private val centerX = random.nextInt(raster.width)
@@ -157,7 +163,7 @@ internal object LayeredFrames {
             fragment.setColor(fragment.x / 32f, fragment.y / 32f, radius / 20f)
     }
 
-    /** Another primitive, with an opacity that differs from sample to sample. */
+    /** Wraps another primitive, with an opacity that differs between samples. */
     private class Glass(private val whole: Primitive, random: Random) : Primitive by whole {
         private val alpha = listOf(0f, 1f, 0.5f, Float.NaN, random.nextFloat(), random.nextFloat())[random.nextInt(6)]
         private val isEven = random.nextBoolean()
@@ -174,7 +180,7 @@ internal object LayeredFrames {
     }
 }
 
-/** A rectangle of a frame's samples at one depth and of one colour; counts what it is asked. */
+/** A rectangle of samples with constant depth and colour; counts the calls. */
 internal class Pane(
     private val region: Region,
     private val depth: Int,

@@ -20,7 +20,7 @@ import dev.lazyz.world.Sphere
 import java.util.Random
 import org.joml.Vector3d
 
-/** Frames of whatever is legal and awkward for the pipelines of rows, the same for the same seed. */
+/** Frames of legal edge cases for the row pipelines; the same seed gives the same frame. */
 internal class PipelineFrames(seed: Long) {
     private val random = Random(seed)
     private val width = side(40)
@@ -74,7 +74,10 @@ internal class PipelineFrames(seed: Long) {
         builder.polygon(shader, pick(FillRule.entries), *contours)
     }
 
-    /** A contour that may be concave and cross itself; on samples, on pixel corners and between; in planes that tie. */
+    /**
+     * A contour that can be concave and self-intersecting; on samples, on pixel corners and between; in planes that
+     * cause ties.
+     */
     private fun contour(vertices: Int): DoubleArray {
         val tie = if (random.nextBoolean()) 0.25 * random.nextInt(5) else -1.0
         return DoubleArray(3 * vertices) {
@@ -115,7 +118,7 @@ internal class PipelineFrames(seed: Long) {
     private fun <T> pick(list: List<T>): T = list[random.nextInt(list.size)]
 }
 
-/** A primitive of the user's own: several spans a row, no linear form, no cursor, no bounds of its depth. */
+/** A custom primitive: several spans a row, no linear form, no cursor, no depth bounds. */
 private class Cloud(private val seed: Int, width: Int, height: Int) : Primitive {
     override val rowStart: Int = seed % height
     override val rowEnd: Int = height
@@ -132,19 +135,19 @@ private class Cloud(private val seed: Int, width: Int, height: Int) : Primitive 
     override fun shade(fragment: Fragment): Unit = fragment.setColor(fragment.x / 40f, seed / 1000f, fragment.y / 30f)
 }
 
-/** A rectangle of constant depth that writes down what it is asked. */
+/** A rectangle of constant depth that records the calls. */
 internal class Witness(private val region: Region, private val depth: Int, private val onRow: (Int) -> Unit = {},) :
     Primitive {
     /** Rows at which cursors began. */
     val cursors = ArrayList<Int>()
 
-    /** Rows whose spans were asked for. */
+    /** Rows whose spans were requested. */
     val rows = ArrayList<Int>()
 
-    /** Samples whose depth was asked for. */
+    /** Samples whose depth was requested. */
     var depths = 0
 
-    /** Samples whose colour was asked for, x and y. */
+    /** Samples whose colour was requested, x and y. */
     val shaded = ArrayList<Pair<Int, Int>>()
 
     override val rowStart: Int get() = region.rowStart
@@ -174,13 +177,13 @@ internal class Witness(private val region: Region, private val depth: Int, priva
     }
 }
 
-/** Scenes in which the pipelines' promises show. */
+/** Scenes that make the guarantees of the pipelines measurable. */
 internal object PipelineScenes {
-    /** [count] layers that cover all of [raster], the nearest last. */
+    /** [count] layers that cover all of [raster]; the nearest comes last. */
     fun layers(raster: Raster, count: Int, onRow: (index: Int, y: Int) -> Unit = { _, _ -> }): List<Witness> =
         List(count) { index -> Witness(raster.region, Depth.FAR - index) { y -> onRow(index, y) } }
 
-    /** A staircase: a tile for every [step] rows, each [alive] steps high, so that as many are alive on any row. */
+    /** A staircase: a new tile starts every [step] rows and is [alive] steps high, so [alive] tiles cover any row. */
     fun staircase(raster: Raster, step: Int, alive: Int): Frame {
         val builder = FrameBuilder(raster)
         val right = raster.width.toDouble()
@@ -195,7 +198,7 @@ internal object PipelineScenes {
         return builder.build()
     }
 
-    /** [count] triangles that all cover the one column of a raster of [rows] rows. */
+    /** [count] triangles that all cover the only column of a raster of [rows] rows. */
     fun crowd(count: Int, rows: Int): Frame {
         val builder = FrameBuilder(Raster(1, rows))
         for (i in 0 until count) {
@@ -205,7 +208,7 @@ internal object PipelineScenes {
         return builder.build()
     }
 
-    /** Runs [block] on a stack of 128 kilobytes, and passes on what it throws. */
+    /** Runs [block] on a thread with a stack of 128 kilobytes, and rethrows its exceptions. */
     fun <T> onASmallStack(block: () -> T): T {
         var result: Result<T>? = null
         val thread = Thread(null, { result = runCatching(block) }, "small stack", 128L shl 10)
@@ -214,7 +217,7 @@ internal object PipelineScenes {
         return result!!.getOrThrow()
     }
 
-    /** Bytes in use after collecting garbage. */
+    /** Bytes in use after a garbage collection. */
     fun usedBytes(): Long {
         repeat(3) { System.gc() }
         val runtime = Runtime.getRuntime()

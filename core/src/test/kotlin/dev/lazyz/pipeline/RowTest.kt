@@ -69,7 +69,7 @@ class RowTest {
         row.primitive(30)
         assertEquals(before, row.counters.peakBytes)
 
-        // Colours, and a bit for each in whole words
+        // Colours, and one bit for each, in whole words
         row.argb(30)
         assertEquals(before + 4 * 80 + 16, row.counters.peakBytes)
         row.argb()

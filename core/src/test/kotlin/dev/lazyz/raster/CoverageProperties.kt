@@ -16,7 +16,7 @@ import net.jqwik.api.Provide
 import net.jqwik.api.constraints.IntRange
 import org.junit.jupiter.api.Assertions.assertEquals
 
-/** Contract rules 1.3 and 2.1 to 2.5: which samples polygons cover. */
+/** Contract rules 1.3 and 2.1 to 2.5: coverage of polygons. */
 class CoverageProperties {
     @Provide
     fun drawings(): Arbitrary<Drawing> = Drawing.any()
@@ -58,7 +58,7 @@ class CoverageProperties {
         assertEquals(expected, drawing.samples(FillRule.EVEN_ODD))
     }
 
-    /** Edge function with the classic tie: a clockwise triangle owns its top edges and its left edges. */
+    /** Edge function with the classic tie rule: a clockwise triangle owns its top edges and its left edges. */
     private fun owns(from: GridPoint, to: GridPoint, sample: GridPoint): Boolean {
         val side = sample.side(from, to)
         val isTop = from.y == to.y && to.x > from.x
@@ -72,7 +72,7 @@ class CoverageProperties {
         @ForAll @IntRange(min = 1, max = 5) cells: Int,
         @ForAll @IntRange(min = 0, max = 400) jitter: Int,
     ) {
-        // A mesh of the whole raster whose inner vertices lie anywhere near their place, folds included
+        // A mesh of the whole raster whose inner vertices are moved at random, so that triangles can be folded over
         val size = 12
         val columns = IntArray(cells + 1) { -256 + it * (256 * size + 512) / cells }
         val points = List(cells + 1) { row ->
@@ -97,7 +97,7 @@ class CoverageProperties {
         for (y in 0 until size) for (x in 0 until size) assertEquals(1, counts[y * size + x]) { "sample $x, $y" }
     }
 
-    /** Moves by up to [around] grid steps, then now and then onto a sample or a corner. */
+    /** Moves a vertex by up to [around] grid steps, sometimes onto a sample or a corner. */
     private fun moved(position: Int, around: Int, random: Random): Int {
         val moved = position + random.nextInt(2 * around + 1) - around
         return when {
@@ -108,7 +108,7 @@ class CoverageProperties {
         }
     }
 
-    /** Adds a triangle's samples, negative if it is folded over. */
+    /** Adds the samples of a triangle; negatively if it is folded over. */
     private fun addSigned(counts: IntArray, size: Int, triangle: List<GridPoint>) {
         val sign = java.lang.Long.signum(triangle[2].side(triangle[0], triangle[1]))
         val samples = Drawing(size, size, listOf(triangle)).samples(FillRule.NON_ZERO)
@@ -144,7 +144,7 @@ class CoverageProperties {
 
     @Property(seed = "1995", tries = 300, edgeCases = EdgeCasesMode.NONE)
     fun rule_2_5_aPolygonCoversWhatItsTrianglesCover(@ForAll random: Random, @ForAll isUpright: Boolean) {
-        // Two chains, one above the other, that share their columns: concave, without crossings
+        // Two chains of vertices, one above the other, with the same columns: concave, without crossings
         val size = 12
         val columns = IntArray(2 + random.nextInt(8)) { random.nextInt(256 * size + 512) - 256 }.distinct().sorted()
         if (columns.size < 2) return

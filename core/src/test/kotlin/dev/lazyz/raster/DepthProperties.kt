@@ -70,7 +70,7 @@ class DepthProperties {
         val form = primitive.depthForm ?: return
         val isConstant = form.dx == 0L && form.dy == 0L
 
-        // At both ends and in the middle of the row's spans
+        // At both ends and in the middle of the spans of the row
         val spans = Spans()
         primitive.spans(row, spans)
         for (i in 0 until spans.count) {
@@ -113,7 +113,7 @@ class DepthProperties {
 
     @Example
     fun rule_4_4_boundsHoldAtTheVeryEndOfTheRange() {
-        // The plane's depth at the fourth vertex is 2^31-1.01
+        // The depth of the plane at the fourth vertex is 2^31-1.01
         val nearer = Depth.toUnit(Depth.FAR - 16_794_010)
         val contour = listOf(
             0.0, 0.0, 1.0,
@@ -133,7 +133,8 @@ class DepthProperties {
         @ForAll random: Random,
         @ForAll @IntRange(min = 4, max = 9) count: Int,
     ) {
-        // Depth of the plane through the three vertices that the contract names; the others' depths do not matter
+        // Depth of the plane through the three vertices that the contract specifies; the depths of the others do not
+        // matter
         val points = List(count) { GridPoint(random.nextInt(6000) - 1000, random.nextInt(6000) - 1000) }
         val first = points[0]
         val distances = points.map { square(it.x - first.x) + square(it.y - first.y) }

@@ -69,7 +69,7 @@ class LinearFormProperties {
         val error = (Fraction(form.at(column, row) shr 32) - exact).abs()
         assertTrue(error < Fraction.of(ReferenceTriangle.ERROR_BOUND)) { "off by $error: $triangle, $values" }
 
-        // Where slopes are gentle only rounding is left
+        // With gentle slopes, only rounding remains
         val isGentle = Math.abs(form.dx) < 1L shl 50 && Math.abs(form.dy) < 1L shl 50
         if (isGentle) assertTrue(error < Fraction.of(0.501)) { "off by $error: $triangle, $values" }
     }
@@ -99,7 +99,7 @@ class LinearFormProperties {
         assertEquals(LinearForm.constant(7), reference(line).form(7, random.nextInt(1000), random.nextInt(1000)))
     }
 
-    /** The greater of the exact slopes a pixel, along a row and along a column. */
+    /** The larger of the exact slopes a pixel, along a row and along a column. */
     private fun steepest(triangle: List<GridPoint>, values: List<Int>): Fraction {
         val sample = triangle[0]
         val at = { p: GridPoint -> planeAt(triangle, values, p) }

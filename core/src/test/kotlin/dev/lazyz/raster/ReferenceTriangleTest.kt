@@ -13,7 +13,7 @@ class ReferenceTriangleTest {
 
     @Test
     fun rule_3_4_aQuarterOfTheRangeFromASampleToTheNextIsTooSteep() {
-        // A pixel to the right or downward, up or down in depth
+        // One pixel to the right or downward; increasing or decreasing depth
         val quarter = 1 shl 29
         for ((x, y) in listOf(256 to 0, 0 to 256)) {
             val t = ReferenceTriangle(0, 0, x, y, y, x)

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 class ScreenGridProperties {
     @Property(seed = "1995", tries = 1000)
     fun rule_1_3_positionsRoundHalfUp(@ForAll @IntRange(min = -268435456, max = 268435456) half: Int) {
-        // Every other value lies halfway between two grid lines
+        // Every other value is halfway between two grid lines
         val expected = BigDecimal(half).divide(BigDecimal(2)).setScale(0, RoundingMode.HALF_UP)
         val halfUp = if (half < 0 && half % 2 != 0) expected.add(BigDecimal.ONE) else expected
         assertEquals(halfUp.toInt(), ScreenGrid.snap(half / 512.0))
@@ -45,14 +45,14 @@ class ScreenGridProperties {
         @ForAll @IntRange(min = -134217728, max = 134217728) y1: Int,
         @ForAll @IntRange(min = 0, max = 262143) someRow: Int,
     ) {
-        // There and back again: two edges, of opposite winding
+        // Forth and back: two edges with opposite windings
         val edges = EdgeTable(intArrayOf(x0, x1), intArrayOf(y0, y1), intArrayOf(2), FillRule.NON_ZERO, 262144, 262144)
         if (edges.count == 0) return
         val row = edges.rowStart + someRow % (edges.rowEnd - edges.rowStart)
         assertTrue(256L * row + 128 >= minOf(y0, y1) && 256L * row + 128 < maxOf(y0, y1)) { "row $row" }
         assertEquals(0, edges.winding(0) + edges.winding(1))
 
-        // The least x with (256 x + 128 - x0) dy >= (256 row + 128 - y0) dx, in big integers
+        // The smallest x with (256 x + 128 - x0) dy >= (256 row + 128 - y0) dx, in big integers
         val dx = BigInteger.valueOf(x1.toLong() - x0)
         val dy = BigInteger.valueOf(y1.toLong() - y0)
         val sign = BigInteger.valueOf(dy.signum().toLong())

@@ -64,7 +64,7 @@ class VisibilityProperties {
         val fragment = Fragment()
         for (y in 0 until 16) {
             for (x in 0 until 16) {
-                // The plain minimum, in the words of rules 5.1 to 5.3
+                // The minimum as defined by rules 5.1 to 5.3
                 var index = -1
                 var depth = background
                 for ((i, primitive) in frame.primitives.withIndex()) {
@@ -181,7 +181,7 @@ class VisibilityProperties {
         val frame = SampleScenes.drawn(random, raster, 9)
         val whole = ZBuffer().render(frame)
 
-        // Split by primitives, in three
+        // Split by primitives, into three parts
         val part = IntArray(9) { random.nextInt(3) }
         val parts = List(3) { p -> ZBuffer().render(frame.keeping { part[it] == p }) }
         val (a, b, c) = parts.shuffled(random)
@@ -189,7 +189,7 @@ class VisibilityProperties {
         assertEquals(whole, Image.merge(a, Image.merge(c, b, raster), raster))
         assertEquals(whole, Image.merge(whole, a, raster))
 
-        // Split by regions, in two
+        // Split by regions, into two parts
         val column = 1 + random.nextInt(15)
         val left = ZBuffer().render(frame.within(Region(0, 0, column, 12)))
         val right = ZBuffer().render(frame.within(Region(column, 0, 16, 12)))

@@ -7,11 +7,11 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Cutting at each plane of the guard band, beside the half spaces written out. */
+/** Clips at each plane of the guard band, and compares with explicit half-spaces. */
 class ClipperTest {
     private val clipper = Clipper(3.0, 2.0, -0.5)
 
-    /** What x, y, z and w are multiplied by for the distance from each plane: near, far, left, right, bottom, top. */
+    /** Coefficients of x, y, z and w in the distance from each plane: near, far, left, right, bottom, top. */
     private val planes = listOf(
         listOf(0.0, 0.0, 1.0, 0.5), listOf(0.0, 0.0, -1.0, 1.0), listOf(1.0, 0.0, 0.0, 3.0),
         listOf(-1.0, 0.0, 0.0, 3.0), listOf(0.0, 1.0, 0.0, 2.0), listOf(0.0, -1.0, 0.0, 2.0),
@@ -84,7 +84,7 @@ class ClipperTest {
                 val contours = clipper.clip(vertices, listOf(IntArray(points.size) { it }), 1 shl plane)
                 assertEquals(if (expected.isEmpty()) 0 else 1, contours.size)
                 val actual = contours.flatMap { it.asIterable() }.map { point(vertices, it) }
-                // A contour of four may cross itself: then the runs along the plane are split besides
+                // A contour of four vertices can cross itself: then the parts along the plane are split too
                 if (expected.size == actual.size || points.size == 3) assertNear(expected, actual)
             }
             assertTrue(cuts > 20) { "plane $plane: $cuts" }
@@ -93,7 +93,8 @@ class ClipperTest {
 
     @Test
     fun rule_9_2_runsAlongAPlaneAreSplitWhereOthersEnd() {
-        // A comb whose back is outside of the plane: 1 is on it, and the other number along it
+        // A comb whose back is outside of the plane: coordinate 1 is on the plane, the other number is the position
+        // along it
         val comb = listOf(
             0.5 to -0.75, 1.5 to -0.75, 1.5 to 0.75, 0.5 to 0.75, 0.5 to 0.25, 1.25 to 0.25, 1.25 to -0.25,
             0.5 to -0.25,
@@ -105,7 +106,7 @@ class ClipperTest {
         for (plane in planes.indices) {
             for ((sign, offset) in listOf(1.0 to 0.0, -1.0 to 0.0, 1.0 to 1.0, -1.0 to 1.0)) {
                 for (first in comb.indices) {
-                    // The vertices' w differ; places are compared on the screen, wherever the contour begins
+                    // The vertices have different w; positions are compared on the screen, wherever the contour begins
                     val points = List(comb.size) { i ->
                         val (across, along) = comb[(first + i) % comb.size]
                         place(plane, across, sign * along + offset).map { it * W[(first + 3 * i) % W.size] }
@@ -134,7 +135,7 @@ class ClipperTest {
         }
     }
 
-    /** The point [across] of the way from the middle to a plane, and [along] it. */
+    /** The point at the fraction [across] of the distance from the centre to a plane, and at [along] in the plane. */
     private fun place(plane: Int, across: Double, along: Double): List<Double> = when (plane) {
         0 -> listOf(along, along / 2, -0.5 * across, 1.0)
         1 -> listOf(along / 4, along, across, 1.0)

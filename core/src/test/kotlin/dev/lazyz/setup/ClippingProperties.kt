@@ -26,14 +26,14 @@ class ClippingProperties {
     private val raster = Raster(32, 24)
     private val eye = Vector3d(0.0, 0.0, 0.0)
 
-    /** Looks along a random direction, or along -z when [isUpright]; perspective, from the origin. */
+    /** A perspective camera at the origin that looks in a random direction, or along -z if [isUpright]. */
     private fun camera(random: Random, near: Double = 1.0, far: Double = 40.0): Camera {
         val target = Vector3d(random.nextDouble() - 0.5, random.nextDouble() - 0.5, -1.0)
         val up = Vector3d(random.nextDouble() - 0.5, 1.0, random.nextDouble() - 0.5)
         return Camera.perspective(eye, target, up, 30.0 + 60 * random.nextDouble(), near, far)
     }
 
-    /** A plane that passes the eye at some distance, with two directions along it. */
+    /** A plane at some distance from the eye, with two directions in it. */
     private class Plane(random: Random) {
         val origin = Vector3d(random.nextDouble() - 0.5, -0.3 - random.nextDouble(), -0.5)
         val along = Vector3d(1.0, (random.nextDouble() - 0.5) * 0.3, (random.nextDouble() - 0.5) * 0.8)
@@ -50,7 +50,7 @@ class ClippingProperties {
 
     @Property(seed = "1995", tries = 200, edgeCases = EdgeCasesMode.NONE)
     fun rule_9_1_neighboursShareTheirCuts(@ForAll random: Random) {
-        // A tiled floor that goes on behind the viewer, past the far plane and beyond the guard band
+        // A tiled floor that extends behind the viewer, beyond the far plane and beyond the guard band
         val plane = Plane(random)
         val cells = 2 + random.nextInt(5)
         val reach = listOf(6.0, 60.0, 3e4, 1e7)[random.nextInt(4)]
@@ -101,7 +101,7 @@ class ClippingProperties {
 
     @Property(seed = "1995", tries = 200, edgeCases = EdgeCasesMode.NONE)
     fun rule_9_2_runsAlongThePlaneCancel(@ForAll random: Random) {
-        // A comb whose teeth point into view and whose back is behind the viewer, against its teeth one by one
+        // A comb whose teeth point into view and whose back is behind the viewer, compared with its single teeth
         val plane = Plane(random)
         val teeth = 2 + random.nextInt(4)
         val tips = 2.0 + random.nextDouble() * 10

@@ -33,7 +33,7 @@ import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Contract rules 9.4 to 9.6: input that has no picture, or hardly one. */
+/** Contract rules 9.4 to 9.6: degenerate input, for which little or nothing is drawn. */
 class DegenerateTest {
     private val raster = Raster(8, 8)
     private val shader = Shader { it.setColor(1f, 0f, 0f) }

@@ -10,7 +10,7 @@ import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 
-/** Contract rule 9.1: a cut keeps its digits however far the edge goes. */
+/** Contract rule 9.1: a cut keeps its precision, however long the edge is. */
 class DistantVertexTest {
     @Test
     fun rule_9_1_anEdgeToAVeryDistantVertexIsCutAtTheSamePlace() {

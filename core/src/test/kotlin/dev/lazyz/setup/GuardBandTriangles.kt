@@ -4,7 +4,7 @@ import dev.lazyz.Fraction
 import dev.lazyz.GridPoint
 import java.util.Random
 
-/** Triangles anywhere within the guard band around a sample of a large raster, many of them slivers. */
+/** Triangles at arbitrary positions in the guard band around a sample of a large raster; many are slivers. */
 object GuardBandTriangles {
     private const val LIMIT = 1 shl 27
 

@@ -23,7 +23,7 @@ import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 
-/** Contract rules 2.6 and 4.5: spheres, against rays in decimals of 60 digits. */
+/** Contract rules 2.6 and 4.5: spheres, compared with rays in decimal arithmetic of 60 digits. */
 class SphereProperties {
     private val eye = Vector3d(0.0, 0.0, 0.0)
 
@@ -38,7 +38,10 @@ class SphereProperties {
         }
     }
 
-    /** Where the ray through a sample meets the sphere: both distances along the line of sight, or null; exact. */
+    /**
+     * The exact intersections of the ray through a sample with the sphere: both distances along the line of sight, or
+     * null.
+     */
     private class Rays(camera: Camera, raster: Raster, private val sphere: Sphere) {
         private val isPerspective = camera.projection is Projection.Perspective
         private val halfHeight = when (val projection = camera.projection) {
@@ -137,7 +140,7 @@ class SphereProperties {
         return second.takeIf { it >= near && it <= far }
     }
 
-    /** Whether the outline or the edge of a cut is so near that double precision may say otherwise. */
+    /** Whether the outline or the edge of a cut is so close that double precision can give a different answer. */
     private fun isDoubtful(rays: Rays, sphere: Sphere, camera: Camera, x: Int, y: Int): Boolean {
         val size = sphere.center.length() + sphere.radius
         val signs = listOf(0.4999, 0.5, 0.5001).flatMap { dx ->

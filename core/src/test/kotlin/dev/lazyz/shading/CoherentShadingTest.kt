@@ -24,14 +24,14 @@ import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestFactory
 
-/** What the three ways of late shading cost, in starts and steps, by every renderer that offers them. */
+/** The cost of the three modes of late shading, in starts and steps, for every renderer that supports them. */
 class CoherentShadingTest {
     private val raster = Raster(512, 8)
 
-    /** One wall, visible everywhere, whose starts are expensive. */
+    /** A single wall, visible everywhere, whose starts are expensive. */
     private val wall = frame(wallCost = 64, pickets = 0, pitch = 1) { it }
 
-    /** The wall behind pickets that let it through at every 32nd column only; steps have nothing to do with pickets. */
+    /** The wall behind pickets that leave only every 32nd column visible; the pickets do not support stepping. */
     private val fence = frame(wallCost = 4, pickets = 16, pitch = 32) { Plain(it) }
 
     @TestFactory
@@ -45,7 +45,7 @@ class CoherentShadingTest {
         assertEquals(1, incremental.longestChain)
         assertTrue(64 * incremental.shadingStarts + incremental.shadingSteps < 0.02 * 64 * direct.shadingStarts)
 
-        // Adaptive is as good as the better
+        // The adaptive mode is as good as the better of the other two
         val adaptive = counters(renderer, wall, Coherence.ADAPTIVE)
         assertEquals(incremental.shadingStarts, adaptive.shadingStarts)
         assertEquals(incremental.shadingSteps, adaptive.shadingSteps)
@@ -60,18 +60,18 @@ class CoherentShadingTest {
         assertEquals(15L * 8 * 32, incremental.shadingSteps)
         assertEquals(32, incremental.longestChain)
 
-        // Of the wall itself, seen through the gaps
+        // Of the wall only, seen through the gaps
         val gaps = direct.shadingStarts - PICKETS
         assertTrue(4 * gaps < 0.2 * (4 * 8 + incremental.shadingSteps))
 
-        // Adaptive is as good as the better
+        // The adaptive mode is as good as the better of the other two
         val adaptive = counters(renderer, fence, Coherence.ADAPTIVE)
         assertEquals(direct.shadingStarts, adaptive.shadingStarts)
         assertEquals(0, adaptive.shadingSteps)
     }
 
     @TestFactory
-    fun adaptiveIsNeverDearerThanTheBetter(): List<DynamicTest> = forEachRenderer { renderer ->
+    fun adaptiveIsNeverMoreExpensiveThanTheBetter(): List<DynamicTest> = forEachRenderer { renderer ->
         for (seed in 1L..20L) {
             val mixed = SampleScenes.mixed(Random(seed)).frame(60, 40)
             val cost = seed.toInt()
@@ -85,7 +85,7 @@ class CoherentShadingTest {
     }
 
     @TestFactory
-    fun stepsSaveWorkWhereStartsAreDear(): List<DynamicTest> = forEachRenderer { renderer ->
+    fun stepsSaveWorkWhereStartsAreExpensive(): List<DynamicTest> = forEachRenderer { renderer ->
         val work = Coherence.entries.associateWith { coherence ->
             val ripple = Ripple(raster)
             counters(renderer, Frame(raster, listOf(ripple)), coherence)
@@ -111,12 +111,12 @@ class CoherentShadingTest {
         val chains = 257 * 152L
         assertTrue(incremental in chains..direct + chains + 512) { "$incremental, $direct" }
 
-        // In place of chains tiles hold which samples show each primitive
+        // Instead of chains, tiles store which samples show each primitive
         if (renderer.id != "tiled") assertTrue(incremental > direct) { "$incremental, $direct" }
     }
 
     @TestFactory
-    fun adaptiveHeedsWhatAPrimitiveSaysOfItsStarts(): List<DynamicTest> = forEachRenderer { renderer ->
+    fun adaptiveUsesTheStartCostOfAPrimitive(): List<DynamicTest> = forEachRenderer { renderer ->
         for (cost in listOf(0, 31, 32)) {
             val expensive = Frame(raster, fence.primitives.map { Expensive(it, cost) })
             val starts = counters(renderer, expensive, Coherence.ADAPTIVE).shadingStarts
@@ -130,7 +130,7 @@ class CoherentShadingTest {
         assertTrue(lateRenderers().size >= 5) { "${lateRenderers()}" }
     }
 
-    /** In tiles as wide as the raster, if there are tiles: chains end with a tile's row. */
+    /** Uses tiles as wide as the raster, for renderers that have tiles, because chains end with a row of a tile. */
     private fun counters(renderer: Renderer, frame: Frame, coherence: Coherence): Counters =
         renderer.configured(RenderOptions(coherence, threads = 1, tileSize = 512)).render(frame).counters
 
@@ -139,7 +139,7 @@ class CoherentShadingTest {
     private fun forEachRenderer(test: (Renderer) -> Unit): List<DynamicTest> =
         lateRenderers().map { renderer -> dynamicTest(renderer.id) { test(renderer) } }
 
-    /** A wall behind [pickets], each of which leaves one column free of [pitch]. */
+    /** A wall behind [pickets], which leave one of every [pitch] columns free. */
     private fun frame(wallCost: Int, pickets: Int, pitch: Int, picket: (Primitive) -> Primitive): Frame {
         val builder = FrameBuilder(raster)
         val shader = Shader { it.setColor(it.worldX, it.worldY, it.worldZ) }
@@ -153,15 +153,17 @@ class CoherentShadingTest {
         return Frame(raster, listOf(Expensive(primitives[0], wallCost)) + primitives.drop(1).map(picket))
     }
 
-    /** A primitive whose colours cannot be stepped. */
+    /** A primitive that does not support stepping. */
     private class Plain(whole: Primitive) : Primitive by whole {
         override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
     }
 
-    /** A primitive that says what its starts cost. */
+    /** A primitive with a given cost of a start. */
     private class Expensive(whole: Primitive, override val shadingStartCost: Int) : Primitive by whole
 
-    /** A primitive whose colour is a sum along the row: a start is as many additions as there are columns before it. */
+    /**
+     * A primitive whose colour is a sum along the row: a start takes as many additions as there are columns before it.
+     */
     private class Ripple(private val raster: Raster) : Primitive {
         var additions = 0L
 

@@ -22,7 +22,7 @@ class LightingTest {
         Vector3d(0.0, 0.0, 4.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 60.0, 1.0, 10.0,
     )
 
-    /** The linear colour of a large wall at z = 0, seen at the middle of a 1 x 1 raster. */
+    /** The linear colour of a large wall at z = 0, at the centre of a 1 x 1 raster. */
     private fun seen(material: Material, vararg lights: Light): Rgba = color(shaded(material, Z, lights.toList()))
 
     private fun color(fragment: Fragment): Rgba = Rgba(fragment.red, fragment.green, fragment.blue, fragment.alpha)
@@ -79,9 +79,9 @@ class LightingTest {
         // Light from 60 degrees off the line of sight, which is the normal
         val light = Light.Directional(Vector3d(-StrictMath.sqrt(3.0), 0.0, -1.0), Rgba.WHITE)
         val black = Material(Rgba.BLACK, specular = Rgba(1f, 0.5f, 0.25f), shininess = 3)
-        // Phong: reflected ray and viewer are 60 degrees apart, (1/2)^3
+        // Phong: the angle of reflected ray and viewer is 60 degrees, (1/2)^3
         assertColor(0.125, 0.0625, 0.03125, seen(black, light))
-        // Blinn: normal and halfway vector are 30 degrees apart, (3/4)^(3/2)
+        // Blinn: the angle of normal and halfway vector is 30 degrees, (3/4)^(3/2)
         val strength = StrictMath.pow(0.75, 1.5)
         assertColor(strength, strength / 2, strength / 4, seen(black.withShading(Shading.BLINN_PHONG), light))
     }
@@ -100,7 +100,7 @@ class LightingTest {
 
     @Test
     fun rule_6_5_aLightAlongTheSurfaceAddsNothing() {
-        // Its cosine is 0, though the highlight's would be above 0
+        // Its cosine is 0, but that of the highlight would be above 0
         for (shading in Shading.entries - Shading.CONSTANT) {
             for (direction in listOf(Vector3d(1.0, 0.0, 0.0), Vector3d(0.0, -1.0, 0.0))) {
                 val material = Material(shading = shading, specular = Rgba.WHITE, shininess = 1)
@@ -134,7 +134,7 @@ class LightingTest {
             )
             val fragment = shaded(material, normal, listOf(Light.Directional(light, Rgba.WHITE)))
 
-            // The same with double precision, from the fragment's own position
+            // Same in double precision, from the fragment's own position
             val n = Vector3d(normal).normalize()
             val toLight = Vector3d(light).mul(-1.0).normalize()
             val world = Vector3d(fragment.worldX.toDouble(), fragment.worldY.toDouble(), fragment.worldZ.toDouble())
@@ -156,7 +156,7 @@ class LightingTest {
 
     @Test
     fun rule_6_5_theBackIsLitAsAFront() {
-        // Seen from behind, the normal is turned to the viewer's side, whichever way it pointed
+        // Seen from behind, the normal is reversed to face the viewer, whatever its direction was
         val light = Light.Directional(Vector3d(0.0, 0.0, -1.0), Rgba.WHITE)
         for (shading in Shading.entries - Shading.CONSTANT) {
             for (normals in listOf(null, FloatArray(9) { if (it % 3 == 2) -1f else 0f })) {

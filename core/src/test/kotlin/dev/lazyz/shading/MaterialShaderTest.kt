@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Contract rule 6.1 for materials: one by one or in batches, of meshes or of polygons, colours are the same. */
+/** Contract rule 6.1 for materials: single fragments and batches, of meshes and of polygons, have the same colours. */
 class MaterialShaderTest {
     private val texture = Texture(2, 2, intArrayOf(-0x1, 0x40ff0000, 0x4000ff00, -0xffff01), TextureFilter.BILINEAR)
     private val lights = listOf(
@@ -64,7 +64,7 @@ class MaterialShaderTest {
                         "${material.shading}, ${material.alphaMode}, ${material.texture}"
                     }
                 }
-                // What lies behind the last fragment is left alone
+                // Elements after the last fragment are unchanged
                 assertEquals(listOf(0f, 1f), listOf(batch.red[5], batch.alpha[5]))
             }
         }

@@ -29,7 +29,7 @@ class ShadingProperties {
         all
     }
 
-    /** All bits of what [Primitive.shade] leaves in a fragment. */
+    /** All bits of the colour that [Primitive.shade] stores in a fragment. */
     private fun bits(place: Place, fragment: Fragment): List<Int> {
         fragment.moveTo(place.x, place.y)
         place.primitive.shade(fragment)
@@ -44,11 +44,11 @@ class ShadingProperties {
         val places = places(SampleScenes.mixed(Random(seed)).frame(20, 16))
         val fresh = places.map { bits(it, Fragment()) }
 
-        // Interleaved, with one fragment that has seen other primitives
+        // Interleaved, with one fragment that was used for other primitives
         val fragment = Fragment()
         for (i in places.indices.shuffled(Random(seed))) assertEquals(fresh[i], bits(places[i], fragment))
 
-        // The same primitives set up anew, from the last to the first
+        // The same primitives set up again, from the last to the first
         val anew = places(SampleScenes.mixed(Random(seed)).frame(20, 16))
         for (i in anew.indices.reversed()) assertEquals(fresh[i], bits(anew[i], fragment))
     }
@@ -61,7 +61,7 @@ class ShadingProperties {
         }
         val expected = colours(places(SampleScenes.mixed(Random(seed)).frame(20, 16)))
 
-        // Nothing has been shaded yet: both threads find the weights unmade
+        // Nothing has been shaded yet: both threads must create the edge functions
         val places = places(SampleScenes.mixed(Random(seed)).frame(20, 16))
         val threads = Executors.newFixedThreadPool(2)
         try {
@@ -91,7 +91,7 @@ class ShadingProperties {
             }
         }
 
-        // A frame of constant colours alone has nothing to step; most have more
+        // A frame with only constant colours has no steps; most frames have other colours
         Statistics.collect(cursors > 0)
         Statistics.coverage { it.check(true).percentage(Predicate { share -> share > 50.0 }) }
     }

@@ -23,7 +23,10 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Contract rules 3.6 and 6.5 in other words, to the bit: light at vertices, colours between them, light at samples. */
+/**
+ * An independent implementation of contract rules 3.6 and 6.5, equal bit for bit: light at vertices, interpolated
+ * colours, light at samples.
+ */
 class VertexLightingTest {
     private class Vector(val x: Float, val y: Float, val z: Float) {
         val length: Float get() = sqrt(dot(this))
@@ -56,7 +59,7 @@ class VertexLightingTest {
     private fun power(base: Float, exponent: Int): Float = generateSequence(base) { it * it }.take(11)
         .filterIndexed { bit, _ -> exponent shr bit and 1 == 1 }.reduce { product, square -> product * square }
 
-    /** Rule 6.5 at a point whose normal points to the viewer: red, green and blue. */
+    /** Rule 6.5 at a point whose normal points to the viewer; returns red, green and blue. */
     private fun lit(material: Material, camera: Camera, at: Vector, normal: Vector, surface: FloatArray): FloatArray {
         val toViewer = if (camera.projection is Projection.Perspective) {
             (vector(camera.eye) - at).unit()
@@ -144,7 +147,7 @@ class VertexLightingTest {
                 lit(material, camera, at, normal, surface).toList() + surface[3] * material.baseColor.alpha
             }
             for (sign in listOf(1f, -1f)) {
-                // Normals that point away are turned round, all together
+                // Normals that point away from the viewer are all reversed together
                 val turned = FloatArray(9) { sign * normals[it] }
                 val mesh = Mesh(positions, intArrayOf(0, 1, 2), material, turned, null, colors)
                 val frame = Scene(listOf(mesh), lights, camera).frame(24, 24)

@@ -102,7 +102,7 @@ class CameraTest {
                 reach = maxOf(reach, Math.abs(p.x / p.w), Math.abs(p.y / p.w))
             }
             assertTrue(reach <= 0.95 * zoom * 1.00001) { "$reach at zoom $zoom: $box from $camera" }
-            // Seen end-on, a thin box may be as small as a point
+            // Seen end-on, a thin box can be as small as a point
             if (size.min() > 0.1) assertTrue(reach >= 0.949 * zoom) { "$reach at zoom $zoom: $box from $camera" }
         }
     }

@@ -39,7 +39,7 @@ class LinesTest {
         return setUp.lines(Lines(positions.toFloatArray(), intArrayOf(0, 1), width, material)).single()
     }
 
-    /** A segment on the 1/256 pixel grid, and what rule 2.10 says of it in integers and fractions. */
+    /** A segment on the 1/256 pixel grid, and its coverage by rule 2.10 in integers and fractions. */
     private class Grid(val x0: Long, val y0: Long, val x1: Long, val y1: Long, width: Double) {
         private val half = maxOf(StrictMath.floor(128 * width + 0.5).toLong(), 128L)
         private val square = (x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0)
@@ -56,7 +56,7 @@ class LinesTest {
             Pair(x1 + ux + uy, y1 + uy - ux), Pair(x0 - ux + uy, y0 - uy - ux),
         )
 
-        /** Whether quad or ends have the sample: by the windings at or left of it. */
+        /** Whether the quad or the ends cover the sample: by the windings at or left of it. */
         private fun has(column: Int, row: Int): Boolean {
             val x = 256L * column + 128
             val y = 256L * row + 128
@@ -77,7 +77,7 @@ class LinesTest {
         }
 
         fun samples(raster: Raster): SampleSet {
-            // One span a row, from its first to its last sample, of which those off the raster are a part
+            // One span a row, from its first to its last sample, clipped to the raster
             val margin = 16
             return SampleSet.where(raster.width, raster.height) { x, y ->
                 (-margin..x).any { has(it, y) } && (x..raster.width + margin).any { has(it, y) }
@@ -125,7 +125,7 @@ class LinesTest {
 
     @Property(seed = "1995", tries = 300, edgeCases = EdgeCasesMode.NONE)
     fun rule_2_10_aLineOfAPixelHasNoGaps(@ForAll random: Random) {
-        // Not on the border of two pixels, which belongs to the upper or left one
+        // Not on the border of two pixels, which belongs to the pixel above or to the left
         val (x0, x1) = List(2) { random.nextInt(24) + (1 + random.nextInt(255)) / 256.0 }
         val (y0, y1) = List(2) { random.nextInt(18) + (1 + random.nextInt(255)) / 256.0 }
         val samples = line(Vector3d(x0, y0, 0.5), Vector3d(x1, y1, 0.5), 0.5).samples(raster)
@@ -163,7 +163,7 @@ class LinesTest {
 
     @Test
     fun rule_9_7_aLineIsCutAtThePlanesBeforeItIsWidened() {
-        // From z = -1 to 1 on the screen: half of it is behind the near plane, and the cut is in the middle
+        // From z = -1 to 1 in screen space: half of it is in front of the near plane, and the cut is at its centre
         val cut = line(Vector3d(4.5, 9.5, -1.0), Vector3d(20.5, 9.5, 1.0), 1.0)
         assertEquals(SampleSet.where(24, 18) { x, y -> y == 9 && x in 12..20 }, cut.samples(raster))
         assertEquals(Depth.NEAR, cut.depth(12, 9))
@@ -171,14 +171,14 @@ class LinesTest {
         assertEquals(0, line(Vector3d(4.5, 9.5, 2.0), Vector3d(20.5, 9.5, 1.5), 1.0).samples(raster).size)
         assertEquals(0, line(Vector3d(4.5, 9.5, Double.NaN), Vector3d(20.5, 9.5, 0.5), 1.0).samples(raster).size)
 
-        // From far beyond the guard band
+        // Starts far outside the guard band
         val long = line(Vector3d(-1e9, 9.5, 0.5), Vector3d(1e9, 9.5, 0.5), 3.0)
         assertEquals(SampleSet.where(24, 18) { _, y -> y in 8..10 }, long.samples(raster))
     }
 
     @Test
     fun rule_3_6_attributesAreThoseOfTheSegmentInSpace() {
-        // Along the line of sight, whose middle in space is far from its middle on the screen; cut at the near plane
+        // Along the line of sight; its centre in space is far from its centre on the screen; clipped at the near plane
         val camera = Camera.perspective(Vector3d(), Vector3d(0.0, 0.0, -1.0), Vector3d(0.0, 1.0, 0.0), 90.0, 1.0, 100.0)
         val place = Material(shader = { it.setColor(it.worldX, it.worldZ, it.vertexRed, it.vertexAlpha) })
         val ends = floatArrayOf(-0.5f, 0f, 0.5f, 2f, 0f, -9f)
@@ -191,7 +191,8 @@ class LinesTest {
             fragment.moveTo(x, (0 until 100).first { samples[x, it] })
             line.shade(fragment)
 
-            // Where the ray through the column meets the segment, which is at x = -0.5 + 2.5 s, z = 0.5 - 9.5 s
+            // The point where the ray through the column meets the segment, which is at x = -0.5 + 2.5 s, z = 0.5 - 9.5
+            // s
             val tangent = (x + 0.5) / 50 - 1
             val s = (0.5 - 0.5 * tangent) / (2.5 - 9.5 * tangent)
             assertEquals(-0.5 + 2.5 * s, fragment.red.toDouble(), 0.01 + 0.05 * s)

@@ -16,13 +16,13 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Contract rules 2.7 and 6.2: masks, sides, and what a shader sees. */
+/** Contract rules 2.7 and 6.2: masks, sides, and the input of a shader. */
 class MaterialTest {
     private val camera = Camera.orthographic(
         Vector3d(0.0, 0.0, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 4.0, 1.0, 9.0,
     )
 
-    /** A square of the size of the view, facing the camera; texture upright. */
+    /** A square as large as the view that faces the camera; its texture is upright. */
     private fun square(material: Material, isTurned: Boolean = false, z: Float = 0f): Mesh = Mesh(
         floatArrayOf(-2f, -2f, z, 2f, -2f, z, 2f, 2f, z, -2f, 2f, z),
         if (isTurned) intArrayOf(2, 1, 0, 3, 2, 0) else intArrayOf(0, 1, 2, 0, 2, 3),

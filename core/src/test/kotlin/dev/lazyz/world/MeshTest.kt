@@ -29,7 +29,10 @@ class MeshTest {
         return Mesh(positions, quads.flatMap { listOf(it[0], it[1], it[2], it[0], it[2], it[3]) }.toIntArray())
     }
 
-    /** A sphere of latitude and longitude, [rings] each; poles and seam doubled. */
+    /**
+     * A sphere of [rings] rings from pole to pole, with twice as many faces around; vertices at poles and seam are
+     * duplicated.
+     */
     private fun globe(rings: Int): Mesh {
         val positions = ArrayList<Float>()
         for (i in 0..rings) {

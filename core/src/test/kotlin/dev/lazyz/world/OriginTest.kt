@@ -15,9 +15,9 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Meshes far away from the world's origin keep their details. */
+/** Meshes far from the world's origin keep their details. */
 class OriginTest {
-    /** A power of two, so that adding it to small whole numbers and subtracting it again rounds nothing. */
+    /** A power of two, so that adding it to small integers and subtracting it again causes no rounding. */
     private val far = Vector3d(1048576.0, -4194304.0, 524288.0)
 
     @Test
@@ -138,7 +138,7 @@ class OriginTest {
         ),
     )
 
-    /** A hilly square of two units a side around [place]. */
+    /** A hilly square with sides of two units around [place]. */
     private fun bumps(place: Vector3d, relative: Boolean): Mesh {
         val positions = FloatArray(3 * SIDE * SIDE)
         for (i in 0 until SIDE * SIDE) {

@@ -19,13 +19,13 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Scenes that are given on the screen, [Camera.screen]. */
+/** Scenes in screen space, [Camera.screen]. */
 class ScreenCameraTest {
     private val place = Shader { it.setColor(it.worldX / 16, it.worldY / 16, it.worldZ, 0.5f) }
 
     @Property(seed = "1995", tries = 300)
     fun rule_1_3_polygonsAreThoseOfTheFrameBuilder(@ForAll seed: Long) {
-        // Half of the positions are half way between grid lines, where the last bit decides; some at the very ends
+        // Half of the positions are halfway between grid lines, where the last bit matters; some are at the limits
         val random = Random(seed)
         val contours = List(1 + random.nextInt(2)) {
             DoubleArray(3 * (1 + random.nextInt(6))) { i ->

@@ -5,7 +5,9 @@ import kotlin.math.sqrt
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 
-/** [Mesh.withSmoothNormals] beside its plain twin: for each corner, all others are looked at. */
+/**
+ * [Mesh.withSmoothNormals] compared with a reference implementation that examines all other corners for each corner.
+ */
 class SmoothNormalsTest {
     @Test
     fun normalsAreThoseOfThePlainTwinToTheBit() {
@@ -24,7 +26,9 @@ class SmoothNormalsTest {
         }
     }
 
-    /** Few positions, so that many corners meet; flat, hardly bent or wild; some as small or large as floats can be. */
+    /**
+     * Few positions, so that many corners meet; flat, slightly bent or random; some as small or large as floats can be.
+     */
     private fun mesh(random: Random): Mesh {
         val height = listOf(0.0, 1e-7, 0.1, 1.0, 3.0)[random.nextInt(5)]
         val scale = listOf(1e-38, 1e-20, 1.0, 1.0, 1e30)[random.nextInt(5)]

@@ -8,9 +8,9 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Contract rule 6.6: reading textures. */
+/** Contract rule 6.6: texture sampling. */
 class TextureTest {
-    /** Texel (x, y) of [width] columns is told by its red code, 16 y + x. */
+    /** The texels of a texture with [width] columns. The red code of texel (x, y) is 16 y + x. */
     private fun numbered(width: Int, height: Int): IntArray =
         IntArray(width * height) { (255 - it) shl 24 or ((16 * (it / width) + it % width) shl 16) }
 
@@ -82,7 +82,7 @@ class TextureTest {
         }
     }
 
-    /** The tent weights of all texels of all copies around the point, in double precision. */
+    /** The sum of all texels of all copies around the point, with tent weights, in double precision. */
     private fun plain(texture: Texture, wrap: TextureWrap, u: Float, v: Float): FloatArray {
         val x = if (wrap == TextureWrap.CLAMP) u.coerceIn(0f, 1f) else u
         val y = if (wrap == TextureWrap.CLAMP) v.coerceIn(0f, 1f) else v

@@ -16,7 +16,7 @@ import dev.lazyz.world.Shading
 import dev.lazyz.world.Sides
 import kotlin.math.sqrt
 
-/** Sets up the faces of one surface. Belongs to one thread. */
+/** Sets up the faces of one surface. Used by one thread. */
 internal class FaceSetUp(
     private val stage: VertexStage,
     private val material: Material,
@@ -28,20 +28,26 @@ internal class FaceSetUp(
 ) {
     private val normal = DoubleArray(3)
 
-    /** What colours the faces. */
+    /** The shader of all faces. */
     val shader: Shader get() = material.shader ?: materialShader
 
-    /** Whether attributes depend on which side of a face is seen, or on where it is. */
+    /** Whether the attributes depend on the visible side of a face, or on its position. */
     private val isPlaced = isPrelit || fields and (Attributes.WORLD or Attributes.NORMAL) != 0
 
-    /** Whether faces have only attributes that the mesh has, shared by neighbours: no light and no normals of their own. */
+    /**
+     * Whether faces only have attributes of the mesh, shared with neighbours: no light evaluated at vertices, no face
+     * normals.
+     */
     val isShared: Boolean = mesh != null && !isPrelit && (!usesFaceNormal || fields and Attributes.NORMAL == 0)
 
-    /** Whether a face has one colour if its vertices have. */
+    /** Whether a face has a single colour if its vertices have the same colour. */
     private val mayBeConstant = mesh != null && material.shader == null && !isPrelit &&
         fields and Attributes.COLOR.inv() == 0
 
-    /** Whether triangle [triangle] of the mesh has one colour; what is lit at its vertices may have, all the same. */
+    /**
+     * Whether triangle [triangle] of the mesh certainly has a single colour. False for triangles that are lit at their
+     * vertices, even if the colours happen to be equal.
+     */
     fun isConstant(triangle: Int): Boolean {
         val mesh = mesh!!
         val colors = mesh.colors
@@ -56,7 +62,10 @@ internal class FaceSetUp(
         return true
     }
 
-    /** Returns the sign that turns the normals of [triangle] to the viewer, if these faces [isShared]; [vertices] is scratch. */
+    /**
+     * Returns the sign that makes the normals of [triangle] face the viewer, if the faces are [isShared]. [vertices] is
+     * scratch memory.
+     */
     fun normalSign(batch: TriangleBatch, triangle: Int, vertices: Vertices): Double {
         for (i in 0 until 3) {
             val corner = batch.corners[3 * triangle + i]
@@ -66,7 +75,7 @@ internal class FaceSetUp(
         return turn(vertices)
     }
 
-    /** Sets vertex [to] to the attributes of the mesh's vertex [from], as far as they matter. */
+    /** Sets the attributes of vertex [to] that are needed to those of vertex [from] of the mesh. */
     fun load(vertices: Vertices, to: Int, from: Int) {
         val mesh = mesh!!
         if (isPlaced) {
@@ -77,14 +86,17 @@ internal class FaceSetUp(
         if (fields and Attributes.COLOR != 0) vertices.setColor(to, mesh, from)
     }
 
-    /** Gives a triangle of its own vertices normals and light; returns the sign that turns normals to the viewer. */
+    /**
+     * Sets normals and light of a triangle whose vertices are not shared, as far as needed. Returns the sign that makes
+     * the normals face the viewer.
+     */
     fun turn(vertices: Vertices): Double {
         if (!isPlaced) return 1.0
         newellNormal(vertices, TRIANGLE, TRIANGLE_END)
         return turn(vertices, TRIANGLE, stage.towardEye(vertices, 0, normal) >= 0.0)
     }
 
-    /** Whether triangle [triangle] of the mesh shows its back; [vertices] is scratch. */
+    /** Whether the back of triangle [triangle] of the mesh is visible. [vertices] is scratch memory. */
     fun isBack(triangle: Int, vertices: Vertices): Boolean {
         val mesh = mesh!!
         for (i in 0 until 3) vertices.setWorld(i, mesh, mesh.triangles[3 * triangle + i])
@@ -92,7 +104,7 @@ internal class FaceSetUp(
         return !(stage.towardEye(vertices, 0, normal) >= 0.0)
     }
 
-    /** Returns triangle [triangle] of the mesh with vertices of its own. */
+    /** Returns triangle [triangle] of the mesh as a primitive with its own vertices. */
     fun primitive(triangle: Int): Primitive {
         val mesh = mesh!!
         val vertices = Vertices(3)
@@ -100,11 +112,11 @@ internal class FaceSetUp(
         return primitive(vertices, TRIANGLE, TRIANGLE_END, FillRule.NON_ZERO)
     }
 
-    /** Returns the face with the given contours, ready for a renderer. */
+    /** Returns the face with the given contours as a primitive. */
     fun primitive(shared: Vertices, corners: IntArray, contourEnds: IntArray, fillRule: FillRule): Primitive {
         if (corners.any { !shared.isFinite(it) }) return EmptyPrimitive
 
-        // Drop what is outside one plane or shows the wrong side
+        // Discard faces that are outside one plane, or whose visible side is not drawn
         var outside = -1
         var planes = 0
         for (corner in corners) {
@@ -117,7 +129,7 @@ internal class FaceSetUp(
         val isFront = stage.towardEye(shared, corners[0], normal) >= 0.0
         if (!isFront && material.sides == Sides.FRONT) return EmptyPrimitive
 
-        // Give the face vertices of its own where they differ from its neighbours'
+        // Copy the vertices if their attributes differ from those of neighbouring faces
         var vertices = shared
         var selection = corners
         if (usesFaceNormal || isPrelit) {
@@ -126,7 +138,7 @@ internal class FaceSetUp(
         }
         val normalSign = turn(vertices, selection, isFront)
 
-        // Cut, project and snap
+        // Clip, project and snap
         var ends = contourEnds
         if (planes != 0) {
             if (vertices === shared) {
@@ -146,7 +158,7 @@ internal class FaceSetUp(
         return assemble(vertices, selection, ends, fillRule, normalSign).orEmpty()
     }
 
-    /** Gives vertices of a face's own normals and light, where it needs them; returns the sign for shared ones. */
+    /** Sets the face's normals and light if it has its own vertices for them. Returns the sign for shared normals. */
     private fun turn(vertices: Vertices, corners: IntArray, isFront: Boolean): Double {
         if (!usesFaceNormal && !isPrelit) return if (pointsToEye(vertices, corners, isFront)) 1.0 else -1.0
         ownNormals(vertices, isFront)
@@ -173,13 +185,16 @@ internal class FaceSetUp(
         return whole?.let { MaskedPrimitive(it, materialShader, material.alphaCutoff) }
     }
 
-    /** Whether some sample may be translucent: the material's doing or a vertex colour's. */
+    /** Whether any sample can be translucent, because of the material or a vertex colour. */
     private fun isTranslucent(vertices: Vertices, corners: IntArray): Boolean {
         if (material.isTranslucent) return true
         return material.alphaMode == AlphaMode.BLEND && corners.any { vertices.get(it, Vertices.COLOR + 3) != 1.0 }
     }
 
-    /** The contours' common normal in world space (Newell's method), to scale; into [normal]. */
+    /**
+     * Computes the common normal of the contours in world space (Newell's method) into [normal]; its length is
+     * arbitrary.
+     */
     private fun newellNormal(vertices: Vertices, corners: IntArray, contourEnds: IntArray) {
         normal.fill(0.0)
         var start = 0
@@ -202,7 +217,10 @@ internal class FaceSetUp(
         }
     }
 
-    /** Whether the vertices' own normals, on the whole, point to the side that the viewer sees. */
+    /**
+     * Whether most of the vertex normals point to the visible side: the sign of the sum of their products with the face
+     * normal.
+     */
     private fun pointsToEye(vertices: Vertices, corners: IntArray, isFront: Boolean): Boolean {
         var along = 0.0
         for (corner in corners) {
@@ -211,7 +229,7 @@ internal class FaceSetUp(
         return (along >= 0.0) == isFront
     }
 
-    /** Gives all vertices normals that face the viewer: the face's, or their own turned round where necessary. */
+    /** Makes all normals face the viewer: the face normal, or the vertex normals, all reversed if necessary. */
     private fun ownNormals(vertices: Vertices, isFront: Boolean) {
         val all = IntArray(vertices.count) { it }
         val sign = when {
@@ -231,7 +249,7 @@ internal class FaceSetUp(
         }
     }
 
-    /** Lights each vertex; under flat shading all of them as the middle of the face. */
+    /** Lights each vertex. With flat shading, all vertices are lit at the mean of their positions. */
     private fun light(vertices: Vertices) {
         if (material.shading == Shading.FLAT) {
             for (k in 0 until 3) {

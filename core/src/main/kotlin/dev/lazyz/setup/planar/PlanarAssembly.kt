@@ -13,11 +13,11 @@ import dev.lazyz.shading.AttributedPrimitive
 import dev.lazyz.shading.Vertices
 
 /**
- * The last step of set-up: snapped vertices become a primitive (contract rules 2 to 4).
+ * The last step of set-up: converts snapped vertices to a primitive (contract rules 2 to 4).
  *
- * @param vertices where attributes come from
- * @param selection the contours' vertices within [vertices], contour after contour
- * @param contourEnds for each contour the number of vertices up to its end
+ * @param vertices the vertices with their attributes
+ * @param selection the contours' vertices in [vertices], one contour after the other
+ * @param contourEnds for each contour, the index after its last vertex
  * @param xs column positions on the 1/256 pixel grid, in the order of [selection]
  * @param ys row positions, likewise
  * @param depths depths, likewise
@@ -38,14 +38,14 @@ internal class PlanarAssembly(
         normalSign: Double,
         isTranslucent: Boolean,
     ): AttributedPrimitive? {
-        // Bounds, and edges that cross rows; without them nothing is covered
+        // Bounds, and edges that cross rows; without edges nothing is covered
         val columnStart = maxOf(ScreenGrid.firstSample(xs.min()), 0)
         val columnEnd = minOf(ScreenGrid.firstSample(xs.max()), raster.width)
         if (columnStart >= columnEnd) return null
         val edges = EdgeTable(xs, ys, contourEnds, fillRule, raster.width, raster.height)
         if (edges.count == 0) return null
 
-        // The forms pass through three vertices that lie well apart
+        // The forms pass through three vertices that are far apart
         val (a, b, c) = referenceCorners()
         val reference = ReferenceTriangle(xs[a], ys[a], xs[b], ys[b], xs[c], ys[c])
         val depthForm = depthForm(reference, a, b, c)
@@ -60,9 +60,9 @@ internal class PlanarAssembly(
     }
 
     /**
-     * Returns three positions in the contours: of a triangle its own; of more vertices the first, the one furthest from
-     * it, and the one furthest from the line through both. Seen from those, no vertex has a barycentric coordinate above
-     * 4 in absolute value, so planes and attributes are never extrapolated far.
+     * Returns three indices into [selection]. For a triangle, all three vertices. For more vertices: the first, the one
+     * farthest from it, and the one farthest from the line through both. With these, no vertex has a barycentric
+     * coordinate above 4 in absolute value, so planes and attributes are never extrapolated far.
      */
     private fun referenceCorners(): IntArray {
         if (xs.size == 3) return intArrayOf(0, 1, 2)
@@ -79,11 +79,11 @@ internal class PlanarAssembly(
 
     private val isTriangle: Boolean get() = xs.size == 3 && contourEnds.size == 1
 
-    /** 1/w of the vertex furthest away, or 0 if there are but three. */
+    /** The smallest 1/w of the vertices, or 0 for a triangle. */
     private fun leastInverseW(): Double =
         if (isTriangle) 0.0 else selection.minOf { 1.0 / vertices.get(it, Vertices.W) }
 
-    /** The plane's depth at every vertex, rounded; within the range of depths by [depthForm]. */
+    /** Depth of the plane at every vertex, rounded. [depthForm] ensures that it is in the range of depths. */
     private fun cornerDepths(reference: ReferenceTriangle, a: Int, b: Int, c: Int): IntArray =
         if (xs.size == 3) {
             depths
@@ -93,7 +93,10 @@ internal class PlanarAssembly(
             }
         }
 
-    /** The plane of depth; constant if it would come within a unit of leaving the range of depths (rule 3.4). */
+    /**
+     * The linear form of depth. It is constant if the plane is within a unit of the end of the range of depths (rule
+     * 3.4).
+     */
     private fun depthForm(reference: ReferenceTriangle, a: Int, b: Int, c: Int): LinearForm {
         if (xs.size > 3) {
             for (i in xs.indices) {
@@ -105,5 +108,5 @@ internal class PlanarAssembly(
     }
 }
 
-/** This primitive, or the one that covers nothing. */
+/** Returns this primitive, or [EmptyPrimitive] if it is null. */
 internal fun Primitive?.orEmpty(): Primitive = this ?: EmptyPrimitive

@@ -16,21 +16,22 @@ import dev.lazyz.shading.AttributedPrimitive
 import dev.lazyz.shading.Vertices
 
 /**
- * A flat primitive: a triangle, or a polygon of any contours.
+ * A flat primitive: a triangle, or a polygon with any contours.
  *
- * Attributes are interpolated by three weights, one for each vertex of the reference triangle: the edge function opposite
- * to it, over its w. Dividing by their sum makes the weights perspective-correct, and one set-up serves any number of
- * attributes (contract rule 3.6). The edge functions are made when the primitive is first shaded.
+ * Attributes are interpolated with three weights, one for each vertex of the reference triangle: the opposite edge
+ * function divided by w of the vertex. Dividing by the sum of the three makes the weights perspective-correct, and the
+ * same three edge functions serve any number of attributes (contract rule 3.6). They are computed when the primitive is
+ * first shaded.
  *
  * Source: James Blinn, "Hyperbolic Interpolation", IEEE Computer Graphics and Applications 12 (1992).
  *
- * @param isTriangle whether this is a triangle, and no other polygon: the [reference] triangle
+ * @param isTriangle whether the primitive is a triangle, which is then also the [reference] triangle
  * @param reference the reference triangle on the grid
- * @param corners the reference triangle's vertices within [vertices]
- * @param leastInverseW what the interpolated 1/w is at least: that of the vertex furthest away; 0 for a triangle, within
- *   which nothing is less
- * @param normalSign -1 to turn the vertices' normals round, to the viewer; otherwise 1
- * @param fields which attributes the vertices have and the shader wants, see [Attributes]
+ * @param corners the vertices of the reference triangle in [vertices]
+ * @param leastInverseW lower bound of the interpolated 1/w: the smallest 1/w of the vertices; 0 for a triangle, which
+ *   needs no bound, because interpolated values inside it are never smaller than at the vertices
+ * @param normalSign -1 to reverse the vertex normals so that they face the viewer; otherwise 1
+ * @param fields the attributes that the vertices have and the shader uses, see [Attributes]
  */
 internal class PlanarPrimitive(
     private val edges: EdgeTable,
@@ -55,7 +56,7 @@ internal class PlanarPrimitive(
     /** Without [vertices], which the triangles of a mesh share. */
     override val heldBytes: Long get() = HELD_BYTES + edges.heldBytes
 
-    /** Immutable, and the same whoever makes it: a race is harmless. */
+    /** Created on first use. The object is immutable and always the same, so a race between threads is harmless. */
     private var edgeFunctions: EdgeFunctions? = null
 
     override fun spans(y: Int, spans: Spans) {
@@ -86,8 +87,8 @@ internal class PlanarPrimitive(
         if (fields == 0) null else WeightCursor(edgeFunctions(), x, y)
 
     /**
-     * Measured: three additions, to fields of a cursor, take no less time than six multiplications and nine additions
-     * (docs/algorithms/coherent-shading.md).
+     * Measured: a step (three additions to fields of a cursor) takes as long as a direct evaluation (six
+     * multiplications and nine additions), see docs/algorithms/coherent-shading.md.
      */
     override val shadingStartCost: Int get() = 0
 
@@ -112,9 +113,9 @@ internal class PlanarPrimitive(
         }
     }
 
-    /** Fills in the attributes from the values of the three edge functions. */
+    /** Sets the attributes from the values of the three edge functions. */
     private fun mix(fragment: Fragment, first: Long, second: Long, third: Long) {
-        // Perspective-correct weights: the one division of the fragment
+        // Perspective-correct weights: the only division for the fragment
         val data = vertices.data
         val a = Vertices.STRIDE * corners[0]
         val b = Vertices.STRIDE * corners[1]
@@ -127,7 +128,7 @@ internal class PlanarPrimitive(
         val w1 = over1 * scale
         val w2 = over2 * scale
 
-        // Mix what the shader wants
+        // Interpolate the attributes that the shader uses
         if (fields and Attributes.WORLD != 0) {
             val i = Vertices.WORLD
             fragment.worldX = (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i]).toFloat()
@@ -161,8 +162,8 @@ internal class PlanarPrimitive(
 
     companion object {
         /**
-         * This object, the reference triangle, the corners, the depth form and, once it has been shaded, the edge
-         * functions: nine objects of 40 fields, counted as if each field took 8 bytes.
+         * Bytes of this object, the reference triangle, the corners, the depth form and, after shading, the edge
+         * functions: nine objects with 40 fields, counted as 8 bytes for each field.
          */
         private const val HELD_BYTES = 9 * 16L + 40 * 8L
     }

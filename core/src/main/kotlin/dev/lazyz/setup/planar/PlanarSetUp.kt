@@ -16,7 +16,7 @@ import dev.lazyz.world.Polygon
 import dev.lazyz.world.Shading
 import dev.lazyz.world.Sides
 
-/** Makes primitives of triangles and polygons. */
+/** Converts meshes and polygons to primitives. */
 internal class PlanarSetUp(private val stage: VertexStage, private val lighting: Lighting) {
     fun mesh(mesh: Mesh): Sequence<Primitive> = sequence {
         val vertices = meshVertices(mesh)
@@ -28,14 +28,16 @@ internal class PlanarSetUp(private val stage: VertexStage, private val lighting:
         }
     }
 
-    /** Returns [mesh] as a batch whose first triangle has the submission index [first], if it is opaque; or null. */
+    /**
+     * Returns [mesh] as a batch whose first triangle has the submission index [first]; null if the mesh is not opaque.
+     */
     fun batch(mesh: Mesh, first: Int): TriangleBatch? {
         if (mesh.material.alphaMode != AlphaMode.OPAQUE) return null
         val snapped = SnappedVertices(stage, mesh)
         val chunks = (mesh.vertexCount - 1) / CHUNK + 1
         inParallel(chunks) { snapped.snap(it * CHUNK, minOf((it + 1) * CHUNK, mesh.vertexCount)) }
 
-        // Triangles that have to be cut are set up one by one; those that show the wrong side are left out
+        // Triangles that must be clipped are set up one by one; those whose visible side is not drawn are omitted
         var hidden: LongArray? = null
         val exceptions = ArrayList<IndexedValue<Primitive>>()
         val isOneSided = mesh.material.sides == Sides.FRONT
@@ -88,7 +90,7 @@ internal class PlanarSetUp(private val stage: VertexStage, private val lighting:
         return vertices
     }
 
-    /** Returns what sets up and shades the triangles of [mesh]; for one thread. */
+    /** Returns an object that sets up and shades the triangles of [mesh]; for one thread. */
     fun face(mesh: Mesh): FaceSetUp =
         face(mesh.material, mesh.normals != null, mesh.uvs != null, mesh.colors != null, mesh)
 
@@ -113,7 +115,7 @@ internal class PlanarSetUp(private val stage: VertexStage, private val lighting:
     }
 
     private companion object {
-        /** Vertices that a thread snaps at a time. */
+        /** Number of vertices in one task of a thread. */
         const val CHUNK = 16_384
     }
 }

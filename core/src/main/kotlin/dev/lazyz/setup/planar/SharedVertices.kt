@@ -5,7 +5,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.shading.MaskedPrimitive
 import dev.lazyz.shading.Vertices
 
-/** The vertices that this primitive shares with others and keeps alive, or null if it is known to share none. */
+/** The vertices that this primitive references and shares with others, or null if it is known to share none. */
 internal fun Primitive.sharedVertices(): Vertices? = when (this) {
     is PlanarPrimitive -> vertices
     is MaskedPrimitive -> whole.sharedVertices()

@@ -3,12 +3,12 @@ package dev.lazyz.setup.planar
 import dev.lazyz.setup.VertexStage
 import dev.lazyz.world.Mesh
 
-/** The vertices of [mesh] on the grid. */
+/** The vertices of [mesh], snapped to the grid. */
 internal class SnappedVertices(private val stage: VertexStage, private val mesh: Mesh) {
     val grid = IntArray(TriangleBatch.STRIDE * mesh.vertexCount)
     val inverseW = if (stage.isPerspective) DoubleArray(mesh.vertexCount) else null
 
-    /** Which vertices are outside some plane, or nowhere; null if none is. */
+    /** By vertex: whether it is outside any plane or not finite; null if there is no such vertex. */
     @Volatile
     var isOutside: BooleanArray? = null
         private set

@@ -6,16 +6,16 @@ import dev.lazyz.PrimitiveBatch
 import dev.lazyz.world.Mesh
 
 /**
- * The opaque triangles of a mesh, set up for one raster and camera: snapped vertices in arrays, and nothing for each
+ * The opaque triangles of a mesh, set up for one raster and camera: arrays of snapped vertices, and no object for each
  * triangle. Immutable and thread safe. Memory: 20 bytes a vertex, 12 without perspective.
  *
- * Triangle t is the primitive [first] + t, and that is what other renderers see of it, see [primitives]. Triangles that
- * have to be cut, or that show a side that is not drawn, are not drawn from here: [isDrawn] says which; those that have to
- * be cut are [exceptions].
+ * Triangle t is the primitive with submission index [first] + t. Renderers that do not use batches get it from
+ * [primitives]. Triangles that must be clipped, or whose visible side is not drawn, are not drawn from this batch, see
+ * [isDrawn]. Those that must be clipped are in [exceptions].
  *
  * @property first submission index of triangle 0
- * @property grid column and row, 1/256 pixel, and depth of each vertex, [STRIDE] numbers a vertex: together, because triangles
- *   are visited in any order
+ * @property grid column and row (1/256 pixel) and depth of each vertex, [STRIDE] numbers for each. They are stored
+ *   together because triangles are visited in any order
  */
 internal class TriangleBatch(
     val mesh: Mesh,
@@ -29,34 +29,34 @@ internal class TriangleBatch(
     /** Number of triangles. */
     override val count: Int get() = mesh.triangleCount
 
-    /** Vertex numbers, three a triangle. */
+    /** Vertex numbers, three for each triangle. */
     val corners: IntArray get() = mesh.triangles
 
-    /** Where in [grid] the numbers of vertex [corner], 0..2, of [triangle] begin. */
+    /** Returns the index in [grid] of the first number of vertex [corner], 0..2, of [triangle]. */
     fun place(triangle: Int, corner: Int): Int = STRIDE * corners[3 * triangle + corner]
 
     override fun isDrawn(number: Int): Boolean =
         hidden == null || hidden[number ushr WORD_SHIFT] ushr number and 1L == 0L
 
-    /** 1 / w of a vertex. */
+    /** 1/w of a vertex. */
     fun inverseW(vertex: Int): Double = if (inverseW == null) 1.0 else inverseW[vertex]
 
-    /** Returns what shades this batch's triangles; for one thread. */
+    /** Returns an object that shades the triangles of this batch; for one thread. */
     fun faces(): FaceSetUp = setUp.face(mesh)
 
     override fun primitives(): Sequence<Primitive> = setUp.mesh(mesh)
 
     companion object {
-        /** Numbers a vertex in [grid]. */
+        /** Numbers for each vertex in [grid]. */
         const val STRIDE: Int = 3
 
-        /** Shift from a bit to its word of 64. */
+        /** Converts the index of a bit to the index of its 64-bit word, as a right shift. */
         const val WORD_SHIFT: Int = 6
     }
 }
 
-/** Returns the batch with a number in [FrameContent.batches]; batches of triangles are the only kind. */
+/** Returns batch [number] of [FrameContent.batches]. All batches are triangle batches. */
 internal fun FrameContent.triangleBatch(number: Int): TriangleBatch = batches[number] as TriangleBatch
 
-/** Returns the batch that the primitive with a submission index is drawn from; there must be one. */
+/** Returns the batch that draws the primitive with submission index [index]; there must be one. */
 internal fun FrameContent.triangleBatchWith(index: Int): TriangleBatch = triangleBatch(batchNumber(index))

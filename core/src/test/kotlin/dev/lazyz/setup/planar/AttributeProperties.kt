@@ -18,7 +18,7 @@ import net.jqwik.api.Property
 import net.jqwik.api.constraints.IntRange
 import org.junit.jupiter.api.Assertions.assertTrue
 
-/** Contract rules 3.5 and 3.6: attributes against exact perspective-correct interpolation. */
+/** Contract rules 3.5 and 3.6: attributes, compared with exact perspective-correct interpolation. */
 class AttributeProperties {
     @Property(seed = "1995", tries = 2000, edgeCases = EdgeCasesMode.NONE)
     fun rule_3_6_attributesOfTrianglesStayWithinTheirBound(
@@ -64,7 +64,9 @@ class AttributeProperties {
         }
     }
 
-    /** The reference triangle in the contract's words: first, furthest from it, furthest from the line through both. */
+    /**
+     * The reference triangle as the contract defines it: first, farthest from it, farthest from the line through both.
+     */
     private fun referenceOf(points: List<GridPoint>): List<Int> {
         val first = points[0]
         val distances = points.map { square(it.x - first.x) + square(it.y - first.y) }
@@ -79,7 +81,10 @@ class AttributeProperties {
 
     private fun greatest(values: List<Double>): Double = values.maxOf { Math.abs(it) }
 
-    /** Compares the attribute at [pixel] with the exact one; [bound] is that of w, before the rounding to single. */
+    /**
+     * Compares the attribute at [pixel] with the exact one; [bound] is the error bound of w, before rounding to single
+     * precision.
+     */
     private fun check(
         primitive: AttributedPrimitive,
         corners: List<Corner>,
@@ -124,10 +129,10 @@ class AttributeProperties {
     }
 
     private companion object {
-        /** Of the greatest value: eight roundings of double precision. */
+        /** Relative to the greatest value: eight roundings of double precision. */
         const val TRIANGLE = 1.0 / (1L shl 49)
 
-        /** Where weights may be negative, besides times the square of w over the least w. */
+        /** If weights can be negative: to be multiplied by the square of w over the smallest w. */
         const val POLYGON = 1.0 / (1L shl 44)
     }
 }

@@ -15,16 +15,16 @@ import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** A batch's triangles are the primitives that its mesh gives one by one. */
+/** The triangles of a batch are equal to the primitives that its mesh gives one by one. */
 class TriangleBatchTest {
     private val flat =
         Camera.orthographic(Vector3d(0.3, 0.4, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 4.0, 1.0, 20.0)
 
-    /** Tilted, and looking beside the origin: no number of its matrix is 0. */
+    /** Tilted, and not looking at the origin: no element of its matrix is 0. */
     private val tilted =
         Camera.perspective(Vector3d(0.9, 0.7, 5.0), Vector3d(0.2, -0.1, 0.3), Vector3d(0.3, 1.0, 0.1), 40.0, 1.0, 20.0)
 
-    /** Asserts it of a mesh, and returns how many of its triangles are drawn from the batch, cut, and left out. */
+    /** Asserts this for a mesh. Returns how many of its triangles are drawn from the batch, clipped, and left out. */
     private fun assertSame(mesh: Mesh, camera: Camera): List<Int> {
         val frame = Scene(listOf(mesh), emptyList(), camera).frame(32, 24)
         val batch = frame.content.triangleBatch(0)
@@ -33,7 +33,7 @@ class TriangleBatchTest {
         for ((triangle, primitive) in frame.primitives.withIndex()) {
             if (!batch.isDrawn(triangle)) {
                 counts[if (triangle in exceptions) 1 else 2]++
-                // Those that are cut are there as primitives; the others cover nothing
+                // Clipped triangles are single primitives; the others cover nothing
                 assertEquals(primitive !is EmptyPrimitive, triangle in exceptions)
                 exceptions[triangle]?.let { assertEquals(primitive.toString(), it.toString()) }
                 continue
@@ -65,7 +65,7 @@ class TriangleBatchTest {
             for (sides in Sides.entries) {
                 for (reach in listOf(1.0, 6.0, 30.0)) {
                     val mesh = SampleScenes.soup(random, 150, Material(sides = sides), reach)
-                    // Some vertices are nowhere
+                    // Some vertices are not finite
                     mesh.positions[random.nextInt(450)] = Float.NaN
                     mesh.positions[random.nextInt(450)] = Float.POSITIVE_INFINITY
                     assertSame(mesh, camera).forEachIndexed { i, count -> sums[i] += count }
