@@ -1,5 +1,7 @@
 package dev.lazyz
 
+import java.util.function.IntPredicate
+
 /**
  * The input of a renderer: a raster, primitives in submission order, and the part of the raster to render.
  *
@@ -54,11 +56,11 @@ public class Frame internal constructor(
      * nothing but keep their indices, so that images of parts can be merged into the image of the whole frame, see
      * [Image.merge].
      */
-    public fun keeping(test: (index: Int) -> Boolean): Frame =
+    public fun keeping(test: IntPredicate): Frame =
         Frame(
             raster,
             primitives.mapIndexed { index, primitive ->
-                if (test(index)) primitive else EmptyPrimitive
+                if (test.test(index)) primitive else EmptyPrimitive
             },
             region
         )

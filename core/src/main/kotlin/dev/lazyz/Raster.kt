@@ -35,6 +35,29 @@ public class Raster @JvmOverloads constructor(
     /** The region of all samples. */
     public val region: Region get() = Region(0, 0, width, height)
 
+    /** Returns this raster with [width] columns and [height] rows. */
+    public fun withSize(width: Int, height: Int): Raster = copy(width = width, height = height)
+
+    /** Returns this raster with another direction of depth, and with its depth test and depth of the background. */
+    public fun withConvention(convention: DepthConvention): Raster = Raster(width, height, background, convention)
+
+    /** Returns this raster with another colour of the background. */
+    public fun withBackground(background: Rgba): Raster = copy(background = background)
+
+    /** Returns this raster with another depth test. */
+    public fun withDepthTest(depthTest: DepthTest): Raster = copy(depthTest = depthTest)
+
+    /** Returns this raster with another depth of the background, 0..2^31-1. */
+    public fun withBackgroundDepth(backgroundDepth: Int): Raster = copy(backgroundDepth = backgroundDepth)
+
+    private fun copy(
+        width: Int = this.width,
+        height: Int = this.height,
+        background: Rgba = this.background,
+        depthTest: DepthTest = this.depthTest,
+        backgroundDepth: Int = this.backgroundDepth,
+    ): Raster = Raster(width, height, background, convention, depthTest, backgroundDepth)
+
     override fun toString(): String =
         "Raster($width x $height, $background, $convention, $depthTest, backgroundDepth=$backgroundDepth)"
 

@@ -28,6 +28,29 @@ public class RenderOptions @JvmOverloads constructor(
         }
     }
 
+    /** Returns these options with another way to step attributes. */
+    public fun withCoherence(coherence: Coherence): RenderOptions = copy(coherence = coherence)
+
+    /** Returns these options with a budget of memory in bytes, at least 0, or without one. */
+    public fun withMemoryBudget(memoryBudget: Long?): RenderOptions = copy(memoryBudget = memoryBudget)
+
+    /** Returns these options with another number of threads, at least 1. */
+    public fun withThreads(threads: Int): RenderOptions = copy(threads = threads)
+
+    /** Returns these options with other tiles: samples, a power of two in 8..512. */
+    public fun withTileSize(tileSize: Int): RenderOptions = copy(tileSize = tileSize)
+
+    /** Returns these options with a [selector], or without one. */
+    public fun withSelector(selector: Selector?): RenderOptions = copy(selector = selector)
+
+    private fun copy(
+        coherence: Coherence = this.coherence,
+        memoryBudget: Long? = this.memoryBudget,
+        threads: Int = this.threads,
+        tileSize: Int = this.tileSize,
+        selector: Selector? = this.selector,
+    ): RenderOptions = RenderOptions(coherence, memoryBudget, threads, tileSize, selector)
+
     override fun toString(): String =
         "RenderOptions($coherence, memoryBudget=$memoryBudget, threads=$threads, tileSize=$tileSize, " +
             "selector=$selector)"

@@ -10,6 +10,7 @@ import dev.lazyz.world.Shading
 import dev.lazyz.world.Sphere
 import dev.lazyz.world.Surface
 import dev.lazyz.world.scene
+import java.util.function.UnaryOperator
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
@@ -104,7 +105,7 @@ class OwnPrimitiveTest {
         override fun primitives(setUp: SetUp): Sequence<Primitive> =
             sequenceOf(left, Sphere(Vector3d(), 0.0), right).map { setUp.sphere(it) }
 
-        override fun withMaterials(change: (Material) -> Material): Surface = Dumbbell(change(material))
+        override fun withMaterials(change: UnaryOperator<Material>): Surface = Dumbbell(change.apply(material))
     }
 
     @Test

@@ -102,6 +102,5 @@ internal class PointCloud(private val points: Points, private val stage: VertexS
 }
 
 /** Returns this material for points and lines: without its texture, and with the given [shading]. */
-internal fun Material.withoutTexture(shading: Shading): Material = Material(
-    baseColor, null, shading, specular, shininess, emission, alphaMode, alphaCutoff, sides, shader, name,
-)
+internal fun Material.withoutTexture(shading: Shading): Material =
+    withTexture(null).withShading(shading)

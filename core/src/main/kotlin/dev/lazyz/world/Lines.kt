@@ -4,6 +4,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.geometry.VertexTransforms
+import java.util.function.UnaryOperator
 import org.joml.Matrix4dc
 import org.joml.Vector3d
 import org.joml.Vector3dc
@@ -64,8 +65,8 @@ public class Lines @JvmOverloads constructor(
 
     override fun primitives(setUp: SetUp): Sequence<Primitive> = setUp.lines(this)
 
-    override fun withMaterials(change: (Material) -> Material): Lines =
-        Lines(positions, segments, width, change(material), colors, origin)
+    override fun withMaterials(change: UnaryOperator<Material>): Lines =
+        Lines(positions, segments, width, change.apply(material), colors, origin)
 
     /** Returns these lines with another [width]; the arrays are shared. */
     public fun withWidth(width: Double): Lines = Lines(positions, segments, width, material, colors, origin)

@@ -92,13 +92,52 @@ public class Material @JvmOverloads constructor(
         get() = alphaMode == AlphaMode.BLEND &&
             (!(baseColor.alpha >= 1f) || texture?.hasAlpha == true || shader != null)
 
-    /** Returns this material with another [shading]. */
-    public fun withShading(shading: Shading): Material = Material(
-        baseColor, texture, shading, specular, shininess, emission, alphaMode, alphaCutoff, sides, shader, name,
-    )
+    /** Returns this material with another [baseColor]. */
+    public fun withBaseColor(baseColor: Rgba): Material = copy(baseColor = baseColor)
 
-    /** Returns this material with the custom [shader], which replaces shading and lights. */
-    public fun withShader(shader: Shader): Material = Material(
+    /** Returns this material with another [texture], or without one. */
+    public fun withTexture(texture: Texture?): Material = copy(texture = texture)
+
+    /** Returns this material with another [shading]. */
+    public fun withShading(shading: Shading): Material = copy(shading = shading)
+
+    /** Returns this material with another colour of highlights. */
+    public fun withSpecular(specular: Rgba): Material = copy(specular = specular)
+
+    /** Returns this material with another exponent of highlights, 1..1024. */
+    public fun withShininess(shininess: Int): Material = copy(shininess = shininess)
+
+    /** Returns this material with other emitted light. */
+    public fun withEmission(emission: Rgba): Material = copy(emission = emission)
+
+    /** Returns this material with another meaning of alpha. */
+    public fun withAlphaMode(alphaMode: AlphaMode): Material = copy(alphaMode = alphaMode)
+
+    /** Returns this material with another smallest alpha that [AlphaMode.MASK] covers, 0..1. */
+    public fun withAlphaCutoff(alphaCutoff: Float): Material = copy(alphaCutoff = alphaCutoff)
+
+    /** Returns this material with other sides drawn. */
+    public fun withSides(sides: Sides): Material = copy(sides = sides)
+
+    /** Returns this material with the custom [shader], which replaces shading and lights, or without one. */
+    public fun withShader(shader: Shader?): Material = copy(shader = shader)
+
+    /** Returns this material with another [name]. */
+    public fun withName(name: String): Material = copy(name = name)
+
+    private fun copy(
+        baseColor: Rgba = this.baseColor,
+        texture: Texture? = this.texture,
+        shading: Shading = this.shading,
+        specular: Rgba = this.specular,
+        shininess: Int = this.shininess,
+        emission: Rgba = this.emission,
+        alphaMode: AlphaMode = this.alphaMode,
+        alphaCutoff: Float = this.alphaCutoff,
+        sides: Sides = this.sides,
+        shader: Shader? = this.shader,
+        name: String = this.name,
+    ): Material = Material(
         baseColor, texture, shading, specular, shininess, emission, alphaMode, alphaCutoff, sides, shader, name,
     )
 

@@ -4,6 +4,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.geometry.VertexTransforms
+import java.util.function.UnaryOperator
 import org.joml.Matrix4dc
 import org.joml.Vector3d
 import org.joml.Vector3dc
@@ -66,8 +67,8 @@ public class Mesh @JvmOverloads constructor(
 
     override fun primitives(setUp: SetUp): Sequence<Primitive> = setUp.mesh(this)
 
-    override fun withMaterials(change: (Material) -> Material): Mesh =
-        Mesh(positions, triangles, change(material), normals, uvs, colors, origin)
+    override fun withMaterials(change: UnaryOperator<Material>): Mesh =
+        Mesh(positions, triangles, change.apply(material), normals, uvs, colors, origin)
 
     /** Returns the same mesh with positions relative to [origin]. */
     internal fun relativeTo(origin: Vector3dc): Mesh = if (origin == this.origin) {

@@ -5,6 +5,7 @@ import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.geometry.VertexTransforms
 import dev.lazyz.raster.ScreenGrid
+import java.util.function.UnaryOperator
 import org.joml.Matrix4dc
 import org.joml.Vector3d
 import org.joml.Vector3dc
@@ -61,8 +62,8 @@ public class Points @JvmOverloads constructor(
 
     override fun primitives(setUp: SetUp): Sequence<Primitive> = setUp.points(this)
 
-    override fun withMaterials(change: (Material) -> Material): Points =
-        Points(positions, size, change(material), normals, colors, origin)
+    override fun withMaterials(change: UnaryOperator<Material>): Points =
+        Points(positions, size, change.apply(material), normals, colors, origin)
 
     /** Returns these points with another [size]; the arrays are shared. */
     public fun withSize(size: Double): Points = Points(positions, size, material, normals, colors, origin)

@@ -5,6 +5,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.Rgba
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Vectors
+import java.util.function.UnaryOperator
 import org.joml.Matrix4dc
 import org.joml.Vector3dc
 
@@ -31,7 +32,8 @@ public class Polygon @JvmOverloads constructor(
 
     override fun primitives(setUp: SetUp): Sequence<Primitive> = sequenceOf(this).map { setUp.polygon(it) }
 
-    override fun withMaterials(change: (Material) -> Material): Polygon = Polygon(contours, change(material), fillRule)
+    override fun withMaterials(change: UnaryOperator<Material>): Polygon =
+        Polygon(contours, change.apply(material), fillRule)
 
     /** Returns this polygon transformed by an affine [transform]. */
     public fun transformed(transform: Matrix4dc): Polygon =

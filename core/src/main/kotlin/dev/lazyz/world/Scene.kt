@@ -8,6 +8,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Vectors
+import java.util.function.UnaryOperator
 import org.joml.Vector3dc
 
 /**
@@ -84,7 +85,7 @@ public class Scene @JvmOverloads constructor(
     }
 
     /** Returns this scene with each material replaced by the result of [change]. */
-    public fun withMaterials(change: (Material) -> Material): Scene =
+    public fun withMaterials(change: UnaryOperator<Material>): Scene =
         Scene(surfaces.map { it.withMaterials(change) }, lights, viewpoint, background)
 
     /** Returns this scene with another viewpoint. */

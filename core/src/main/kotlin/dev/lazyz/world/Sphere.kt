@@ -3,6 +3,7 @@ package dev.lazyz.world
 import dev.lazyz.Primitive
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Vectors
+import java.util.function.UnaryOperator
 import org.joml.Matrix4dc
 import org.joml.Vector3d
 import org.joml.Vector3dc
@@ -47,7 +48,7 @@ public class Sphere @JvmOverloads constructor(
 
     override fun primitives(setUp: SetUp): Sequence<Primitive> = sequenceOf(this).map { setUp.sphere(it) }
 
-    override fun withMaterials(change: (Material) -> Material): Sphere = Sphere(center, radius, change(material))
+    override fun withMaterials(change: UnaryOperator<Material>): Sphere = Sphere(center, radius, change.apply(material))
 
     /**
      * Returns this sphere transformed by [transform], which must scale all directions equally.

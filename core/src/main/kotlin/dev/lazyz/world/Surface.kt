@@ -2,6 +2,7 @@ package dev.lazyz.world
 
 import dev.lazyz.Primitive
 import dev.lazyz.geometry.Box
+import java.util.function.UnaryOperator
 
 /**
  * A visible object in world space: a [Mesh], a [Polygon], a [Sphere], [Points], [Lines], or a custom surface.
@@ -25,5 +26,5 @@ public interface Surface {
      * Returns this surface with its materials replaced by the results of [change]; this surface itself if it has no
      * materials.
      */
-    public fun withMaterials(change: (Material) -> Material): Surface = this
+    public fun withMaterials(change: UnaryOperator<Material>): Surface = this
 }

@@ -68,6 +68,9 @@ public class Texture @JvmOverloads constructor(
     public fun withSampling(filter: TextureFilter, wrapU: TextureWrap, wrapV: TextureWrap): Texture =
         Texture(width, height, argb, filter, wrapU, wrapV, name)
 
+    /** Returns this texture with another [name]; the texels are shared. */
+    public fun withName(name: String): Texture = Texture(width, height, argb, filter, wrapU, wrapV, name)
+
     /**
      * Samples the texture at ([u], [v]) and stores red, green, blue (linear light) and alpha, each in 0..1, in [out] at
      * 0..3.

@@ -47,6 +47,37 @@ public class LoadLimits @JvmOverloads constructor(
         require(time == null || !time.isNegative) { "time must not be negative: $time" }
     }
 
+    /** Returns these limits with another one for bytes of decoded data, or with the default. */
+    public fun withDecodedBytes(decodedBytes: Long?): LoadLimits = copy(decodedBytes = decodedBytes)
+
+    /** Returns these limits with another one for triangles. */
+    public fun withTriangles(triangles: Long): LoadLimits = copy(triangles = triangles)
+
+    /** Returns these limits with another one for vertices. */
+    public fun withVertices(vertices: Long): LoadLimits = copy(vertices = vertices)
+
+    /** Returns these limits with another one for pixels of textures. */
+    public fun withTexels(texels: Long): LoadLimits = copy(texels = texels)
+
+    /** Returns these limits with another one for nested lists and objects, 1..1000. */
+    public fun withNesting(nesting: Int): LoadLimits = copy(nesting = nesting)
+
+    /** Returns these limits with another one for time, or without one. */
+    public fun withTime(time: Duration?): LoadLimits = copy(time = time)
+
+    /** Returns these limits with another rule for files that a model refers to. */
+    public fun withReferences(references: ReferencePolicy): LoadLimits = copy(references = references)
+
+    private fun copy(
+        decodedBytes: Long? = this.decodedBytes,
+        triangles: Long = this.triangles,
+        vertices: Long = this.vertices,
+        texels: Long = this.texels,
+        nesting: Int = this.nesting,
+        time: Duration? = this.time,
+        references: ReferencePolicy = this.references,
+    ): LoadLimits = LoadLimits(decodedBytes, triangles, vertices, texels, nesting, time, references)
+
     override fun toString(): String =
         "LoadLimits(decodedBytes=$decodedBytes, triangles=$triangles, vertices=$vertices, texels=$texels, " +
             "nesting=$nesting, time=$time, $references)"

@@ -7,6 +7,7 @@ import java.io.OutputStream
 import java.nio.channels.Channels
 import java.nio.channels.FileChannel
 import java.nio.file.Path
+import java.util.function.Function
 
 /**
  * Writes pictures to files, row by row as they are rendered.
@@ -38,7 +39,7 @@ public object ImageFiles {
         height: Int,
         format: ImageFormat = formatOf(path),
         alpha: AlphaChannel = AlphaChannel.KEEP,
-        produce: (RowSink) -> R,
+        produce: Function<RowSink, R>,
     ): R = AtomicFile.write(path) { channel -> write(channel, width, height, format, alpha, produce) }
 
     /**
@@ -73,11 +74,11 @@ public object ImageFiles {
         height: Int,
         format: ImageFormat,
         alpha: AlphaChannel,
-        produce: (RowSink) -> R,
+        produce: Function<RowSink, R>,
     ): R = when (format) {
-        ImageFormat.PNG -> PngSink(Channels.newOutputStream(channel), width, height, alpha).use { produce(it) }
-        ImageFormat.PPM -> PpmSink(Channels.newOutputStream(channel), width, height).use { produce(it) }
-        ImageFormat.PFM -> PfmSink(channel, width, height).use { produce(it) }
+        ImageFormat.PNG -> PngSink(Channels.newOutputStream(channel), width, height, alpha).use { produce.apply(it) }
+        ImageFormat.PPM -> PpmSink(Channels.newOutputStream(channel), width, height).use { produce.apply(it) }
+        ImageFormat.PFM -> PfmSink(channel, width, height).use { produce.apply(it) }
     }
 }
 
