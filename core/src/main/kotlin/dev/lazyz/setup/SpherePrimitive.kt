@@ -6,7 +6,6 @@ import dev.lazyz.Spans
 import dev.lazyz.shading.AttributedPrimitive
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
 import dev.lazyz.world.Sides
 import dev.lazyz.world.Sphere
 
@@ -22,19 +21,16 @@ import dev.lazyz.world.Sphere
 internal class SpherePrimitive private constructor(
     private val sphere: Sphere,
     private val camera: Camera,
-    private val viewport: Viewport,
+    private val rays: SampleRays,
     private val cx: Double,
     private val cy: Double,
     private val cz: Double,
     private val shader: Shader,
 ) : AttributedPrimitive {
-    private val width = viewport.raster.width
-    private val height = viewport.raster.height
+    private val width = rays.width
+    private val height = rays.height
     private val radius = sphere.radius
-    private val isPerspective = camera.projection is Projection.Perspective
-    private val isScreen = camera.projection == Projection.Screen
-    private val halfHeight = camera.halfHeight()
-    private val halfWidth = halfHeight * (width.toDouble() / height)
+    private val isPerspective = rays.isPerspective
 
     /** Whether the whole sphere is between the planes, so that a row has at most one span. */
     private val isWhole = -cz - radius >= camera.near && -cz + radius <= camera.far
@@ -49,18 +45,18 @@ internal class SpherePrimitive private constructor(
 
     init {
         val depths = intArrayOf(
-            depthAt(maxOf(-cz - radius, camera.near)),
-            depthAt(minOf(-cz + radius, camera.far)),
+            rays.depthAt(maxOf(-cz - radius, camera.near)),
+            rays.depthAt(minOf(-cz + radius, camera.far)),
         )
         leastDepth = maxOf(depths.min() - 1, 0)
         greatestDepth = depths.max() + 1
         if (isWhole) {
             val rows = extent(cy)
             val columns = extent(cx)
-            rowStart = clamp(rowAt(rows[1]) - 1.5, height)
-            rowEnd = clamp(rowAt(rows[0]) + 1.5, height)
-            columnStart = clamp(columnAt(columns[0]) - 1.5, width)
-            columnEnd = clamp(columnAt(columns[1]) + 1.5, width)
+            rowStart = clamp(rays.rowAt(rows[1]) - 1.5, height)
+            rowEnd = clamp(rays.rowAt(rows[0]) + 1.5, height)
+            columnStart = clamp(rays.columnAt(columns[0]) - 1.5, width)
+            columnEnd = clamp(rays.columnAt(columns[1]) + 1.5, width)
         } else {
             rowStart = 0
             rowEnd = height
@@ -90,14 +86,7 @@ internal class SpherePrimitive private constructor(
         for (x in columnStart until columnEnd) if (!hit(x, y).isNaN()) spans.add(x, x + 1)
     }
 
-    override fun depth(x: Int, y: Int): Int = depthAt(distance(x, y))
-
-    private fun depthAt(t: Double): Int {
-        val near = camera.near
-        val far = camera.far
-        val unit = if (isPerspective) far * (t - near) / ((far - near) * t) else (t - near) / (far - near)
-        return viewport.depthOfUnit(unit)
-    }
+    override fun depth(x: Int, y: Int): Int = rays.depthAt(distance(x, y))
 
     override fun shade(fragment: Fragment) {
         attributes(fragment)
@@ -107,8 +96,8 @@ internal class SpherePrimitive private constructor(
     override fun attributes(fragment: Fragment) {
         val t = distance(fragment.x, fragment.y)
         val scale = if (isPerspective) t else 1.0
-        val x = px(fragment.x) * scale
-        val y = py(fragment.y) * scale
+        val x = rays.px(fragment.x) * scale
+        val y = rays.py(fragment.y) * scale
         val eye = camera.eye
         val position = camera.toWorldDirection(x, y, -t)
         fragment.worldX = (eye.x() + position.x).toFloat()
@@ -125,16 +114,6 @@ internal class SpherePrimitive private constructor(
         fragment.v = (StrictMath.acos(normal.y.coerceIn(-1.0, 1.0)) / StrictMath.PI).toFloat()
     }
 
-    private fun px(x: Int): Double = if (isScreen) x + 0.5 else ((2 * x + 1).toDouble() / width - 1.0) * halfWidth
-
-    private fun py(y: Int): Double = if (isScreen) -(y + 0.5) else (1.0 - (2 * y + 1).toDouble() / height) * halfHeight
-
-    /** Returns the column position, in pixels, at which [px] has the given value. */
-    private fun columnAt(px: Double): Double = if (isScreen) px else (1.0 + px / halfWidth) * 0.5 * width
-
-    /** Returns the row position, in pixels, at which [py] has the given value. */
-    private fun rowAt(py: Double): Double = if (isScreen) -py else (1.0 - py / halfHeight) * 0.5 * height
-
     /** A quarter of the discriminant of the intersection; negative if the ray misses the sphere. */
     private fun discriminant(px: Double, py: Double): Double {
         if (!isPerspective) return radius * radius - (px - cx) * (px - cx) - (py - cy) * (py - cy)
@@ -146,8 +125,8 @@ internal class SpherePrimitive private constructor(
 
     /** One of the two distances at which the ray intersects the sphere. A ray that misses counts as touching it. */
     private fun root(x: Int, y: Int, sign: Double): Double {
-        val px = px(x)
-        val py = py(y)
+        val px = rays.px(x)
+        val py = rays.py(y)
         val offset = sign * StrictMath.sqrt(maxOf(discriminant(px, py), 0.0))
         return if (isPerspective) (px * cx + py * cy - cz + offset) / (px * px + py * py + 1.0) else -cz + offset
     }
@@ -162,7 +141,7 @@ internal class SpherePrimitive private constructor(
 
     /** Distance of the visible point at any sample; NaN if it is not covered. */
     private fun hit(x: Int, y: Int): Double {
-        if (!(discriminant(px(x), py(y)) >= 0.0)) return Double.NaN
+        if (!(discriminant(rays.px(x), rays.py(y)) >= 0.0)) return Double.NaN
         val near = nearRoot(x, y)
         if (near >= camera.near) return if (near <= camera.far) near else Double.NaN
         if (sphere.material.sides == Sides.FRONT) return Double.NaN
@@ -183,7 +162,7 @@ internal class SpherePrimitive private constructor(
      * NaN or infinite.
      */
     private fun columns(y: Int): DoubleArray? {
-        val py = py(y)
+        val py = rays.py(y)
         val middle: Double
         val half: Double
         if (isPerspective) {
@@ -198,7 +177,7 @@ internal class SpherePrimitive private constructor(
             half = StrictMath.sqrt(radius * radius - (py - cy) * (py - cy))
         }
         if (!half.isFinite()) return null
-        return doubleArrayOf(columnAt(middle - half), columnAt(middle + half))
+        return doubleArrayOf(rays.columnAt(middle - half), rays.columnAt(middle + half))
     }
 
     /** Rounds a position down to a column or row of the raster; NaN gives 0. */
@@ -220,7 +199,7 @@ internal class SpherePrimitive private constructor(
             val cz = camera.backward.x * x + camera.backward.y * y + camera.backward.z * z
             val isInRange = -cz + sphere.radius >= camera.near && -cz - sphere.radius <= camera.far
             if (!(isInRange && sphere.radius > 0.0 && cx.isFinite() && cy.isFinite())) return null
-            return SpherePrimitive(sphere, camera, viewport, cx, cy, cz, shader)
+            return SpherePrimitive(sphere, camera, SampleRays(camera, viewport), cx, cy, cz, shader)
         }
     }
 }

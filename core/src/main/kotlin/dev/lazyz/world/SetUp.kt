@@ -2,9 +2,12 @@ package dev.lazyz.world
 
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
+import dev.lazyz.Shader
 import dev.lazyz.geometry.Vectors
+import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.LineStrokes
 import dev.lazyz.setup.PointCloud
+import dev.lazyz.setup.SampleRays
 import dev.lazyz.setup.SphereSetUp
 import dev.lazyz.setup.VertexStage
 import dev.lazyz.setup.Viewport
@@ -45,6 +48,7 @@ public class SetUp @JvmOverloads constructor(
     private val lighting = Lighting(lights.map { it.relativeTo(origin) }, near)
     private val stage = VertexStage(near, viewport)
     private val planar = PlanarSetUp(stage, lighting)
+    private val rays = SampleRays(near, viewport)
 
     /**
      * Returns the triangles of [mesh] in order, each set up when the sequence reaches it. All vertices are transformed
@@ -73,5 +77,78 @@ public class SetUp @JvmOverloads constructor(
     public fun lines(lines: Lines): Sequence<Primitive> =
         LineStrokes(lines.relativeTo(origin), stage, lighting).primitives()
 
+    /**
+     * Returns where [point] of world space is on the raster, or null if it is not between the near and the far plane, or
+     * more than 2^19 pixels from the raster's origin. It may be outside the raster.
+     */
+    public fun project(point: Vector3dc): ScreenPoint? {
+        val p = Vectors.minus(point, origin)
+        var projected: ScreenPoint? = null
+        stage.toClip(p.x, p.y, p.z) { x, y, z, w ->
+            val isBetweenPlanes = w > 0.0 && z >= viewport.near * w && z <= w
+            val isInGuardBand = StrictMath.abs(x) <= viewport.guardX(ScreenGrid.GUARD) * w &&
+                StrictMath.abs(y) <= viewport.guardY(ScreenGrid.GUARD) * w
+            if (isBetweenPlanes && isInGuardBand) {
+                val steps = ScreenGrid.STEPS.toDouble()
+                projected =
+                    ScreenPoint(viewport.gridX(x, w) / steps, viewport.gridY(y, w) / steps, viewport.depth(z, w))
+            }
+        }
+        return projected
+    }
+
+    /**
+     * Returns the ray from the camera through the sample at column [x] and row [y], in world space. A point at distance t,
+     * see [Ray.at], has the depth [depth] (t).
+     */
+    public fun ray(x: Int, y: Int): Ray {
+        val px = rays.px(x)
+        val py = rays.py(y)
+        if (rays.isPerspective) return Ray(camera.eye, camera.toWorldDirection(px, py, -1.0))
+        val offset = camera.toWorldDirection(px, py, 0.0)
+        return Ray(offset.add(camera.eye), camera.toWorldDirection(0.0, 0.0, -1.0))
+    }
+
+    /**
+     * Returns the depth of a point whose distance from the camera along the line of sight is [distance], world units; it
+     * must be from the near to the far plane.
+     */
+    public fun depth(distance: Double): Int = rays.depthAt(distance)
+
+    /**
+     * Returns the shader for [material] and the [lights]; the material's own shader if it has one. A custom primitive
+     * sets the attributes of a fragment and then calls it; a custom shader may call it and change the colour. Light is
+     * evaluated at each sample: FLAT and GOURAUD count as PHONG.
+     */
+    public fun shader(material: Material): Shader = SphereSetUp.shader(material, lighting)
+
     override fun toString(): String = "SetUp($raster, $camera, ${lights.size} lights)"
+}
+
+/**
+ * A point on the raster. Immutable.
+ *
+ * @property x column position, pixels, a multiple of 1/256; the sample of column 0 is at 0.5
+ * @property y row position, likewise
+ * @property depth depth, 0..2^31-1
+ */
+public class ScreenPoint internal constructor(public val x: Double, public val y: Double, public val depth: Int) {
+    override fun toString(): String = "ScreenPoint($x, $y, depth $depth)"
+}
+
+/**
+ * A ray through a sample, in world space. Immutable.
+ *
+ * @property origin where it starts: the camera's eye for perspective, otherwise a point in the plane of the eye
+ * @property direction its direction, of such a length that its component along the line of sight is 1
+ */
+public class Ray internal constructor(public val origin: Vector3dc, public val direction: Vector3dc) {
+    /** Returns the point at [distance] from the camera along the line of sight, world units. A new vector. */
+    public fun at(distance: Double): Vector3d = Vector3d(
+        origin.x() + direction.x() * distance,
+        origin.y() + direction.y() * distance,
+        origin.z() + direction.z() * distance,
+    )
+
+    override fun toString(): String = "Ray($origin, $direction)"
 }
