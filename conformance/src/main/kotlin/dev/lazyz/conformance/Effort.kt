@@ -16,7 +16,7 @@ import net.jqwik.api.lifecycle.TryExecutor
 import net.jqwik.api.lifecycle.TryLifecycleContext
 import org.opentest4j.TestAbortedException
 
-/** Sets tries and seed of the suite's rules, by a [Conformance] run or by system properties, and judges. */
+/** Sets tries and seed of the suite's rules, by a run of `Conformance` or by system properties, and judges. */
 internal class Effort :
     AroundContainerHook,
     AroundPropertyHook,
@@ -31,7 +31,7 @@ internal class Effort :
     /** Leaves alone what a subclass adds. */
     override fun appliesTo(element: Optional<AnnotatedElement>): Boolean =
         element.map {
-            it !is Method || it.declaringClass.isAssignableFrom(RendererConformance::class.java)
+            it !is Method || it.declaringClass.isAssignableFrom(AllRules::class.java)
         }.orElse(false)
 
     override fun aroundProperty(
@@ -66,7 +66,7 @@ internal class Effort :
             return translated(result, verdict)
         }
         if (!verdict.outcome.isBroken || !verdict.outcome.isFailure) return translated(result, verdict)
-        val kept = KeptFailure.of(context.testInstance() as RendererConformance, settings, verdict)
+        val kept = KeptFailure.of(context.testInstance() as AllRules, settings, verdict)
         return result.mapToFailed(AssertionError("${verdict.message}\n$kept", verdict.failure?.cause))
     }
 

@@ -80,6 +80,6 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
 
     private companion object {
         val ENDINGS = listOf(".kt", ".json", "-expected.png", "-actual.png", "-difference.png") +
-            (1..Trial.MOST_BEFORE).map { "-before-$it.kt" }
+            (1..RuleFailure.MOST_BEFORE).map { "-before-$it.kt" }
     }
 }
