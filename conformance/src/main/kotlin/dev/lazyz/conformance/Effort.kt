@@ -26,6 +26,18 @@ internal class Effort :
 
     override fun beforeContainer(context: ContainerLifecycleContext) {
         tally = Tally()
+        context.optionalContainerClass().ifPresent { requireRulesAsTheyAre(it) }
+    }
+
+    /** Rules are functions of interfaces, which cannot be final: this is what keeps test classes from overriding them. */
+    private fun requireRulesAsTheyAre(type: Class<*>) {
+        if (!AllRules::class.java.isAssignableFrom(type)) return
+        for (rule in SuiteRule.all) {
+            val found = type.getMethod(rule.name, *rule.method.parameterTypes)
+            check(found.declaringClass == rule.method.declaringClass) {
+                "${type.name} overrides $rule; a rule that cannot be kept is waived"
+            }
+        }
     }
 
     /** Leaves alone what a subclass adds. */
