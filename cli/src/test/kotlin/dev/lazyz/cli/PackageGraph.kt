@@ -68,8 +68,8 @@ internal class PackageGraph(sources: List<Source>, private val modulePackages: S
     companion object {
         private val PACKAGE = Regex("""(?m)^package ([\w.]+);?""")
 
-        /** Text in quotes is no code. */
-        private val LITERAL = Regex("\"(?:\\\\.|[^\"\\\\\n])*\"")
+        /** Text in quotes is no code, and a name between backticks in a comment is no link. */
+        private val LITERAL = Regex("\"(?:\\\\.|[^\"\\\\\n])*\"|`[^`\n]*`")
         private val NAME = Regex("""\bdev\.lazyz(?:\.\w+)+""")
 
         /** The packages of [sources]. */

@@ -62,7 +62,7 @@ class RoomsTest {
             Source("a/A.kt", "package dev.lazyz.a\n\nimport dev.lazyz.b.B\n"),
             Source("b/B.kt", "package dev.lazyz.b\n\nimport dev.lazyz.b.c.C.member\n"),
             Source("c/C.java", "package dev.lazyz.b.c;\n\nimport static dev.lazyz.d.D.member;\n"),
-            Source("d/D.kt", "package dev.lazyz.d\n\nval text = \"dev.lazyz.a.A\"\n"),
+            Source("d/D.kt", "package dev.lazyz.d\n\n/** See `dev.lazyz.a.A`. */\nval text = \"dev.lazyz.a.A\"\n"),
         )
         assertEquals(listOf<String>(), PackageGraph(house).cycles())
 
