@@ -68,19 +68,6 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
     private fun subject(input: String): Subject = subject(input, reading, limits, picture, camera)
 }
 
-/**
- * How `zcli compare` is to compare.
- *
- * @property strategies ids; all if there are none
- * @property views the sides to look from, one after the other; as the subject has it if there are none
- */
-internal class CompareRequest(
-    val strategies: List<String>,
-    val choices: Choices,
-    val repeat: Int,
-    val views: List<View>,
-)
-
 /** What to compare, and how to tell. */
 private class ComparingOptions : OptionGroup("Comparing") {
     val strategies by option(

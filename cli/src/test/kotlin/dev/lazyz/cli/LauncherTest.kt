@@ -74,7 +74,8 @@ class LauncherTest {
         val log = folder.resolve("classes.txt")
         val before = Files.getLastModifiedTime(archive)
         render(mapOf("ZCLI_JAVA_OPTIONS" to "-Xlog:class+load:file=$log"))
-        assertTrue("dev.lazyz.cli.RenderJob source: shared objects file" in log.readText(), "loaded from the archive")
+        val loaded = "dev.lazyz.cli.RenderJob source: shared objects file"
+        assertTrue(loaded in log.readText(), "loaded from the archive")
         assertEquals(before, Files.getLastModifiedTime(archives.single()))
 
         // One that has lost its end is made again

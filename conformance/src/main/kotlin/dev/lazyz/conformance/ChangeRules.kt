@@ -10,9 +10,9 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** Rules about frames that are changed in a way whose effect on the picture is known. Part of [RendererConformance]. */
+/** Rules about frames that are changed in a way whose effect on the picture is known. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
-public sealed class ChangeRules : CombinationRules() {
+public sealed interface ChangeRules : RulesForOne {
     /** A frame whose primitives all move by whole pixels shows the same picture in another place. */
     @Rule(
         intent = "A move by whole pixels changes the place and nothing else.",

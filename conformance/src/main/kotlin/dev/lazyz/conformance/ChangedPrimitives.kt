@@ -7,9 +7,11 @@ import dev.lazyz.Image
 import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
+import dev.lazyz.Shader
 import dev.lazyz.ShadingCursor
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
+import dev.lazyz.scenes.Tint
 import java.util.Collections
 
 /** A primitive with other coverage than [whole]: its cursor asks [spans] for each row. */
@@ -86,7 +88,7 @@ internal class Moved(whole: Primitive, private val height: Int, private val righ
 
 /** Lies just behind what is visible in [image], everywhere where there is room; its shading must never be seen. */
 internal class Backstage(private val raster: Raster, private val image: Image) : Primitive {
-    private val shader = Frames.tint(-1)
+    private val shader: Shader = Tint(-1)
     override val rowStart: Int get() = 0
     override val rowEnd: Int get() = raster.height
     override val columnStart: Int get() = 0

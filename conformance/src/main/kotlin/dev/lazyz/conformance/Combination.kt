@@ -45,7 +45,7 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
 
         /** The frame on a raster whose background is behind everything, in the middle, or before everything. */
         private fun onItsBackground(): FrameCase {
-            val before = Int.MAX_VALUE - Frames.behindAll(case.frame.raster.depthTest)
+            val before = Int.MAX_VALUE - Rasters.behindAll(case.frame.raster.depthTest)
             val depth = (List<Int?>(USUAL) { null } + Int.MAX_VALUE / 2 + before).chosen(first + 8) ?: return case
             return case.on(
                 with(case.frame.raster) { Raster(width, height, background, convention, depthTest, depth) },

@@ -7,9 +7,9 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** The rule about everything together. Part of [RendererConformance]. */
+/** The rule about everything together. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
-public sealed class CombinationRules : SizeRules() {
+public sealed interface CombinationRules : RulesForOne {
     /** Larger frames of all kinds, by parts, with options, glass, selectors, accidents and threads. */
     @Rule(
         intent = "What works alone works together: parts, options, depth tests, blending, selectors, reuse, threads.",

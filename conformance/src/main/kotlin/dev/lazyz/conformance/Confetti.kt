@@ -3,6 +3,7 @@ package dev.lazyz.conformance
 import dev.lazyz.Fragment
 import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
+import dev.lazyz.Shader
 import dev.lazyz.ShadingCursor
 import dev.lazyz.Spans
 import dev.lazyz.scenes.Tint
@@ -31,7 +32,7 @@ public class Confetti @JvmOverloads constructor(
     private val levels: Int,
     override val depthForm: LinearForm? = null,
 ) : Primitive {
-    private val shader = Frames.tint(seed)
+    private val shader: Shader = Tint(seed)
 
     init {
         require(levels in 1..MAX_LEVELS) { "levels must be in 1..$MAX_LEVELS: $levels" }

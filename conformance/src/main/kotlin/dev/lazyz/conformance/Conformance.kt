@@ -23,7 +23,7 @@ import java.util.function.Supplier
  * @param renderer makes the renderer to judge, a new one or always the same; called once for each try of each rule
  */
 public class Conformance(private val renderer: Supplier<out Renderer>) {
-    private var subject: Class<out RendererConformance> = RunUnderWay.Subject::class.java
+    private var subject: Class<out RendererConformance> = SubjectOfRun::class.java
     private var shrinking = Shrinking.ON
     private var seed: Long? = null
     private var tries: Double? = null
@@ -147,7 +147,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
         val start = System.nanoTime()
         val results = RunUnderWay(renderer, subject, chosen, settings, journal?.let { Journal(it) }, listener).execute()
         val milliseconds = (System.nanoTime() - start) / NANOSECONDS
-        val report = ConformanceReport(judged, settings, command, results, milliseconds)
+        val report = settings.report(judged, command, results, milliseconds)
         output?.let { report.writeTo(it) }
         return report
     }

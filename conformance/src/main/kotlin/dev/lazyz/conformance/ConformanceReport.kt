@@ -12,12 +12,17 @@ import java.nio.file.Path
  * Two runs with the same options differ in times only. Immutable and thread safe.
  *
  * @property strategy which renderer was judged
+ * @property seed the seed of all rules' frames
+ * @property tries how many times the usual frames were tried
+ * @property waivers the waivers that were given, those of rules that were not run included
  * @property results what came of each rule that was run, by number
  * @property milliseconds how long it took
  */
 public class ConformanceReport internal constructor(
     public val strategy: StrategyInfo,
-    private val settings: Settings,
+    public val seed: Long,
+    public val tries: Double,
+    public val waivers: List<Waiver>,
     private val command: String?,
     public val results: List<RuleResult>,
     public val milliseconds: Long,
@@ -30,15 +35,6 @@ public class ConformanceReport internal constructor(
 
     /** The operating system and the kind of processor. */
     public val os: String = "${System.getProperty("os.name")} ${System.getProperty("os.arch")}"
-
-    /** The seed of all rules' frames. */
-    public val seed: Long get() = settings.seed ?: SuiteRule.fixedSeed
-
-    /** How many times the usual frames were tried. */
-    public val tries: Double get() = settings.tries
-
-    /** The waivers that were given, those of rules that were not run included. */
-    public val waivers: List<Waiver> get() = settings.waivers.all
 
     /** What the frames of all rules were like. */
     public val distribution: Distribution = results.fold(Distribution.NONE) { sum, it -> sum + it.distribution }

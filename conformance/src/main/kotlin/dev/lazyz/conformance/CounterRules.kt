@@ -7,9 +7,9 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** Rules about counters: they count what happens, and mean the same for all. Part of [RendererConformance]. */
+/** Rules about counters: they count what happens, and mean the same for all. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
-public sealed class CounterRules : WorkerRules() {
+public sealed interface CounterRules : RulesForOne {
     /** Primitives are counted whether they cover anything or not, and shading calls are the calls that happen. */
     @Rule(
         intent = "Primitives and shading calls are counted as they are submitted and made.",
@@ -135,7 +135,8 @@ public sealed class CounterRules : WorkerRules() {
             val judgement = Judgement(configured, opaque.watched(witness.frame), "$coherence")
             val starts = judgement.rendering.run { witness.starts }
             val steps = witness.steps
-            val expected = ExpectedSteps.of(opaque.frame, coherence)
+            val right = Rendering.of(ReferenceRenderer(), opaque.frame).image
+            val expected = ExpectedSteps.of(opaque.frame, right, coherence)
             if (starts == expected.starts && steps == expected.steps) continue
             judgement.fail("$expected are needed, $starts starts and $steps steps are made")
         }

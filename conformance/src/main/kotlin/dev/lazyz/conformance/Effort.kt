@@ -16,7 +16,7 @@ import net.jqwik.api.lifecycle.TryExecutor
 import net.jqwik.api.lifecycle.TryLifecycleContext
 import org.opentest4j.TestAbortedException
 
-/** Sets tries and seed of the suite's rules, by a [Conformance] run or by system properties, and judges. */
+/** Sets tries and seed of the suite's rules, by a run of `Conformance` or by system properties, and judges. */
 internal class Effort :
     AroundContainerHook,
     AroundPropertyHook,
@@ -26,12 +26,24 @@ internal class Effort :
 
     override fun beforeContainer(context: ContainerLifecycleContext) {
         tally = Tally()
+        context.optionalContainerClass().ifPresent { requireRulesAsTheyAre(it) }
+    }
+
+    /** Rules are functions of interfaces, which cannot be final: this is what keeps test classes from overriding them. */
+    private fun requireRulesAsTheyAre(type: Class<*>) {
+        if (!AllRules::class.java.isAssignableFrom(type)) return
+        for (rule in SuiteRule.all) {
+            val found = type.getMethod(rule.name, *rule.method.parameterTypes)
+            check(found.declaringClass == rule.method.declaringClass) {
+                "${type.name} overrides $rule; a rule that cannot be kept is waived"
+            }
+        }
     }
 
     /** Leaves alone what a subclass adds. */
     override fun appliesTo(element: Optional<AnnotatedElement>): Boolean =
         element.map {
-            it !is Method || it.declaringClass.isAssignableFrom(RendererConformance::class.java)
+            it !is Method || it.declaringClass.isAssignableFrom(AllRules::class.java)
         }.orElse(false)
 
     override fun aroundProperty(
@@ -66,7 +78,7 @@ internal class Effort :
             return translated(result, verdict)
         }
         if (!verdict.outcome.isBroken || !verdict.outcome.isFailure) return translated(result, verdict)
-        val kept = KeptFailure.of(context.testInstance() as RendererConformance, settings, verdict)
+        val kept = KeptFailure.of(context.testInstance() as AllRules, settings, verdict)
         return result.mapToFailed(AssertionError("${verdict.message}\n$kept", verdict.failure?.cause))
     }
 

@@ -41,10 +41,9 @@ internal class ExpectedSteps private constructor(private val coherence: Coherenc
     }
 
     companion object {
-        /** Counts for the right picture of [frame], whose primitives are opaque. */
-        fun of(frame: Frame, coherence: Coherence): ExpectedSteps {
+        /** Counts for [image], the right picture of [frame], whose primitives are opaque. */
+        fun of(frame: Frame, image: Image, coherence: Coherence): ExpectedSteps {
             val expected = ExpectedSteps(coherence)
-            val image = Rendering.of(ReferenceRenderer(), frame).image
             for (y in frame.region.rowStart until frame.region.rowEnd) expected.addRow(frame, image, y)
             return expected
         }

@@ -13,11 +13,11 @@ import dev.lazyz.world.Surface
 /**
  * A frame to try a renderer on, that prints itself as the Kotlin code that makes it.
  *
- * [Frames] generates them; a test may also make its own. Immutable and thread safe if the frame is.
+ * `Frames` generates them; a test may also make its own. Immutable and thread safe if the frame is.
  *
  * @property frame what to render
  * @property code a Kotlin expression whose value is a frame equal to [frame], given imports of `dev.lazyz.*`,
- *   `dev.lazyz.conformance.*`, `dev.lazyz.world.*` and `org.joml.Vector3d`
+ *   `dev.lazyz.conformance.*` and `org.joml.Vector3d`
  */
 public class FrameCase(public val frame: Frame, public val code: String) {
     /** The scene that is set up to [frame], or to what [frame] is a region of; null if there is none. */
@@ -52,3 +52,7 @@ public class FrameCase(public val frame: Frame, public val code: String) {
 
     override fun toString(): String = code
 }
+
+/** The frames among the [parameters] of a rule. */
+internal fun casesAmong(parameters: List<Any?>): List<FrameCase> =
+    parameters.flatMap { if (it is List<*>) it else listOf(it) }.filterIsInstance<FrameCase>()

@@ -29,7 +29,7 @@ internal fun rasterTraits(raster: Raster): EnumSet<FrameTrait> {
         DepthConvention.LARGER_IS_NEARER -> FrameTrait.LARGER_IS_NEARER
     }
     val traits = EnumSet.of(test, convention)
-    if (raster.backgroundDepth != Frames.behindAll(raster.depthTest)) traits.add(FrameTrait.BACKGROUND_DEPTH)
+    if (raster.backgroundDepth != Rasters.behindAll(raster.depthTest)) traits.add(FrameTrait.BACKGROUND_DEPTH)
     if (raster.width == 1 || raster.height == 1) traits.add(FrameTrait.NARROW)
     return traits
 }

@@ -10,7 +10,7 @@ import dev.lazyz.world.Surface
 /**
  * A primitive made translucent: everything is as in [whole], and its colours' alpha counts (contract rule 5.5).
  *
- * The colours of [Frames.tint] have any alpha from 0 to 1. Immutable and thread safe if [whole] is.
+ * The colours of `Frames.tint` have any alpha from 0 to 1. Immutable and thread safe if [whole] is.
  *
  * @param layers alpha is divided by this, so that about as many layers show through each other; at least 1
  */

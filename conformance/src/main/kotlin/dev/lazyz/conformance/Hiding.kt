@@ -10,7 +10,7 @@ internal fun FrameCase.withHiddenGlass(random: Random): List<FrameCase> {
     val hidden = linkedMapOf<String, Primitive>(
         "covers nothing" to NothingThere(raster),
         "lies behind everything" to
-            Stripe(0..<raster.width, 0..<raster.height, Frames.behindAll(raster.depthTest)),
+            Stripe(0..<raster.width, 0..<raster.height, Rasters.behindAll(raster.depthTest)),
     )
     besides(frame)?.let { hidden["lies outside the region"] = it }
     return hidden.map { (where, primitive) ->

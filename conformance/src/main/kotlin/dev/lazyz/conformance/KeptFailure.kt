@@ -7,10 +7,9 @@ import java.nio.file.Path
 /** Where the suite, run as a test of a build, keeps what a rule failed on: there is no report to hold it. */
 internal object KeptFailure {
     /** Writes the files of a [failed] rule, and returns words that say where they are and how to see the failure again. */
-    fun of(test: RendererConformance, settings: Settings, failed: RuleResult): String {
+    fun of(test: AllRules, settings: Settings, failed: RuleResult): String {
         val failure = checkNotNull(failed.failure)
-        val report =
-            ConformanceReport(StrategyInfo(test.renderer()), settings, null, listOf(failed), failed.milliseconds)
+        val report = settings.report(StrategyInfo(test.renderer()), null, listOf(failed), failed.milliseconds)
         val folder = folder().resolve(test.javaClass.simpleName)
         val kept = try {
             Files.createDirectories(folder)
@@ -24,7 +23,7 @@ internal object KeptFailure {
 
     /** What the property says, or a folder of the build's. */
     private fun folder(): Path {
-        System.getProperty(RendererConformance.OUTPUT)?.let { return Path.of(it) }
+        System.getProperty(SuiteProperties.OUTPUT)?.let { return Path.of(it) }
         val build = listOf("target", "build").map { Path.of(it) }.firstOrNull { Files.isDirectory(it) }
         return (build ?: Path.of(System.getProperty("java.io.tmpdir"))).resolve("lazyz-conformance")
     }

@@ -1,14 +1,9 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.Capability
-import dev.lazyz.Frame
-import dev.lazyz.Region
-import dev.lazyz.Renderer
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
-import dev.lazyz.strategies.lists.Lists
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -17,7 +12,7 @@ import kotlin.io.path.name
 
 /**
  * A folder of frames of one's own: scene files and meshes, each of which becomes a frame. The suite adds frames that
- * rules have failed on, and later runs of [Conformance] try them before all else.
+ * rules have failed on, and later runs of `Conformance` try them before all else.
  *
  * @throws FramesException if the folder or a file in it cannot be read
  */
@@ -69,26 +64,3 @@ internal class OwnFrames(private val folder: Path) {
 /** A frames folder that cannot be used; the message says why. */
 public class FramesException @JvmOverloads constructor(message: String, cause: Throwable? = null) :
     IllegalArgumentException(message, cause)
-
-/** Fails unless [renderer] gives the right picture of [own], and of its inner part, row by row and into memory. */
-internal fun framesAreRight(renderer: Renderer, own: FrameCase) {
-    val case = if (Capability.TRANSPARENCY in renderer.capabilities) own else own.opaque()
-    for (part in listOf(case, case.within(inner(case.frame)))) {
-        Judgement(renderer, part).equalsPictureOf(oracle(part.frame)).equalsItsImage().rowsInOrder()
-    }
-}
-
-private fun FrameCase.opaque(): FrameCase = if (frame.hasTranslucency) asOpaque() else this
-
-/** The region without a quarter on each side, a sample at least. */
-private fun inner(frame: Frame): Region = with(frame.region) {
-    val column = columnStart + width / 4
-    val row = rowStart + height / 4
-    Region(column, row, column + (width + 1) / 2, row + (height + 1) / 2)
-}
-
-/** The reference, or, where that would take minutes, a renderer that is held to it. */
-private fun oracle(frame: Frame): Renderer =
-    if (frame.region.size * frame.primitives.size <= MOST_FRAGMENTS) ReferenceRenderer() else Lists()
-
-private const val MOST_FRAGMENTS = 20_000_000L

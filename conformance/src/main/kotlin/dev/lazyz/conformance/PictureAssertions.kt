@@ -3,7 +3,6 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Image
-import dev.lazyz.Region
 
 /**
  * Fails unless [actual] is the same picture as [expected], as contract rule 7.1 has it: the same region, and at every
@@ -21,14 +20,3 @@ public fun assertSamePicture(expected: Image, actual: Image, code: String = "") 
     val words = differenceInWords(expected, actual) ?: return
     throw AssertionError("the pictures differ: $words" + if (code.isEmpty()) "" else "\nin\n$code")
 }
-
-/** Returns where and how [actual] is not [expected], or null if it is. */
-internal fun differenceInWords(expected: Image, actual: Image): String? =
-    if (expected.region != actual.region) {
-        "expected ${inWords(expected.region)}, but was ${inWords(actual.region)}"
-    } else {
-        difference(expected, actual)?.toString()
-    }
-
-private fun inWords(region: Region): String =
-    "${region.width} x ${region.height} samples from column ${region.columnStart}, row ${region.rowStart} on"

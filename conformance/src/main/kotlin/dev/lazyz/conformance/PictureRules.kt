@@ -4,24 +4,14 @@ import dev.lazyz.Capability
 import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Raster
-import dev.lazyz.Renderer
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** The suite's seed, unless [RendererConformance.SEED] names another; [SuiteRule.seed] makes each rule's own of it. */
-internal const val FIXED: String = "1995"
-
-/** Rules about the picture: it is the oracle's, bit for bit. Part of [RendererConformance]. */
+/** Rules about the picture: it is the oracle's, bit for bit. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
-public sealed class PictureRules {
-    /** See [RendererConformance.renderer]. */
-    public abstract fun renderer(): Renderer
-
-    /** See [RendererConformance.frames]. */
-    public open fun frames(): List<FrameCase> = emptyList()
-
+public sealed interface PictureRules : RulesForOne {
     /** Frames of [Confetti]: many spans a row, loose bounds, and depth that is no linear form. */
     @Rule(
         intent = "Primitives of one's own cover what they say: many spans a row, loose bounds, depth without a form.",
@@ -92,7 +82,7 @@ public sealed class PictureRules {
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_3_everyDepthTestIsObeyed(@ForAll(supplier = TiedCases::class) case: FrameCase) {
         for (test in DepthTest.entries) {
-            val behind = Frames.behindAll(test)
+            val behind = Rasters.behindAll(test)
             for (convention in DepthConvention.entries) {
                 val raster = with(case.frame.raster) { Raster(width, height, background, convention, test, behind) }
                 Judgement(renderer(), case.on(raster)).equalsReference()

@@ -5,9 +5,9 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** Rules about points and lines, which have a size in pixels. Part of [RendererConformance]. */
+/** Rules about points and lines, which have a size in pixels. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
-public sealed class PointRules : PictureRules() {
+public sealed interface PointRules : RulesForOne {
     /** Clouds of points, most of which cover a sample or a few. */
     @Rule(
         intent = "A point is a primitive of its own: one sample or a square of them, at one depth.",

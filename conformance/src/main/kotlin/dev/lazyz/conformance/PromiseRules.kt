@@ -9,9 +9,9 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** Rules about [Capability]s: who declares one is held to it, nobody else is. Part of [RendererConformance]. */
+/** Rules about [Capability]s: who declares one is held to it, nobody else is. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
-public sealed class PromiseRules : CounterRules() {
+public sealed interface PromiseRules : RulesForOne {
     /** Working memory is the same for few and for many rows, by the counters and by the heap. */
     @Rule(
         intent = "Who promises CONSTANT_MEMORY can render pictures larger than memory.",

@@ -16,12 +16,11 @@ import net.jqwik.api.lifecycle.PropagationMode
  * The system property [TRIES] multiplies the number of frames (`-Dlazyz.conformance.tries=100` for a night, `0.1` while
  * debugging), and [SEED] chooses others. Cost: a few seconds for a renderer, in one thread but for few rules.
  *
- * The rules are in the superclasses, by theme: [PictureRules], [PointRules], [ShadingRules], [SizeRules], [CombinationRules],
- * [ChangeRules], [UseRules], [ThreadRules], [WorkerRules], [CounterRules], [PromiseRules] and [TidyRules]. Extend this class, not
- * those.
+ * The rules are by theme: [PictureRules], [PointRules], [ShadingRules], [SizeRules], [CombinationRules], [ChangeRules],
+ * [UseRules], [ThreadRules], [WorkerRules], [CounterRules], [PromiseRules] and [TidyRules]. Extend this class, not those.
  */
 @AddLifecycleHook(value = Effort::class, propagateTo = PropagationMode.ALL_DESCENDANTS)
-public abstract class RendererConformance : TidyRules() {
+public abstract class RendererConformance : AllRules() {
     /** Returns the renderer to judge, a new one or always the same. Called once for each try of each rule. */
     public abstract override fun renderer(): Renderer
 
@@ -33,24 +32,24 @@ public abstract class RendererConformance : TidyRules() {
 
     public companion object {
         /** System property: a positive decimal number that multiplies the number of frames each rule is tried on. */
-        public const val TRIES: String = "lazyz.conformance.tries"
+        public const val TRIES: String = SuiteProperties.TRIES
 
         /** System property: a whole number that replaces the suite's fixed seed. */
-        public const val SEED: String = "lazyz.conformance.seed"
+        public const val SEED: String = SuiteProperties.SEED
 
         /**
          * System property: a positive decimal number, the seconds after which a try counts as hanging; by default 20. The
          * rule has timed out then, and the next one is tried.
          */
-        public const val DEADLINE: String = "lazyz.conformance.deadline"
+        public const val DEADLINE: String = SuiteProperties.DEADLINE
 
         /**
          * System property: a folder of scene files and meshes that the suite tries too, and to which it adds the frames
          * that rules fail on. It is made if it is not there.
          */
-        public const val FRAMES: String = "lazyz.conformance.frames"
+        public const val FRAMES: String = SuiteProperties.FRAMES
 
         /** System property: the folder in which frames that fail are kept, in a folder of the test class's name. */
-        public const val OUTPUT: String = "lazyz.conformance.output"
+        public const val OUTPUT: String = SuiteProperties.OUTPUT
     }
 }

@@ -4,6 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Image
+import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 
@@ -15,7 +16,7 @@ internal class Rendering private constructor(val image: Image, val counters: Cou
 
         /** Renders [frame] row by row; whatever the renderer throws is thrown. */
         fun of(renderer: Renderer, frame: Frame): Rendering {
-            Trial.current?.goesOn()
+            TryUnderWay.current?.goesOn()
             val recorder = Recorder(frame)
             val counters = renderer.render(frame, recorder)
             return Rendering(recorder.image(counters), counters, recorder.rows)
@@ -81,3 +82,17 @@ private fun answer(image: Image, sample: Int): String {
     val owner = if (index == DepthTest.BACKGROUND) "the background" else "primitive $index"
     return "#%08x".format(image.argb[sample]) + ", depth ${image.depth[sample]}, $owner"
 }
+
+/** A counter's text without the memory, which threads multiply. */
+internal fun Counters.withoutMemory(): String = toString().substringBefore(", peakBytes")
+
+/** Returns where and how [actual] is not [expected], or null if it is. */
+internal fun differenceInWords(expected: Image, actual: Image): String? =
+    if (expected.region != actual.region) {
+        "expected ${inWords(expected.region)}, but was ${inWords(actual.region)}"
+    } else {
+        difference(expected, actual)?.toString()
+    }
+
+private fun inWords(region: Region): String =
+    "${region.width} x ${region.height} samples from column ${region.columnStart}, row ${region.rowStart} on"

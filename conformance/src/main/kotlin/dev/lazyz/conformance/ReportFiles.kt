@@ -51,7 +51,7 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
 
     private fun code(case: FrameCase): String = buildString {
         appendLine()
-        for (name in IMPORTS) appendLine("import $name")
+        for (name in listOf("dev.lazyz.*", "dev.lazyz.conformance.*", "org.joml.Vector3d")) appendLine("import $name")
         appendLine()
         appendLine("val frame: Frame =")
         appendLine(case.code.prependIndent("    "))
@@ -79,10 +79,7 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
     }
 
     private companion object {
-        /** What the code of a frame needs. */
-        val IMPORTS = listOf("dev.lazyz.*", "dev.lazyz.conformance.*", "dev.lazyz.world.*", "org.joml.Vector3d")
-
         val ENDINGS = listOf(".kt", ".json", "-expected.png", "-actual.png", "-difference.png") +
-            (1..Trial.MOST_BEFORE).map { "-before-$it.kt" }
+            (1..RuleFailure.MOST_BEFORE).map { "-before-$it.kt" }
     }
 }

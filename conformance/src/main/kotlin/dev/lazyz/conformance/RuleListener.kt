@@ -1,6 +1,6 @@
 package dev.lazyz.conformance
 
-/** Learns what came of each rule as soon as it has been tried: of [Conformance] or [Supervision]. */
+/** Learns what came of each rule as soon as it has been tried: of `Conformance` or `Supervision`. */
 public fun interface RuleListener {
     /**
      * [rule] has come to its end. Called once for each rule, in the thread that runs the suite or waits for it. Throws

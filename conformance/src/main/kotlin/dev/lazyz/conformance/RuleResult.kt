@@ -118,6 +118,9 @@ public class RuleFailure private constructor(
     override fun toString(): String = message
 
     internal companion object {
+        /** How many frames before a failure that is not reproducible are kept. */
+        const val MOST_BEFORE: Int = 5
+
         /**
          * Tells of what was [thrown] when a rule was tried with [parameters], and what at [first], if that is known.
          * [before] are frames that were rendered before.
@@ -129,7 +132,7 @@ public class RuleFailure private constructor(
             before: List<FrameCase> = emptyList(),
         ): RuleFailure {
             val violation = thrown as? Violation
-            val case = violation?.case ?: (thrown as? TimedOut)?.case ?: Trial.cases(parameters).firstOrNull()
+            val case = violation?.case ?: (thrown as? TimedOut)?.case ?: casesAmong(parameters).firstOrNull()
             return RuleFailure(
                 thrown.message ?: thrown.toString(),
                 case?.code,

@@ -16,8 +16,8 @@ import org.junit.platform.launcher.core.LauncherFactory
 
 /** A run of the suite in this process: jqwik makes the class of the tests, which finds its renderer here. */
 internal class RunUnderWay(
-    private val make: Supplier<out Renderer>,
-    private val subject: Class<out RendererConformance>,
+    val make: Supplier<out Renderer>,
+    private val subject: Class<out AllRules>,
     private val rules: List<SuiteRule>,
     val settings: Settings,
     val journal: Journal? = null,
@@ -81,11 +81,6 @@ internal class RunUnderWay(
         }
 
         override fun toString(): String = causes.firstOrNull()?.stackTraceToString() ?: "no reason is known"
-    }
-
-    /** The suite for the renderer of the run that is under way. */
-    internal class Subject : RendererConformance() {
-        override fun renderer(): Renderer = checkNotNull(current) { "no run is under way" }.make.get()
     }
 
     companion object {

@@ -6,7 +6,7 @@ import net.jqwik.api.ShrinkingMode
 
 /** Whether a frame that fails is made smaller. */
 internal enum class Shrinking(val mode: ShrinkingMode) {
-    /** Bounded by [Trial], in steps. */
+    /** Bounded in steps. */
     ON(ShrinkingMode.FULL),
 
     OFF(ShrinkingMode.OFF),
@@ -21,6 +21,16 @@ internal class Settings(
     val deadline: Duration,
     val frames: OwnFrames?,
 ) {
+    /** Returns the report of a run by these settings; see [ConformanceReport] for the rest. */
+    fun report(
+        judged: StrategyInfo,
+        command: String?,
+        results: List<RuleResult>,
+        milliseconds: Long,
+    ): ConformanceReport = ConformanceReport(
+        judged, seed ?: SuiteRule.fixedSeed, tries, waivers.all, command, results, milliseconds,
+    )
+
     companion object {
         /** A hundred times what a try takes on a slow machine. */
         val USUAL_DEADLINE: Duration = Duration.ofSeconds(20)
@@ -34,10 +44,10 @@ internal class Settings(
         /** What the system properties say. */
         fun ofProperties(): Settings = Settings(tries(), seed(), waivers(), Shrinking.ON, deadline(), ownFrames())
 
-        fun tries(): Double = positive(RendererConformance.TRIES) ?: 1.0
+        fun tries(): Double = positive(SuiteProperties.TRIES) ?: 1.0
 
         fun deadline(): Duration =
-            positive(RendererConformance.DEADLINE)?.let { Duration.ofMillis((it * 1000).toLong()) } ?: USUAL_DEADLINE
+            positive(SuiteProperties.DEADLINE)?.let { Duration.ofMillis((it * 1000).toLong()) } ?: USUAL_DEADLINE
 
         private fun positive(property: String): Double? = System.getProperty(property)?.let { text ->
             val number = text.toDoubleOrNull()
@@ -47,13 +57,13 @@ internal class Settings(
             number
         }
 
-        fun seed(): Long? = System.getProperty(RendererConformance.SEED)?.let { text ->
+        fun seed(): Long? = System.getProperty(SuiteProperties.SEED)?.let { text ->
             requireNotNull(text.toLongOrNull()) {
-                "system property ${RendererConformance.SEED} must be a whole number: $text"
+                "system property ${SuiteProperties.SEED} must be a whole number: $text"
             }
         }
 
-        fun frames(): Path? = System.getProperty(RendererConformance.FRAMES)?.let { Path.of(it) }
+        fun frames(): Path? = System.getProperty(SuiteProperties.FRAMES)?.let { Path.of(it) }
 
         private fun ownFrames(): OwnFrames? = frames()?.let { OwnFrames(it) }
 

@@ -5,9 +5,9 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** Rules about colours: scenes with light, normals, textures and blended materials. Part of [RendererConformance]. */
+/** Rules about colours: scenes with light, normals, textures and blended materials. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
-public sealed class ShadingRules : PointRules() {
+public sealed interface ShadingRules : RulesForOne {
     /** Materials that blend show what lies behind; made opaque, they are materials like any other. */
     @Rule(
         intent = "Alpha of materials, of textures and of vertex colours blends, whichever side of a face is seen.",

@@ -5,9 +5,9 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** Rules about frames that are large in one respect: sides, spans, layers, indices. Part of [RendererConformance]. */
+/** Rules about frames that are large in one respect: sides, spans, layers, indices. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
-public sealed class SizeRules : ShadingRules() {
+public sealed interface SizeRules : RulesForOne {
     /** Rasters of several tiles and bands, whatever their size, most with odd sides. */
     @Rule(
         intent = "A picture of many tiles is right in each of them, and in what is left over at the right and below.",

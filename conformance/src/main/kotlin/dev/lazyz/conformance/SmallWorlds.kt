@@ -25,7 +25,7 @@ import dev.lazyz.world.FrameBuilder
 internal fun smallWorlds(renderer: Renderer) {
     for (convention in DepthConvention.entries) {
         for (test in DepthTest.entries) {
-            val behind = Frames.behindAll(test)
+            val behind = Rasters.behindAll(test)
             SmallWorld(Raster(3, 2, Rgba.WHITE, convention, test, behind)).judge(renderer)
         }
     }
@@ -56,7 +56,7 @@ internal class SmallWorld(private val raster: Raster) {
             for (second in shapes) {
                 val frame = FrameBuilder(raster).add(first.primitive).add(second.primitive).build()
                 val picture = try {
-                    Trial.current?.goesOn()
+                    TryUnderWay.current?.goesOn()
                     renderer.render(frame)
                 } catch (e: Exception) {
                     fail(renderer, first, second, "threw $e", e)

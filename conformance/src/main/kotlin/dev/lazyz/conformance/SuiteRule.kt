@@ -45,7 +45,7 @@ public class SuiteRule private constructor(internal val method: Method) {
 
         /** All rules of the suite, by number and then by name. */
         @JvmStatic
-        public val all: List<SuiteRule> = RendererConformance::class.java.methods
+        public val all: List<SuiteRule> = AllRules::class.java.methods
             .filter { it.isAnnotationPresent(Property::class.java) && it.name.startsWith(PREFIX) }
             .map { SuiteRule(it) }
             .sortedWith(compareBy({ it.numbers().first() }, { it.numbers().getOrElse(1) { 0 } }, { it.name }))

@@ -2,7 +2,7 @@ package dev.lazyz.conformance
 
 /** Ends this process as soon as the one that supervises it is gone, killed for instance: nobody would read a report. */
 internal object Supervisor {
-    /** The environment variable by which [Supervision] tells the id of its process. */
+    /** The environment variable by which `Supervision` tells the id of its process. */
     const val VARIABLE: String = "LAZYZ_SUPERVISOR"
 
     init {

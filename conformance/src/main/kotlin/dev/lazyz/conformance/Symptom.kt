@@ -1,7 +1,7 @@
 package dev.lazyz.conformance
 
 /**
- * What a failure looks like. [Rule.about] says which symptoms a rule is about, and [Diagnosis] finds by them which of
+ * What a failure looks like. [Rule.about] says which symptoms a rule is about, and `Diagnosis` finds by them which of
  * the rules that fail is the one to look at first.
  */
 public enum class Symptom(

@@ -51,7 +51,7 @@ internal object Symptoms {
         val frame = case.frame
         val raster = frame.raster
         if (raster.depthTest != raster.convention.nearest) symptoms.add(Symptom.DEPTH_TEST)
-        if (Frames.behindAll(raster.depthTest) == 0) symptoms.add(Symptom.GREATEST_WINS)
+        if (Rasters.behindAll(raster.depthTest) == 0) symptoms.add(Symptom.GREATEST_WINS)
         if (frame.region != raster.region) symptoms.add(Symptom.REGION)
         if (frame.hasTranslucency) symptoms.add(Symptom.TRANSLUCENT)
         if (frame.primitives.any { it is Confetti }) symptoms.add(Symptom.OWN_PRIMITIVE)
@@ -82,7 +82,7 @@ internal object Symptoms {
         val rivals = frame.primitives.indices.count {
             frame.isAt(it, x, y) && frame.primitives[it].depth(x, y) == depth
         }
-        val isBackgroundNear = raster.backgroundDepth != Frames.behindAll(raster.depthTest)
+        val isBackgroundNear = raster.backgroundDepth != Rasters.behindAll(raster.depthTest)
         val isBackgroundTied = depth == raster.backgroundDepth && rivals > 0
         val isBackgroundShown = right == DepthTest.BACKGROUND || shown == DepthTest.BACKGROUND
         if (rivals > 1) symptoms.add(Symptom.TIE)

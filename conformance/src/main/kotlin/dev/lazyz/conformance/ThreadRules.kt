@@ -7,9 +7,9 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** Rules about threads, and what the sink may rely on. Part of [RendererConformance]. */
+/** Rules about threads, and what the sink may rely on. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
-public sealed class ThreadRules : UseRules() {
+public sealed interface ThreadRules : RulesForOne {
     /** Renderings of several threads that ask for spans and colours at the same time do not disturb each other. */
     @Rule(
         intent = "A renderer may be used by several threads at once, at any moment of their renderings.",

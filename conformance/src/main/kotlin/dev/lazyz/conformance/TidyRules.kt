@@ -4,9 +4,9 @@ import dev.lazyz.Coherence
 import dev.lazyz.RenderOptions
 import net.jqwik.api.Property
 
-/** The rule about what a rendering leaves behind. Part of [RendererConformance]. */
+/** The rule about what a rendering leaves behind. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
-public sealed class TidyRules : PromiseRules() {
+public sealed interface TidyRules : RulesForOne {
     /** A rendering leaves no output, no thread, no file and no changed global state. */
     @Rule(
         intent = "A library is a guest in the process of its caller, and leaves nothing behind there.",

@@ -22,9 +22,12 @@ internal class Trial(
     deadline: Duration = Settings.USUAL_DEADLINE,
     steps: Int = Settings.MANY_STEPS,
     private val journal: Journal? = null,
-) : AutoCloseable {
+) : TryUnderWay,
+    AutoCloseable {
     /** The user's own frames; null if there are none. */
     var own: OwnFrames? = null
+
+    override val ownCases: List<FrameCase> get() = own?.cases.orEmpty()
 
     private val stepsLeft = AtomicInteger(steps)
     private val census = Census()
@@ -58,19 +61,14 @@ internal class Trial(
     @Volatile
     private var tryThread: Thread? = null
 
-    /**
-     * Whether this try has asked [renderer] for a picture before. Of several threads that ask at the same time none does so
-     * again, whichever is first.
-     */
-    fun isAgain(renderer: Renderer): Boolean = !rendered.add(renderer) && Thread.currentThread() === tryThread
+    override fun isAgain(renderer: Renderer): Boolean = !rendered.add(renderer) && Thread.currentThread() === tryThread
 
     /** What the try under way renders, or rendered last; null if that is no frame, or none yet. */
     @Volatile
     var underTrial: FrameCase? = null
         private set
 
-    /** A rule renders [case]; [how] says what is special about the renderer, or nothing. */
-    fun saw(case: FrameCase, how: String = "") {
+    override fun saw(case: FrameCase, how: String) {
         underTrial = case
         if (falsified == null) {
             census.add(case.frame, case.scene, how)
@@ -79,8 +77,7 @@ internal class Trial(
         }
     }
 
-    /** The try under way begins another rendering: each has its deadline. */
-    fun goesOn() {
+    override fun goesOn() {
         thread.goesOn()
         journal?.goesOn()
     }
@@ -114,7 +111,7 @@ internal class Trial(
     private fun replay(end: ProcessEnd, parameters: List<Any>): TryExecutionResult {
         if (tries < end.tries) return TryExecutionResult.satisfied()
         val lead = if (end.isShrinking) "failed, and when smaller frames were tried " else ""
-        val where = cases(parameters).firstOrNull()?.let { "\nin\n$it" }.orEmpty()
+        val where = casesAmong(parameters).firstOrNull()?.let { "\nin\n$it" }.orEmpty()
         val message = "${lead}ended the process: ${end.words}$where"
         val failure = if (end.outcome == RuleOutcome.TIMED_OUT) TimedOut(message, null) else ProcessEnded(message)
         falsified = Falsified(parameters, failure)
@@ -138,7 +135,7 @@ internal class Trial(
 
     /** No throwable gets past here, and none of jqwik's business is done in the other thread but the call itself. */
     private fun answer(parameters: List<Any>, block: () -> TryExecutionResult): TryExecutionResult {
-        underTrial = cases(parameters).firstOrNull()
+        underTrial = casesAmong(parameters).firstOrNull()
         rendered.clear()
         return try {
             thread.call {
@@ -156,8 +153,8 @@ internal class Trial(
     }
 
     private fun remember(parameters: List<Any>) {
-        before.addAll(cases(parameters))
-        while (before.size > MOST_BEFORE) before.removeFirst()
+        before.addAll(casesAmong(parameters))
+        while (before.size > RuleFailure.MOST_BEFORE) before.removeFirst()
     }
 
     /** Calls [block] with the try that failed, some times: if one does not fail, the failure is not reproducible. */
@@ -235,9 +232,6 @@ internal class Trial(
     companion object {
         private const val NANOSECONDS = 1_000_000L
 
-        /** How many frames before a failure that is not reproducible are kept. */
-        const val MOST_BEFORE: Int = 5
-
         /** A frame that comes out wrong once in ten times comes out wrong so many times more once in a thousand. */
         private const val REPETITIONS = 3
 
@@ -251,12 +245,11 @@ internal class Trial(
             "not reproducible: rendered again, the same frame came out right; look for state or races"
 
         /** The rule that is on trial just now; null between rules. There is one at a time in a JVM. */
-        @Volatile
-        var current: Trial? = null
-
-        /** The frames among the [parameters] of a rule. */
-        fun cases(parameters: List<Any?>): List<FrameCase> =
-            parameters.flatMap { if (it is List<*>) it else listOf(it) }.filterIsInstance<FrameCase>()
+        var current: Trial?
+            get() = TryUnderWay.current as Trial?
+            set(trial) {
+                TryUnderWay.current = trial
+            }
 
         private fun isCrash(failure: Throwable): Boolean =
             if (failure is AssertionError) failure is Violation && failure.cause is Error else failure is Error

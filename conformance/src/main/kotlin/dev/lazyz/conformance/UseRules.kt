@@ -5,9 +5,9 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** Rules about use: again, at once, interrupted, by callers that fail. Part of [RendererConformance]. */
+/** Rules about use: again, at once, interrupted, by callers that fail. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
-public sealed class UseRules : ChangeRules() {
+public sealed interface UseRules : RulesForOne {
     /** A renderer that renders a frame again after others, or another part of it, gives the same bits. */
     @Rule(
         intent = "A renderer has no memory: the same frame gives the same bits, whatever came in between.",
@@ -28,7 +28,7 @@ public sealed class UseRules : ChangeRules() {
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_framesOfOnesOwnAreRight() {
-        for (case in Trial.current?.own?.cases.orEmpty() + frames()) framesAreRight(renderer(), case)
+        for (case in TryUnderWay.current?.ownCases.orEmpty() + frames()) framesAreRight(renderer(), case)
     }
 
     /** A renderer that several threads use at once, each for another frame, gives the same bits. */

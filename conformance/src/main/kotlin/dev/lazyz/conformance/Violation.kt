@@ -38,3 +38,6 @@ internal fun requireDeclared(renderer: Renderer, capability: Capability) {
 
 /** The rule does not apply: this JVM cannot measure what it is about, for this [reason]. */
 internal fun notMeasured(reason: String): Nothing = throw NotDeclared("not measured: $reason")
+
+/** Fails because of [what], where there is no frame to show. */
+internal fun fail(renderer: Renderer, what: String): Nothing = throw AssertionError("${renderer.id}: $what")

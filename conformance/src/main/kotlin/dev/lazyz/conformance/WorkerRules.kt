@@ -5,9 +5,9 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** Rules about threads of the renderer's own, and what becomes of their work. Part of [RendererConformance]. */
+/** Rules about threads of the renderer's own, and what becomes of their work. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
-public sealed class WorkerRules : ThreadRules() {
+public sealed interface WorkerRules : RulesForOne {
     /** What a primitive throws in a thread of the renderer's own reaches the caller: exceptions and errors. */
     @Rule(
         intent = "A failure is the caller's to see, whichever thread ran into it, errors included.",

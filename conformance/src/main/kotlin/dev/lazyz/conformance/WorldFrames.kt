@@ -108,14 +108,14 @@ internal object WorldFrames {
      * depth of the background, which hides nothing.
      */
     fun rasters(maxSide: Int): Arbitrary<Raster> =
-        Combinators.combine(Frames.rasters(maxSide, maxSide), ints(0, 3)).`as` { raster, choice ->
+        Combinators.combine(Rasters.any(maxSide, maxSide), ints(0, 3)).`as` { raster, choice ->
             if (choice == 3) {
                 raster
             } else {
                 with(raster) {
                     Raster(
                         maxOf(width, height / 2), maxOf(height, width / 2), background, convention, depthTest,
-                        Frames.behindAll(depthTest),
+                        Rasters.behindAll(depthTest),
                     )
                 }
             }

@@ -39,7 +39,7 @@ object BrokenRenderers {
 
     /** A background that is always behind everything. */
     fun backgroundAtInfinity() = drawing("background-at-infinity") { frame ->
-        frame.on { Raster(width, height, background, convention, depthTest, Frames.behindAll(depthTest)) }
+        frame.on { Raster(width, height, background, convention, depthTest, Rasters.behindAll(depthTest)) }
     }
 
     /** Spans without their last column. */

@@ -61,7 +61,7 @@ class CensusTest {
     @Test
     fun rastersBringTraits() {
         for (test in DepthTest.entries) {
-            val raster = Raster(8, 4, Rgba.WHITE, DepthConvention.LARGER_IS_NEARER, test, Frames.behindAll(test))
+            val raster = Raster(8, 4, Rgba.WHITE, DepthConvention.LARGER_IS_NEARER, test, Rasters.behindAll(test))
             val traits = Census.traits(full(raster, 1))
             for (it in DepthTest.entries) assertEquals(it == test, FrameTrait.valueOf(it.name) in traits)
             assertTrue(FrameTrait.LARGER_IS_NEARER in traits)

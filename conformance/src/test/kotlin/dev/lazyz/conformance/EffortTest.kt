@@ -1,6 +1,7 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Frame
+import dev.lazyz.Renderer
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
@@ -52,6 +53,19 @@ class EffortTest {
             val message = refusal.message.orEmpty()
             assertTrue("lazyz.conformance.tries must be a positive number: -1.0" in message, message)
         }
+    }
+
+    /** Has a rule of its own making. */
+    internal class Lenient : RendererConformance() {
+        override fun renderer(): Renderer = ZBuffer()
+
+        override fun rule_2_8_primitivesOfOnesOwnCoverWhatTheySay(case: FrameCase): Unit = Unit
+    }
+
+    @Test
+    fun rulesAreNotToBeOverridden() {
+        val refusal = assertThrows(IllegalStateException::class.java) { SuiteRun.of(Lenient::class, 0.01, rule) }
+        assertTrue("Lenient overrides $rule" in refusal.message.orEmpty(), refusal.message)
     }
 
     private fun frames(tries: Double, rule: String = this.rule): List<String> {

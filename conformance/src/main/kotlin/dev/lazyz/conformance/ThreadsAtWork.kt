@@ -1,6 +1,5 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
@@ -9,12 +8,6 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.atomic.AtomicInteger
 
 // Threads are watched, not compared.
-
-/** Fails because of [what], where there is no frame to show. */
-internal fun fail(renderer: Renderer, what: String): Nothing = throw AssertionError("${renderer.id}: $what")
-
-/** A counter's text without the memory, which threads multiply. */
-internal fun Counters.withoutMemory(): String = toString().substringBefore(", peakBytes")
 
 private const val SIDE = 128
 private const val ATTEMPTS = 5

@@ -1,0 +1,78 @@
+package dev.lazyz.cli
+
+/**
+ * Which packages name which others, by their sources: an arrow for each import, and for each full name in the text.
+ *
+ * @param sources the sources of one module
+ * @param modulePackages packages of all modules: a name is in the longest of them that it begins with
+ */
+internal class PackageGraph(sources: List<Source>, private val modulePackages: Set<String> = packagesOf(sources)) {
+    /**
+     * A source file.
+     *
+     * @property path where it is, for messages and lists of seams
+     */
+    class Source(val path: String, val text: String) {
+        /** The package that it says it is in. */
+        val packageName: String = PACKAGE.find(text)?.groupValues?.get(1).orEmpty()
+
+        override fun toString(): String = path
+    }
+
+    /** [source], in its package, names something of package [to]. */
+    private class Arrow(val source: Source, val to: String) {
+        val from: String get() = source.packageName
+    }
+
+    private val arrows: List<Arrow> = sources.flatMap { source -> named(source).map { Arrow(source, it) } }
+
+    /** The other packages that [source] names. */
+    private fun named(source: Source): Set<String> {
+        val text = source.text.replace(PACKAGE, "").replace(LITERAL, "")
+        return NAME.findAll(text).mapNotNull { packageOf(it.value) }.filter { it != source.packageName }.toSet()
+    }
+
+    private fun packageOf(name: String): String? =
+        generateSequence(name.substringBeforeLast('.', "")) { it.substringBeforeLast('.', "") }
+            .takeWhile { it.isNotEmpty() }
+            .firstOrNull { it in modulePackages }
+
+    /**
+     * Returns the cycles, none if all arrows go one way: sets of packages of which each can be reached from each other.
+     * Arrows from the files called [seams] do not count. Each cycle is a few lines: its packages, and who names what.
+     */
+    fun cycles(seams: Set<String> = emptySet()): List<String> {
+        val counted = arrows.filter { it.source.path !in seams }
+        val next = counted.groupBy({ it.from }, { it.to }).mapValues { it.value.toSet() }
+        val reached = next.keys.associateWith { reachedFrom(it, next) }
+        val cycles = next.keys.filter { it in reached.getValue(it) }
+            .groupBy { start -> reached.getValue(start).filter { start in reached[it].orEmpty() }.sorted() }
+        return cycles.keys.map { cycle ->
+            val inside = counted.filter { it.from in cycle && it.to in cycle }
+            val lines = inside.groupBy({ "${it.from} -> ${it.to}" }, { it.source.path.substringAfterLast('/') })
+            cycle.joinToString() + lines.toSortedMap().map { (arrow, files) -> "\n    $arrow: ${files.joinToString()}" }
+                .joinToString("")
+        }
+    }
+
+    private fun reachedFrom(start: String, next: Map<String, Set<String>>): Set<String> {
+        val reached = HashSet<String>()
+        val open = ArrayDeque(next[start].orEmpty())
+        while (open.isNotEmpty()) {
+            val one = open.removeFirst()
+            if (reached.add(one)) open.addAll(next[one].orEmpty())
+        }
+        return reached
+    }
+
+    companion object {
+        private val PACKAGE = Regex("""(?m)^package ([\w.]+);?""")
+
+        /** Text in quotes is no code, and a name between backticks in a comment is no link. */
+        private val LITERAL = Regex("\"(?:\\\\.|[^\"\\\\\n])*\"|`[^`\n]*`")
+        private val NAME = Regex("""\bdev\.lazyz(?:\.\w+)+""")
+
+        /** The packages of [sources]. */
+        fun packagesOf(sources: List<Source>): Set<String> = sources.map { it.packageName }.toSet()
+    }
+}

@@ -1,0 +1,90 @@
+package dev.lazyz.cli
+
+import dev.lazyz.cli.PackageGraph.Source
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.extension
+import kotlin.io.path.invariantSeparatorsPathString
+import kotlin.io.path.readText
+import kotlin.io.path.relativeTo
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.ValueSource
+
+/** The packages of each module: arrows between them go one way, and a file lies in the folder of its package. */
+class RoomsTest {
+    private val root: Path = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
+        .first { Files.isDirectory(it.resolve("core/src/main/kotlin")) }
+
+    private val sources: Map<String, List<Source>> = MODULES.associateWith { module ->
+        val folders = listOf("kotlin", "java").map { root.resolve("$module/src/main/$it") }
+        folders.filter { Files.isDirectory(it) }.flatMap { sourcesIn(it) }
+    }
+
+    private fun sourcesIn(folder: Path): List<Source> = Files.walk(folder).use { paths ->
+        paths.filter { it.extension in listOf("kt", "java") && !it.endsWith("module-info.java") }.sorted().toList()
+    }.map { Source(it.relativeTo(root).invariantSeparatorsPathString, it.readText()) }
+
+    private fun graph(module: String) =
+        PackageGraph(sources.getValue(module), PackageGraph.packagesOf(sources.values.flatten()))
+
+    @ParameterizedTest
+    @ValueSource(strings = ["core", "scenes", "conformance", "cli", "jmh"])
+    fun arrowsBetweenPackagesGoOneWay(module: String) {
+        assertTrue(sources.getValue(module).size > 20) { "only ${sources.getValue(module)}" }
+        val cycles = graph(module).cycles(SEAMS.keys)
+        assertTrue(cycles.isEmpty()) { "packages that name each other in a circle:\n${cycles.joinToString("\n")}" }
+    }
+
+    @Test
+    fun eachSeamIsThereAndNeeded() {
+        for ((seam, why) in SEAMS) {
+            assertTrue(Files.exists(root.resolve(seam))) { "$seam ($why) is not there" }
+            val cycles = graph(seam.substringBefore('/')).cycles(SEAMS.keys - seam)
+            assertTrue(cycles.isNotEmpty()) { "$seam makes no circle: take it off the list" }
+        }
+    }
+
+    @Test
+    fun eachFileLiesInTheFolderOfItsPackage() {
+        val lost = sources.values.flatten().filterNot { source ->
+            val folder = source.path.substringBeforeLast('/').substringAfter("/src/main/").substringAfter('/')
+            folder == source.packageName.replace('.', '/')
+        }
+        assertEquals(emptyList<Source>(), lost)
+    }
+
+    @Test
+    fun circlesAreFound() {
+        val house = listOf(
+            Source("a/A.kt", "package dev.lazyz.a\n\nimport dev.lazyz.b.B\n"),
+            Source("b/B.kt", "package dev.lazyz.b\n\nimport dev.lazyz.b.c.C.member\n"),
+            Source("c/C.java", "package dev.lazyz.b.c;\n\nimport static dev.lazyz.d.D.member;\n"),
+            Source("d/D.kt", "package dev.lazyz.d\n\n/** See `dev.lazyz.a.A`. */\nval text = \"dev.lazyz.a.A\"\n"),
+        )
+        assertEquals(listOf<String>(), PackageGraph(house).cycles())
+
+        // An import or a full name back up is one too many
+        for (line in listOf("import dev.lazyz.a.A", "val it = dev.lazyz.a.A()", "/** See [dev.lazyz.a.A]. */")) {
+            val back = house + Source("d/Back.kt", "package dev.lazyz.d\n\n$line\n")
+            val cycle = PackageGraph(back).cycles().single()
+            assertTrue(cycle.startsWith("dev.lazyz.a, dev.lazyz.b, dev.lazyz.b.c, dev.lazyz.d\n"), cycle)
+            assertTrue("dev.lazyz.d -> dev.lazyz.a: Back.kt" in cycle, cycle)
+            assertEquals(listOf<String>(), PackageGraph(back).cycles(setOf("d/Back.kt")))
+        }
+    }
+
+    private companion object {
+        val MODULES = listOf("core", "scenes", "conformance", "cli", "jmh")
+
+        /** Files whose arrows do not count, each with the reason: what they name, they name so that nothing else has to. */
+        val SEAMS = mapOf(
+            "scenes/src/main/kotlin/dev/lazyz/scenes/Scenes.kt" to
+                "the door that users know: it leads to the loaders and to the built-in scenes",
+            "scenes/src/main/kotlin/dev/lazyz/scenes/formats/SceneReading.kt" to
+                "the list of formats, of which scene files may hold models of any",
+        )
+    }
+}

@@ -1,0 +1,8 @@
+package dev.lazyz.conformance
+
+import dev.lazyz.Renderer
+
+/** The suite for the renderer of the run that is under way; jqwik makes it. */
+internal class SubjectOfRun : RendererConformance() {
+    override fun renderer(): Renderer = checkNotNull(RunUnderWay.current) { "no run is under way" }.make.get()
+}
