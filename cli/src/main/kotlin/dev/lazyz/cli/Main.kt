@@ -5,6 +5,10 @@ import com.github.ajalt.clikt.core.PrintHelpMessage
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.core.parse
+import dev.lazyz.cli.output.ExitCode
+import dev.lazyz.cli.output.Failure
+import dev.lazyz.cli.output.OutputClosed
+import dev.lazyz.cli.output.Streams
 import java.io.InputStream
 import java.io.OutputStream
 import java.io.PrintStream

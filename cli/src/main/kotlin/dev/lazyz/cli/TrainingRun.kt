@@ -1,5 +1,7 @@
 package dev.lazyz.cli
 
+import dev.lazyz.cli.output.ExitCode
+import dev.lazyz.cli.output.Streams
 import java.io.OutputStream
 import java.io.PrintStream
 import java.nio.file.Files

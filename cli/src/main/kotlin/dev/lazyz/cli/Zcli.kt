@@ -3,6 +3,17 @@ package dev.lazyz.cli
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.subcommands
 import com.github.ajalt.clikt.parameters.options.versionOption
+import dev.lazyz.cli.commands.CompareCommand
+import dev.lazyz.cli.commands.ConformanceCommand
+import dev.lazyz.cli.commands.RenderCommand
+import dev.lazyz.cli.commands.ScenesCommand
+import dev.lazyz.cli.commands.StrategiesCommand
+import dev.lazyz.cli.options.Command
+import dev.lazyz.cli.options.HelpText
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.Nearest
+import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.output.Version
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 

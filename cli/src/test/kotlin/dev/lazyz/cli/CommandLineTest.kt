@@ -1,5 +1,6 @@
 package dev.lazyz.cli
 
+import dev.lazyz.cli.output.Version
 import dev.lazyz.strategies.Renderers
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -1,6 +1,7 @@
 package dev.lazyz.cli
 
 import dev.lazyz.Capability
+import dev.lazyz.cli.output.ExitCode
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.readText

@@ -1,5 +1,6 @@
 package dev.lazyz.cli
 
+import dev.lazyz.cli.output.Version
 import java.io.ByteArrayOutputStream
 import java.io.IOException
 import java.io.OutputStream

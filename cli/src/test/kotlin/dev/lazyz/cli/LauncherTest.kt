@@ -74,7 +74,7 @@ class LauncherTest {
         val log = folder.resolve("classes.txt")
         val before = Files.getLastModifiedTime(archive)
         render(mapOf("ZCLI_JAVA_OPTIONS" to "-Xlog:class+load:file=$log"))
-        val loaded = "dev.lazyz.cli.RenderJob source: shared objects file"
+        val loaded = "dev.lazyz.cli.render.RenderJob source: shared objects file"
         assertTrue(loaded in log.readText(), "loaded from the archive")
         assertEquals(before, Files.getLastModifiedTime(archives.single()))
 

@@ -4,6 +4,11 @@ import dev.lazyz.Capability
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Renderer
+import dev.lazyz.cli.output.Bytes
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.Nearest
+import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.strategies.MemoryNeed
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.hybrid.Hybrid
 import dev.lazyz.strategies.painter.Painter

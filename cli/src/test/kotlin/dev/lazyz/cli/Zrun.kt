@@ -1,5 +1,6 @@
 package dev.lazyz.cli
 
+import dev.lazyz.cli.output.ExitCode
 import java.awt.image.BufferedImage
 import java.io.ByteArrayInputStream
 import java.io.ByteArrayOutputStream

@@ -1,6 +1,20 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
+import dev.lazyz.conformance.report.ConformanceReport
+import dev.lazyz.conformance.report.StrategyInfo
+import dev.lazyz.conformance.results.RuleListener
+import dev.lazyz.conformance.results.SuiteRule
+import dev.lazyz.conformance.results.Waivers
+import dev.lazyz.conformance.run.Journal
+import dev.lazyz.conformance.run.LastWords
+import dev.lazyz.conformance.run.Late
+import dev.lazyz.conformance.run.OwnFrames
+import dev.lazyz.conformance.run.RunUnderWay
+import dev.lazyz.conformance.run.Settings
+import dev.lazyz.conformance.run.Shrinking
+import dev.lazyz.conformance.run.Supervisor
+import dev.lazyz.conformance.run.TryThread
 import java.nio.file.Path
 import java.time.Duration
 import java.util.concurrent.ThreadLocalRandom

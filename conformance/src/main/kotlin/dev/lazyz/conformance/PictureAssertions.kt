@@ -3,6 +3,7 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Image
+import dev.lazyz.conformance.judgement.differenceInWords
 
 /**
  * Fails unless [actual] is the same picture as [expected], as contract rule 7.1 has it: the same region, and at every

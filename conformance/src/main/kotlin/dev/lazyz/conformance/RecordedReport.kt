@@ -1,6 +1,12 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
+import dev.lazyz.conformance.report.ConformanceReport
+import dev.lazyz.conformance.report.ReportJson
+import dev.lazyz.conformance.results.SuiteRule
+import dev.lazyz.conformance.results.Waiver
+import dev.lazyz.conformance.results.Waivers
+import dev.lazyz.conformance.rules.ConformanceVersions
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path

@@ -1,6 +1,23 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.rules.AllRules
+import dev.lazyz.conformance.rules.ChangeRules
+import dev.lazyz.conformance.rules.CombinationRules
+import dev.lazyz.conformance.rules.CounterRules
+import dev.lazyz.conformance.rules.PictureRules
+import dev.lazyz.conformance.rules.PointRules
+import dev.lazyz.conformance.rules.PromiseRules
+import dev.lazyz.conformance.rules.Rule
+import dev.lazyz.conformance.rules.ShadingRules
+import dev.lazyz.conformance.rules.SizeRules
+import dev.lazyz.conformance.rules.ThreadRules
+import dev.lazyz.conformance.rules.TidyRules
+import dev.lazyz.conformance.rules.UseRules
+import dev.lazyz.conformance.rules.WorkerRules
+import dev.lazyz.conformance.run.Effort
+import dev.lazyz.conformance.run.SuiteProperties
 import net.jqwik.api.lifecycle.AddLifecycleHook
 import net.jqwik.api.lifecycle.PropagationMode
 

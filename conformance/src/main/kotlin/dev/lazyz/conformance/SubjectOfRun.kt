@@ -1,6 +1,7 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
+import dev.lazyz.conformance.run.RunUnderWay
 
 /** The suite for the renderer of the run that is under way; jqwik makes it. */
 internal class SubjectOfRun : RendererConformance() {

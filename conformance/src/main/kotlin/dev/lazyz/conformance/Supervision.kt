@@ -1,5 +1,12 @@
 package dev.lazyz.conformance
 
+import dev.lazyz.conformance.results.RuleListener
+import dev.lazyz.conformance.results.RuleOutcome
+import dev.lazyz.conformance.run.Journal
+import dev.lazyz.conformance.run.JournalFollower
+import dev.lazyz.conformance.run.Settings
+import dev.lazyz.conformance.run.Supervisor
+import dev.lazyz.conformance.run.TryThread
 import java.io.InputStream
 import java.nio.file.Files
 import java.nio.file.Path

@@ -1,6 +1,12 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
+import dev.lazyz.conformance.broken.BrokenPromises
+import dev.lazyz.conformance.broken.WrongColors
+import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.conformance.results.SuiteRule
+import dev.lazyz.conformance.results.Waivers
 import dev.lazyz.scenes.Scenes
 import java.nio.file.Path
 import kotlin.io.path.exists

@@ -1,5 +1,6 @@
 package dev.lazyz.conformance
 
+import dev.lazyz.conformance.broken.PlainRenderer
 import dev.lazyz.conformance.fuzz.DifferentialFuzzing
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.strategies.zbuffer.ZBuffer

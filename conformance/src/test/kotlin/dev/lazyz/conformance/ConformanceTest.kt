@@ -1,6 +1,13 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Capability
+import dev.lazyz.conformance.broken.PlainRenderer
+import dev.lazyz.conformance.broken.Throwing
+import dev.lazyz.conformance.broken.WrongColors
+import dev.lazyz.conformance.census.FrameTrait
+import dev.lazyz.conformance.results.RuleOutcome
+import dev.lazyz.conformance.results.SuiteRule
+import dev.lazyz.conformance.run.RunUnderWay
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.io.ByteArrayOutputStream
 import java.io.PrintStream

@@ -1,6 +1,10 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
+import dev.lazyz.conformance.broken.UnusualRenderers
+import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.conformance.results.RuleOutcome
+import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.strangers.Galleries
 import dev.lazyz.strategies.Renderers
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -1,5 +1,11 @@
 package dev.lazyz.conformance
 
+import dev.lazyz.conformance.broken.BrokenRenderers
+import dev.lazyz.conformance.broken.PlainRenderer
+import dev.lazyz.conformance.broken.gallery.RuleNames
+import dev.lazyz.conformance.results.SuiteRule
+import dev.lazyz.conformance.results.Waivers
+import dev.lazyz.conformance.rules.ConformanceVersions
 import java.nio.file.Path
 import kotlin.io.path.readText
 import kotlin.io.path.writeText

@@ -7,6 +7,15 @@ import dev.lazyz.Image
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.changed.within
+import dev.lazyz.conformance.frames.ConfettiCases
+import dev.lazyz.conformance.frames.Frames
+import dev.lazyz.conformance.frames.ScreenCases
+import dev.lazyz.conformance.frames.TiedCases
+import dev.lazyz.conformance.frames.TranslucentCases
+import dev.lazyz.conformance.frames.WorldCases
+import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.strategies.Renderers
 import java.util.Random
 import java.util.function.Predicate

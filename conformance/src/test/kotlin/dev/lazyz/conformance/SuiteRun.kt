@@ -1,6 +1,10 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
+import dev.lazyz.conformance.broken.gallery.RuleNames
+import dev.lazyz.conformance.report.ConformanceReport
+import dev.lazyz.conformance.results.SuiteRule
+import dev.lazyz.conformance.rules.Rule
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.reflect.KClass

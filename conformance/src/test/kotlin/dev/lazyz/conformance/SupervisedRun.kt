@@ -1,6 +1,10 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
+import dev.lazyz.conformance.broken.BrokenRenderers
+import dev.lazyz.conformance.broken.PlainRenderer
+import dev.lazyz.conformance.broken.gallery.RuleNames
+import dev.lazyz.conformance.broken.gallery.RunGallery
 import java.nio.file.Path
 import java.time.Duration
 import kotlin.io.path.exists

@@ -29,9 +29,9 @@ public final class ColdStartPhases {
 
     static {
         PHASES.put("JVM", "dev.lazyz.cli.MainKt");
-        PHASES.put("command line", "dev.lazyz.cli.RenderJob");
+        PHASES.put("command line", "dev.lazyz.cli.render.RenderJob");
         PHASES.put("scene", "dev.lazyz.setup.planar.PlanarSetUp");
-        PHASES.put("set-up", "dev.lazyz.cli.MemoryNeed");
+        PHASES.put("set-up", "dev.lazyz.cli.strategies.MemoryNeed");
         PHASES.put("render, encode", "java.lang.Shutdown");
         PHASES.put("exit", "");
     }

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes
 
 import dev.lazyz.scenes.builtin.Builtins
+import dev.lazyz.scenes.formats.SceneReading
 import dev.lazyz.world.Scene
 import java.io.InputStream
 import java.nio.file.Path

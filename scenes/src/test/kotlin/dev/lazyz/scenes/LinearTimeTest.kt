@@ -1,6 +1,6 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.scenes.triangulation.TestSources
+import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.world.Mesh
 import java.nio.ByteBuffer
 import java.nio.ByteOrder

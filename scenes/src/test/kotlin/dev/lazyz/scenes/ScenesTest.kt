@@ -1,5 +1,6 @@
 package dev.lazyz.scenes
 
+import dev.lazyz.scenes.formats.FormatSniffer
 import java.io.IOException
 import java.io.InputStream
 import java.nio.file.Files

@@ -3,8 +3,8 @@ package dev.lazyz.scenes
 import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.Rgba
-import dev.lazyz.scenes.triangulation.AwkwardMesh
-import dev.lazyz.scenes.triangulation.TestSources
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.meshes.AwkwardMesh
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Material

@@ -1,6 +1,6 @@
 package dev.lazyz.conformance.fuzz
 
-import dev.lazyz.conformance.FrameCase
+import dev.lazyz.conformance.cases.FrameCase
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption.APPEND

@@ -2,11 +2,11 @@ package dev.lazyz.conformance.fuzz
 
 import dev.lazyz.Capability
 import dev.lazyz.Renderer
-import dev.lazyz.conformance.Census
-import dev.lazyz.conformance.FrameCase
-import dev.lazyz.conformance.Rendering
-import dev.lazyz.conformance.asOpaque
-import dev.lazyz.conformance.difference
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.changed.asOpaque
+import dev.lazyz.conformance.census.Census
+import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.difference
 import java.nio.file.Path
 import java.time.Duration
 import java.util.Random

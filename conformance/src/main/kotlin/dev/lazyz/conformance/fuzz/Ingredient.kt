@@ -1,7 +1,7 @@
 package dev.lazyz.conformance.fuzz
 
 import dev.lazyz.Coherence
-import dev.lazyz.conformance.FrameKind
+import dev.lazyz.conformance.frames.FrameKind
 
 /** What a [Recipe] chooses, and what it may choose. The names of both are the words of the corpus on disk. */
 internal enum class Ingredient(val choices: List<String>) {

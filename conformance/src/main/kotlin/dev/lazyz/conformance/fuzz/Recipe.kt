@@ -2,11 +2,11 @@ package dev.lazyz.conformance.fuzz
 
 import dev.lazyz.Coherence
 import dev.lazyz.RenderOptions
-import dev.lazyz.conformance.FrameCase
-import dev.lazyz.conformance.FrameKind
-import dev.lazyz.conformance.FrameMix
-import dev.lazyz.conformance.Frames
-import dev.lazyz.conformance.withinAny
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.changed.withinAny
+import dev.lazyz.conformance.frames.FrameKind
+import dev.lazyz.conformance.frames.FrameMix
+import dev.lazyz.conformance.frames.Frames
 import java.util.Random
 import net.jqwik.api.Shrinkable
 

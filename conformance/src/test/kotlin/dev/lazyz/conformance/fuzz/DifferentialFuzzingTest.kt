@@ -1,7 +1,7 @@
 package dev.lazyz.conformance.fuzz
 
 import dev.lazyz.Renderer
-import dev.lazyz.conformance.BrokenRenderers
+import dev.lazyz.conformance.broken.BrokenRenderers
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.zbuffer.ZBuffer

@@ -2,8 +2,8 @@ package dev.lazyz.scenes.builtin
 
 import dev.lazyz.scenes.Builtin
 import dev.lazyz.scenes.ImageSize
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.scenefile.JsonNode
+import dev.lazyz.scenes.json.JsonNode
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Surface
 

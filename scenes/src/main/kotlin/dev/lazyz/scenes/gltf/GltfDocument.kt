@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.gltf
 
 import de.javagl.jgltf.impl.v2.GlTF
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.images.FileReferences
+import dev.lazyz.scenes.loading.FileReferences
+import dev.lazyz.scenes.loading.Source
 import java.net.URLDecoder
 import java.nio.ByteBuffer
 import java.nio.ByteOrder

@@ -9,9 +9,9 @@ import com.fasterxml.jackson.databind.ObjectMapper
 import de.javagl.jgltf.impl.v2.GlTF
 import de.javagl.jgltf.model.io.JacksonUtils
 import de.javagl.jgltf.model.io.JsonError
-import dev.lazyz.scenes.Loading
-import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.gltf.version1.Version1Json
+import dev.lazyz.scenes.loading.Loading
+import dev.lazyz.scenes.loading.Source
 import java.io.IOException
 
 /**

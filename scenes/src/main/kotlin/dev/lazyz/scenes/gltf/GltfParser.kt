@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.gltf
 
-import dev.lazyz.scenes.SceneParser
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.loading.SceneParser
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Scene
 
 /**

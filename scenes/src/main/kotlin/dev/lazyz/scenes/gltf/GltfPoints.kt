@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.gltf
 
-import dev.lazyz.scenes.PixelDefaults
+import dev.lazyz.scenes.loading.PixelDefaults
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Material
 import dev.lazyz.world.Points

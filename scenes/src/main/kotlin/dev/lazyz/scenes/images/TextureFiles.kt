@@ -1,7 +1,8 @@
 package dev.lazyz.scenes.images
 
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.loading.FileReferences
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Texture
 import java.io.ByteArrayInputStream
 import java.io.IOException

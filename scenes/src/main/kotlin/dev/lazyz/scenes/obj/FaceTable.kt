@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.scenes.triangulation.Ints
+import dev.lazyz.scenes.collections.Ints
 
 /**
  * What a run of faces has in common.

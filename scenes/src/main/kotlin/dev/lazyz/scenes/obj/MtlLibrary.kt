@@ -2,10 +2,10 @@ package dev.lazyz.scenes.obj
 
 import de.javagl.obj.MtlReader
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.images.FileReferences
-import dev.lazyz.scenes.triangulation.TextEncoding
-import dev.lazyz.scenes.triangulation.TextLines
+import dev.lazyz.scenes.loading.FileReferences
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.TextEncoding
+import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.world.Material
 import java.io.IOException
 import java.nio.file.Path

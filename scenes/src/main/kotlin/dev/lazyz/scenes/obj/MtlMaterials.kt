@@ -3,10 +3,10 @@ package dev.lazyz.scenes.obj
 import de.javagl.obj.FloatTuple
 import de.javagl.obj.Mtl
 import dev.lazyz.Rgba
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.collections.KindCounts
 import dev.lazyz.scenes.images.SrgbDecoding
 import dev.lazyz.scenes.images.TextureFiles
-import dev.lazyz.scenes.triangulation.KindCounts
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Material
 import dev.lazyz.world.Shading

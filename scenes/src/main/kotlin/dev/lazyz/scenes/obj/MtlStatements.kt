@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.scenes.triangulation.KindCounts
-import dev.lazyz.scenes.triangulation.TextLines
-import dev.lazyz.scenes.triangulation.TextNumbers
+import dev.lazyz.scenes.collections.KindCounts
+import dev.lazyz.scenes.text.TextLines
+import dev.lazyz.scenes.text.TextNumbers
 import java.io.BufferedReader
 import java.io.Reader
 

@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.loading.Source
 
 /**
  * Reads faces, whose corners are `v`, `v/vt`, `v//vn` or `v/vt/vn`. What only some corners of a face have is left out

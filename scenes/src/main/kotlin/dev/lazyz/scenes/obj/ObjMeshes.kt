@@ -1,10 +1,10 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.images.withoutTexture
-import dev.lazyz.scenes.triangulation.Ints
-import dev.lazyz.scenes.triangulation.MeshParts
-import dev.lazyz.scenes.triangulation.Triangulation
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.MeshParts
+import dev.lazyz.scenes.meshes.Triangulation
 import dev.lazyz.world.Mesh
 
 /**

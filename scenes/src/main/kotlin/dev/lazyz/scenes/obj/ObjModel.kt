@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.Floats
-import dev.lazyz.scenes.triangulation.Ints
+import dev.lazyz.scenes.collections.Floats
+import dev.lazyz.scenes.collections.Ints
+import dev.lazyz.scenes.loading.Source
 import org.joml.Vector3dc
 
 /** What an OBJ file says, as plain arrays. */

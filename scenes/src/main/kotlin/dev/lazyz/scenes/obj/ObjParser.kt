@@ -1,9 +1,9 @@
 package dev.lazyz.scenes.obj
 
 import dev.lazyz.geometry.Box
-import dev.lazyz.scenes.FarOrigin
-import dev.lazyz.scenes.SceneParser
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.loading.FarOrigin
+import dev.lazyz.scenes.loading.SceneParser
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Scene
 
 /**

@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.loading.Source
 
 /** Reads the statements `p v1 v2 ...` and `l v1 v2 ...`, whose vertices may be `v/vt`; the texture coordinates are not used. */
 internal class ObjPointReader(

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.scenes.PixelDefaults
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.Ints
+import dev.lazyz.scenes.collections.Ints
+import dev.lazyz.scenes.loading.PixelDefaults
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Material
 import dev.lazyz.world.Points

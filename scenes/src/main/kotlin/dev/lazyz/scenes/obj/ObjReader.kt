@@ -1,10 +1,10 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.collections.KindCounts
 import dev.lazyz.scenes.images.SrgbDecoding
-import dev.lazyz.scenes.triangulation.Decimal
-import dev.lazyz.scenes.triangulation.KindCounts
-import dev.lazyz.scenes.triangulation.TextNumbers
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.Decimal
+import dev.lazyz.scenes.text.TextNumbers
 import org.joml.Vector3d
 
 /**

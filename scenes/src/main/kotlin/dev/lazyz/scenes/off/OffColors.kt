@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.off
 
+import dev.lazyz.scenes.collections.Floats
+import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.images.SrgbDecoding
-import dev.lazyz.scenes.triangulation.Floats
-import dev.lazyz.scenes.triangulation.Ints
 
 /**
  * Colours as the file has them: whole numbers in 0..255, or fractions in 0..1. What `1 0 0` is only the others tell: it is

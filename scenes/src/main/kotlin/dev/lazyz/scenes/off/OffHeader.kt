@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.off
 
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.loading.Source
 
 /**
  * What stands before the tables: a word that says what each vertex has, and how many vertices and faces there are.

@@ -1,9 +1,9 @@
 package dev.lazyz.scenes.off
 
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.Decimal
-import dev.lazyz.scenes.triangulation.TextLines
-import dev.lazyz.scenes.triangulation.TextNumbers
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.Decimal
+import dev.lazyz.scenes.text.TextLines
+import dev.lazyz.scenes.text.TextNumbers
 
 /**
  * The numbers of a line, one line after the other; empty lines, and comments from a `#` to the end of a line, are passed

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.off
 
-import dev.lazyz.scenes.SceneParser
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.PolygonMesh
+import dev.lazyz.scenes.loading.SceneParser
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.PolygonMesh
 import dev.lazyz.world.Material
 import dev.lazyz.world.Scene
 

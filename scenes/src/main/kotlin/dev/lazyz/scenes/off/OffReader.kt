@@ -1,9 +1,9 @@
 package dev.lazyz.scenes.off
 
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.Ints
-import dev.lazyz.scenes.triangulation.Polygons
-import dev.lazyz.scenes.triangulation.VertexArrays
+import dev.lazyz.scenes.collections.Ints
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.Polygons
+import dev.lazyz.scenes.meshes.VertexArrays
 
 /** Reads the tables of a file: a vertex a line, and a face that begins on a line of its own. Not thread safe. */
 internal class OffReader(private val source: Source) {

@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.ply
 
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.loading.Source
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 

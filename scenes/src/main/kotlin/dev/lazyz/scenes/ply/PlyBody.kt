@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.ply
 
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.loading.Source
 import java.nio.ByteOrder
 
 /** Hands out the rows of the body, one after the other, up to the end of the file. Not thread safe. */

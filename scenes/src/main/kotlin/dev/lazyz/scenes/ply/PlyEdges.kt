@@ -1,9 +1,9 @@
 package dev.lazyz.scenes.ply
 
-import dev.lazyz.scenes.PixelDefaults
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.Ints
-import dev.lazyz.scenes.triangulation.VertexArrays
+import dev.lazyz.scenes.collections.Ints
+import dev.lazyz.scenes.loading.PixelDefaults
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.VertexArrays
 import dev.lazyz.world.Lines
 
 /**

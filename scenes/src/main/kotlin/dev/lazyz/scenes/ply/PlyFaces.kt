@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.ply
 
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.Polygons
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.Polygons
 
 /**
  * Reads the faces of a file: polygons, and strips of triangles with -1 where a new strip begins. They are kept until the

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.ply
 
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.TextLines
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.TextLines
 
 /** Reads a [PlyHeader]: lines of words up to `end_header`. */
 internal class PlyHeaderReader(private val source: Source) {

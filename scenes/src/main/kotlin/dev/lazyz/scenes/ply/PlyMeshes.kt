@@ -1,12 +1,12 @@
 package dev.lazyz.scenes.ply
 
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.images.TextureFiles
-import dev.lazyz.scenes.triangulation.Ints
-import dev.lazyz.scenes.triangulation.MeshParts
-import dev.lazyz.scenes.triangulation.PolygonMesh
-import dev.lazyz.scenes.triangulation.Polygons
-import dev.lazyz.scenes.triangulation.VertexArrays
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.MeshParts
+import dev.lazyz.scenes.meshes.PolygonMesh
+import dev.lazyz.scenes.meshes.Polygons
+import dev.lazyz.scenes.meshes.VertexArrays
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
 import dev.lazyz.world.Texture

@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.ply
 
 import dev.lazyz.geometry.Box
-import dev.lazyz.scenes.FarOrigin
-import dev.lazyz.scenes.PixelDefaults
-import dev.lazyz.scenes.SceneParser
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.VertexArrays
+import dev.lazyz.scenes.loading.FarOrigin
+import dev.lazyz.scenes.loading.PixelDefaults
+import dev.lazyz.scenes.loading.SceneParser
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.VertexArrays
 import dev.lazyz.world.Points
 import dev.lazyz.world.Scene
 

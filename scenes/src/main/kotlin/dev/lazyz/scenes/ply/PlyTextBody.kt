@@ -1,9 +1,9 @@
 package dev.lazyz.scenes.ply
 
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.Decimal
-import dev.lazyz.scenes.triangulation.TextLines
-import dev.lazyz.scenes.triangulation.TextNumbers
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.Decimal
+import dev.lazyz.scenes.text.TextLines
+import dev.lazyz.scenes.text.TextNumbers
 
 /** A body of lines, one a row. */
 internal class PlyTextBody(source: Source, header: PlyHeader) : PlyBody(source, header) {

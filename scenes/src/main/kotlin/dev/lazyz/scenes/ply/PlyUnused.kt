@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.ply
 
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.loading.Source
 
 /** The elements and properties of a file that the picture does not show, for one warning about all of them. */
 internal class PlyUnused {

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.ply
 
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.VertexArrays
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.VertexArrays
 import org.joml.Vector3dc
 
 /** Reads the element `vertex`, with positions relative to [origin]. */

@@ -1,6 +1,8 @@
 package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.Rgba
+import dev.lazyz.scenes.json.JsonMembers
+import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
 import dev.lazyz.world.Light

@@ -1,7 +1,8 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.TextureFiles
+import dev.lazyz.scenes.json.JsonNode
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.writers.PngSink
 import dev.lazyz.world.Texture
 import dev.lazyz.world.TextureFilter

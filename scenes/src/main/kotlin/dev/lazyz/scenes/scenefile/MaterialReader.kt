@@ -1,8 +1,9 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.images.TextureFiles
+import dev.lazyz.scenes.json.JsonNode
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Material
 import dev.lazyz.world.Texture
 import dev.lazyz.world.TextureFilter

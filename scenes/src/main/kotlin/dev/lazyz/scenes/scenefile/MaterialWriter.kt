@@ -2,6 +2,7 @@ package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.Tint
+import dev.lazyz.scenes.json.JsonWriter
 import dev.lazyz.world.Material
 import dev.lazyz.world.Texture
 import dev.lazyz.world.TextureFilter

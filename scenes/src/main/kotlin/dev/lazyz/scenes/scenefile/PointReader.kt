@@ -1,6 +1,8 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.json.JsonMembers
+import dev.lazyz.scenes.json.JsonNode
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Points
 

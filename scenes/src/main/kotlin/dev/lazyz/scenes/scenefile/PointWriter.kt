@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.scenefile
 
+import dev.lazyz.scenes.json.JsonWriter
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Points
 

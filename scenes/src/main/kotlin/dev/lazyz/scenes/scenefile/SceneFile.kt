@@ -5,12 +5,12 @@ import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
-import dev.lazyz.scenes.Loading
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.SceneReading
-import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.Tint
+import dev.lazyz.scenes.formats.SceneReading
+import dev.lazyz.scenes.loading.Loading
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.writers.AtomicFile
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FittedViewpoint

@@ -5,7 +5,9 @@ import dev.lazyz.Rgba
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.json.JsonNode
+import dev.lazyz.scenes.json.JsonText
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import kotlinx.serialization.json.JsonObject

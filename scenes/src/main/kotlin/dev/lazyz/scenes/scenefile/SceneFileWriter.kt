@@ -5,6 +5,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.Tint
+import dev.lazyz.scenes.json.JsonWriter
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FittedViewpoint
 import dev.lazyz.world.Light

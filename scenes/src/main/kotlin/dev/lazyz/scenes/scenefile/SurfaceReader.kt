@@ -3,9 +3,10 @@ package dev.lazyz.scenes.scenefile
 import dev.lazyz.FillRule
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.SceneFormat
-import dev.lazyz.scenes.SceneReading
-import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.builtin.Builtins
+import dev.lazyz.scenes.formats.SceneReading
+import dev.lazyz.scenes.json.JsonNode
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh

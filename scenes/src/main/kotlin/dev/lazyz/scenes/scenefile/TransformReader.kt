@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.geometry.Transforms
+import dev.lazyz.scenes.json.JsonNode
 import org.joml.Matrix4d
 
 /**

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.scenefile
 
+import dev.lazyz.scenes.json.JsonWriter
 import org.joml.Vector3d
 import org.joml.Vector3dc
 

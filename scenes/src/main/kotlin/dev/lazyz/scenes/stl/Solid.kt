@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.stl
 
 import dev.lazyz.geometry.DistinctTriples
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.CornerMesh
-import dev.lazyz.scenes.triangulation.Ints
-import dev.lazyz.scenes.triangulation.Palette
-import dev.lazyz.scenes.triangulation.VertexArrays
+import dev.lazyz.scenes.collections.Ints
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.CornerMesh
+import dev.lazyz.scenes.meshes.Palette
+import dev.lazyz.scenes.meshes.VertexArrays
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
 import org.joml.Vector3d

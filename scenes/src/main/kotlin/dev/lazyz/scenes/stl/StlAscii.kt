@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.stl
 
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.Decimal
-import dev.lazyz.scenes.triangulation.Floats
-import dev.lazyz.scenes.triangulation.TextLines
-import dev.lazyz.scenes.triangulation.TextNumbers
-import dev.lazyz.scenes.triangulation.Triangulation
+import dev.lazyz.scenes.collections.Floats
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.Triangulation
+import dev.lazyz.scenes.text.Decimal
+import dev.lazyz.scenes.text.TextLines
+import dev.lazyz.scenes.text.TextNumbers
 import org.joml.Vector3d
 import org.joml.Vector3dc
 

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.stl
 
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.TextEncoding
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.TextEncoding
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 

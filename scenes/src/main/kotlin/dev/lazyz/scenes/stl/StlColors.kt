@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.stl
 
-import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.SrgbDecoding
-import dev.lazyz.scenes.triangulation.Palette
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.Palette
 
 /**
  * The colours in the words behind a binary file's facets, of which there are two kinds (A. F. van der Geest, "Colour STL",

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.threemf
 
-import dev.lazyz.scenes.Loading
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.loading.Loading
+import dev.lazyz.scenes.loading.Source
 import java.io.IOException
 import java.io.InputStream
 import javax.xml.stream.XMLInputFactory

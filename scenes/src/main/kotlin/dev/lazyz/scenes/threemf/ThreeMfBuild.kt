@@ -1,9 +1,9 @@
 package dev.lazyz.scenes.threemf
 
 import dev.lazyz.geometry.Transforms
-import dev.lazyz.scenes.Loading
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.KindCounts
+import dev.lazyz.scenes.collections.KindCounts
+import dev.lazyz.scenes.loading.Loading
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Mesh
 import org.joml.Matrix4d
 import org.joml.Matrix4dc

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.threemf
 
-import dev.lazyz.scenes.triangulation.Ints
-import dev.lazyz.scenes.triangulation.Palette
-import dev.lazyz.scenes.triangulation.TexturePlaces
+import dev.lazyz.scenes.collections.Ints
+import dev.lazyz.scenes.meshes.Palette
+import dev.lazyz.scenes.meshes.TexturePlaces
 
 /** The groups of colours and texture coordinates of a model part, by number, and what is in them. */
 internal class ThreeMfLooks {

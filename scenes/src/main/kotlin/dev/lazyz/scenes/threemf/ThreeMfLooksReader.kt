@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.threemf
 
+import dev.lazyz.scenes.collections.KindCounts
 import dev.lazyz.scenes.images.SrgbDecoding
-import dev.lazyz.scenes.triangulation.KindCounts
-import dev.lazyz.scenes.triangulation.TextLines
+import dev.lazyz.scenes.text.TextLines
 
 /**
  * Reads the groups of colours and texture coordinates of a model part (core specification, 5, and "Materials and Properties

@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.threemf
 
-import dev.lazyz.scenes.triangulation.KindCounts
+import dev.lazyz.scenes.collections.KindCounts
 
 /**
  * Reads the triangles of an object, and the looks of their corners. Not thread safe.

@@ -1,10 +1,10 @@
 package dev.lazyz.scenes.threemf
 
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.CornerMesh
-import dev.lazyz.scenes.triangulation.Ints
-import dev.lazyz.scenes.triangulation.MeshParts
-import dev.lazyz.scenes.triangulation.VertexArrays
+import dev.lazyz.scenes.collections.Ints
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.CornerMesh
+import dev.lazyz.scenes.meshes.MeshParts
+import dev.lazyz.scenes.meshes.VertexArrays
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh

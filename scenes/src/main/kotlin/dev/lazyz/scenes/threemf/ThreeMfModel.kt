@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.threemf
 
-import dev.lazyz.scenes.triangulation.Floats
-import dev.lazyz.scenes.triangulation.Ints
+import dev.lazyz.scenes.collections.Floats
+import dev.lazyz.scenes.collections.Ints
 import org.joml.Matrix4d
 
 /** What a model part defines, by the numbers that the part gives to it. */

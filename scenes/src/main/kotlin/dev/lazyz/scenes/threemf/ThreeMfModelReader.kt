@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.threemf
 
-import dev.lazyz.scenes.triangulation.KindCounts
-import dev.lazyz.scenes.triangulation.TextLines
+import dev.lazyz.scenes.collections.KindCounts
+import dev.lazyz.scenes.text.TextLines
 import org.joml.Matrix4d
 
 /**

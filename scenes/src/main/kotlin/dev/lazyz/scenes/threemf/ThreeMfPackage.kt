@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.threemf
 
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.loading.Source
 import java.io.IOException
 
 /** The parts of a package, and which of them is the model (3MF Consortium, "3D Manufacturing Format", version 1.3.0, 2). */

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.threemf
 
-import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.TextureFiles
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Texture
 import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap

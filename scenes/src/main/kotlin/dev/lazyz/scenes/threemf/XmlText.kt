@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.threemf
 
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.loading.Source
 import java.io.BufferedInputStream
 import java.io.FilterReader
 import java.io.InputStream

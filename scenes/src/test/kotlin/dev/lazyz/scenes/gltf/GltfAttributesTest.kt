@@ -7,8 +7,8 @@ import dev.lazyz.scenes.gltf.GltfFiles.Companion.SHORT
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.UBYTE
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.UINT
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.USHORT
-import dev.lazyz.scenes.triangulation.TestSources
-import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.world.Mesh
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -5,7 +5,7 @@ import dev.lazyz.scenes.gltf.GltfFiles.Companion.ONE_NODE
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.UINT
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.USHORT
 import dev.lazyz.scenes.images.PngFile
-import dev.lazyz.scenes.triangulation.TestSources
+import dev.lazyz.scenes.loading.TestSources
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.time.Duration

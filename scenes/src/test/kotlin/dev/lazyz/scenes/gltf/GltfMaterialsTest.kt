@@ -1,12 +1,12 @@
 package dev.lazyz.scenes.gltf
 
 import dev.lazyz.Rgba
-import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.ONE_NODE
 import dev.lazyz.scenes.images.PngFile
-import dev.lazyz.scenes.triangulation.TestSources
-import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Material
 import dev.lazyz.world.Shading

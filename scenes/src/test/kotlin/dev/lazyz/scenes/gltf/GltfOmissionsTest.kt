@@ -3,8 +3,8 @@ package dev.lazyz.scenes.gltf
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.ONE_NODE
 import dev.lazyz.scenes.images.PngFile
-import dev.lazyz.scenes.triangulation.TestSources
-import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.loading.meshes
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Test

@@ -5,9 +5,9 @@ import dev.lazyz.scenes.gltf.GltfFiles.Companion.ONE_NODE
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.UBYTE
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.UINT
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.USHORT
-import dev.lazyz.scenes.triangulation.TestSources
-import dev.lazyz.scenes.triangulation.corners
-import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.loading.corners
+import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Mesh

@@ -3,7 +3,7 @@ package dev.lazyz.scenes.images
 import com.sun.management.ThreadMXBean
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.images.PngFile.bytes
-import dev.lazyz.scenes.triangulation.TestSources
+import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.world.Texture
 import java.awt.color.ColorSpace
 import java.awt.color.ICC_Profile

@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.obj
 
 import dev.lazyz.Rgba
-import dev.lazyz.scenes.Source
-import dev.lazyz.scenes.triangulation.AwkwardMesh
-import dev.lazyz.scenes.triangulation.TestSources
-import dev.lazyz.scenes.triangulation.corners
-import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.loading.corners
+import dev.lazyz.scenes.loading.meshes
+import dev.lazyz.scenes.meshes.AwkwardMesh
 import dev.lazyz.world.Mesh
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.obj
 
 import dev.lazyz.Rgba
-import dev.lazyz.scenes.triangulation.TestSources
+import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Mesh
 import dev.lazyz.world.Points

@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.off
 
 import dev.lazyz.Rgba
-import dev.lazyz.scenes.FormatSniffer
 import dev.lazyz.scenes.SceneFormat
-import dev.lazyz.scenes.triangulation.TestSources
-import dev.lazyz.scenes.triangulation.corners
-import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.scenes.formats.FormatSniffer
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.loading.corners
+import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.world.Mesh
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.ply
 
-import dev.lazyz.scenes.triangulation.TestSources
-import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.loading.meshes
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

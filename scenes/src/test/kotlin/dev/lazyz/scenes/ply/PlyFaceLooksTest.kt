@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.ply
 
 import dev.lazyz.Rgba
-import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.images.PngFile
-import dev.lazyz.scenes.triangulation.TestSources
-import dev.lazyz.scenes.triangulation.corners
-import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.loading.corners
+import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.world.Mesh
 import java.nio.file.Files
 import java.nio.file.Path

@@ -2,10 +2,10 @@ package dev.lazyz.scenes.ply
 
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.images.PngFile
-import dev.lazyz.scenes.triangulation.AwkwardMesh
-import dev.lazyz.scenes.triangulation.TestSources
-import dev.lazyz.scenes.triangulation.corners
-import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.loading.corners
+import dev.lazyz.scenes.loading.meshes
+import dev.lazyz.scenes.meshes.AwkwardMesh
 import dev.lazyz.world.Mesh
 import java.nio.file.Files
 import java.nio.file.Path

@@ -2,7 +2,7 @@ package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.loading.Source
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows

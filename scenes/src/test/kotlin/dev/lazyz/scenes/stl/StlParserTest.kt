@@ -1,9 +1,9 @@
 package dev.lazyz.scenes.stl
 
-import dev.lazyz.scenes.triangulation.AwkwardMesh
-import dev.lazyz.scenes.triangulation.TestSources
-import dev.lazyz.scenes.triangulation.corners
-import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.loading.corners
+import dev.lazyz.scenes.loading.meshes
+import dev.lazyz.scenes.meshes.AwkwardMesh
 import dev.lazyz.world.Mesh
 import java.nio.ByteBuffer
 import java.nio.ByteOrder

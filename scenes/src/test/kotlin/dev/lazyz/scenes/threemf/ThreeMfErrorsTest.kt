@@ -2,11 +2,11 @@ package dev.lazyz.scenes.threemf
 
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
-import dev.lazyz.scenes.Loading
-import dev.lazyz.scenes.Source
+import dev.lazyz.scenes.loading.Loading
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.threemf.ThreeMfFiles.TRIANGLE
 import dev.lazyz.scenes.threemf.ThreeMfFiles.model
-import dev.lazyz.scenes.triangulation.TestSources
 import java.io.ByteArrayOutputStream
 import java.util.zip.ZipEntry
 import java.util.zip.ZipOutputStream

@@ -2,9 +2,9 @@ package dev.lazyz.scenes.threemf
 
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.images.PngFile
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.scenes.threemf.ThreeMfFiles.model
-import dev.lazyz.scenes.triangulation.TestSources
-import dev.lazyz.scenes.triangulation.meshes
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Mesh
 import dev.lazyz.world.TextureFilter

@@ -1,16 +1,16 @@
 package dev.lazyz.scenes.gltf.animation
 
 import dev.lazyz.scenes.LoadOptions
-import dev.lazyz.scenes.Loading
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.gltf.GltfFiles
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.UBYTE
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.USHORT
 import dev.lazyz.scenes.gltf.GltfParser
-import dev.lazyz.scenes.triangulation.TestSources
-import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.scenes.loading.Loading
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.world.Mesh
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -2,13 +2,13 @@ package dev.lazyz.scenes.gltf.draco
 
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
-import dev.lazyz.scenes.Loading
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.gltf.GltfParser
-import dev.lazyz.scenes.triangulation.TestSources
-import dev.lazyz.scenes.triangulation.corners
-import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.scenes.loading.Loading
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.loading.corners
+import dev.lazyz.scenes.loading.meshes
 import java.util.Base64
 import kotlin.math.abs
 import org.junit.jupiter.api.Assertions.assertEquals

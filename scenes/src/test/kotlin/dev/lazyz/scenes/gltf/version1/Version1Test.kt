@@ -7,9 +7,9 @@ import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.USHORT
 import dev.lazyz.scenes.gltf.GltfParser
 import dev.lazyz.scenes.images.PngFile
-import dev.lazyz.scenes.triangulation.TestSources
-import dev.lazyz.scenes.triangulation.corners
-import dev.lazyz.scenes.triangulation.meshes
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.loading.corners
+import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Sides
 import java.nio.ByteBuffer

@@ -1,0 +1,121 @@
+package dev.lazyz.cli.commands
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.arguments.multiple
+import com.github.ajalt.clikt.parameters.groups.OptionGroup
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
+import com.github.ajalt.clikt.parameters.options.default
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.multiple
+import com.github.ajalt.clikt.parameters.options.option
+import dev.lazyz.cli.compare.CompareInputs
+import dev.lazyz.cli.compare.CompareJob
+import dev.lazyz.cli.compare.CompareRequest
+import dev.lazyz.cli.compare.CompareSeveralJob
+import dev.lazyz.cli.compare.ComparisonTable
+import dev.lazyz.cli.input.FrameSource
+import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.input.View
+import dev.lazyz.cli.options.CameraOptions
+import dev.lazyz.cli.options.Command
+import dev.lazyz.cli.options.CostOptions
+import dev.lazyz.cli.options.HelpText
+import dev.lazyz.cli.options.INPUT_HELP
+import dev.lazyz.cli.options.LimitOptions
+import dev.lazyz.cli.options.PictureOptions
+import dev.lazyz.cli.options.ReadingOptions
+import dev.lazyz.cli.options.classPath
+import dev.lazyz.cli.options.count
+import dev.lazyz.cli.options.listOf
+import dev.lazyz.cli.options.subject
+import dev.lazyz.cli.output.ExitCode
+import dev.lazyz.cli.output.Failure
+import dev.lazyz.cli.output.Json
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.strategies.StrategyPath
+
+/**
+ * `zcli compare`: declares the options; [CompareJob] and [CompareSeveralJob] do the work.
+ *
+ * @param args the words of the command line, for the report of a bug
+ */
+internal class CompareCommand(private val streams: Streams, private val args: List<String>) : Command("compare") {
+    private val inputs by argument("INPUT", help = "$INPUT_HELP; or a folder: all models and scene files in it")
+        .multiple(required = true)
+    private val comparing by ComparingOptions()
+    private val reading by ReadingOptions()
+    private val picture by PictureOptions()
+    private val camera by CameraOptions()
+    private val cost by CostOptions()
+    private val limits by LimitOptions()
+
+    override fun help(context: Context): String =
+        "Renders models or scenes with all strategies, checks that they give the same picture, and tells what each " +
+            "took; of several inputs, or a folder, a line each.\n\nColour, depth and visible surface of every pixel " +
+            "are compared, without tolerance. Exit code 1: the strategies' pictures differ, or a strategy failed; " +
+            "2: none of this, but an input could not be read."
+
+    override fun helpEpilog(context: Context): String = HelpText.examples(
+        "zcli compare city" to "all strategies, one row each",
+        "zcli compare model.glb --size 1024x768 --opaque --repeat 5" to "all of them; times are medians of five",
+        "zcli compare teapot --strategy zbuffer --strategy lazy --json" to "two of them, for a script",
+        "zcli compare models a.obj city --size 160x120 --views iso,front,back" to "many files, from three sides",
+    )
+
+    override fun run() {
+        val code = StrategyPath.with(comparing.classPath) { compare() }
+        if (code != ExitCode.DONE) throw ProgramResult(code)
+    }
+
+    private fun compare(): Int {
+        val views = comparing.views.orEmpty()
+        if (views.isNotEmpty() && camera.pointOfView().isDirected) {
+            throw Mistake("--views goes with none of --view, --azimuth and --elevation")
+        }
+        val request = CompareRequest(comparing.strategies.distinct(), cost.choices(), comparing.repeat, views)
+        val named = CompareInputs(inputs, reading.format)
+        if (named.isSingle && views.size < 2) return compareOne(request, inputs.single())
+        return CompareSeveralJob(request, streams, ::subject, args).run(named.all, comparing.isJson)
+    }
+
+    private fun compareOne(request: CompareRequest, input: String): Int {
+        val source = FrameSource(subject(input), streams)
+        val job = CompareJob(request, streams)
+        val comparison = job.compare(source, source.load(), request.views.singleOrNull())
+        if (comparison.isBlank) streams.nothingIsVisible()
+        streams.print(if (comparing.isJson) Json.of(comparison.entries) + "\n" else ComparisonTable.of(comparison))
+        for (bug in comparison.bugs) streams.messages.println(Failure.bugReport(bug, args.toTypedArray()))
+        return if (comparison.isGood) ExitCode.DONE else ExitCode.DIFFERENT
+    }
+
+    private fun subject(input: String): Subject = subject(input, reading, limits, picture, camera)
+}
+
+/** What to compare, and how to tell. */
+private class ComparingOptions : OptionGroup("Comparing") {
+    val strategies by option(
+        "--strategy",
+        metavar = "ID",
+        help = "Compare this strategy; say it again for each further one; the first is what the others are held " +
+            "against; default: all of 'zcli strategies'",
+    ).multiple()
+
+    val classPath by classPath()
+
+    val views by option(
+        "--views",
+        help = "Look from each of these sides, with commas between them, such as iso,front,back; default: as the " +
+            "options of the camera say",
+    ).listOf("SIDES", View.entries.associateBy { it.name.lowercase() })
+
+    val repeat by option(
+        "--repeat",
+        help = "Render so many times with each, 1..1000, and tell the median of the times; default: 1, which " +
+            "includes the time that Java takes to warm up",
+    ).count(1..1000).default(1)
+
+    val isJson by option("--json", help = "Tell it as one JSON object, or, of several inputs, as JSON lines").flag()
+}

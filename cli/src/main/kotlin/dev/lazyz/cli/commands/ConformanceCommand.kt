@@ -1,0 +1,233 @@
+package dev.lazyz.cli.commands
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
+import com.github.ajalt.clikt.parameters.options.convert
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.multiple
+import com.github.ajalt.clikt.parameters.options.option
+import dev.lazyz.Renderer
+import dev.lazyz.cli.conformance.ConformanceProcess
+import dev.lazyz.cli.conformance.ConformanceWords
+import dev.lazyz.cli.conformance.FuzzingOptions
+import dev.lazyz.cli.options.Command
+import dev.lazyz.cli.options.HelpText
+import dev.lazyz.cli.options.classPath
+import dev.lazyz.cli.options.number
+import dev.lazyz.cli.output.ExitCode
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.Nearest
+import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.strategies.StrategyPath
+import dev.lazyz.conformance.Conformance
+import dev.lazyz.conformance.EndedEarlyException
+import dev.lazyz.conformance.NotMadeException
+import dev.lazyz.conformance.RecordedReport
+import dev.lazyz.conformance.RecordedReportException
+import dev.lazyz.conformance.report.ConformanceReport
+import dev.lazyz.conformance.results.RuleListener
+import dev.lazyz.conformance.results.SuiteRule
+import dev.lazyz.conformance.results.WaiversException
+import dev.lazyz.conformance.run.FramesException
+import java.nio.file.Path
+import java.time.Duration
+import java.util.concurrent.ThreadLocalRandom
+import kotlin.io.path.writeText
+
+/** `zcli conformance`: runs the conformance suite on a strategy from wherever it is. */
+internal class ConformanceCommand(private val streams: Streams, private val args: List<String>) :
+    Command("conformance") {
+    private val strategy by option("--strategy", metavar = "ID", help = "The strategy to judge")
+
+    private val classPath by classPath()
+
+    private val seed by option("--seed", help = "Try other frames than the usual").convert("N") { text ->
+        text.toLongOrNull() ?: fail("'$text' is not a whole number")
+    }
+
+    private val isExploring by option("--explore", help = "Try frames of a random seed, which the summary tells").flag()
+
+    private val tries by option("--tries", help = "Try so many times as many frames as usual; default: 1")
+        .number("F", LEAST_TRIES..MOST_TRIES, "")
+
+    private val rules by option(
+        "--rule",
+        metavar = "NAME",
+        help = "Run this rule only, by its name or number; say it again for each further one; default: all",
+    ).multiple()
+
+    private val waivers by option("--waivers", help = "Rules that the strategy is known to break")
+        .convert("FILE") { Path.of(it) }
+
+    private val frames by option(
+        "--frames",
+        help = "Try the scene files and meshes there, too, and add the frames that rules fail on",
+    ).convert("FOLDER") { Path.of(it) }
+
+    private val verify by option(
+        "--verify",
+        metavar = "REPORT",
+        help = "Run again what this report.json says, with its settings, and compare what comes of each rule",
+    ).convert("REPORT") { Path.of(it) }
+
+    private val report by option("--report", help = "Write the report there too, with pictures of failures")
+        .convert("FOLDER") { Path.of(it) }
+
+    private val fuzzing by FuzzingOptions()
+
+    private val deadline by option("--deadline", help = "Seconds after which a rendering has timed out; default: 20")
+        .number("S", LEAST_DEADLINE..MOST_DEADLINE, "")
+
+    private val isInProcess by option(
+        "--in-process",
+        help = "Judge in zcli's own process, for debuggers: a strategy that exits ends zcli, and no report is printed",
+    ).flag()
+
+    private val isQuiet by option(
+        "--quiet",
+        help = "Do not say on standard error what came of each rule as soon as it is known",
+    ).flag()
+
+    private val isJson by option("--json", help = "Print JSON instead of the summary").flag()
+
+    /** What `--verify` names. */
+    private val recorded: RecordedReport? by lazy {
+        if (verify != null && (seed != null || isExploring || tries != null || rules.isNotEmpty() || waivers != null)) {
+            throw Mistake("--verify takes seed, tries, rules and waivers from the report: leave out those flags")
+        }
+        try {
+            verify?.let { RecordedReport.read(it) }
+        } catch (bad: RecordedReportException) {
+            throw Mistake(bad.message.orEmpty())
+        }
+    }
+
+    override fun help(context: Context): String =
+        "Judges a strategy, ours or your own, by the rules of the contract.\n\n" +
+            "Exit code 1: it does not conform, pictures differ, or --verify finds another outcome."
+
+    override fun helpEpilog(context: Context): String = HelpText.examples(
+        "zcli conformance --strategy my-id --classpath my.jar --report report" to "your own, and a page with pictures",
+        "zcli conformance --strategy lazy --rule 5.2 --tries 10" to "what the contract says about ties, thoroughly",
+        "zcli conformance --strategy my-id --classpath my.jar --explore" to "frames that nobody has seen",
+        "zcli conformance --strategy tiled --against zbuffer --minutes 10 --corpus frames" to "two against each other",
+        "zcli conformance --verify report/report.json --classpath my.jar" to "whether a report says what is so",
+    )
+
+    override fun run() {
+        fuzzing.check()
+        val process = ConformanceProcess.current()
+        val code = when {
+            fuzzing.isAsked -> fuzz()
+
+            process != null -> process.answer { output ->
+                judged(process.journal) { output.writeText(it) }
+            }
+
+            isInProcess -> judged(null) { streams.print(it) }
+
+            else -> supervise()
+        }
+        if (code != ExitCode.DONE) throw ProgramResult(code)
+    }
+
+    /** Judges, hands the report over to [print], and returns the exit code. */
+    private fun judged(journal: Path?, print: (String) -> Unit): Int = try {
+        val report = judge(journal)
+        val words = ConformanceWords(recorded, isJson)
+        print(words.text(report))
+        words.code(report)
+    } catch (hanging: NotMadeException) {
+        doesNotConform(hanging)
+    }
+
+    private fun told() = if (isQuiet) RuleListener { _, _, _ -> } else ConformanceWords.told(streams)
+
+    private fun doesNotConform(why: Exception): Int {
+        streams.error("${strategy ?: recorded?.strategy} does NOT conform: ${why.message}")
+        return ExitCode.DIFFERENT
+    }
+
+    private fun fuzz(): Int = StrategyPath(classPath).use { path ->
+        val id = strategy ?: throw Mistake("which strategy? Say --strategy ID")
+        val report = fuzzing.run(path.find(id), seed, path::find)
+        streams.print(report.toText())
+        if (report.isEqual) ExitCode.DONE else ExitCode.DIFFERENT
+    }
+
+    private fun judge(journal: Path?): ConformanceReport = StrategyPath(classPath).use { path ->
+        val id =
+            strategy ?: recorded?.strategy ?: throw Mistake("which strategy? Say --strategy ID, or --verify REPORT")
+        val renderer by lazy { path.find(id) }
+        val conformance = conformance(id) { renderer }
+        if (journal == null) conformance.listener(told()) else conformance.journal(journal)
+        try {
+            conformance.run()
+        } catch (bad: FramesException) {
+            throw Mistake(bad.message.orEmpty())
+        }
+    }
+
+    /** Has a process of its own judge, so that a verdict comes out whatever the strategy does to it. */
+    private fun supervise(): Int {
+        val seed = ThreadLocalRandom.current().nextLong(0, Int.MAX_VALUE.toLong())
+        val answer = try {
+            ConformanceProcess.run(args, seed, seconds(deadline ?: USUAL_DEADLINE), told())
+        } catch (ended: EndedEarlyException) {
+            streams.note(ended.printed)
+            return doesNotConform(ended)
+        }
+        answer.report?.let { streams.print(it) }
+        if (answer.messages.isNotBlank()) streams.note(answer.messages.trimEnd() + "\n")
+        return answer.code
+    }
+
+    private fun seconds(number: Double): Duration = Duration.ofMillis((number * MILLISECONDS).toLong())
+
+    private fun conformance(id: String, renderer: () -> Renderer): Conformance {
+        if (seed != null && isExploring) throw Mistake("--seed and --explore exclude each other")
+        val conformance = recorded?.again(renderer) ?: Conformance(renderer)
+        conformance.command(command(id))
+        seed?.let { conformance.seed(it) }
+        if (isExploring) ConformanceProcess.seed()?.let { conformance.seed(it) } ?: conformance.explore()
+        deadline?.let { conformance.deadline(seconds(it)) }
+        tries?.let { conformance.tries(it) }
+        for (rule in rules) {
+            if (SuiteRule.matching(rule).isEmpty()) throw Mistake(unknown(rule))
+            conformance.rule(rule)
+        }
+        try {
+            waivers?.let { conformance.waivers(it) }
+        } catch (bad: WaiversException) {
+            throw Mistake(bad.message.orEmpty())
+        }
+        frames?.let { conformance.frames(it) }
+        report?.let { conformance.output(it) }
+        return conformance
+    }
+
+    /** What to type to see a failure of the strategy [id] again, up to the seed. */
+    private fun command(id: String): String = buildString {
+        append("zcli conformance --strategy $id")
+        for (jar in classPath) append(" --classpath ").append(quoted(jar))
+        frames?.let { append(" --frames ").append(quoted("$it")) }
+    }
+
+    private fun quoted(word: String): String = if (word.any { it.isWhitespace() }) "'$word'" else word
+
+    private fun unknown(rule: String): String {
+        val names = SuiteRule.all.flatMap { listOf(it.name, it.number) }.distinct()
+        return "no rule '$rule'${Nearest.hint(rule, names)}\n" +
+            "Rules are called:\n" + SuiteRule.all.joinToString("\n") { "  ${it.name}" }
+    }
+
+    private companion object {
+        const val LEAST_TRIES = 0.001
+        const val MOST_TRIES = 1e6
+        const val LEAST_DEADLINE = 0.001
+        const val MOST_DEADLINE = 86_400.0
+        const val USUAL_DEADLINE = 20.0
+        const val MILLISECONDS = 1000.0
+    }
+}

@@ -1,0 +1,58 @@
+package dev.lazyz.cli.commands
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.option
+import dev.lazyz.Renderer
+import dev.lazyz.cli.options.Command
+import dev.lazyz.cli.options.HelpText
+import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.strategies.Strategies
+import dev.lazyz.scenes.Scenes
+
+/** `zcli scenes`: the built-in scenes, one line each. */
+internal class ScenesCommand(private val streams: Streams) : Command("scenes") {
+    override fun help(context: Context): String = "Lists the built-in scenes, which render takes by name."
+
+    override fun helpEpilog(context: Context): String = HelpText.examples(
+        "zcli scenes" to "a name and a description a line",
+        "zcli render city -o city.png" to "renders one of them",
+    )
+
+    override fun run() {
+        streams.print(columns(Scenes.builtins.map { it.id to it.summary }))
+    }
+}
+
+/** `zcli strategies`: the renderers, one line each, or with a second one that tells what they are capable of. */
+internal class StrategiesCommand(private val streams: Streams) : Command("strategies") {
+    private val isLong by option("--long", help = "Below each, tell what it is capable of").flag()
+
+    override fun help(context: Context): String =
+        "Lists the strategies for removing hidden surfaces.\n\nThey all give the same picture, bit for bit; they " +
+            "differ in time and memory. 'zcli compare' shows by how much."
+
+    override fun helpEpilog(context: Context): String = HelpText.examples(
+        "zcli strategies" to "an id and a description a line",
+        "zcli strategies --long" to "and who blends, keeps to a memory budget, works in parallel",
+        "zcli render city --strategy zbuffer --stats -o city.png" to "renders with one of them and says what it took",
+    )
+
+    override fun run() {
+        val rows = Strategies.all().flatMap { strategy ->
+            listOfNotNull(strategy.id to strategy.summary, if (isLong) "" to capabilities(strategy) else null)
+        }
+        streams.print(columns(rows))
+    }
+
+    private fun capabilities(strategy: Renderer): String {
+        val words = strategy.capabilities.sorted().map { it.name.lowercase().replace('_', ' ') }
+        if (words.isEmpty()) return "[no promises beyond the picture]"
+        return words.joinToString(", ", "[", "]")
+    }
+}
+
+private fun columns(rows: List<Pair<String, String>>): String {
+    val width = rows.maxOfOrNull { it.first.length } ?: 0
+    return rows.joinToString("") { (name, text) -> "${name.padEnd(width)}  $text\n" }
+}

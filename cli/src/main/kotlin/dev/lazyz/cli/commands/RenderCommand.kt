@@ -1,0 +1,116 @@
+package dev.lazyz.cli.commands
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.groups.OptionGroup
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
+import com.github.ajalt.clikt.parameters.options.convert
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.options.optionalValue
+import dev.lazyz.cli.options.CameraOptions
+import dev.lazyz.cli.options.Command
+import dev.lazyz.cli.options.CostOptions
+import dev.lazyz.cli.options.HelpText
+import dev.lazyz.cli.options.INPUT_HELP
+import dev.lazyz.cli.options.LimitOptions
+import dev.lazyz.cli.options.PictureOptions
+import dev.lazyz.cli.options.ReadingOptions
+import dev.lazyz.cli.options.classPath
+import dev.lazyz.cli.options.oneOf
+import dev.lazyz.cli.options.selector
+import dev.lazyz.cli.options.subject
+import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.render.RenderJob
+import dev.lazyz.cli.render.RenderRequest
+import dev.lazyz.cli.render.StatsForm
+import dev.lazyz.cli.strategies.StrategyPath
+import java.nio.file.Path
+
+/** `zcli render`: declares the options; [RenderJob] does the work. */
+internal class RenderCommand(private val streams: Streams) : Command("render") {
+    private val input by argument("INPUT", help = INPUT_HELP)
+    private val output by OutputOptions()
+    private val reading by ReadingOptions()
+    private val picture by PictureOptions()
+    private val camera by CameraOptions()
+    private val rendering by RenderingOptions()
+    private val cost by CostOptions()
+    private val limits by LimitOptions()
+
+    override fun help(context: Context): String =
+        "Renders a model or a scene to a picture.\n\nWithout further options the camera frames the whole model from " +
+            "the front right, a little above, and a model without lights gets some that show its shape."
+
+    override fun helpEpilog(context: Context): String = HelpText.examples(
+        "zcli render teapot -o teapot.png" to "a built-in scene, 640x480",
+        "zcli render part.stl --up z --view iso --projection orthographic -o part.png" to "a part from a CAD program",
+        "zcli render model.glb --size 512x512 --background transparent -o model.png" to "a thumbnail to put on a page",
+        "zcli render city -o city.png --depth-out city.pfm --stats=json" to "picture, depth, and numbers for a script",
+        "zcli render city --size 8000x6000 --region 4000,2000,640x480 -o detail.png" to "a part of a large picture",
+        "zcli render city --strategy auto --explain -o city.png" to "the fastest strategy for it, and why",
+        "zcli render city --select count -o overdraw.png" to "how many surfaces lie behind each pixel",
+        "cat model.obj | zcli render - --format obj -o - > model.png" to "in a pipe",
+    )
+
+    override fun run() {
+        val request = RenderRequest(
+            subject = subject(input, reading, limits, picture, camera),
+            output = output.picture,
+            depthOutput = output.depth,
+            strategy = rendering.strategy,
+            choices = cost.choices(rendering.selector),
+            isExplained = rendering.isExplained,
+            stats = output.stats,
+        )
+        StrategyPath.with(rendering.classPath) { RenderJob(request, streams).run() }
+    }
+}
+
+/** Where the picture goes, and what is told of it. */
+private class OutputOptions : OptionGroup("Output") {
+    val picture by option(
+        "-o",
+        "--output",
+        metavar = "OUT",
+        help = "Where the picture goes: a .png or .ppm file, or - for PNG to standard output; default: INPUT's name " +
+            "with .png in the current folder, if there is no such file yet",
+    )
+
+    val depth by option(
+        "--depth-out",
+        help = "Also write the depth of every pixel to a .pfm file: 0 at the near plane, 1 at the far plane, " +
+            "infinity where nothing is",
+    ).convert("FILE") { Path.of(it) }
+
+    val stats by option(
+        "--stats",
+        help = "Tell what it took, as a table or, with --stats=json, as one JSON object; to standard output, or to " +
+            "standard error if the picture goes to standard output",
+    ).oneOf("json", StatsForm.entries.associateBy { it.name.lowercase() })
+        .optionalValue(StatsForm.TABLE, acceptsUnattachedValue = false)
+}
+
+/** What computes it. */
+private class RenderingOptions : OptionGroup("Rendering") {
+    val strategy by option(
+        "--strategy",
+        metavar = "ID",
+        help = "How hidden surfaces are removed; the picture is the same; auto: by what each is expected to " +
+            "take; default: the first of 'zcli strategies' that is capable of what the scene and the other " +
+            "options need",
+    )
+
+    val classPath by classPath()
+
+    val isExplained by option(
+        "--explain",
+        help = "Tell on standard error why this strategy, and what the others are expected to take",
+    ).flag()
+
+    val selector by option(
+        "--select",
+        help = "What a pixel shows of all the surfaces behind it: nearest, farthest, kth:K (the K-th from the " +
+            "front), count (how many, as a colour) or blend; default: nearest, or blend where the scene is translucent",
+    ).selector()
+}

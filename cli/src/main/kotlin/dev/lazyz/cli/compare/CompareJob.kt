@@ -1,0 +1,98 @@
+package dev.lazyz.cli.compare
+
+import dev.lazyz.Capability
+import dev.lazyz.Counters
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Renderer
+import dev.lazyz.cli.input.FrameSource
+import dev.lazyz.cli.input.View
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.strategies.MemoryNeed
+import dev.lazyz.cli.strategies.Strategies
+import dev.lazyz.scenes.LoadedScene
+
+/**
+ * Renders frames with all strategies of [request], one after the other, and holds each against the first.
+ *
+ * @throws Mistake if a strategy is not known, or a flag would be heeded by none
+ */
+internal class CompareJob(private val request: CompareRequest, private val streams: Streams) {
+    private val strategies = strategies()
+
+    /** Compares on the scene [loaded] from [source], seen from [view] if there is one. */
+    fun compare(source: FrameSource, loaded: LoadedScene, view: View? = null): Comparison {
+        val frame = source.frame(loaded, view)
+        val able = strategies.filter { canRender(it, frame) }
+        if (able.isEmpty()) throw Mistake(noneBlends())
+        for (strategy in able) MemoryNeed.check(strategy, frame.region, kept = BYTES_PER_PIXEL)
+
+        // Render with one after the other
+        val round = Round(frame)
+        val outcomes = strategies.map { strategy ->
+            strategy.id to if (strategy in able) round.outcome(strategy) else Outcome.NotBlending
+        }
+        val warnings = loaded.warnings.size
+        return Comparison(source.input.name, view, frame, request.repeat, warnings, round.reference, outcomes)
+    }
+
+    private fun strategies(): List<Renderer> {
+        val chosen = request.strategies.map { Strategies.find(it) }.ifEmpty { Strategies.all() }
+
+        // A flag that nobody heeds would be a comparison of nothing
+        val heeded = chosen.flatMap { it.capabilities }.toSet()
+        val missing = Strategies.missing(request.choices.needs, heeded)
+        if (missing != null) throw Mistake("no compared strategy heeds $missing\nSee 'zcli strategies --long'.")
+        return chosen.map { request.choices.applyTo(it) }
+    }
+
+    private fun canRender(strategy: Renderer, frame: Frame): Boolean =
+        !frame.hasTranslucency || Capability.TRANSPARENCY in strategy.capabilities
+
+    private fun noneBlends(): String = "the scene is translucent, and no compared strategy blends " +
+        "(${Strategies.whoDoes(Capability.TRANSPARENCY)})\nCompare others, or compare it as opaque with --opaque."
+
+    /** One frame, rendered with one strategy after the other. */
+    private inner class Round(private val frame: Frame) {
+        /** The first picture that is complete; the only one that is kept. */
+        var reference: Reference? = null
+            private set
+
+        fun outcome(strategy: Renderer): Outcome = try {
+            rendered(strategy)
+        } catch (failure: Throwable) {
+            // Whatever a strategy throws, the others shall have their turn
+            Outcome.Failed(failure)
+        }
+
+        private fun rendered(strategy: Renderer): Outcome {
+            val times = LongArray(request.repeat)
+            var counters = Counters()
+            var difference: Difference? = null
+            for (i in times.indices) {
+                streams.progress("rendering with ${strategy.id}, ${i + 1} of ${request.repeat} ...")
+
+                // Keep the very first picture, and hold all others against it, row by row
+                val known = reference?.image
+                val collector = if (known == null) Image.Collector(frame.region) else null
+                val comparison = known?.let { RowComparison(it) }
+                val rows = CompleteRows(frame.region, listOfNotNull(collector, comparison).single())
+
+                val start = System.nanoTime()
+                counters = strategy.render(frame, rows)
+                times[i] = System.nanoTime() - start
+                rows.requireComplete()
+                if (collector != null) reference = Reference(strategy.id, collector.toImage(counters))
+                difference = difference ?: comparison?.difference
+            }
+            times.sort()
+            return Outcome.Rendered(counters, times[times.size / 2], difference)
+        }
+    }
+
+    private companion object {
+        /** Colour, depth and primitive of the picture that is kept. */
+        const val BYTES_PER_PIXEL = 12L
+    }
+}

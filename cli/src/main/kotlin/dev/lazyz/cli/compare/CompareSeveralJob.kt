@@ -1,0 +1,161 @@
+package dev.lazyz.cli.compare
+
+import dev.lazyz.cli.input.FrameSource
+import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.options.subject
+import dev.lazyz.cli.output.ExitCode
+import dev.lazyz.cli.output.Failure
+import dev.lazyz.cli.output.Json
+import dev.lazyz.cli.output.OutputClosed
+import dev.lazyz.cli.output.Streams
+
+/** What came of one input, from the best to the worst. */
+internal enum class Verdict(val word: String) {
+    /** All strategies that could render it gave the same pictures. */
+    OK("ok"),
+
+    /** It could not be read, or not be compared. */
+    ERROR("error"),
+
+    /** A strategy threw, or did not hand out all rows. */
+    FAILED("failed"),
+
+    /** A strategy gave another picture than the first. */
+    DIFFERS("differs"),
+}
+
+/**
+ * One run of `zcli compare` over several inputs or views: a line for each input as soon as it is done, then a summary;
+ * or JSON lines. One input is in memory at a time, and one that is no good does not stop the others.
+ *
+ * @param subject what to show of the input of that name
+ * @param args the words of the command line, for the report of a bug
+ */
+internal class CompareSeveralJob(
+    private val request: CompareRequest,
+    private val streams: Streams,
+    private val subject: (String) -> Subject,
+    private val args: List<String>,
+) {
+    private val job = CompareJob(request, streams)
+    private val verdicts = mutableListOf<Verdict>()
+    private var pictures = 0
+    private var blank = 0
+    private var isBuggy = false
+
+    /** Compares on all [inputs], tells it as JSON if [isJson], and returns the exit code. */
+    fun run(inputs: Sequence<String>, isJson: Boolean): Int {
+        for (input in inputs) {
+            val line = compare(input, isJson)
+            verdicts += line.verdict
+            if (!isJson) tell(line.toString())
+        }
+        tell(if (isJson) Json.of(totals()) else summary())
+        return when {
+            Verdict.DIFFERS in verdicts || Verdict.FAILED in verdicts -> ExitCode.DIFFERENT
+            isBuggy -> ExitCode.BUG
+            Verdict.ERROR in verdicts -> ExitCode.MISTAKE
+            else -> ExitCode.DONE
+        }
+    }
+
+    private fun compare(input: String, isJson: Boolean): CompareLine {
+        val line = CompareLine(input)
+        try {
+            val source = FrameSource(subject(input), streams)
+            val loaded = source.read()
+            for (view in request.views.ifEmpty { listOf(null) }) {
+                val comparison = job.compare(source, loaded, view)
+                pictures++
+                if (comparison.isBlank) blank++
+                line.add(comparison)
+                comparison.bugs.forEach { report(it) }
+                if (isJson) tell(Json.of(comparison.entries))
+            }
+        } catch (closed: OutputClosed) {
+            throw closed
+        } catch (failure: Throwable) {
+            // Whatever is wrong with this input, the others shall have their turn
+            val mistake = Failure.mistake(failure)
+            if (mistake == null) report(failure)
+            val message = mistake ?: "bug in zcli, $failure"
+            line.add(message)
+            if (isJson) tell(Json.of(mapOf("input" to input, "message" to message)))
+        }
+        return line
+    }
+
+    private fun report(bug: Throwable) {
+        isBuggy = true
+        streams.note(Failure.bugReport(bug, args.toTypedArray()) + "\n")
+    }
+
+    /** Prints a line that a reader sees at once. */
+    private fun tell(line: String) {
+        streams.print(line + "\n")
+        streams.output.flush()
+    }
+
+    private fun count(verdict: Verdict): Int = verdicts.count { it == verdict }
+
+    private fun summary(): String = "%,d inputs: %,d ok, %,d differ, %,d failed, %,d errors; ".format(
+        null,
+        verdicts.size,
+        count(Verdict.OK),
+        count(Verdict.DIFFERS),
+        count(Verdict.FAILED),
+        count(Verdict.ERROR),
+    ) + "%,d pictures, %,d of them blank".format(null, pictures, blank)
+
+    private fun totals(): Map<String, Any> =
+        mapOf("inputs" to verdicts.size) + Verdict.entries.associate { it.word to count(it) } +
+            mapOf("pictures" to pictures, "blank" to blank)
+}
+
+/** What is told of one [input] in one line. */
+private class CompareLine(private val input: String) {
+    var verdict = Verdict.OK
+        private set
+
+    private var message = ""
+    private var primitives = 0
+    private var notBlending = 0
+    private var blank = 0
+
+    fun add(comparison: Comparison) {
+        primitives = maxOf(primitives, comparison.frame.primitives.size)
+        notBlending = comparison.outcomes.count { (_, outcome) -> outcome is Outcome.NotBlending }
+        if (comparison.isBlank) blank++
+        val view = comparison.view?.let { "${it.name.lowercase()}: " }.orEmpty()
+        for ((id, outcome) in comparison.outcomes) {
+            when (outcome) {
+                is Outcome.Failed -> worsen(Verdict.FAILED, "$view$id failed: ${outcome.message}")
+                is Outcome.Rendered -> outcome.difference?.let {
+                    worsen(Verdict.DIFFERS, view + comparison.sentence(id, it))
+                }
+                is Outcome.NotBlending -> Unit
+            }
+        }
+    }
+
+    /** Adds why the input could not be compared. */
+    fun add(mistake: String) = worsen(Verdict.ERROR, mistake)
+
+    /** The first of the worst things is told. */
+    private fun worsen(other: Verdict, why: String) {
+        if (other <= verdict) return
+        verdict = other
+        message = why.lineSequence().first()
+    }
+
+    override fun toString(): String {
+        // Messages about files begin with the file's name
+        val lead = verdict.word.padEnd(Verdict.entries.maxOf { it.word.length } + 2)
+        if (verdict != Verdict.OK) return lead + if (message.startsWith(input)) message else "$input: $message"
+        return buildString {
+            append("$lead$input: %,d primitives".format(null, primitives))
+            if (notBlending > 0) append(", translucent: $notBlending strategies left out")
+            if (blank > 0) append(", nothing is visible")
+        }
+    }
+}

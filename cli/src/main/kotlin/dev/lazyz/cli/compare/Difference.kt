@@ -1,0 +1,76 @@
+package dev.lazyz.cli.compare
+
+import dev.lazyz.DepthTest
+import dev.lazyz.Image
+import dev.lazyz.Region
+import dev.lazyz.RowSink
+
+/** One pixel of a picture. */
+internal class Pixel(private val argb: Int, private val depth: Int, private val primitive: Int) {
+    private val color: String get() = "#%06x%02x".format(argb and 0xFFFFFF, argb ushr 24)
+
+    val entries: Map<String, Any> get() = mapOf("color" to color, "depth" to depth, "primitive" to primitive)
+
+    override fun toString(): String {
+        val seen = if (primitive == DepthTest.BACKGROUND) "background" else "primitive $primitive"
+        return "colour $color, depth $depth, $seen"
+    }
+}
+
+/**
+ * By how much a picture is not the one it ought to be.
+ *
+ * @property pixels number of pixels that differ in colour, depth or primitive
+ * @property x column of the first of them, from the top, on the whole raster
+ * @property y its row
+ */
+internal class Difference(val pixels: Long, val x: Int, val y: Int, val expected: Pixel, val actual: Pixel) {
+    val entries: Map<String, Any>
+        get() = mapOf(
+            "differingPixels" to pixels,
+            "firstDifference" to
+                mapOf("x" to x, "y" to y, "expected" to expected.entries, "actual" to actual.entries),
+        )
+}
+
+/** Holds rows against those of a [reference] as they come, so that no second picture is kept. */
+internal class RowComparison(private val reference: Image) : RowSink {
+    private val region = reference.region
+    private var pixels = 0L
+    private var first: Difference? = null
+
+    /** What differs in the rows so far, or null. */
+    val difference: Difference? get() = first?.let { Difference(pixels, it.x, it.y, it.expected, it.actual) }
+
+    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        val row = (y - region.rowStart) * region.width
+        for (x in 0 until region.width) {
+            val at = row + x
+            val isSame = argb[x] == reference.argb[at] && depth[x] == reference.depth[at] &&
+                primitive[x] == reference.primitive[at]
+            if (isSame) continue
+            pixels++
+            if (first != null) continue
+            val expected = Pixel(reference.argb[at], reference.depth[at], reference.primitive[at])
+            first = Difference(1, region.columnStart + x, y, expected, Pixel(argb[x], depth[x], primitive[x]))
+        }
+    }
+}
+
+/** Watches that each row of [region] comes once, from the top; contract rule 7.3. */
+internal class CompleteRows(private val region: Region, private val sink: RowSink) : RowSink {
+    private var next = region.rowStart
+
+    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        check(y == next && y < region.rowEnd) {
+            if (next < region.rowEnd) "row $y came instead of row $next" else "row $y came after the last row"
+        }
+        next++
+        sink.row(y, argb, depth, primitive)
+    }
+
+    /** Call it after the last row. */
+    fun requireComplete() {
+        check(next == region.rowEnd) { "${next - region.rowStart} of ${region.height} rows came" }
+    }
+}

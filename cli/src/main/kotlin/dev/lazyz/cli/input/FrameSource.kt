@@ -1,0 +1,83 @@
+package dev.lazyz.cli.input
+
+import dev.lazyz.Frame
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.Streams
+import dev.lazyz.scenes.DepthRules
+import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.world.Material
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
+
+/** The one way from the command line to a frame: reads what [subject] names, and sets it up as the user wants it. */
+internal class FrameSource(private val subject: Subject, private val streams: Streams) {
+    val input = Input(subject.input, subject.format, subject.loading)
+
+    /** Reads the input, and tells its warnings. */
+    fun load(): LoadedScene {
+        val loaded = read()
+        val warnings = loaded.warnings
+        warnings.take(MAX_WARNINGS).forEach { streams.warning(it) }
+        val rest = warnings.size - MAX_WARNINGS
+        if (rest > 0) streams.warning("and $rest more")
+        return loaded
+    }
+
+    /** Reads the input without a word about its warnings. */
+    fun read(): LoadedScene {
+        streams.progress("reading ${input.name} ...")
+        return input.load(streams)
+    }
+
+    /** Sets [loaded] up, seen from [view] if there is one, or else as the user wants it. */
+    fun frame(loaded: LoadedScene, view: View? = null): Frame {
+        // Turn, light and look at it as asked
+        val upright = if (subject.up == Up.Z) UpAxis.fromZ(loaded.scene) else loaded.scene
+        val pointOfView = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
+        val seen = subject.sizes.applyTo(pointOfView.applyTo(upright))
+        val scene = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
+
+        // The camera frames the whole raster, the picture is a part of it
+        val raster = raster(scene, loaded)
+        val region = region(raster)
+        streams.progress("setting up ${raster.width}x${raster.height} ...")
+        val frame = scene.frame(raster).within(region)
+        return if (subject.translucency == Translucency.OPAQUE) frame.asOpaque() else frame
+    }
+
+    /** Shading by name replaces a material's own shader too, or it would change nothing. */
+    private fun shaded(material: Material, shading: Shading): Material = Material(
+        material.baseColor,
+        material.texture,
+        shading,
+        material.specular,
+        material.shininess,
+        material.emission,
+        material.alphaMode,
+        material.alphaCutoff,
+        material.sides,
+        null,
+        material.name,
+    )
+
+    private fun raster(scene: Scene, loaded: LoadedScene): Raster {
+        val size = subject.size ?: loaded.size ?: DEFAULT_SIZE
+        val depth = subject.depthConvention?.let { DepthRules(it) } ?: loaded.depth
+        return depth.raster(size.width, size.height, subject.background ?: scene.background)
+    }
+
+    private fun region(raster: Raster): Region {
+        val region = subject.region ?: return raster.region
+        if (raster.region.contains(region)) return region
+        val text = "${region.columnStart},${region.rowStart},${region.width}x${region.height}"
+        throw Mistake("--region $text reaches beyond the whole picture, which is ${raster.width}x${raster.height}")
+    }
+
+    private companion object {
+        val DEFAULT_SIZE = ImageSize(640, 480)
+        const val MAX_WARNINGS = 20
+    }
+}

@@ -1,0 +1,74 @@
+package dev.lazyz.cli.input
+
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.Nearest
+import dev.lazyz.cli.output.Streams
+import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.Scenes
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * What INPUT stands for: a built-in scene, a file, or standard input.
+ *
+ * A word that is a built-in's name is the built-in, whatever files there are; `./teapot`, or `--format`, makes it a
+ * file's name.
+ */
+internal class Input(
+    private val word: String,
+    private val format: SceneFormat?,
+    private val options: LoadOptions = LoadOptions(),
+) {
+    private val isStandardInput = word == "-"
+    private val builtin = if (format == null) Scenes.builtins.firstOrNull { it.id == word } else null
+
+    val isBuiltin: Boolean get() = builtin != null
+
+    /** What to call the input. */
+    val name: String get() = if (isStandardInput) "standard input" else word
+
+    /** The input's name without folder and ending, or null if it has none. */
+    val baseName: String?
+        get() = when {
+            isStandardInput -> null
+            builtin != null -> word
+            else -> Path.of(word).fileName?.toString()?.substringBeforeLast('.')?.ifEmpty { null }
+        }
+
+    /** Reads the scene. Finds all mistakes in the name before it reads anything. */
+    fun load(streams: Streams): LoadedScene {
+        if (isStandardInput) {
+            val known = format ?: throw Mistake("say what standard input is with --format $FORMATS")
+            return Scenes.load(streams.input, known, name, null, options)
+        }
+        if (builtin != null) return LoadedScene(builtin.scene(), emptyList(), builtin.size)
+        val path = Path.of(word)
+        requireFile(path)
+        if (format != null) return Scenes.load(path, format, options)
+
+        // What has no ending is told by its first bytes; an ending that says nothing is a mistake
+        val ending = path.fileName.toString().substringAfterLast('.', "")
+        if (ending.isEmpty() || SceneFormat.ofFileName(word) != null) return Scenes.load(path, options)
+        throw Mistake("cannot tell from '.$ending' what $word is; say it with --format $FORMATS")
+    }
+
+    private fun requireFile(path: Path) {
+        val isThere = word.isNotEmpty() && Files.exists(path)
+        if (isThere && Files.isDirectory(path)) throw Mistake("$word is a folder, not a model or a scene file")
+        if (!isThere) {
+            if (format != null || SceneFormat.ofFileName(word) != null) throw Mistake("$word: no such file")
+            val hint = Nearest.hint(word, Scenes.builtins.map { it.id })
+            throw Mistake("there is no built-in scene and no file '$word'$hint\nSee 'zcli scenes'.")
+        }
+        if (!Files.isRegularFile(path)) {
+            throw Mistake("$word is a pipe or a device; send it to standard input, with --format: zcli ... - < $word")
+        }
+        if (!Files.isReadable(path)) throw Mistake("$word: permission denied")
+    }
+
+    private companion object {
+        val FORMATS = SceneFormat.entries.joinToString("|") { it.id }
+    }
+}

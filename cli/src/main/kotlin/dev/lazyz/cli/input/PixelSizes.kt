@@ -1,0 +1,25 @@
+package dev.lazyz.cli.input
+
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Points
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Surface
+
+/**
+ * Sizes that the user wants instead of the input's.
+ *
+ * @property point of points, pixels; null leaves them as they are
+ * @property line width of lines, likewise
+ */
+internal class PixelSizes(private val point: Double?, private val line: Double?) {
+    fun applyTo(scene: Scene): Scene {
+        if (point == null && line == null) return scene
+        return Scene(scene.surfaces.map { sized(it) }, scene.lights, scene.viewpoint, scene.background)
+    }
+
+    private fun sized(surface: Surface): Surface = when {
+        surface is Points && point != null -> surface.withSize(point)
+        surface is Lines && line != null -> surface.withWidth(line)
+        else -> surface
+    }
+}

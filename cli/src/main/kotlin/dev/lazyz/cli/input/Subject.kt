@@ -1,0 +1,31 @@
+package dev.lazyz.cli.input
+
+import dev.lazyz.DepthConvention
+import dev.lazyz.Region
+import dev.lazyz.Rgba
+import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.world.Shading
+
+/** Which axis of the input points up. */
+internal enum class Up { Y, Z }
+
+/** What to do with translucent materials. */
+internal enum class Translucency { BLENDED, OPAQUE }
+
+/** What a picture is to show, as the user said it; null means: not said. */
+internal class Subject(
+    val input: String,
+    val format: SceneFormat?,
+    val loading: LoadOptions,
+    val up: Up,
+    val size: ImageSize?,
+    val region: Region?,
+    val background: Rgba?,
+    val shading: Shading?,
+    val sizes: PixelSizes,
+    val translucency: Translucency,
+    val depthConvention: DepthConvention?,
+    val pointOfView: PointOfView,
+)

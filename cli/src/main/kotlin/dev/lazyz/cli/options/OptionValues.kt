@@ -1,0 +1,123 @@
+package dev.lazyz.cli.options
+
+import com.github.ajalt.clikt.parameters.options.NullableOption
+import com.github.ajalt.clikt.parameters.options.RawOption
+import com.github.ajalt.clikt.parameters.options.convert
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.RenderOptions
+import dev.lazyz.Rgba
+import dev.lazyz.Selector
+import dev.lazyz.cli.output.Bytes
+import dev.lazyz.cli.output.Nearest
+import dev.lazyz.scenes.ImageSize
+
+/** Takes `640x480`. */
+internal fun RawOption.size(): NullableOption<ImageSize, ImageSize> = convert("WxH") { text ->
+    val (width, height) = Regex("""(-?\d+)[xX×](-?\d+)""").matchEntire(text)?.destructured
+        ?: fail("'$text' is not WIDTHxHEIGHT, such as 640x480")
+    val sides = listOf(width, height).map { side ->
+        side.toIntOrNull()?.takeIf { it in 1..Raster.MAX_SIDE }
+            ?: fail("width and height must be in 1..${Raster.MAX_SIDE}: $text")
+    }
+    ImageSize(sides[0], sides[1])
+}
+
+/** Takes `100,50,320x240`: column and row of the upper left pixel, width and height. */
+internal fun RawOption.region(): NullableOption<Region, Region> = convert("X,Y,WxH") { text ->
+    val form = Regex("""(-?\d+),(-?\d+),(-?\d+)[xX×](-?\d+)""")
+    val words = form.matchEntire(text)?.groupValues?.drop(1)
+        ?: fail("'$text' is not X,Y,WIDTHxHEIGHT, such as 100,50,320x240")
+    val (x, y, width, height) = words.map { it.toIntOrNull()?.takeIf { side -> side <= Raster.MAX_SIDE } ?: -1 }
+    if (x < 0 || y < 0) fail("column and row must be in 0..${Raster.MAX_SIDE - 1}: $text")
+    if (width < 1 || height < 1) fail("width and height must be in 1..${Raster.MAX_SIDE}: $text")
+    Region(x, y, x + width, y + height)
+}
+
+/** Takes the name of a selector, or `kth:K`. */
+internal fun RawOption.selector(): NullableOption<Selector, Selector> = convert("SELECTOR") { text ->
+    val selectors = mapOf(
+        "nearest" to Selector.nearest(),
+        "farthest" to Selector.farthest(),
+        "count" to Selector.count(),
+        "blend" to Selector.blend(),
+    )
+    val name = text.lowercase()
+    val number = name.substringAfter("kth:", "").takeIf { it.isNotEmpty() }
+    when {
+        name in selectors -> selectors.getValue(name)
+        number != null -> Selector.kthNearest(
+            number.toIntOrNull()?.takeIf { it >= 1 } ?: fail("K of kth:K must be a whole number, 1 or more: $text"),
+        )
+        else -> {
+            val hint = Nearest.hint(text, selectors.keys)
+            fail("'$text' is not one of nearest, farthest, kth:K, count, blend$hint")
+        }
+    }
+}
+
+/** Takes an amount of memory: `65536`, `64k`, `16MiB`. */
+internal fun RawOption.bytes(): NullableOption<Long, Long> = convert("SIZE") { text ->
+    Bytes.parse(text) ?: fail("'$text' is not an amount of memory, such as 65536, 64k or 16MiB")
+}
+
+/** Takes a whole number that goes into [RenderOptions] by way of [use], which says what is legal. */
+internal fun RawOption.count(use: (Int) -> RenderOptions): NullableOption<Int, Int> = convert("N") { text ->
+    val number = text.toIntOrNull() ?: fail("'$text' is not a whole number")
+    try {
+        use(number)
+    } catch (illegal: IllegalArgumentException) {
+        // The message begins with the option's name in the library
+        fail(illegal.message.orEmpty().substringAfter(' '))
+    }
+    number
+}
+
+/** Takes a whole number in [range]. */
+internal fun RawOption.count(range: IntRange): NullableOption<Int, Int> = convert("N") { text ->
+    val number = text.toIntOrNull() ?: fail("'$text' is not a whole number")
+    if (number !in range) fail("must be in $range: $text")
+    number
+}
+
+/** Takes a whole number, 0 or more. */
+internal fun RawOption.count(): NullableOption<Long, Long> = convert("N") { text ->
+    text.toLongOrNull()?.takeIf { it >= 0 } ?: fail("'$text' is not a whole number, 0 or more")
+}
+
+/** Takes a decimal number in [range], which [unit] follows in messages. */
+internal fun RawOption.number(
+    metavar: String,
+    range: ClosedRange<Double>,
+    unit: String,
+): NullableOption<Double, Double> = convert(metavar) { text ->
+    val form = Regex("""[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?""")
+    val number = if (form.matches(text)) text.toDouble() else fail("'$text' is not a number")
+    if (number !in range) fail("must be in ${plain(range.start)}..${plain(range.endInclusive)}$unit: $text")
+    number
+}
+
+/** Takes `#rgb`, `#rrggbb`, `#rrggbbaa`, the same without `#` (which shells take for a comment), or a name. */
+internal fun RawOption.color(): NullableOption<Rgba, Rgba> = convert("COLOR") { text ->
+    try {
+        Rgba.parse(if (text.matches(Regex("[0-9a-fA-F]{3,8}"))) "#$text" else text.lowercase())
+    } catch (unknown: IllegalArgumentException) {
+        val hint = Nearest.hint(text, listOf("transparent", "black", "white"))
+        fail("'$text' is not black, white, transparent, nor hexadecimal rgb, rrggbb or rrggbbaa$hint")
+    }
+}
+
+/** Takes one of the names of [values]. */
+internal fun <T : Any> RawOption.oneOf(metavar: String, values: Map<String, T>): NullableOption<T, T> =
+    convert(metavar) { text -> named(text, values) { fail(it) } }
+
+/** Takes several of the names of [values] with commas between them; one that is said twice counts once. */
+internal fun <T : Any> RawOption.listOf(metavar: String, values: Map<String, T>): NullableOption<List<T>, List<T>> =
+    convert(metavar) { text -> text.split(',').map { name -> named(name, values) { fail(it) } }.distinct() }
+
+/** Returns the value called [name], or what [fail] makes of a message. */
+private fun <T : Any> named(name: String, values: Map<String, T>, fail: (String) -> Nothing): T =
+    values[name.lowercase()]
+        ?: fail("'$name' is not one of ${values.keys.joinToString()}${Nearest.hint(name, values.keys)}")
+
+private fun plain(number: Double): String = if (number % 1.0 == 0.0) number.toLong().toString() else number.toString()

@@ -1,0 +1,171 @@
+package dev.lazyz.cli.options
+
+import com.github.ajalt.clikt.core.ParameterHolder
+import com.github.ajalt.clikt.parameters.groups.OptionGroup
+import com.github.ajalt.clikt.parameters.options.default
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.multiple
+import com.github.ajalt.clikt.parameters.options.option
+import dev.lazyz.Coherence
+import dev.lazyz.DepthConvention
+import dev.lazyz.RenderOptions
+import dev.lazyz.Selector
+import dev.lazyz.cli.input.PixelSizes
+import dev.lazyz.cli.input.PointOfView
+import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.input.Translucency
+import dev.lazyz.cli.input.Up
+import dev.lazyz.cli.input.View
+import dev.lazyz.cli.strategies.Choices
+import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.world.Fit
+import dev.lazyz.world.Points
+import dev.lazyz.world.Shading
+
+/** What INPUT may be, for help. */
+internal const val INPUT_HELP: String =
+    "A model (.obj, .stl, .ply, .off, .3mf, .gltf, .glb), a scene file (.json), the name of a built-in scene " +
+        "(see 'zcli scenes'), or - for standard input"
+
+/** Returns what the options say of the picture that [input] is to give. */
+internal fun subject(
+    input: String,
+    reading: ReadingOptions,
+    limits: LimitOptions,
+    picture: PictureOptions,
+    camera: CameraOptions,
+): Subject =
+    Subject(
+        input = input,
+        format = reading.format,
+        loading = LoadOptions(limits.limits(), reading.animationTime),
+        up = reading.up,
+        size = picture.size,
+        region = picture.region,
+        background = picture.background,
+        shading = picture.shading,
+        sizes = PixelSizes(picture.pointSize, picture.lineWidth),
+        translucency = if (picture.isOpaque) Translucency.OPAQUE else Translucency.BLENDED,
+        depthConvention = picture.depthConvention,
+        pointOfView = camera.pointOfView(),
+    )
+
+/** Where strategies come from. */
+internal fun ParameterHolder.classPath() = option(
+    "--classpath",
+    metavar = "JAR",
+    help = "Where to look for strategies besides zcli's own: a jar with an entry " +
+        "META-INF/services/dev.lazyz.Renderer, or one that it needs; say it again for each further one",
+).multiple()
+
+/** How to read the input. */
+internal class ReadingOptions : OptionGroup("Reading") {
+    val format by option("--format", help = "What INPUT is: ${names(formats.keys)}; default: by its name's ending")
+        .oneOf("FORMAT", formats)
+
+    val up by option("--up", help = "Which axis of the model points up: y or z; default: y")
+        .oneOf("AXIS", Up.entries.associateBy { it.name.lowercase() })
+        .default(Up.Y)
+
+    val animationTime by option(
+        "--animation-time",
+        help = "Show the model at this moment of its first animation (glTF), 0..1000000; default: at rest",
+    ).number("SECONDS", 0.0..1e6, " seconds")
+}
+
+/** What the picture is like. */
+internal class PictureOptions : OptionGroup("Picture") {
+    val size by option(
+        "--size",
+        help = "Width and height in pixels, each 1..262144; default: the scene file's, or 640x480",
+    ).size()
+
+    val region by option(
+        "--region",
+        help = "Only this part of the whole picture, the same pixels: column and row of its upper left pixel, from " +
+            "0,0; width and height",
+    ).region()
+
+    val background by option(
+        "--background",
+        help = "black, white, transparent, or hexadecimal rgb, rrggbb, rrggbbaa; default: the scene's, or white",
+    ).color()
+
+    val shading by option("--shading", help = "Replace all materials' shading: ${names(shadings.keys)}")
+        .oneOf("SHADING", shadings)
+
+    val pointSize by option("--point-size", help = "Size of points in pixels, up to 4096; default: the input's, or 2")
+        .number("PX", LEAST_SIZE..Points.MAX_SIZE.toDouble(), " pixels")
+
+    val lineWidth by option("--line-width", help = "Width of lines in pixels, up to 4096; default: the input's, or 1")
+        .number("PX", LEAST_SIZE..Points.MAX_SIZE.toDouble(), " pixels")
+
+    val isOpaque by option("--opaque", help = "Take translucent materials for opaque; default: they are blended")
+        .flag()
+
+    val depthConvention by option(
+        "--depth-convention",
+        help = "Which depth is nearer: smaller or larger; the picture is the same; default: the scene file's, " +
+            "or smaller",
+    ).oneOf(
+        "ORDER",
+        mapOf(
+            "smaller" to DepthConvention.SMALLER_IS_NEARER,
+            "larger" to DepthConvention.LARGER_IS_NEARER,
+        ),
+    )
+}
+
+/** Where to look from. */
+internal class CameraOptions : OptionGroup("Camera (any of these frames the whole scene)") {
+    private val view by option("--view", help = "Look from ${names(View.entries.map { it.name.lowercase() })}")
+        .oneOf("SIDE", View.entries.associateBy { it.name.lowercase() })
+
+    private val azimuth by option("--azimuth", help = "Degrees around the up axis: 0 front, 90 right; default: 30")
+        .number("DEGREES", -1e6..1e6, " degrees")
+
+    private val elevation by option("--elevation", help = "Degrees above the horizon, -90..90; default: 20")
+        .number("DEGREES", -90.0..90.0, " degrees")
+
+    private val zoom by option("--zoom", help = "1 fills the picture, 2 shows half as much; 0.001..1000; default: 1")
+        .number("FACTOR", 0.001..1000.0, "")
+
+    private val projection by option("--projection", help = "perspective or orthographic; default: perspective")
+        .oneOf("KIND", Fit.entries.associateBy { it.name.lowercase() })
+
+    fun pointOfView() = PointOfView(view, azimuth, elevation, zoom, projection)
+}
+
+/** What the rendering may cost. */
+internal class CostOptions : OptionGroup("Cost (not the picture; 'zcli strategies --long' tells who heeds it)") {
+    private val memoryBudget by option(
+        "--memory-budget",
+        help = "Most working memory besides the picture: bytes, or with k, m, g (64k, 16MiB); default: no limit",
+    ).bytes()
+
+    private val coherence by option(
+        "--coherence",
+        help = "How late shading gets from pixel to pixel: direct (each by itself), incremental (by steps) or " +
+            "adaptive (whichever is cheaper); default: direct",
+    ).oneOf("MODE", Coherence.entries.associateBy { it.name.lowercase() })
+
+    private val threads by option("--threads", help = "Number of threads, 1 or more; default: one a processor")
+        .count { RenderOptions(threads = it) }
+
+    private val tileSize by option(
+        "--tile-size",
+        help = "Width and height of tiles, a power of two in 8..512; default: ${RenderOptions().tileSize}",
+    ).count { RenderOptions(tileSize = it) }
+
+    fun choices(selector: Selector? = null) = Choices(memoryBudget, coherence, threads, tileSize, selector)
+}
+
+/** What is below a pixel counts as one. */
+private const val LEAST_SIZE = 0.001
+
+private val formats = SceneFormat.entries.associateBy { it.id }
+
+private val shadings = Shading.entries.associateBy { it.name.lowercase().replace('_', '-') }
+
+private fun names(all: Collection<String>): String = all.toList().dropLast(1).joinToString() + " or " + all.last()

@@ -1,0 +1,30 @@
+package dev.lazyz.cli.output
+
+/** Amounts of memory, for people. */
+internal object Bytes {
+    private val units = listOf("bytes", "KiB", "MiB", "GiB", "TiB")
+    private val form = Regex("""(\d+) ?(?:([kmgt])(?:ib?)?|b|bytes)?""", RegexOption.IGNORE_CASE)
+
+    /** Returns [bytes] in the largest unit that leaves at least 1, with one decimal: `5.9 GiB`. */
+    fun readable(bytes: Long): String {
+        var unit = 0
+        var tenths = bytes * 10
+        while (tenths >= 10 * 1024 && unit < units.size - 1) {
+            tenths /= 1024
+            unit++
+        }
+        return if (unit == 0) "$bytes bytes" else "${tenths / 10}.${tenths % 10} ${units[unit]}"
+    }
+
+    /**
+     * Returns how many bytes [text] means, or null if it is no amount: a whole number, alone or with k, m, g or t, or
+     * with KiB, MiB and so on, in steps of 1024. What is beyond all memory is [Long.MAX_VALUE]. `kB` is no unit here:
+     * some mean 1000 by it.
+     */
+    fun parse(text: String): Long? {
+        val (digits, unit) = form.matchEntire(text)?.destructured ?: return null
+        val shift = if (unit.isEmpty()) 0 else 10 * ("kmgt".indexOf(unit.lowercase()) + 1)
+        val number = digits.toLongOrNull() ?: Long.MAX_VALUE
+        return if (number > Long.MAX_VALUE shr shift) Long.MAX_VALUE else number shl shift
+    }
+}

@@ -1,0 +1,72 @@
+package dev.lazyz.cli.output
+
+import com.github.ajalt.clikt.core.MultiUsageError
+import com.github.ajalt.clikt.core.NoSuchOption
+import com.github.ajalt.clikt.core.UsageError
+import com.github.ajalt.clikt.output.ParameterFormatter
+import dev.lazyz.scenes.SceneFormatException
+import java.io.IOException
+import java.nio.file.AccessDeniedException
+import java.nio.file.FileSystemException
+import java.nio.file.InvalidPathException
+import java.nio.file.NoSuchFileException
+import java.util.ServiceConfigurationError
+
+/** The user's mistake, or a file that is no good; the message is all that the user sees. */
+internal class Mistake(message: String) : RuntimeException(message)
+
+/** Turns what went wrong into text. */
+internal object Failure {
+    private const val ISSUES = "https://github.com/lazyz/lazyz/issues"
+
+    /** Returns what to tell the user if [failure] is not our bug, or null if it is. */
+    fun mistake(failure: Throwable): String? = when (failure) {
+        is Mistake, is SceneFormatException -> failure.message?.let { printable(it) }
+        is FileSystemException -> describe(failure)
+        is OutOfMemoryError -> outOfMemory(failure)
+        is IOException -> failure.message ?: failure.javaClass.simpleName
+        is InvalidPathException -> "not a file name: ${failure.input} (${failure.reason}; is the locale set to UTF-8?)"
+        is ServiceConfigurationError -> "a renderer on the class path cannot be loaded: ${failure.message}"
+        else -> null
+    }
+
+    /** Clikt's message, and where to read more. A misspelt option hides the faults that follow from it. */
+    fun usage(error: UsageError): String {
+        val all = if (error is MultiUsageError) error.errors else listOf(error)
+        val errors = all.filter { it is NoSuchOption }.ifEmpty { all }
+        val context = errors.firstNotNullOfOrNull { it.context }
+        val command = context?.commandNameWithParents()?.joinToString(" ") ?: "zcli"
+        return errors.joinToString("\n") { wording(it) } + "\nSee '$command --help'."
+    }
+
+    private fun wording(error: UsageError): String {
+        val context = error.context ?: return error.message.orEmpty()
+        return error.formatMessage(context.localization, ParameterFormatter.Plain)
+    }
+
+    private fun outOfMemory(error: OutOfMemoryError): String =
+        "out of memory (${error.message}); Java may use ${Bytes.readable(Runtime.getRuntime().maxMemory())}: " +
+            "give it more with 'java -Xmx...g -jar zcli.jar ...', or render a smaller --size"
+
+    /** What a person needs to send us, and nothing they would have to look up. */
+    fun bugReport(failure: Throwable, args: Array<String>): String = buildString {
+        appendLine("zcli: this is a bug in zcli, not in what you did.")
+        appendLine("Please report it at $ISSUES with the text below and, if you may, the input file.")
+        appendLine()
+        appendLine("zcli ${Version.text}")
+        appendLine("Java ${System.getProperty("java.version")}, ${System.getProperty("java.vm.name")}")
+        appendLine("${System.getProperty("os.name")} ${System.getProperty("os.arch")}")
+        appendLine("zcli ${args.joinToString(" ") { if (' ' in it || it.isEmpty()) "'$it'" else it }}")
+        append(failure.stackTraceToString())
+    }
+
+    /** Replaces what a terminal would obey: messages quote files. */
+    private fun printable(message: String): String =
+        message.map { if (it.isISOControl() && it != '\n') '?' else it }.joinToString("")
+
+    private fun describe(failure: FileSystemException): String = when (failure) {
+        is NoSuchFileException -> "${failure.file}: no such file or folder"
+        is AccessDeniedException -> "${failure.file}: permission denied"
+        else -> "${failure.file}: ${failure.reason ?: failure.javaClass.simpleName}"
+    }
+}

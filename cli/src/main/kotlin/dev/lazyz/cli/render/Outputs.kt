@@ -1,0 +1,121 @@
+package dev.lazyz.cli.render
+
+import dev.lazyz.Frame
+import dev.lazyz.Region
+import dev.lazyz.RowSink
+import dev.lazyz.cli.input.Input
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.OutputClosed
+import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.output.Tally
+import dev.lazyz.scenes.writers.AlphaChannel
+import dev.lazyz.scenes.writers.ImageFiles
+import dev.lazyz.scenes.writers.PngSink
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** Where a rendering goes: a picture to a file or to standard output, and perhaps its depth to another file. */
+internal class Outputs(private val request: RenderRequest, input: Input, private val streams: Streams) {
+    /** The picture's file, or null for standard output. */
+    private val picture: Path? = when (val output = request.output) {
+        null -> unasked(input)
+        STANDARD_OUTPUT -> null
+        else -> Path.of(output)
+    }
+
+    init {
+        if (picture != null) {
+            requireEnding(picture, "-o", PICTURE_ENDINGS)
+            requirePlace(picture)
+        } else if (streams.isOutputTerminal) {
+            throw Mistake("a picture would confuse the terminal; redirect standard output, or say -o FILE.png")
+        }
+        request.depthOutput?.let {
+            requireEnding(it, "--depth-out", DEPTH_ENDINGS)
+            requirePlace(it)
+        }
+    }
+
+    /**
+     * Lets [render] write the rows of [frame] to all outputs and to [tally] at once. When it returns, the files are
+     * there; else they are not.
+     */
+    fun <T> write(frame: Frame, tally: Tally, render: (RowSink) -> T): T = try {
+        // Outermost is what is finished last: a file of depth appears only when the picture is out
+        writeDepth(frame.region) { depth ->
+            writePicture(frame) { picture -> render(FanOut(listOfNotNull(picture, depth, tally))) }
+        }
+    } catch (closed: OutputClosed) {
+        val file = request.depthOutput ?: throw closed
+        throw Mistake("standard output was closed before the end, and $file was not written")
+    }
+
+    private fun <T> writePicture(frame: Frame, render: (RowSink) -> T): T {
+        // Before an opaque background every sample of a scene is opaque
+        val alpha = if (frame.raster.background.alpha >= 1f) AlphaChannel.DROP else AlphaChannel.KEEP
+        if (picture != null) return writeFile(picture, frame.region, alpha, render)
+        return PngSink(streams.output, frame.width, frame.height, alpha).use(render)
+    }
+
+    private fun <T> writeDepth(region: Region, render: (RowSink?) -> T): T {
+        val path = request.depthOutput ?: return render(null)
+        return writeFile(path, region, AlphaChannel.DROP, render)
+    }
+
+    private fun <T> writeFile(path: Path, region: Region, alpha: AlphaChannel, render: (RowSink) -> T): T =
+        ImageFiles.write(path, region.width, region.height, alpha = alpha) { sink -> render(Blaming(path, sink)) }
+
+    /** Tells a person what was written. */
+    fun describe(region: Region) {
+        if (picture != null) streams.remark("wrote $picture, ${region.width}x${region.height}")
+        request.depthOutput?.let { streams.remark("wrote $it") }
+    }
+
+    /** The default name. Never replaces a file: nobody asked for it, and it may be the model's own texture. */
+    private fun unasked(input: Input): Path {
+        val name = input.baseName ?: throw Mistake("say where the picture goes: -o FILE.png, or -o - for a pipe")
+        val path = Path.of("$name.png")
+        if (Files.exists(path)) throw Mistake("$path exists; to replace it, say -o $path")
+        return path
+    }
+
+    private fun requireEnding(path: Path, option: String, endings: List<String>) {
+        val name = path.fileName?.toString().orEmpty()
+        if (endings.none { name.endsWith(it, ignoreCase = true) && name.length > it.length }) {
+            val other = if (option == "-o") ", or be - for standard output" else ""
+            throw Mistake("$option must end in ${endings.joinToString(" or ")}$other: $path")
+        }
+    }
+
+    private fun requirePlace(path: Path) {
+        if (Files.isDirectory(path)) throw Mistake("cannot write $path: it is a folder")
+        val folder = path.toAbsolutePath().parent
+        if (!Files.isDirectory(folder)) throw Mistake("cannot write $path: there is no folder $folder")
+        if (!Files.isWritable(folder)) throw Mistake("cannot write $path: no permission to write in $folder")
+    }
+
+    companion object {
+        const val STANDARD_OUTPUT = "-"
+        private val PICTURE_ENDINGS = listOf(".png", ".ppm")
+        private val DEPTH_ENDINGS = listOf(".pfm")
+    }
+}
+
+/** Hands every row to several sinks, in their order. */
+internal class FanOut(private val sinks: List<RowSink>) : RowSink {
+    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        for (sink in sinks) sink.row(y, argb, depth, primitive)
+    }
+}
+
+/** Says which of several files it was that could not be written. */
+private class Blaming(private val path: Path, private val sink: RowSink) : RowSink {
+    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        try {
+            sink.row(y, argb, depth, primitive)
+        } catch (failure: IOException) {
+            throw Mistake("cannot write $path: ${failure.message}")
+        }
+    }
+}

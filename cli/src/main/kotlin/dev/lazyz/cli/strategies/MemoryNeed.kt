@@ -1,0 +1,72 @@
+package dev.lazyz.cli.strategies
+
+import dev.lazyz.Capability
+import dev.lazyz.Frame
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.Renderer
+import dev.lazyz.cli.output.Bytes
+import dev.lazyz.cli.output.Mistake
+
+/** Finds out before the rendering begins that a picture cannot fit. */
+internal object MemoryNeed {
+    private const val MAX_ARRAY = Int.MAX_VALUE - 8L
+
+    /** More than any strategy is expected to hold for a pixel. */
+    private const val PLENTY = 64L
+
+    /** Side of the empty pictures to measure a strategy with; as wide as the widest tile. */
+    private const val PROBE_SIDE = 512
+
+    /**
+     * Throws [Mistake] if [strategy] needs more for [picture] than the [available] bytes, besides [kept] bytes a pixel
+     * that the caller keeps.
+     */
+    fun check(
+        strategy: Renderer,
+        picture: Region,
+        kept: Long = 0,
+        available: Long = Runtime.getRuntime().maxMemory(),
+    ) {
+        // Small pictures fit, whatever the strategy
+        if (picture.size * PLENTY <= available && picture.size <= MAX_ARRAY) return
+        val bytes = bytesPerPixel(strategy) + kept
+        val need = bytes * picture.size
+        val what = "a picture of ${picture.width}x${picture.height} with strategy '${strategy.id}'"
+        if (bytes >= Int.SIZE_BYTES && picture.size > MAX_ARRAY) {
+            throw Mistake("$what would have ${picture.size} pixels, and it can hold $MAX_ARRAY; ${remedy(kept)}")
+        }
+        if (need > available) {
+            val gigabytes = need / (1L shl 30) + 2
+            throw Mistake(
+                "$what needs ${Bytes.readable(need)} of memory, and Java may use ${Bytes.readable(available)}; " +
+                    "${remedy(kept)}, or run it with 'java -Xmx${gigabytes}g -jar zcli.jar ...'",
+            )
+        }
+    }
+
+    /**
+     * Bytes that [strategy] keeps for each pixel: by how much its peak grows when an empty picture gets twice as high.
+     * Taken for 0 if it fails even at that; the rendering will then tell.
+     */
+    private fun bytesPerPixel(strategy: Renderer): Long {
+        if (Capability.CONSTANT_MEMORY in strategy.capabilities) return 0
+        return try {
+            (peakBytes(strategy, 2) - peakBytes(strategy, 1)) / (PROBE_SIDE * PROBE_SIDE)
+        } catch (broken: RuntimeException) {
+            0
+        }
+    }
+
+    private fun peakBytes(strategy: Renderer, heights: Int): Long {
+        val empty = Frame(Raster(PROBE_SIDE, heights * PROBE_SIDE), emptyList())
+        return strategy.render(empty) { _, _, _, _ -> }.peakBytes
+    }
+
+    private fun remedy(kept: Long): String {
+        val smaller = "choose a smaller --size or a --region"
+        if (kept > 0) return smaller
+        val streaming = Strategies.all().filter { Capability.CONSTANT_MEMORY in it.capabilities }.map { it.id }
+        return "$smaller, or a --strategy that does not keep the picture (${streaming.joinToString()})"
+    }
+}

@@ -1,0 +1,308 @@
+package dev.lazyz.cli.conformance
+
+import dev.lazyz.cli.CapableRenderer
+import dev.lazyz.cli.EternalRenderer
+import dev.lazyz.cli.ExitingRenderer
+import dev.lazyz.cli.FickleRenderer
+import dev.lazyz.cli.HaltedRenderer
+import dev.lazyz.cli.HaltingRenderer
+import dev.lazyz.cli.SpeechlessRenderer
+import dev.lazyz.cli.StillbornRenderer
+import dev.lazyz.cli.StutteringRenderer
+import dev.lazyz.cli.UnbornRenderer
+import dev.lazyz.cli.output.ExitCode
+import dev.lazyz.cli.rendererJar
+import dev.lazyz.cli.zcli
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+/** `zcli conformance` on strategies that come in a stranger's jar. */
+class ConformanceTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val ties = "rule_5_2_tiesGoToTheFirstSubmitted"
+
+    private fun jar(vararg classes: Class<*>, name: String = "mine.jar"): Path =
+        folder.rendererJar(*classes, name = name)
+
+    /** In this process, which is sooner done. */
+    private fun judge(vararg words: Any) = zcli("conformance", "--in-process", "--quiet", *words)
+
+    private fun conformance(vararg words: Any) = judge("--tries", "0.05", *words)
+
+    @Test
+    fun strangerWhoConformsIsToldSo() {
+        val jar = jar(CapableRenderer::class.java)
+        val rules = arrayOf("--rule", "4.3", "--rule", "rule_7_3_rowsArriveInOrderEachOnce")
+        val run = conformance("--strategy", "capable", "--classpath", jar, *rules).done()
+        assertTrue("capable conforms: 2 rules, 2 passed" in run.text, run.text)
+        assertTrue("seed          1995, tries x0.05" in run.text, run.text)
+    }
+
+    @Test
+    fun ourOwnAreJudgedByAllRules() {
+        assertTrue(" conforms: " in conformance("--strategy", "zbuffer").done().text)
+    }
+
+    @Test
+    fun wrongOneIsToldWithTheCommandThatShowsItAgain() {
+        val jar = jar(FickleRenderer::class.java, StutteringRenderer::class.java)
+        val report = folder.resolve("a report")
+        val rule = "rule_7_3_rowsArriveInOrderEachOnce"
+        val words = listOf("--strategy", "stuttering", "--classpath", "$jar", "--rule", rule, "--seed", "3")
+        val run = judge(*words.toTypedArray(), "--tries", "1", "--report", report)
+        assertEquals(ExitCode.DIFFERENT, run.code, run.errors)
+        assertEquals("", run.errors)
+        assertTrue("\nFAILED: $rule (MUST)\n" in run.text, run.text)
+        assertTrue("rows arrived as [0, 1, 2, 3, 4, 5, 6, 7, 7" in run.text, run.text)
+        val command = "zcli conformance --strategy stuttering --classpath $jar --seed 3 --tries 1 --rule $rule"
+        assertTrue("  reproduce   $command\n" in run.text, run.text)
+        assertTrue(report.resolve("report.html").exists() && report.resolve("failures/$rule.kt").exists())
+        assertEquals(run.text, report.resolve("report.txt").readText())
+
+        // The command shows the same failure
+        val again = judge(*command.split(" ").drop(2).toTypedArray())
+        fun failure(text: String) = text.substringAfter("FAILED").substringBefore("reproduce")
+        assertEquals(failure(run.text), failure(again.text))
+    }
+
+    @Test
+    fun waiversAreHeeded() {
+        val jar = jar(StutteringRenderer::class.java)
+        val file = folder.resolve("waivers.txt")
+        val rule = "rule_7_3_rowsArriveInOrderEachOnce"
+        val words = arrayOf("--strategy", "stuttering", "--classpath", jar, "--rule", rule, "--tries", "1")
+        val block = "rule: $rule\nreason: stutters\nlink: none\nexpires: 9999-01-01\n"
+        file.writeText(block)
+        val run = judge(*words, "--waivers", file).done()
+        assertTrue("conforms: 1 rule, 1 waived" in run.text, run.text)
+        file.writeText(block.replace("link", "lnik"))
+        judge(*words, "--waivers", file).mistake("waivers.txt:3: expected 'rule:'")
+    }
+
+    @Test
+    fun reportIsVerified() {
+        val jar = jar(StutteringRenderer::class.java)
+        val report = folder.resolve("report")
+        val words = arrayOf("--strategy", "stuttering", "--classpath", jar, "--report", report, "--rule", "7.3")
+        assertEquals(ExitCode.DIFFERENT, conformance(*words).code)
+        val file = report.resolve("report.json")
+        val run = judge("--verify", file, "--classpath", jar).done()
+        assertTrue(run.text.startsWith("verified: stuttering, "), run.text)
+        val other = judge("--verify", file, "--strategy", "zbuffer")
+        assertEquals(ExitCode.DIFFERENT, other.code)
+        val rule = "rule_7_3_rowsArriveInOrderEachOnce"
+        assertTrue("NOT verified: zbuffer, " in other.text, other.text)
+        assertTrue("$rule: recorded failed, now passed" in other.text, other.text)
+        judge("--verify", file, "--seed", "1").mistake("--verify takes seed, tries, rules and waivers")
+        file.writeText("{}")
+        judge("--verify", file).mistake("report.json is no report.json of the conformance suite")
+    }
+
+    @Test
+    fun framesOfOnesOwnAreTried() {
+        val frames = folder.resolve("frames")
+        val words = arrayOf("--strategy", "zbuffer", "--rule", "rule_7_1_framesOfOnesOwnAreRight", "--frames", frames)
+        assertTrue("0 frames, of which" in conformance(*words).done().text)
+        frames.resolve("mine.obj").writeText("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        assertTrue("2 frames, of which" in conformance(*words).done().text)
+        frames.resolve("bad.json").writeText("{")
+        conformance(*words).mistake("a file of the frames folder cannot be read", "bad.json")
+    }
+
+    @Test
+    fun jsonIsForScripts() {
+        val run = conformance("--strategy", "zbuffer", "--rule", ties, "--json").done()
+        assertEquals("true", run.stat("conformant"))
+        assertEquals("zbuffer", run.stat("id"))
+    }
+
+    @Test
+    fun exploringTellsItsSeed() {
+        val seeds = List(2) {
+            conformance("--strategy", "zbuffer", "--rule", ties, "--explore", "--json").done().stat("seed")
+        }
+        assertEquals(2, seeds.distinct().size)
+    }
+
+    @Test
+    fun exploringAgainWithTheSeedOfASummaryIsTheSame() {
+        fun frames(text: String) = text.lines().dropWhile { " frames, of which" !in it }.dropLast(2)
+        val rule = arrayOf("--strategy", "zbuffer", "--rule", ties)
+        val explored = conformance(*rule, "--explore").done().text
+        val seed = checkNotNull(Regex("""(?m)^seed +(\d+), tries x0.05$""").find(explored)) { explored }.groupValues[1]
+        assertTrue(frames(explored).size > 5, explored)
+        assertEquals(frames(explored), frames(conformance(*rule, "--seed", seed).done().text))
+    }
+
+    @Test
+    fun numberOfTriesHasBounds() {
+        val narrow = "rule_9_6_narrowRastersAreOrdinary"
+        fun tries(factor: String) = judge("--strategy", "zbuffer", "--rule", narrow, "--tries", factor)
+        val least = tries("0.001").done()
+        assertTrue(", tries x0.001\n" in least.text && "     1 tries" in least.text, least.text)
+        for (factor in listOf("0", "0.00099", "1000001")) {
+            tries(factor).mistake("--tries: must be in 0.001..1000000")
+        }
+    }
+
+    @Test
+    fun strategyThatCannotSayWhatItIsCapableOfDoesNotConform() {
+        val jar = jar(SpeechlessRenderer::class.java)
+        val run = conformance("--strategy", "speechless", "--classpath", jar, "--rule", "8.2")
+        assertEquals(ExitCode.DIFFERENT, run.code)
+        assertTrue("what can I do?" in run.text, run.text)
+        assertTrue("speechless does NOT conform" in run.text, run.text)
+    }
+
+    @Test
+    fun strategyThatExitsGetsAVerdictAndTheOtherRulesAreTried() {
+        val jar = jar(ExitingRenderer::class.java)
+        val rules = arrayOf("--rule", ties, "--rule", "rule_9_6_framesWithoutPrimitivesAreOrdinary")
+        val words = arrayOf("--strategy", "exiting", "--classpath", jar, "--tries", "0.05", "--json")
+        val run = zcli("conformance", *words, *rules)
+        assertEquals(ExitCode.DIFFERENT, run.code, run.errors)
+        assertTrue(run.text.startsWith("{") && run.text.endsWith("}\n"), run.text)
+        assertEquals("false", run.stat("conformant"))
+        assertEquals("1", run.stat("crashed"))
+        assertEquals("1", run.stat("passed"))
+        assertTrue("ended the process: exit code 0\\nin\\nFrameBuilder(" in run.text, run.text)
+        assertTrue("going on" in run.errors, run.errors)
+    }
+
+    @Test
+    fun strategyThatHaltsGetsAVerdictAndTheOtherRulesAreTried() {
+        val jar = jar(HaltingRenderer::class.java)
+        val empty = "rule_9_6_framesWithoutPrimitivesAreOrdinary"
+        val words = arrayOf("--strategy", "halting", "--classpath", jar, "--tries", "0.05", "--json")
+        val run = zcli("conformance", *words, "--rule", ties, "--rule", empty)
+        assertEquals(ExitCode.DIFFERENT, run.code, run.errors)
+        assertEquals("1", run.stat("crashed"))
+        assertEquals("1", run.stat("passed"))
+        val lines = run.errors.lines().filter { it.isNotEmpty() }.map { it.replace(Regex("""\d+\.\d s$"""), "TIME") }
+        assertEquals(listOf("crashed        $ties  TIME", "passed         $empty  TIME"), lines)
+    }
+
+    @Test
+    fun eachRuleIsToldAsSoonAsItHasEnded() {
+        val rules = arrayOf("--rule", "4.3", "--rule", "rule_5_5_dozensOfThinLayersBlend")
+        for (where in listOf(arrayOf("--in-process"), arrayOf())) {
+            val words = arrayOf("--strategy", "zbuffer", "--tries", "0.05", *rules)
+            val run = zcli("conformance", *where, *words)
+            val told = listOf("passed         rule_4_3_back", "not supported  rule_5_5_dozens")
+            assertTrue(told.all { it in run.errors }, run.errors)
+            assertTrue(run.errors.lines().filter { it.isNotEmpty() }.all { it.endsWith(" s") }, run.errors)
+            assertTrue(run.text.startsWith("zbuffer conforms: 2 rules, "), run.text)
+            assertEquals("", zcli("conformance", *where, *words, "--quiet").errors)
+        }
+    }
+
+    @Test
+    fun strategyThatEndsTheProcessAtOnceGetsAVerdict() {
+        val strategies = mapOf("stillborn" to StillbornRenderer::class, "halted" to HaltedRenderer::class)
+        for ((id, renderer) in strategies) {
+            val run = zcli("conformance", "--strategy", id, "--classpath", jar(renderer.java, name = "$id.jar"))
+            assertEquals(ExitCode.DIFFERENT, run.code)
+            val words = "$id does NOT conform: the process ended while no rule was tried: exit code 0"
+            assertTrue(words in run.errors, run.errors)
+        }
+    }
+
+    @Test
+    fun strategyThatIsNeverMadeGetsAVerdict() {
+        val jar = jar(EternalRenderer::class.java)
+        val words = arrayOf("--strategy", "eternal", "--classpath", jar, "--deadline", "0.5")
+        for (where in listOf(arrayOf("--in-process"), arrayOf())) {
+            val run = zcli("conformance", *where, *words)
+            assertEquals(ExitCode.DIFFERENT, run.code, run.errors)
+            val told = "eternal does NOT conform: making the renderer was not over after 0.5 s; it is at"
+            assertTrue(told in run.errors && "EternalRenderer.<init>" in run.errors, run.errors)
+            assertEquals("", run.text)
+        }
+    }
+
+    @Test
+    fun usualOptionsComeFirstInTheHelp() {
+        val help = zcli("conformance", "--help").text
+        val order = listOf("\nOptions:\n", "--strategy ID", "--json", "\nTwo strategies:\n", "--against ID")
+        assertEquals(order, order.sortedBy { help.indexOf(it) }, help)
+        assertTrue(order.all { it in help }, help)
+    }
+
+    @Test
+    fun processOfItsOwnTellsTheSame() {
+        val jar = jar(StutteringRenderer::class.java)
+        val rule = "rule_7_3_rowsArriveInOrderEachOnce"
+        val words = arrayOf("--strategy", "stuttering", "--classpath", jar, "--rule", rule)
+        val run = zcli("conformance", "--quiet", *words)
+        fun timeless(text: String) = text.replace(Regex(""" +\d+ ms|; [\d.]+ s"""), "")
+        assertEquals(timeless(judge(*words).text), timeless(run.text))
+        assertEquals(ExitCode.DIFFERENT, run.code)
+        assertEquals("", run.errors)
+        zcli("conformance", "--strategy", "stutering", "--classpath", jar).mistake("did you mean 'stuttering'?")
+    }
+
+    @Test
+    fun jarWithABlankInItsNameIsQuotedInTheCommand() {
+        val jar = jar(StutteringRenderer::class.java, name = "my jar.jar")
+        val rule = "rule_7_3_rowsArriveInOrderEachOnce"
+        val run = judge("--strategy", "stuttering", "--classpath", jar, "--rule", rule, "--seed", "3")
+        assertTrue("zcli conformance --strategy stuttering --classpath '$jar' --seed 3" in run.text, run.text)
+    }
+
+    @Test
+    fun mistakesAreToldInWords() {
+        val jar = jar(CapableRenderer::class.java)
+        conformance("--strategy", "capabel", "--classpath", jar)
+            .mistake("no strategy 'capabel'; did you mean 'capable'?")
+        conformance("--strategy", "other", "--classpath", jar).mistake("no strategy 'other'", "offers capable.")
+        conformance("--strategy", "other", "--classpath", folder)
+            .mistake("Nothing on the class path is named in META-INF")
+        conformance("--strategy", "other").mistake("no strategy 'other'", "--classpath JAR")
+        conformance("--strategy", "zbuffer", "--classpath", "no.jar").mistake("--classpath: no.jar: no such file")
+        val text = folder.resolve("text.jar").apply { writeText("no jar") }
+        conformance("--strategy", "zbuffer", "--classpath", text).mistake("text.jar is no jar")
+        val unborn = jar(UnbornRenderer::class.java, name = "unborn.jar")
+        conformance("--strategy", "unborn", "--classpath", unborn)
+            .mistake("a renderer on the class path cannot be loaded")
+        conformance().mistake("--strategy")
+        conformance("--strategy", "zbuffer", "--rule", "rule_5_2_tiesGoToTheFirst")
+            .mistake("no rule", "; did you mean '$ties'?")
+        conformance("--strategy", "zbuffer", "--seed", "x").mistake("'x' is not a whole number")
+        conformance("--strategy", "zbuffer", "--seed", "1", "--explore").mistake("exclude each other")
+        judge("--strategy", "zbuffer", "--tries", "0").mistake("--tries: must be in 0.001..1000000")
+        val full = folder.resolve("full").apply { writeText("a file") }
+        conformance("--strategy", "zbuffer", "--rule", ties, "--report", full).mistake("full")
+        assertFalse(folder.resolve("full/report.html").exists())
+    }
+
+    @Test
+    fun twoStrategiesAreComparedOnFramesOfAnySize() {
+        val jar = jar(FickleRenderer::class.java)
+        val corpus = folder.resolve("corpus")
+        val words = arrayOf("--against", "zbuffer", "--minutes", "0.01", "--corpus", corpus)
+        val same = conformance("--strategy", "hierarchical", *words).done()
+        assertTrue("hierarchical against zbuffer: " in same.text && "no picture differs" in same.text, same.text)
+        assertTrue(corpus.resolve("recipes.txt").exists())
+        val other = conformance("--strategy", "fickle", "--classpath", jar, *words)
+        assertEquals(1, other.code)
+        assertTrue(Regex("against zbuffer: .* differs?; ") in other.text, other.text)
+    }
+
+    @Test
+    fun minutesAndCorpusGoWithAgainst() {
+        for (option in listOf("--minutes" to "1", "--corpus" to "x")) {
+            val run = conformance("--strategy", "zbuffer", option.first, option.second)
+            assertEquals(2, run.code)
+            assertTrue("${option.first} goes with --against" in run.errors, run.errors)
+        }
+    }
+}

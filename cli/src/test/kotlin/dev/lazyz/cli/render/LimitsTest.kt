@@ -1,0 +1,64 @@
+package dev.lazyz.cli.render
+
+import dev.lazyz.cli.output.ExitCode
+import dev.lazyz.cli.wedge
+import dev.lazyz.cli.zcli
+import java.nio.file.Path
+import kotlin.io.path.createDirectory
+import kotlin.io.path.exists
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assumptions.assumeTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+class LimitsTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val out by lazy { folder.resolve("out.png") }
+
+    @Test
+    fun whatIsBeyondALimitIsAMistakeThatNamesItsFlag() {
+        val wedge = folder.wedge()
+        val limits = listOf("--max-triangles" to 3, "--max-vertices" to 3, "--max-decoded" to 100, "--max-seconds" to 0)
+        for ((flag, value) in limits) {
+            zcli("render", wedge, flag, value, "-o", out).mistake("wedge.obj", flag)
+            zcli("compare", wedge, flag, value).mistake("wedge.obj", flag)
+            assertFalse(out.exists())
+        }
+        val enough = listOf("--max-triangles=4", "--max-vertices=4", "--max-decoded=1k", "--max-texels=0")
+        zcli("render", wedge, *enough.toTypedArray(), "-o", out)
+            .let { check(it.code == ExitCode.DONE) { it.errors } }
+    }
+
+    @Test
+    fun nestingHasALimit() {
+        val scene = folder.resolve("a.json").apply { writeText("""{"lazyz": 1, "surfaces": [[]]}""") }
+        zcli("render", scene, "--max-nesting", 2, "-o", out).mistake("nested more than 2 deep", "--max-nesting")
+    }
+
+    @Test
+    fun numbersThatAreNoLimitsAreMistakes() {
+        val wedge = folder.wedge()
+        zcli("render", wedge, "--max-triangles", -1).mistake("--max-triangles", "0 or more")
+        zcli("render", wedge, "--max-decoded", "much").mistake("--max-decoded", "not an amount of memory")
+        zcli("render", wedge, "--max-nesting", 1001).mistake("--max-nesting", "1..1000")
+    }
+
+    @Test
+    fun filesOutsideAreReadOnlyIfThatIsAllowed() {
+        folder.wedge()
+        val scene = folder.resolve("inner").createDirectory().resolve("a.json")
+        scene.writeText("""{"lazyz": 1, "surfaces": [{"mesh": "../wedge.obj"}]}""")
+        zcli("render", scene, "-o", out).mistake("../wedge.obj lies outside", "--allow-outside")
+        check(zcli("render", scene, "--allow-outside", "-o", out).code == ExitCode.DONE)
+    }
+
+    @Test
+    fun aPipeIsNoInput() {
+        val pipe = folder.resolve("pipe.obj")
+        assumeTrue(ProcessBuilder("mkfifo", "$pipe").start().waitFor() == 0, "no pipes with names here")
+        zcli("render", pipe, "-o", out).mistake("is a pipe or a device", "standard input")
+    }
+}

@@ -1,0 +1,206 @@
+package dev.lazyz.cli.render
+
+import dev.lazyz.cli.WEDGE
+import dev.lazyz.cli.argb
+import dev.lazyz.cli.image
+import dev.lazyz.cli.wedge
+import dev.lazyz.cli.zcli
+import dev.lazyz.cli.zcliReading
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.readBytes
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.ValueSource
+
+/** Each flag of `zcli render` does what it says. */
+class RenderOptionsTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val out get() = folder.resolve("out.png")
+
+    /** Renders the wedge, small, and returns its pixels. */
+    private fun pixels(vararg options: Any): List<Int> {
+        zcli("render", folder.wedge(), "-o", out, "--size", "40x30", *options).done()
+        return out.image.argb()
+    }
+
+    /** The identity of the wedge's picture. */
+    private fun hash(vararg options: Any): String =
+        zcli("render", folder.wedge(), "-o", out, "--size", "40x30", "--stats=json", *options).done().stat("pixelHash")
+
+    @Test
+    fun pictureIs640By480UnlessSaid() {
+        zcli("render", folder.wedge(), "-o", out).done()
+        assertEquals(640 to 480, out.image.width to out.image.height)
+        zcli("render", folder.wedge(), "-o", out, "--size", "17x33").done()
+        assertEquals(17 to 33, out.image.width to out.image.height)
+        zcli("render", folder.wedge(), "-o", out, "--size=1x1").done()
+        assertEquals(1 to 1, out.image.width to out.image.height)
+    }
+
+    @Test
+    fun endingChoosesTheFormat() {
+        val ppm = folder.resolve("out.PPM")
+        zcli("render", folder.wedge(), "--output", ppm, "--size", "40x30").done()
+        assertEquals("P6", String(ppm.readBytes().copyOf(2)))
+        zcli("render", folder.wedge(), "-o$out", "--size", "40x30").done()
+        assertEquals("PNG", String(out.readBytes().copyOfRange(1, 4)))
+    }
+
+    @Test
+    fun minusWritesPngToStandardOutput() {
+        val toFile = pixels()
+        assertEquals(toFile, zcli("render", folder.wedge(), "-o", "-", "--size", "40x30").done().image.argb())
+        assertArrayEquals(out.readBytes(), zcli("render", folder.wedge(), "-o-", "--size", "40x30").done().output)
+    }
+
+    @Test
+    fun pictureIsNamedAfterTheInputUnlessSaid() {
+        val name = "zcli-test-${System.nanoTime()}"
+        val picture = Path.of("$name.png")
+        try {
+            zcli("render", folder.wedge("$name.obj"), "--size", "40x30").done()
+            assertTrue(picture.exists())
+            val old = picture.readBytes()
+            zcli("render", folder.wedge("$name.obj"), "--size", "4x3").mistake("$picture exists", "-o $picture")
+            assertArrayEquals(old, picture.readBytes())
+        } finally {
+            picture.toFile().delete()
+        }
+    }
+
+    @Test
+    fun standardInputIsReadByFormat() {
+        val options = arrayOf("-o", out, "--size", "40x30")
+        zcliReading(WEDGE, "render", "-", "--format", "obj", *options).done()
+        val piped = out.image.argb()
+        assertEquals(pixels(), piped)
+    }
+
+    @Test
+    fun formatOverridesTheName() {
+        zcli("render", folder.wedge("wedge.txt"), "--format", "OBJ", "-o", out, "--size", "40x30").done()
+        val named = out.image.argb()
+        assertEquals(pixels(), named)
+    }
+
+    @Test
+    fun strategyChangesNoPixel() {
+        for (line in zcli("strategies").text.lines().filter { it.isNotEmpty() }) {
+            assertEquals(pixels(), pixels("--strategy", line.substringBefore(' ')))
+        }
+    }
+
+    @Test
+    fun shadingReplacesTheMaterials() {
+        val ways = listOf("constant", "flat", "gouraud", "phong", "blinn-phong")
+        val turned = arrayOf("--background", "black", "--azimuth", "-135", "--shading")
+        val colors = ways.associateWith { pixels(*turned, it).toSet().size }
+        assertEquals(2, colors["constant"], "one colour and the background")
+        assertTrue(colors.getValue("flat") in 3..4, "$colors")
+        val pictures = ways.map { zcli("render", "teapot", "-o", "-", "--size", "60x40", "--shading", it).image.argb() }
+        assertTrue(pictures.toSet().size >= 4, "only the two kinds of highlight may look the same")
+        assertEquals(pixels("--shading", "flat"), pixels("--shading", "FLAT"))
+    }
+
+    @Test
+    fun eachViewIsAzimuthAndElevation() {
+        val views = mapOf(
+            "front" to ("0" to "0"),
+            "back" to ("180" to "0"),
+            "left" to ("-90" to "0"),
+            "right" to ("90" to "0"),
+            "top" to ("0" to "90"),
+            "bottom" to ("0" to "-90"),
+            "iso" to ("45" to "35.264389682754654"),
+        )
+        val hashes = views.map { (view, angles) ->
+            val hash = hash("--view", view)
+            assertEquals(hash("--azimuth", angles.first, "--elevation", angles.second), hash, view)
+            hash
+        }
+        assertEquals(hashes.size, hashes.toSet().size, "views differ")
+    }
+
+    @Test
+    fun anglesRefineAView() {
+        assertEquals(hash("--azimuth", "90", "--elevation=-20"), hash("--view", "right", "--elevation", "-20"))
+        assertEquals(hash(), hash("--azimuth", "30", "--elevation", "20", "--zoom", "1", "--projection", "perspective"))
+    }
+
+    @Test
+    fun zoomEnlarges() {
+        fun covered(vararg zoom: String) = pixels("--view", "front", *zoom).count { it != -1 }
+        assertTrue(covered("--zoom", "0.5") < covered() && covered() < covered("--zoom", "1.25"))
+    }
+
+    @Test
+    fun orthographicDiffersFromPerspective() {
+        assertNotEquals(hash("--projection", "perspective"), hash("--projection", "orthographic"))
+    }
+
+    @Test
+    fun background() {
+        assertEquals(0xFF112233.toInt(), pixels("--background", "#112233")[0])
+        assertEquals(0xFF112233.toInt(), pixels("--background", "123")[0])
+        assertEquals(0xFF000000.toInt(), pixels("--background", "Black")[0])
+        assertEquals(0, pixels("--background", "transparent")[0] ushr 24)
+        assertEquals(-1, pixels()[0])
+    }
+
+    @Test
+    fun modelWhoseZIsUpIsTurnedExactly() {
+        val turned = WEDGE.lines().joinToString("\n") { line ->
+            val words = line.split(" ")
+            if (words[0] == "v") "v ${words[1]} -${words[3]} ${words[2]}".replace("-0", "0") else line
+        }
+        folder.resolve("z-up.obj").writeText(turned)
+        zcli("render", folder.resolve("z-up.obj"), "--up", "z", "-o", out, "--size", "40x30").done()
+        val upright = out.image.argb()
+        assertEquals(pixels(), upright)
+        assertEquals(upright, pixels("--up", "y"))
+        assertNotEquals(upright, pixels("--up", "z"))
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = ["smaller", "larger"])
+    fun depthIsWrittenBesideThePicture(order: String) {
+        val pfm = folder.resolve("out.pfm")
+        val picture = pixels("--depth-out", pfm, "--depth-convention", order)
+        assertEquals(pixels(), picture)
+        val header = String(pfm.readBytes().copyOf(9), Charsets.ISO_8859_1)
+        assertEquals("Pf\n40 30\n", header)
+    }
+
+    @Test
+    fun filesWithABuiltInsNameNeedAFolderOrAFormat() {
+        val path = Path.of("teapot")
+        val builtin = zcli("render", "teapot", "-o", "-", "--size", "40x30").done().image.argb()
+        try {
+            path.writeText(WEDGE)
+            assertEquals(builtin, zcli("render", "teapot", "-o", "-", "--size", "40x30").done().image.argb())
+            val wedge = pixels()
+            val wanted = arrayOf("-o", "-", "--size", "40x30", "--format", "obj")
+            assertEquals(wedge, zcli("render", "./teapot", *wanted).done().image.argb())
+            assertEquals(wedge, zcli("render", "teapot", *wanted).done().image.argb())
+        } finally {
+            path.toFile().delete()
+        }
+    }
+
+    @Test
+    fun fileNamesMayBeginWithAnAt() {
+        zcli("render", folder.wedge("@wedge.obj"), "-o", out, "--size", "4x3").done()
+        zcli("render", "@${folder.resolve("none.obj")}", "-o", out).mistake("none.obj: no such file")
+        assertTrue(WEDGE == folder.resolve("@wedge.obj").readText())
+    }
+}

@@ -1,0 +1,69 @@
+package dev.lazyz.cli.render
+
+import dev.lazyz.DepthConvention
+import dev.lazyz.DepthTest
+import dev.lazyz.Image
+import dev.lazyz.Rgba
+import dev.lazyz.cli.zcli
+import dev.lazyz.scenes.DepthRules
+import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.Tint
+import dev.lazyz.scenes.scenefile.SceneFile
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Material
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Vertex
+import java.nio.file.Path
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+/** Scene files that say every sample: positions in pixels, rules of depth, the test pattern. */
+class ScreenSceneTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val size = ImageSize(24, 16)
+
+    private fun triangle(depth: Double, number: Int) = Polygon(
+        listOf(listOf(Vertex(1.0, 1.0, depth), Vertex(23.0, 8.5, 1 - depth), Vertex(2.25, 15.0, depth))),
+        Material(shader = Tint(number)),
+    )
+
+    private val scene = Scene(listOf(triangle(0.25, 1), triangle(0.75, 2)), viewpoint = Camera.screen())
+        .withBackground(Rgba(0.25f, 0.5f, 0.125f, 0.75f))
+
+    private val depth = DepthRules(DepthConvention.LARGER_IS_NEARER, DepthTest.LESS_OR_EQUAL, Int.MAX_VALUE)
+
+    private val file: Path by lazy { folder.resolve("screen.json").also { SceneFile.write(scene, it, size, depth) } }
+
+    private fun picture(rules: DepthRules): Image =
+        ZBuffer().render(scene.frame(rules.raster(size.width, size.height, scene.background)))
+
+    private fun hash(vararg words: Any): Any? =
+        zcli("render", file, "--stats=json", "-o", folder.resolve("out.png"), *words).done().stat("pixelHash")
+
+    @Test
+    fun pictureIsThatOfTheFile() {
+        assertTrue(picture(depth).visible > 100)
+        assertEquals(picture(depth).pixelHash(), hash())
+        assertEquals(picture(depth).pixelHash(), hash("--strategy", "scanline"))
+        zcli("compare", file).done()
+    }
+
+    @Test
+    fun depthConventionOfTheCommandLineReplacesTheFiles() {
+        val usual = picture(DepthRules()).pixelHash()
+        assertNotEquals(usual, picture(depth).pixelHash())
+        for (order in listOf("smaller", "larger")) assertEquals(usual, hash("--depth-convention", order))
+    }
+
+    @Test
+    fun screenHasNoUpAxis() {
+        zcli("render", file, "--up", "z", "-o", folder.resolve("out.png")).mistake("--up z cannot turn a scene")
+    }
+}

@@ -1,0 +1,86 @@
+package dev.lazyz.conformance.cases
+
+import dev.lazyz.Fragment
+import dev.lazyz.LinearForm
+import dev.lazyz.Primitive
+import dev.lazyz.Shader
+import dev.lazyz.ShadingCursor
+import dev.lazyz.Spans
+import dev.lazyz.scenes.Tint
+
+/**
+ * A primitive without any coherence: which samples it covers, how deep it is and what colour it has are hashes of the
+ * sample.
+ *
+ * It is legal (contract rule 2.8) and the opposite of a polygon: many spans a row, bounds looser than its coverage,
+ * depth that no line follows, ties at random. A renderer that is right about confetti relies on nothing but what the
+ * contract promises. Immutable and thread safe.
+ *
+ * @param seed another one gives other samples, depths and colours
+ * @param levels how many different depths there are, spread evenly over 0..2^31-1, both ends included; a single one is
+ *   in the middle. 1..2^20
+ * @param depthForm depth instead of the levels, or null. Samples at which its integer part is negative are not covered;
+ *   so it may be as steep as one likes, and wrap around in between
+ * @throws IllegalArgumentException if [levels] is out of range
+ */
+public class Confetti @JvmOverloads constructor(
+    private val seed: Int,
+    override val columnStart: Int,
+    override val columnEnd: Int,
+    override val rowStart: Int,
+    override val rowEnd: Int,
+    private val levels: Int,
+    override val depthForm: LinearForm? = null,
+) : Primitive {
+    private val shader: Shader = Tint(seed)
+
+    init {
+        require(levels in 1..MAX_LEVELS) { "levels must be in 1..$MAX_LEVELS: $levels" }
+    }
+
+    /** With one depth the bounds are as close as can be: that depth. */
+    override val leastDepth: Int get() = if (isLevel) depth(columnStart, rowStart) else 0
+    override val greatestDepth: Int get() = if (isLevel) depth(columnStart, rowStart) else Int.MAX_VALUE
+
+    private val isLevel: Boolean
+        get() = if (depthForm == null) levels == 1 else depthForm.run { dx == 0L && dy == 0L && c >= 0 }
+
+    override fun spans(y: Int, spans: Spans) {
+        if (y < rowStart || y >= rowEnd) return
+        for (x in columnStart until columnEnd) if (isCovered(x, y)) spans.add(x, x + 1)
+    }
+
+    private fun isCovered(x: Int, y: Int): Boolean =
+        Tint.hash(seed, x, y, 0) % 3 != 0 && (depthForm == null || depthForm.at(x, y) >= 0)
+
+    override fun depth(x: Int, y: Int): Int = when {
+        depthForm != null -> (depthForm.at(x, y) shr 32).toInt()
+        levels == 1 -> Int.MAX_VALUE / 2
+        else -> (Tint.hash(seed, x, y, 1).toLong() % levels * Int.MAX_VALUE / (levels - 1)).toInt()
+    }
+
+    override fun shade(fragment: Fragment): Unit = shader.shade(fragment)
+
+    /** Steps by counting columns: whoever makes one step too many gets another colour. */
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor = object : ShadingCursor {
+        private var column = x
+
+        override fun step() {
+            column++
+        }
+
+        override fun shade(fragment: Fragment) {
+            fragment.moveTo(column, y)
+            shader.shade(fragment)
+        }
+    }
+
+    override fun toString(): String {
+        val form = depthForm?.let { ", LinearForm(${code(it.c)}, ${code(it.dx)}, ${code(it.dy)})" }.orEmpty()
+        return "Confetti($seed, $columnStart, $columnEnd, $rowStart, $rowEnd, $levels$form)"
+    }
+
+    private companion object {
+        const val MAX_LEVELS = 1 shl 20
+    }
+}

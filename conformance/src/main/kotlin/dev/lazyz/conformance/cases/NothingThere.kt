@@ -1,0 +1,22 @@
+package dev.lazyz.conformance.cases
+
+import dev.lazyz.Fragment
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Spans
+
+/** Covers nothing, though its bounds say that it may cover everything; must not be asked for anything else. */
+internal class NothingThere(private val raster: Raster) : Primitive {
+    override val rowStart: Int get() = 0
+    override val rowEnd: Int get() = raster.height
+    override val columnStart: Int get() = 0
+    override val columnEnd: Int get() = raster.width
+
+    override fun spans(y: Int, spans: Spans): Unit = Unit
+
+    override fun depth(x: Int, y: Int): Int =
+        throw AssertionError("asked for depth at ($x, $y), where nothing is covered")
+
+    override fun shade(fragment: Fragment): Unit =
+        throw AssertionError("asked to shade (${fragment.x}, ${fragment.y}), where nothing is covered")
+}

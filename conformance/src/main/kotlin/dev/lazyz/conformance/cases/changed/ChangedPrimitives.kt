@@ -1,0 +1,181 @@
+package dev.lazyz.conformance.cases.changed
+
+import dev.lazyz.DepthTest
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.LinearForm
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Shader
+import dev.lazyz.ShadingCursor
+import dev.lazyz.SpanCursor
+import dev.lazyz.Spans
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.NothingThere
+import dev.lazyz.scenes.Tint
+import java.util.Collections
+
+/** A primitive with other coverage than [whole]: its cursor asks [spans] for each row. */
+internal abstract class Recovered(protected val whole: Primitive) : Primitive by whole {
+    override fun cursor(y: Int): SpanCursor {
+        var row = y
+        return SpanCursor { spans ->
+            spans.clear()
+            spans(row++, spans)
+        }
+    }
+
+    /** Adds what [whole] covers in row [y], as far as it is in [columns], moved [by] columns. */
+    protected fun add(y: Int, columns: IntRange, by: Int, spans: Spans) {
+        val all = Spans(columns.first, columns.last + 1)
+        whole.spans(y, all)
+        for (i in 0 until all.count) spans.add(all.start(i) + by, all.end(i) + by)
+    }
+}
+
+/** As much of [whole] as lies in [columns] and [rows]. */
+internal class Cutting(whole: Primitive, private val columns: IntRange, private val rows: IntRange) :
+    Recovered(whole) {
+    override val columnStart: Int get() = maxOf(whole.columnStart, columns.first)
+    override val columnEnd: Int get() = minOf(whole.columnEnd, columns.last + 1)
+    override val rowStart: Int get() = maxOf(whole.rowStart, rows.first)
+    override val rowEnd: Int get() = minOf(whole.rowEnd, rows.last + 1)
+
+    override fun spans(y: Int, spans: Spans) {
+        if (y in rows) add(y, columns, 0, spans)
+    }
+}
+
+/** [whole], made for a raster of [height] rows, [right] columns and [down] rows further. */
+internal class Moved(whole: Primitive, private val height: Int, private val right: Int, private val down: Int) :
+    Recovered(whole) {
+    override val columnStart: Int get() = whole.columnStart + right
+    override val columnEnd: Int get() = whole.columnEnd + right
+    override val rowStart: Int get() = whole.rowStart + down
+    override val rowEnd: Int get() = whole.rowEnd + down
+
+    /** The same plane, anchored at another sample; sums wrap, so that it is the same bits (rule 3.1). */
+    override val depthForm: LinearForm?
+        get() = whole.depthForm?.let { LinearForm(it.c - it.dx * right - it.dy * down, it.dx, it.dy) }
+
+    override fun spans(y: Int, spans: Spans) {
+        if (y - down in 0 until height) add(y - down, 0..<Int.MAX_VALUE, right, spans)
+    }
+
+    override fun depth(x: Int, y: Int): Int = whole.depth(x - right, y - down)
+
+    override fun shade(fragment: Fragment) {
+        val x = fragment.x
+        val y = fragment.y
+        fragment.moveTo(x - right, y - down)
+        whole.shade(fragment)
+        fragment.moveTo(x, y)
+    }
+
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor? {
+        val cursor = whole.shadingCursor(x - right, y - down) ?: return null
+        return object : ShadingCursor {
+            override fun step() = cursor.step()
+
+            override fun shade(fragment: Fragment) {
+                val column = fragment.x
+                fragment.moveTo(column - right, y - down)
+                cursor.shade(fragment)
+                fragment.moveTo(column, y)
+            }
+        }
+    }
+}
+
+/** Lies just behind what is visible in [image], everywhere where there is room; its shading must never be seen. */
+internal class Backstage(private val raster: Raster, private val image: Image) : Primitive {
+    private val shader: Shader = Tint(-1)
+    override val rowStart: Int get() = 0
+    override val rowEnd: Int get() = raster.height
+    override val columnStart: Int get() = 0
+    override val columnEnd: Int get() = raster.width
+
+    private val isLeastVisible = raster.depthTest == DepthTest.LESS || raster.depthTest == DepthTest.LESS_OR_EQUAL
+
+    override fun spans(y: Int, spans: Spans) {
+        for (x in 0 until raster.width) if (hasRoom(image.depth(x, y))) spans.add(x, x + 1)
+    }
+
+    private fun hasRoom(depth: Int) = if (isLeastVisible) depth < Int.MAX_VALUE else depth > 0
+
+    override fun depth(x: Int, y: Int): Int = image.depth(x, y) + if (isLeastVisible) 1 else -1
+
+    override fun shade(fragment: Fragment): Unit = shader.shade(fragment)
+}
+
+/** Behind the primitives come the same ones once more. */
+internal fun FrameCase.doubled(): FrameCase = FrameCase(
+    Frame(frame.raster, frame.primitives + frame.primitives),
+    "$code\n    .let { Frame(it.raster, it.primitives + it.primitives) }",
+    sceneOf { it + it },
+)
+
+/** Before the last primitives come some ten thousands that cover nothing, and say so. */
+internal fun FrameCase.behindMany(): FrameCase {
+    val half = frame.primitives.size / 2
+    val nothing = Collections.nCopies(MANY, Cutting(NothingThere(frame.raster), 0..<0, 0..<0))
+    return FrameCase(
+        Frame(frame.raster, frame.primitives.take(half) + nothing + frame.primitives.drop(half)),
+        "$code // and after half of the primitives, $MANY that cover nothing",
+    )
+}
+
+/** Nearly twice 2^16: by the lower 16 bits of an index, what comes after them was submitted before what comes before them. */
+private const val MANY = 131_070
+
+/** One more primitive, just behind what is visible in [image]. */
+internal fun FrameCase.backed(image: Image): FrameCase = FrameCase(
+    Frame(frame.raster, frame.primitives + Backstage(frame.raster, image)),
+    "$code // and behind the primitives one more, a unit of depth behind the picture",
+)
+
+/** Primitive i becomes 2 i and 2 i + 1: what it covers before [column] and from there on, or so with `row`. */
+internal fun FrameCase.cutAtColumn(column: Int): FrameCase = cut("column $column") {
+    listOf(Cutting(it, 0..<column, 0..<Raster.MAX_SIDE), Cutting(it, column..<Raster.MAX_SIDE, 0..<Raster.MAX_SIDE))
+}
+
+/** Primitive i becomes 2 i and 2 i + 1: what it covers above `row` and from there on. */
+internal fun FrameCase.cutAtRow(row: Int): FrameCase = cut("row $row") {
+    listOf(Cutting(it, 0..<Raster.MAX_SIDE, 0..<row), Cutting(it, 0..<Raster.MAX_SIDE, row..<Raster.MAX_SIDE))
+}
+
+private fun FrameCase.cut(where: String, halves: (Primitive) -> List<Primitive>): FrameCase =
+    FrameCase(Frame(frame.raster, frame.primitives.flatMap(halves)), "$code // each primitive in two, cut at $where")
+
+/** All primitives [right] columns and [down] rows further, on a raster that is as much larger. */
+internal fun FrameCase.moved(right: Int, down: Int): FrameCase = FrameCase(
+    Frame(
+        with(frame.raster) { Raster(width + right, height + down, background, convention, depthTest, backgroundDepth) },
+        frame.primitives.map { Moved(it, frame.raster.height, right, down) },
+    ),
+    "$code // with raster and primitives moved $right columns to the right and $down rows down",
+)
+
+/** Half of [few], then [MILLIONS] times [nothing], then the other half: a list that takes no memory. */
+private class WithMillions(private val few: List<Primitive>, private val nothing: Primitive) :
+    AbstractList<Primitive>(),
+    RandomAccess {
+    private val half = few.size / 2
+    override val size: Int get() = few.size + MILLIONS
+
+    override fun get(index: Int): Primitive = when {
+        index < half -> few[index]
+        index < half + MILLIONS -> nothing
+        else -> few[index - MILLIONS]
+    }
+}
+
+/** After half of the primitives come [MILLIONS] that cover nothing, and say so. */
+internal fun FrameCase.behindMillions(): FrameCase = FrameCase(
+    Frame(frame.raster, WithMillions(frame.primitives, Cutting(NothingThere(frame.raster), 0..<0, 0..<0))),
+    "$code // and after half of the primitives, $MILLIONS that cover nothing",
+)
+
+/** More than a float holds exactly. */
+internal const val MILLIONS: Int = (1 shl 24) + 1

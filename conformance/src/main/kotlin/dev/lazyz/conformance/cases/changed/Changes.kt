@@ -1,0 +1,81 @@
+package dev.lazyz.conformance.cases.changed
+
+import dev.lazyz.Frame
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.NothingThere
+import dev.lazyz.conformance.cases.code
+import dev.lazyz.world.Polygon
+import java.util.Random
+
+/** The same primitives on [raster], which has the same size. */
+internal fun FrameCase.on(raster: Raster): FrameCase =
+    FrameCase(
+        Frame(raster, frame.primitives),
+        "$code\n    .let { Frame(${code(raster)}, it.primitives) }",
+        scene.takeIf { raster.convention == frame.raster.convention },
+    )
+
+/** The same frame, whose primitives are watched. */
+internal fun FrameCase.watched(frame: Frame): FrameCase = FrameCase(frame, code, scene)
+
+/** The part of the frame within [region]. */
+internal fun FrameCase.within(region: Region): FrameCase = FrameCase(
+    frame.within(region),
+    "$code\n    .within(Region(${region.columnStart}, ${region.rowStart}, ${region.columnEnd}, ${region.rowEnd}))",
+    scene,
+)
+
+/** A part of the frame that [random] chooses, a sample at least. */
+internal fun FrameCase.withinAny(random: Random): FrameCase {
+    val raster = frame.raster
+    val columnStart = random.nextInt(raster.width)
+    val rowStart = random.nextInt(raster.height)
+    val columnEnd = columnStart + 1 + random.nextInt(raster.width - columnStart)
+    val rowEnd = rowStart + 1 + random.nextInt(raster.height - rowStart)
+    return within(Region(columnStart, rowStart, columnEnd, rowEnd))
+}
+
+/** The two halves of the frame, which have the same size, beside each other or above each other; none if it is too small. */
+internal fun FrameCase.halves(): List<FrameCase> {
+    val raster = frame.raster
+    val isWide = raster.width >= raster.height
+    val width = if (isWide) raster.width / 2 else raster.width
+    val height = if (isWide) raster.height else raster.height / 2
+    if (width == 0 || height == 0) return emptyList()
+    val second = Region(raster.width - width, raster.height - height, raster.width, raster.height)
+    return listOf(within(Region(0, 0, width, height)), within(second))
+}
+
+/** The part of the frame that [parity] is the parity of the primitives' indices in. */
+internal fun FrameCase.keeping(parity: Int): FrameCase =
+    FrameCase(
+        frame.keeping { it % 2 == parity },
+        "$code\n    .keeping { it % 2 == $parity }",
+        sceneOf { surfaces -> surfaces.mapIndexed { i, it -> if (i % 2 == parity) it else Polygon(emptyList()) } },
+    )
+
+/** The part of the frame with the one primitive [index], which keeps its number. */
+internal fun FrameCase.alone(index: Int): FrameCase =
+    FrameCase(
+        frame.keeping { it == index },
+        "$code\n    .keeping { it == $index }",
+        sceneOf { surfaces -> surfaces.mapIndexed { i, it -> if (i == index) it else Polygon(emptyList()) } },
+    )
+
+/** The primitive that was number `order[i]` becomes number i. */
+internal fun FrameCase.inOrder(order: List<Int>): FrameCase = FrameCase(
+    Frame(frame.raster, order.map { frame.primitives[it] }),
+    "$code\n    .let { Frame(it.raster, listOf<Int>(${order.joinToString()}).map(it.primitives::get)) }",
+    sceneOf { surfaces -> order.map { surfaces[it] } },
+)
+
+/** Before each primitive comes one that covers nothing, whatever its bounds. */
+internal fun FrameCase.padded(): FrameCase = FrameCase(
+    Frame(frame.raster, frame.primitives.flatMap { listOf(NothingThere(frame.raster), it) }),
+    "$code // and before each primitive one that covers nothing, with the raster's bounds",
+)
+
+/** The same frame without translucency. */
+internal fun FrameCase.asOpaque(): FrameCase = FrameCase(frame.asOpaque(), "$code\n    .asOpaque()")

@@ -1,0 +1,44 @@
+package dev.lazyz.conformance.cases.changed
+
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.Glass
+import dev.lazyz.conformance.cases.NothingThere
+import dev.lazyz.conformance.cases.Rasters
+import dev.lazyz.conformance.cases.Stripe
+import java.util.Random
+
+/** Frames like this one, each with one translucent primitive more, which nobody can see. */
+internal fun FrameCase.withHiddenGlass(random: Random): List<FrameCase> {
+    val raster = frame.raster
+    val hidden = linkedMapOf<String, Primitive>(
+        "covers nothing" to NothingThere(raster),
+        "lies behind everything" to
+            Stripe(0..<raster.width, 0..<raster.height, Rasters.behindAll(raster.depthTest)),
+    )
+    besides(frame)?.let { hidden["lies outside the region"] = it }
+    return hidden.map { (where, primitive) ->
+        val index = random.nextInt(frame.primitives.size + 1)
+        val all = frame.primitives.take(index) + Glass(primitive) + frame.primitives.drop(index)
+        FrameCase(
+            Frame(raster, all, frame.region),
+            "$code // and a translucent primitive as number $index, which $where",
+        )
+    }
+}
+
+/** Covers what lies beside the region, to one side of it; null if nothing does. */
+private fun besides(frame: Frame): Primitive? {
+    val raster = frame.raster
+    val region = frame.region
+    val columns = 0..<raster.width
+    val rows = 0..<raster.height
+    return when {
+        region.columnStart > 0 -> Stripe(0..<region.columnStart, rows, 0)
+        region.columnEnd < raster.width -> Stripe(region.columnEnd..<raster.width, rows, 0)
+        region.rowStart > 0 -> Stripe(columns, 0..<region.rowStart, 0)
+        region.rowEnd < raster.height -> Stripe(columns, region.rowEnd..<raster.height, 0)
+        else -> null
+    }
+}

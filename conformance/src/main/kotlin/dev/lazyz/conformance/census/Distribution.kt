@@ -1,0 +1,64 @@
+package dev.lazyz.conformance.census
+
+/** Counts sets of traits by the pairs that are in them; a trait by itself is a pair with itself. Not thread safe. */
+internal class TraitPairs {
+    private val counts = LongArray(SIZE * SIZE)
+
+    /** Counts a frame that has [traits]. */
+    fun add(traits: Set<FrameTrait>) {
+        for (a in traits) for (b in traits) counts[a.ordinal * SIZE + b.ordinal]++
+    }
+
+    fun count(a: FrameTrait, b: FrameTrait): Long = counts[a.ordinal * SIZE + b.ordinal]
+
+    operator fun plus(other: TraitPairs): TraitPairs {
+        val sum = TraitPairs()
+        for (i in counts.indices) sum.counts[i] = counts[i] + other.counts[i]
+        return sum
+    }
+
+    override fun equals(other: Any?): Boolean = other is TraitPairs && counts.contentEquals(other.counts)
+
+    override fun hashCode(): Int = counts.contentHashCode()
+
+    private companion object {
+        val SIZE = FrameTrait.entries.size
+    }
+}
+
+/**
+ * How many of the frames that rules were tried on have which trait, or two of them: a run that never met a tie proves
+ * nothing about ties, and one that never met a tie in a region nothing about those. Immutable and thread safe.
+ *
+ * A frame that a rule renders in several ways counts once a try, as the first way has it. Of large frames some rows are
+ * looked at, so a trait that only few samples have may be missed; those too large for that count as frames only.
+ *
+ * @property frames number of frames
+ * @property unexamined of them, number of those that were not looked at
+ */
+public class Distribution internal constructor(
+    public val frames: Long,
+    public val unexamined: Long,
+    private val pairs: TraitPairs,
+) {
+    /** Returns the number of frames that have [trait]. */
+    public fun count(trait: FrameTrait): Long = pairs.count(trait, trait)
+
+    /** Returns the number of frames that have both [one] and [other]. */
+    public fun count(one: FrameTrait, other: FrameTrait): Long = pairs.count(one, other)
+
+    internal operator fun plus(other: Distribution): Distribution =
+        Distribution(frames + other.frames, unexamined + other.unexamined, pairs + other.pairs)
+
+    override fun equals(other: Any?): Boolean = other is Distribution && frames == other.frames &&
+        unexamined == other.unexamined && pairs == other.pairs
+
+    override fun hashCode(): Int = frames.hashCode() * 31 + pairs.hashCode()
+
+    override fun toString(): String =
+        "$frames frames (${FrameTrait.entries.joinToString { "${it.words}: ${count(it)}" }})"
+
+    internal companion object {
+        val NONE = Distribution(0, 0, TraitPairs())
+    }
+}

@@ -1,0 +1,158 @@
+package dev.lazyz.conformance.census
+
+import dev.lazyz.DepthConvention
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Raster
+import dev.lazyz.Spans
+import dev.lazyz.conformance.cases.Rasters
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Projection
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Surface
+import java.util.EnumSet
+import org.joml.Vector3d
+
+/** What a raster brings to its frames. */
+internal fun rasterTraits(raster: Raster): EnumSet<FrameTrait> {
+    val test = when (raster.depthTest) {
+        DepthTest.LESS -> FrameTrait.LESS
+        DepthTest.LESS_OR_EQUAL -> FrameTrait.LESS_OR_EQUAL
+        DepthTest.GREATER -> FrameTrait.GREATER
+        DepthTest.GREATER_OR_EQUAL -> FrameTrait.GREATER_OR_EQUAL
+    }
+    val convention = when (raster.convention) {
+        DepthConvention.SMALLER_IS_NEARER -> FrameTrait.SMALLER_IS_NEARER
+        DepthConvention.LARGER_IS_NEARER -> FrameTrait.LARGER_IS_NEARER
+    }
+    val traits = EnumSet.of(test, convention)
+    if (raster.backgroundDepth != Rasters.behindAll(raster.depthTest)) traits.add(FrameTrait.BACKGROUND_DEPTH)
+    if (raster.width == 1 || raster.height == 1) traits.add(FrameTrait.NARROW)
+    return traits
+}
+
+/** Adds what a scene brings to its frames; one on the screen brings nothing. */
+internal fun addSceneTraits(scene: Scene, traits: MutableSet<FrameTrait>) {
+    val camera = scene.viewpoint as? Camera ?: return
+    if (camera.projection == Projection.Screen) return
+    if (scene.lights.isNotEmpty()) traits.add(FrameTrait.LIT)
+    for (surface in scene.surfaces) {
+        val material = when (surface) {
+            is Mesh -> surface.material.also { traits.add(FrameTrait.MESH) }
+            is Sphere -> surface.material.also { traits.add(FrameTrait.SPHERE) }
+            is Polygon -> surface.material
+            else -> continue
+        }
+        if (material.texture != null) traits.add(FrameTrait.TEXTURED)
+        if (material.alphaMode == AlphaMode.MASK) traits.add(FrameTrait.MASKED)
+        if (reachesAcrossNearPlane(surface, camera)) traits.add(FrameTrait.NEAR_PLANE)
+    }
+}
+
+private fun reachesAcrossNearPlane(surface: Surface, camera: Camera): Boolean {
+    val forward = Vector3d(camera.target).sub(camera.eye).normalize()
+    fun distance(x: Double, y: Double, z: Double) = Vector3d(x, y, z).sub(camera.eye).dot(forward)
+    val distances = when (surface) {
+        is Polygon -> surface.contours.map { contour -> contour.map { distance(it.x, it.y, it.z) } }
+
+        is Mesh -> surface.triangles.toList().chunked(3).map { triangle ->
+            triangle.map { 3 * it }.map {
+                distance(
+                    surface.positions[it].toDouble(),
+                    surface.positions[it + 1].toDouble(),
+                    surface.positions[it + 2].toDouble(),
+                )
+            }
+        }
+
+        else -> return false
+    }
+    return distances.any { part -> part.any { it < camera.near } && part.any { it > camera.near } }
+}
+
+/** What the samples of [frame] show: of large frames, those of some rows. */
+internal class SampleTraits(private val frame: Frame) {
+    private val test = frame.raster.depthTest
+    private val background = test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND)
+    private val firstColumn = frame.region.columnStart
+
+    // The nearest two of each sample, background included, and how many there are
+    private val nearest = LongArray(frame.width)
+    private val second = LongArray(frame.width)
+    private val layers = IntArray(frame.width)
+
+    // Where spans begin and end: both in one place means that two primitives meet there
+    private val starts = BooleanArray(frame.width + 1)
+    private val ends = BooleanArray(frame.width + 1)
+
+    private val spans = Spans(frame.region)
+    private val visible = HashSet<Int>()
+    private val pairs = HashSet<Pair<Int, Int>>()
+
+    fun addTo(traits: MutableSet<FrameTrait>) {
+        val fragments = maxOf(1, frame.region.size * frame.primitives.size)
+        val step = (fragments + MOST_FRAGMENTS - 1) / MOST_FRAGMENTS
+        for (y in frame.region.rowStart until frame.region.rowEnd step minOf(step, frame.height.toLong()).toInt()) {
+            row(y, traits)
+        }
+        if (visible.isEmpty()) traits.add(FrameTrait.NOTHING_VISIBLE)
+        if (visible.size > 1) traits.add(FrameTrait.SEVERAL_VISIBLE)
+        if (pairs.any { (a, b) -> (b to a) in pairs }) traits.add(FrameTrait.CROSSING)
+    }
+
+    private fun row(y: Int, traits: MutableSet<FrameTrait>) {
+        nearest.fill(background)
+        second.fill(Long.MAX_VALUE)
+        layers.fill(0)
+        starts.fill(false)
+        ends.fill(false)
+        for (index in frame.primitives.indices) compare(index, y, traits)
+        for (i in nearest.indices) note(nearest[i], second[i], traits)
+        if (layers.any { it > MANY_LAYERS }) traits.add(FrameTrait.DEEP)
+        if (starts.indices.any { starts[it] && ends[it] }) traits.add(FrameTrait.MEETING)
+    }
+
+    private fun compare(index: Int, y: Int, traits: MutableSet<FrameTrait>) {
+        spans.clear()
+        val primitive = frame.primitives[index]
+        primitive.spans(y, spans)
+        if (spans.count > MANY_SPANS) traits.add(FrameTrait.MANY_SPANS)
+        for (span in 0 until spans.count) {
+            starts[spans.start(span) - firstColumn] = true
+            ends[spans.end(span) - firstColumn] = true
+            for (x in spans.start(span) until spans.end(span)) {
+                val key = test.key(primitive.depth(x, y), index)
+                val i = x - firstColumn
+                layers[i]++
+                if (key < nearest[i]) {
+                    second[i] = nearest[i]
+                    nearest[i] = key
+                } else if (key < second[i]) {
+                    second[i] = key
+                }
+            }
+        }
+    }
+
+    private fun note(first: Long, next: Long, traits: MutableSet<FrameTrait>) {
+        val winner = test.indexOf(first)
+        if (winner != DepthTest.BACKGROUND) visible.add(winner)
+        if (next == Long.MAX_VALUE) return
+        val loser = test.indexOf(next)
+        if (loser == DepthTest.BACKGROUND) return
+        traits.add(FrameTrait.HIDDEN)
+        if (winner == DepthTest.BACKGROUND) return
+        if (test.depthOf(first) == test.depthOf(next)) traits.add(FrameTrait.TIE)
+        pairs.add(winner to loser)
+    }
+
+    private companion object {
+        const val MOST_FRAGMENTS = 20_000L
+        const val MANY_LAYERS = 8
+        const val MANY_SPANS = 6
+    }
+}

@@ -1,0 +1,95 @@
+package dev.lazyz.conformance.frames
+
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.frames.world.WorldFrames
+import net.jqwik.api.Arbitraries
+import net.jqwik.api.Arbitrary
+import net.jqwik.api.ArbitrarySupplier
+
+// What the rules are tried on.
+
+/** Frames given on the screen. */
+internal class ScreenCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Frames.screen()
+}
+
+/** Frames in which the order of submission decides. */
+internal class TiedCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Frames.tied()
+}
+
+/** Frames of eight primitives in two rows at most. */
+internal class TwoRowsCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> =
+        Frames.of(FrameMix.of(FrameKind.CONFETTI, FrameKind.COPLANAR).sized(9, 2).counted(8, 8))
+}
+
+/** Frames of primitives of one's own. */
+internal class ConfettiCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Frames.confetti()
+}
+
+/** Frames of scenes. */
+internal class WorldCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Frames.world()
+}
+
+/** Frames of scenes with rows of dozens of samples. */
+internal class LongRowCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Frames.world(maxSide = 90, maxSurfaces = 4)
+}
+
+/** Frames of scenes whose faces are seen from both sides, with rows of dozens of samples. */
+internal class BackFaceCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = WorldFrames.turned(WorldFrames.rasters(64)).withoutEdgeCases()
+}
+
+/** Frames of scenes whose materials blend. */
+internal class BlendedCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Frames.blended(maxSide = 40, maxSurfaces = 4)
+}
+
+/** Frames of points and meshes. */
+internal class PointCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = WorldFrames.dotted(WorldFrames.rasters(40)).withoutEdgeCases()
+}
+
+/** Frames of lines and meshes. */
+internal class LineCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = WorldFrames.lined(WorldFrames.rasters(40)).withoutEdgeCases()
+}
+
+/** Frames of points and lines whose materials blend. */
+internal class BlendedPointCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = WorldFrames.blendedDots(WorldFrames.rasters(24)).withoutEdgeCases()
+}
+
+/** Frames of all kinds. */
+internal class MixedCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> =
+        Arbitraries.oneOf(listOf(Frames.screen(), Frames.tied(), Frames.confetti(), Frames.world())).withoutEdgeCases()
+}
+
+/** Frames of which some primitives are translucent. */
+internal class TranslucentCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Frames.translucent()
+}
+
+/** A few frames of all kinds. */
+internal class SeveralCases : ArbitrarySupplier<List<FrameCase>> {
+    override fun get(): Arbitrary<List<FrameCase>> =
+        MixedCases().get().list().ofMinSize(2).ofMaxSize(4).withoutEdgeCases()
+}
+
+/** Frames without primitives. */
+internal class EmptyCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = Frames.screen(maxPrimitives = 0)
+}
+
+/** Frames of one sample, one row or one column. */
+internal class NarrowCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> {
+        val shapes = listOf(Frames.screen(1, 1), Frames.screen(1, 60), Frames.screen(60, 1))
+        return Arbitraries.oneOf(shapes).withoutEdgeCases()
+    }
+}

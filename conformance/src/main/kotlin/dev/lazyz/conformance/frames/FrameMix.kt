@@ -1,0 +1,194 @@
+package dev.lazyz.conformance.frames
+
+import dev.lazyz.Raster
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.Glass
+import dev.lazyz.conformance.cases.glazed
+import dev.lazyz.conformance.cases.ints
+import dev.lazyz.conformance.cases.listsOf
+import dev.lazyz.conformance.cases.mixed
+import dev.lazyz.conformance.frames.screen.Piece
+import dev.lazyz.conformance.frames.screen.PieceOrder
+import dev.lazyz.conformance.frames.screen.PolygonPiece
+import dev.lazyz.conformance.frames.screen.broughtTo
+import dev.lazyz.conformance.frames.screen.screenCase
+import dev.lazyz.conformance.frames.world.WorldFrames
+import net.jqwik.api.Arbitraries
+import net.jqwik.api.Arbitrary
+import net.jqwik.api.Combinators
+
+/**
+ * Which frames to generate: kinds and their weights, sizes, counts, depth complexity, levels of depth, translucency.
+ *
+ * Every function returns a changed copy. Pass the result to [Frames.of]:
+ *
+ * ```
+ * Frames.of(FrameMix.of(FrameKind.HOLES, FrameKind.SLIVERS).sized(40, 30).counted(5, 50).layered(3))
+ * ```
+ *
+ * Frames hold kinds at random, each group of primitives by the weights; kinds in space and kinds on the screen are
+ * never in one frame. All frames shrink: to fewer primitives, a smaller raster, rounder numbers. Immutable and thread
+ * safe.
+ */
+public class FrameMix private constructor(
+    private val weights: Map<FrameKind, Int>,
+    private val maxWidth: Int = Frames.DEFAULT_SIDE,
+    private val maxHeight: Int = Frames.DEFAULT_SIDE,
+    private val minPrimitives: Int = 0,
+    private val maxPrimitives: Int = Frames.DEFAULT_PRIMITIVES,
+    private val layers: Int = 0,
+    private val levels: Int = 0,
+    private val translucentPercent: Int = 0,
+) {
+    /** Returns a mix in which [kind] has [weight], 0 or more; groups are chosen in proportion. */
+    public fun with(kind: FrameKind, weight: Int): FrameMix {
+        require(weight >= 0) { "weight must not be negative: $weight" }
+        return copy(weights = weights + (kind to weight))
+    }
+
+    /** Returns a mix of frames of at most that many columns and rows, 1..[Raster.MAX_SIDE]. */
+    public fun sized(maxWidth: Int, maxHeight: Int): FrameMix {
+        require(maxWidth in 1..Raster.MAX_SIDE && maxHeight in 1..Raster.MAX_SIDE) {
+            "sides must be in 1..${Raster.MAX_SIDE}: $maxWidth, $maxHeight"
+        }
+        return copy(maxWidth = maxWidth, maxHeight = maxHeight)
+    }
+
+    /**
+     * Returns a mix of frames of [min] to [max] primitives on the screen, layers not counted, or surfaces in space.
+     * With [min] 0, one frame in sixteen has none at all.
+     */
+    public fun counted(min: Int, max: Int): FrameMix {
+        require(min in 0..max) { "counts must be 0 <= min <= max: $min, $max" }
+        return copy(minPrimitives = min, maxPrimitives = max)
+    }
+
+    /**
+     * Returns a mix whose frames on the screen have [layers] more polygons, among the others, each of which covers the
+     * whole raster: the least depth complexity of every sample.
+     */
+    public fun layered(layers: Int): FrameMix {
+        require(layers >= 0) { "layers must not be negative: $layers" }
+        return copy(layers = layers)
+    }
+
+    /**
+     * Returns a mix whose polygons on the screen have vertices at [levels] depths only, spread evenly from near to far:
+     * the fewer, the more ties. 0 leaves depths as they are.
+     */
+    public fun levels(levels: Int): FrameMix {
+        require(levels >= 0) { "levels must not be negative: $levels" }
+        return copy(levels = levels)
+    }
+
+    /** Returns a mix in which [percent] of the frames, 0..100, have [Glass] among their primitives. */
+    public fun translucent(percent: Int): FrameMix {
+        require(percent in 0..100) { "percent must be in 0..100: $percent" }
+        return copy(translucentPercent = percent)
+    }
+
+    /** The frames; see [Frames.of]. */
+    internal fun frames(): Arbitrary<FrameCase> {
+        val onScreen = weights.filter { it.value > 0 && !it.key.isInSpace }
+        val inSpace = weights.filter { it.value > 0 && it.key.isInSpace }
+        require(onScreen.isNotEmpty() || inSpace.isNotEmpty()) { "some kind must have a weight above 0: $weights" }
+        val rasters = Frames.rasters(maxWidth, maxHeight)
+        val choices = ArrayList<Pair<Int, Arbitrary<FrameCase>>>()
+        if (onScreen.isNotEmpty()) choices.add(onScreen.values.sum() to screen(rasters, onScreen))
+        if (inSpace.isNotEmpty()) choices.add(inSpace.values.sum() to space(rasters, inSpace))
+        return glazed(mixed(*choices.toTypedArray())).withoutEdgeCases()
+    }
+
+    private fun screen(rasters: Arbitrary<Raster>, kinds: Map<FrameKind, Int>): Arbitrary<FrameCase> {
+        val pieces = ScreenKinds(maxWidth, maxHeight)
+        val groups = mixed(*kinds.map { (kind, weight) -> weight to pieces.of(kind) }.toTypedArray())
+        val whole = pieces.layers(layers, layers)
+        return Combinators.combine(rasters, counted(groups), whole, Arbitraries.integers())
+            .`as` { raster, list, covers, salt ->
+                // Cut to the greatest count, and put the layers anywhere between
+                val order = if (salt and 1 == 0) PieceOrder.TOGETHER else PieceOrder.APART
+                val all = order.of(list.map { it.broughtTo(raster) }).take(maxPrimitives).toMutableList()
+                for (cover in covers) all.add(Math.floorMod(salt, all.size + 1), cover)
+                screenCase(raster, all.map(::leveled))
+            }
+    }
+
+    private fun space(rasters: Arbitrary<Raster>, kinds: Map<FrameKind, Int>): Arbitrary<FrameCase> {
+        val surfaces = kinds.map { (kind, weight) ->
+            weight to when (kind) {
+                FrameKind.MESHES -> WorldFrames.mesh()
+                FrameKind.SPHERES -> WorldFrames.sphere()
+                FrameKind.NEAR_PLANE -> WorldFrames.nearPlane()
+                else -> mixed(2 to WorldFrames.polygon(), 1 to WorldFrames.holed())
+            }
+        }
+        return WorldFrames.cases(rasters, counted(mixed(*surfaces.toTypedArray())))
+    }
+
+    private fun <T : Any> counted(elements: Arbitrary<T>): Arbitrary<List<T>> =
+        if (minPrimitives == 0) {
+            listsOf(elements, maxPrimitives)
+        } else {
+            elements.list().ofMinSize(minPrimitives).ofMaxSize(maxPrimitives)
+        }
+
+    private fun leveled(piece: Piece): Piece {
+        if (levels == 0 || piece !is PolygonPiece) return piece
+        val steps = maxOf(levels - 1, 1)
+        val contours = piece.contours.map { contour ->
+            DoubleArray(contour.size) {
+                when {
+                    it % 3 != 2 || !contour[it].isFinite() -> contour[it]
+                    levels == 1 -> 0.5
+                    else -> StrictMath.rint(contour[it] * steps) / steps
+                }
+            }
+        }
+        return PolygonPiece(contours, piece.fillRule)
+    }
+
+    private fun glazed(cases: Arbitrary<FrameCase>): Arbitrary<FrameCase> {
+        if (translucentPercent == 0) return cases
+        return Combinators.combine(cases, ints(1, 100), ints(1, 0xFFFF)).`as` { case, percent, choice ->
+            if (percent <= translucentPercent) case.glazed(choice) else case
+        }
+    }
+
+    private fun copy(
+        weights: Map<FrameKind, Int> = this.weights,
+        maxWidth: Int = this.maxWidth,
+        maxHeight: Int = this.maxHeight,
+        minPrimitives: Int = this.minPrimitives,
+        maxPrimitives: Int = this.maxPrimitives,
+        layers: Int = this.layers,
+        levels: Int = this.levels,
+        translucentPercent: Int = this.translucentPercent,
+    ) = FrameMix(
+        weights, maxWidth, maxHeight, minPrimitives, maxPrimitives, layers, levels, translucentPercent,
+    )
+
+    override fun toString(): String = "FrameMix($weights, $maxWidth x $maxHeight, " +
+        "$minPrimitives..$maxPrimitives primitives, $layers layers, $levels levels, $translucentPercent% translucent)"
+
+    public companion object {
+        /** Returns a mix of all kinds; more of what ties, crosses or curves, and less of what covers nothing. */
+        @JvmStatic
+        public fun usual(): FrameMix = FrameMix(
+            FrameKind.entries.associateWith {
+                when (it) {
+                    FrameKind.COINCIDENT, FrameKind.COPLANAR, FrameKind.INTERPENETRATING -> 5
+                    FrameKind.CONFETTI, FrameKind.SPHERES -> 4
+                    FrameKind.DEGENERATE, FrameKind.TINY -> 1
+                    else -> 2
+                }
+            },
+        )
+
+        /** Returns a mix of [kinds], all equally likely. */
+        @JvmStatic
+        public fun of(vararg kinds: FrameKind): FrameMix {
+            require(kinds.isNotEmpty()) { "there must be a kind" }
+            return FrameMix(kinds.associateWith { 1 })
+        }
+    }
+}

@@ -1,0 +1,116 @@
+package dev.lazyz.conformance.frames
+
+import dev.lazyz.Raster
+import dev.lazyz.Shader
+import dev.lazyz.conformance.cases.Confetti
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.Glass
+import dev.lazyz.conformance.cases.Rasters
+import dev.lazyz.conformance.cases.glazed
+import dev.lazyz.conformance.cases.ints
+import dev.lazyz.conformance.frames.screen.ScreenFrames
+import dev.lazyz.conformance.frames.world.WorldFrames
+import dev.lazyz.scenes.Tint
+import net.jqwik.api.Arbitraries
+import net.jqwik.api.Arbitrary
+import net.jqwik.api.Combinators
+
+/**
+ * Generators of awkward frames, for jqwik's `@ForAll` and `@Provide`.
+ *
+ * All shrink: to fewer primitives, smaller rasters and rounder numbers. Sizes are upper bounds, in samples and in
+ * primitives; frames without primitives and rasters of one sample are among the results. Thread safe.
+ */
+public object Frames {
+    /** Sides of rasters, in samples, where none are given. */
+    public const val DEFAULT_SIDE: Int = 20
+
+    /** Most primitives of a frame, where none are given. */
+    public const val DEFAULT_PRIMITIVES: Int = 8
+
+    /** Returns rasters of any shape, background, convention, depth test and background depth, mostly the usual. */
+    @JvmStatic
+    @JvmOverloads
+    public fun rasters(maxWidth: Int = DEFAULT_SIDE, maxHeight: Int = DEFAULT_SIDE): Arbitrary<Raster> =
+        Rasters.any(maxWidth, maxHeight)
+
+    /**
+     * Returns frames of polygons given on the screen, with some [Confetti] among them: tiny to huge, slivers, concave,
+     * self-crossing, with holes, coincident, coplanar, interpenetrating, with shared edges, with vertices exactly on
+     * samples and on pixel corners, off the raster, degenerate, not finite.
+     */
+    @JvmStatic
+    @JvmOverloads
+    public fun screen(
+        maxWidth: Int = DEFAULT_SIDE,
+        maxHeight: Int = DEFAULT_SIDE,
+        maxPrimitives: Int = DEFAULT_PRIMITIVES,
+    ): Arbitrary<FrameCase> =
+        ScreenFrames(maxWidth, maxHeight).cases(rasters(maxWidth, maxHeight), maxPrimitives).withoutEdgeCases()
+
+    /** Returns frames on the screen in which a depth often occurs twice at a sample, so that the order decides. */
+    @JvmStatic
+    @JvmOverloads
+    public fun tied(maxSide: Int = DEFAULT_SIDE, maxPrimitives: Int = DEFAULT_PRIMITIVES): Arbitrary<FrameCase> =
+        ScreenFrames(maxSide, maxSide).tiedCases(rasters(maxSide, maxSide), maxPrimitives).withoutEdgeCases()
+
+    /** Returns frames of [Confetti] alone: primitives of one's own, most without a linear form. */
+    @JvmStatic
+    @JvmOverloads
+    public fun confetti(maxSide: Int = DEFAULT_SIDE, maxPrimitives: Int = DEFAULT_PRIMITIVES): Arbitrary<FrameCase> =
+        ScreenFrames(maxSide, maxSide).confettiCases(rasters(maxSide, maxSide), maxPrimitives).withoutEdgeCases()
+
+    /**
+     * Returns frames of all kinds in which some primitives, most or none are [Glass]: contract rule 5.5 decides what a
+     * sample shows, and renderers that do not blend refuse them (rule 5.6).
+     */
+    @JvmStatic
+    @JvmOverloads
+    public fun translucent(maxSide: Int = DEFAULT_SIDE, maxPrimitives: Int = DEFAULT_PRIMITIVES): Arbitrary<FrameCase> {
+        val kinds = listOf(
+            screen(maxSide, maxSide, maxPrimitives),
+            tied(maxSide, maxPrimitives),
+            confetti(maxSide, maxPrimitives),
+            world(maxSide, maxPrimitives),
+        )
+        return Combinators.combine(Arbitraries.oneOf(kinds), ints(0, 0xFFFF)).`as` { case, choice ->
+            case.glazed(choice)
+        }
+            .withoutEdgeCases()
+    }
+
+    /**
+     * Returns frames of scenes: polygons with and without holes, meshes of one to dozens of triangles, spheres, in
+     * front of the camera, behind it, and across its near and far planes, with and without perspective. Vertices have
+     * normals, texture coordinates and colours or not; materials have every [dev.lazyz.world.Shading], highlights, emission,
+     * textures, masks, one side or two; lights are of every kind. None is translucent.
+     *
+     * The camera looks at the surfaces, so that few frames are blank, and most samples are covered more than once.
+     *
+     * @param maxSurfaces most surfaces of a scene; a mesh is one
+     */
+    @JvmStatic
+    @JvmOverloads
+    public fun world(maxSide: Int = DEFAULT_SIDE, maxSurfaces: Int = DEFAULT_PRIMITIVES): Arbitrary<FrameCase> =
+        WorldFrames.cases(WorldFrames.rasters(maxSide), maxSurfaces).withoutEdgeCases()
+
+    /**
+     * Returns frames of scenes as [world] does, in which most materials blend ([dev.lazyz.world.AlphaMode.BLEND]): with the
+     * alpha of the material, of its texture, of vertex colours. Renderers that do not blend refuse most of them.
+     */
+    @JvmStatic
+    @JvmOverloads
+    public fun blended(maxSide: Int = DEFAULT_SIDE, maxSurfaces: Int = DEFAULT_PRIMITIVES): Arbitrary<FrameCase> =
+        WorldFrames.blended(WorldFrames.rasters(maxSide), maxSurfaces).withoutEdgeCases()
+
+    /** Returns frames as [mix] says: kinds, weights, sizes, counts, depth complexity, translucency. */
+    @JvmStatic
+    public fun of(mix: FrameMix): Arbitrary<FrameCase> = mix.frames()
+
+    /**
+     * Returns a shader whose colour and opacity depend on [number], on the sample and on the fragment's interpolated
+     * depth: hardly ever the same for two primitives, or at two samples.
+     */
+    @JvmStatic
+    public fun tint(number: Int): Shader = Tint(number)
+}

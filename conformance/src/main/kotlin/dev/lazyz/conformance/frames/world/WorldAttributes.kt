@@ -1,0 +1,87 @@
+package dev.lazyz.conformance.frames.world
+
+import dev.lazyz.conformance.cases.ints
+import dev.lazyz.conformance.cases.mixed
+import dev.lazyz.conformance.cases.oneOf
+import net.jqwik.api.Arbitraries
+import net.jqwik.api.Arbitrary
+import net.jqwik.api.Combinators
+
+/**
+ * What the vertices of a mesh have besides positions; null for nothing.
+ *
+ * Mostly a few values, over and over along the vertices: one is the same at all of them.
+ */
+internal class WorldAttributes(
+    private val normals: Pattern?,
+    private val uvs: Pattern?,
+    private val colors: Pattern?,
+) {
+    fun normals(positions: FloatArray): FloatArray? = normals?.of(positions, 3)
+
+    fun uvs(positions: FloatArray): FloatArray? = uvs?.of(positions, 2)
+
+    fun colors(positions: FloatArray): FloatArray? = colors?.of(positions, 4)
+
+    /** Gives each vertex its numbers. */
+    fun interface Pattern {
+        fun at(vertex: Int, positions: FloatArray, part: Int): Float
+
+        fun of(positions: FloatArray, size: Int): FloatArray =
+            FloatArray(positions.size / 3 * size) { at(it / size, positions, it % size) }
+    }
+
+    companion object {
+        fun any(): Arbitrary<WorldAttributes> = Combinators
+            .combine(maybe(2, normals()), maybe(5, uvs()), maybe(2, colors()))
+            .`as` { normals, uvs, colors -> WorldAttributes(normals.first, uvs.first, colors.first) }
+
+        /** With normals that are the same at all vertices, or nearly so; half of them point away from the viewer. */
+        fun withNormals(): Arbitrary<WorldAttributes> {
+            val same = mixed(3 to cycle(directions, 1), 1 to normals())
+            return Combinators.combine(same, maybe(1, colors())).`as` { normals, colors ->
+                WorldAttributes(normals, null, colors.first)
+            }
+        }
+
+        /** Any directions, opposite ones and none at all among them; or those from the origin, or to it. */
+        private fun normals(): Arbitrary<Pattern> {
+            val radial = oneOf(1f, -1f, 3f).map { factor ->
+                Pattern { vertex, p, part -> factor * p[3 * vertex + part] }
+            }
+            return mixed(3 to cycle(directions, 4), 1 to radial)
+        }
+
+        private val directions: Arbitrary<FloatArray> = mixed(
+            1 to ints(0, 1).map { floatArrayOf(0f, 0f, if (it == 0) 1f else -1f) },
+            3 to Combinators.combine(ints(-2, 2), ints(-2, 2), ints(-2, 2))
+                .`as` { x, y, z -> floatArrayOf(x.toFloat(), y.toFloat(), z / 2f) },
+        )
+
+        /** Any few, seldom far outside; or x and y, to scale. */
+        private fun uvs(): Arbitrary<Pattern> {
+            val near = Combinators.combine(ints(-6, 6), ints(-6, 6)).`as` { u, v -> floatArrayOf(u / 4f, v / 4f) }
+            val far = Combinators.combine(ints(-99, 99), ints(-9999, 9999)).`as` { u, v ->
+                floatArrayOf(u + 0.5f, v / 8f)
+            }
+            val flat = oneOf(0.5f, 1f, 3f, 40f).map { scale ->
+                Pattern { vertex, p, part -> (p[3 * vertex + part] + if (part == 0) 0.25f else -1f) * scale }
+            }
+            return mixed(2 to cycle(mixed(8 to near, 1 to far), 4), 3 to flat)
+        }
+
+        private fun colors(): Arbitrary<Pattern> =
+            cycle(WorldMaterials.colors.map { floatArrayOf(it.red, it.green, it.blue, it.alpha) }, 4)
+
+        private fun cycle(values: Arbitrary<FloatArray>, most: Int): Arbitrary<Pattern> =
+            values.list().ofMinSize(1).ofMaxSize(most).map { list ->
+                Pattern { vertex, _, part -> list[vertex % list.size][part] }
+            }
+
+        /** Nothing once in [weight] and one. */
+        private fun maybe(weight: Int, patterns: Arbitrary<Pattern>): Arbitrary<Maybe> =
+            mixed(1 to Arbitraries.just(Maybe(null)), weight to patterns.map(::Maybe))
+
+        private class Maybe(val first: Pattern?)
+    }
+}

@@ -1,0 +1,129 @@
+package dev.lazyz.conformance.frames.world
+
+import dev.lazyz.Raster
+import dev.lazyz.conformance.cases.Coded
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.Rasters
+import dev.lazyz.conformance.cases.code
+import dev.lazyz.conformance.cases.ints
+import dev.lazyz.conformance.cases.mixed
+import dev.lazyz.world.Light
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Surface
+import net.jqwik.api.Arbitraries
+import net.jqwik.api.Arbitrary
+import net.jqwik.api.Combinators
+import net.jqwik.api.RandomDistribution
+
+/** Generates frames of scenes: shapes within a few units of the origin, lights, a camera among or before them. */
+internal object WorldFrames {
+    private val shapes = WorldShapes(WorldMaterials.opaque())
+    private val meshes = WorldMeshes(WorldMaterials.opaque())
+
+    fun polygon(): Arbitrary<Coded<Surface>> = shapes.polygon()
+
+    fun holed(): Arbitrary<Coded<Surface>> = shapes.holed()
+
+    fun nearPlane(): Arbitrary<Coded<Surface>> = shapes.nearPlane()
+
+    fun sphere(): Arbitrary<Coded<Surface>> = shapes.sphere()
+
+    fun mesh(): Arbitrary<Coded<Surface>> = meshes.any()
+
+    /** Frames of all kinds of surfaces, none of them translucent. */
+    fun cases(rasters: Arbitrary<Raster>, maxSurfaces: Int): Arbitrary<FrameCase> =
+        cases(rasters, surfaces(shapes, meshes, maxSurfaces))
+
+    /** Frames of all kinds of surfaces, some of them translucent. */
+    fun blended(rasters: Arbitrary<Raster>, maxSurfaces: Int): Arbitrary<FrameCase> {
+        val materials = WorldMaterials.blended()
+        return cases(rasters, surfaces(WorldShapes(materials), WorldMeshes(materials), maxSurfaces))
+    }
+
+    /** Frames of meshes with normals, seen from both sides, in light that comes from somewhere. */
+    fun turned(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> {
+        val surfaces = WorldMeshes(WorldMaterials.twoSided()).turned().list().ofMinSize(1).ofMaxSize(3)
+        return cases(rasters, surfaces, WorldLights.directed())
+    }
+
+    /** Frames of points, before meshes and among them, none of them translucent. */
+    fun dotted(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> =
+        cases(rasters, among(WorldPoints(WorldMaterials.opaque()).points()))
+
+    /** Frames of lines, likewise. */
+    fun lined(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> =
+        cases(rasters, among(WorldPoints(WorldMaterials.opaque()).lines()))
+
+    /** Frames of points and lines most of which blend, among meshes. */
+    fun blendedDots(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> {
+        val some = WorldPoints(WorldMaterials.blended())
+        return cases(rasters, among(mixed(1 to some.points(), 1 to some.lines())))
+    }
+
+    /** Some of these surfaces, mostly with a mesh before, among or behind them. */
+    private fun among(surfaces: Arbitrary<Coded<Surface>>): Arbitrary<List<Coded<Surface>>> {
+        val others = mixed(2 to meshes.backdrop(), 1 to meshes.any(), 1 to shapes.sphere())
+        return Combinators.combine(surfaces.list().ofMinSize(1).ofMaxSize(4), others, ints(0, 5))
+            .`as` { list, other, place ->
+                if (place == 5) list else list.toMutableList().apply { add(minOf(place, size), other) }.toList()
+            }
+    }
+
+    /** Frames of these surfaces. */
+    fun cases(rasters: Arbitrary<Raster>, surfaces: Arbitrary<List<Coded<Surface>>>): Arbitrary<FrameCase> =
+        cases(rasters, surfaces, WorldLights.any())
+
+    private fun cases(
+        rasters: Arbitrary<Raster>,
+        surfaces: Arbitrary<List<Coded<Surface>>>,
+        lights: Arbitrary<List<Coded<Light>>>,
+    ): Arbitrary<FrameCase> = Combinators.combine(rasters, surfaces, lights, WorldCameras.aims())
+        .`as` { raster, list, sources, aim ->
+            val camera = aim.on(raster)
+            val scene = Scene(list.map { it.value }, sources.map { it.value }, camera.value)
+            FrameCase(
+                scene.frame(raster),
+                "Scene(\n    ${lines(list)},\n    ${lines(sources)},\n    ${camera.code},\n).frame(${code(raster)})",
+                scene,
+            )
+        }
+
+    private fun lines(list: List<Coded<*>>): String =
+        if (list.isEmpty()) "listOf()" else list.joinToString("", "listOf(", "\n    )") { "\n        ${it.code}," }
+
+    /** Mostly with a backdrop, among the others. */
+    private fun surfaces(shapes: WorldShapes, meshes: WorldMeshes, max: Int): Arbitrary<List<Coded<Surface>>> {
+        if (max == 0) return Arbitraries.just(emptyList())
+        val kinds = mixed(
+            5 to meshes.any(),
+            3 to shapes.polygon(),
+            2 to shapes.holed(),
+            3 to shapes.sphere(),
+            1 to shapes.nearPlane(),
+        )
+        val others = kinds.list().ofMaxSize(max - 1).withSizeDistribution(RandomDistribution.uniform())
+        val first = mixed(1 to kinds, 3 to meshes.backdrop())
+        val some = Combinators.combine(others, first, ints(0, max)).`as` { list, one, place ->
+            list.toMutableList().apply { add(minOf(place, size), one) }.toList()
+        }
+        return mixed(60 to some, 1 to Arbitraries.just(emptyList()))
+    }
+
+    /**
+     * Square or not, but mostly neither a line nor a column, of which scenes show little; and mostly with the usual
+     * depth of the background, which hides nothing.
+     */
+    fun rasters(maxSide: Int): Arbitrary<Raster> =
+        Combinators.combine(Rasters.any(maxSide, maxSide), ints(0, 3)).`as` { raster, choice ->
+            if (choice == 3) {
+                raster
+            } else {
+                with(raster) {
+                    Raster(
+                        maxOf(width, height / 2), maxOf(height, width / 2), background, convention, depthTest,
+                        Rasters.behindAll(depthTest),
+                    )
+                }
+            }
+        }
+}

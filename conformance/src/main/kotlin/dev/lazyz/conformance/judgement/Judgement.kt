@@ -1,0 +1,98 @@
+package dev.lazyz.conformance.judgement
+
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Renderer
+import dev.lazyz.Spans
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.oracle.ReferenceRenderer
+
+/**
+ * What [renderer] makes of [case]. A failure says who did what, and how to make the frame.
+ *
+ * @param how what is special about this renderer, or nothing
+ */
+internal class Judgement(private val renderer: Renderer, private val case: FrameCase, private val how: String = "") {
+    init {
+        TryUnderWay.current?.saw(case, how)
+    }
+
+    private val isAgain = TryUnderWay.current?.isAgain(renderer) ?: false
+
+    /** The frame, rendered row by row. */
+    val rendering: Rendering = attempt { Rendering.of(renderer, case.frame) }
+
+    /** Fails unless the frame came out as the oracle says, bit for bit. */
+    fun equalsReference(): Judgement = equalsPictureOf(ReferenceRenderer())
+
+    /** Fails unless the frame came out as [oracle] has it, bit for bit. */
+    fun equalsPictureOf(oracle: Renderer): Judgement = apply {
+        val expected = Rendering.of(oracle, case.frame).image
+        difference(expected, rendering.image)?.let { fail("", it) }
+    }
+
+    /** Fails unless the frame comes out the same when it is rendered into memory. */
+    fun equalsItsImage(): Judgement = apply {
+        val image = attempt { renderer.render(case.frame) }
+        if (image.region != rendering.image.region) fail("into memory: ${differenceInWords(rendering.image, image)}")
+        difference(rendering.image, image)?.let { fail("into memory: ", it) }
+    }
+
+    /** Fails unless the rows of the frame's region arrived from the top to the bottom, each once. */
+    fun rowsInOrder(): Judgement = apply {
+        val expected = (case.frame.region.rowStart until case.frame.region.rowEnd).toList()
+        if (rendering.rows != expected) fail("rows arrived as ${rendering.rows}, not as $expected")
+    }
+
+    /** Fails because of [what]. */
+    fun fail(what: String, cause: Throwable? = null): Nothing {
+        val expected = Rendering.of(ReferenceRenderer(), case.frame).image
+        throw violation(what, expected, rendering.image, cause)
+    }
+
+    /** Fails because of a [difference]; [lead] says what of. */
+    fun fail(lead: String, difference: Difference): Nothing =
+        throw violation("$lead$difference", difference.expected, difference.actual, null)
+
+    private fun violation(what: String, expected: Image?, actual: Image?, cause: Throwable?) =
+        Violation(message(what), case, expected, actual, cause, isConfigured = how.isNotEmpty(), isAgain = isAgain)
+
+    private fun message(what: String): String =
+        "${renderer.id}${if (how.isEmpty()) "" else " with $how"}: $what\nin\n$case"
+
+    private fun <T> attempt(block: () -> T): T = try {
+        block()
+    } catch (e: Throwable) {
+        throw violation("threw $e", null, null, e)
+    }
+}
+
+/** Fails unless [renderer] refuses [case], naming a translucent primitive by its index, before it hands out a row. */
+internal fun refused(renderer: Renderer, case: FrameCase) {
+    var rows = 0
+    val answer = try {
+        renderer.render(case.frame) { _, _, _, _ -> rows++ }
+        "renders it"
+    } catch (e: IllegalArgumentException) {
+        val index = case.frame.primitives.indexOfFirst { it.isTranslucent }
+        val isNamed = Regex("\\b[0-9]+\\b").findAll(e.message.orEmpty()).any { isTranslucent(case, it.value) }
+        if (rows == 0 && isNamed) return
+        if (rows > 0) "hands out $rows rows before it refuses" else "does not name primitive $index: ${e.message}"
+    } catch (e: Exception) {
+        "throws $e"
+    }
+    throw Violation("${renderer.id} does not blend, and $answer\nin\n$case", case)
+}
+
+private fun isTranslucent(case: FrameCase, index: String): Boolean =
+    case.frame.primitives.getOrNull(index.toIntOrNull() ?: -1)?.isTranslucent == true
+
+/** Whether the primitives [a] and [b] both cover column [x] of row [y], at the same depth. */
+internal fun Frame.isTie(a: Int, b: Int, x: Int, y: Int): Boolean =
+    covers(a, x, y) && covers(b, x, y) && primitives[a].depth(x, y) == primitives[b].depth(x, y)
+
+private fun Frame.covers(index: Int, x: Int, y: Int): Boolean {
+    val spans = Spans()
+    primitives.getOrNull(index)?.spans(y, spans)
+    return (0 until spans.count).any { x >= spans.start(it) && x < spans.end(it) }
+}

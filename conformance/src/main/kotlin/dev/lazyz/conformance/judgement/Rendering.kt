@@ -1,0 +1,98 @@
+package dev.lazyz.conformance.judgement
+
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Region
+import dev.lazyz.Renderer
+import dev.lazyz.RowSink
+
+/** What came of rendering a frame: the image, the counters, and the rows in the order in which they arrived. */
+internal class Rendering private constructor(val image: Image, val counters: Counters, val rows: List<Int>) {
+    companion object {
+        /** Stands for the depth of samples whose row has not arrived. */
+        const val MISSING: Int = -1
+
+        /** Renders [frame] row by row; whatever the renderer throws is thrown. */
+        fun of(renderer: Renderer, frame: Frame): Rendering {
+            TryUnderWay.current?.goesOn()
+            val recorder = Recorder(frame)
+            val counters = renderer.render(frame, recorder)
+            return Rendering(recorder.image(counters), counters, recorder.rows)
+        }
+    }
+
+    /** Keeps rows by their number, and forgives everything; the rules judge. */
+    private class Recorder(private val frame: Frame) : RowSink {
+        private val region = frame.region
+        private val size = region.size.toInt()
+        private val argb = IntArray(size)
+        private val depth = IntArray(size) { MISSING }
+        private val primitive = IntArray(size) { DepthTest.BACKGROUND }
+        val rows = ArrayList<Int>()
+
+        override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+            rows.add(y)
+            if (y !in region.rowStart until region.rowEnd) return
+            copy(argb, this.argb, y)
+            copy(depth, this.depth, y)
+            copy(primitive, this.primitive, y)
+        }
+
+        private fun copy(row: IntArray, to: IntArray, y: Int) {
+            row.copyInto(to, (y - region.rowStart) * region.width, 0, minOf(row.size, region.width))
+        }
+
+        fun image(counters: Counters): Image = Image(region, argb, depth, primitive, counters)
+    }
+}
+
+/** Where [actual] is not [expected]: the first sample, column [x] and row [y] of the raster, of [count] that differ. */
+internal class Difference(val expected: Image, val actual: Image, val x: Int, val y: Int, val count: Int) {
+    /** What the sample should show, in words. */
+    val expectedAnswer: String get() = answer(expected, sample)
+
+    /** What it shows, in words. */
+    val actualAnswer: String get() = answer(actual, sample)
+
+    private val sample get() = (y - expected.region.rowStart) * expected.width + x - expected.region.columnStart
+
+    override fun toString(): String = "sample ($x, $y) is the first of $count that differ\n" +
+        "    expected $expectedAnswer\n" +
+        "    but was  $actualAnswer"
+}
+
+/** Returns the first sample, in rows from the top, at which [actual] differs, with both answers; null if none does. */
+internal fun difference(expected: Image, actual: Image): Difference? {
+    val samples = expected.argb.indices.filter { expected.differsAt(actual, it) }
+    val first = samples.firstOrNull() ?: return null
+    val x = expected.region.columnStart + first % expected.width
+    val y = expected.region.rowStart + first / expected.width
+    return Difference(expected, actual, x, y, samples.size)
+}
+
+/** Whether [other], a picture of the same region, has another colour, depth or primitive at index [sample]. */
+internal fun Image.differsAt(other: Image, sample: Int): Boolean = argb[sample] != other.argb[sample] ||
+    depth[sample] != other.depth[sample] || primitive[sample] != other.primitive[sample]
+
+private fun answer(image: Image, sample: Int): String {
+    if (image.depth[sample] == Rendering.MISSING) return "nothing: the row never arrived"
+    val index = image.primitive[sample]
+    val owner = if (index == DepthTest.BACKGROUND) "the background" else "primitive $index"
+    return "#%08x".format(image.argb[sample]) + ", depth ${image.depth[sample]}, $owner"
+}
+
+/** A counter's text without the memory, which threads multiply. */
+internal fun Counters.withoutMemory(): String = toString().substringBefore(", peakBytes")
+
+/** Returns where and how [actual] is not [expected], or null if it is. */
+internal fun differenceInWords(expected: Image, actual: Image): String? =
+    if (expected.region != actual.region) {
+        "expected ${inWords(expected.region)}, but was ${inWords(actual.region)}"
+    } else {
+        difference(expected, actual)?.toString()
+    }
+
+private fun inWords(region: Region): String =
+    "${region.width} x ${region.height} samples from column ${region.columnStart}, row ${region.rowStart} on"

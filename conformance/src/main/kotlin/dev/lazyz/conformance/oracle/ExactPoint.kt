@@ -1,0 +1,29 @@
+package dev.lazyz.conformance.oracle
+
+/**
+ * A point on the 1/256 pixel grid whose coverage is that of contract rule 2.9: the oracle for points.
+ *
+ * Written from the rule, and independent of set-up. Immutable and thread safe.
+ *
+ * @param x column of the vertex, grid steps
+ * @param y row of the vertex, grid steps
+ * @param depth depth of the vertex
+ * @param size side of the square, pixels
+ */
+public class ExactPoint(private val x: Int, private val y: Int, private val depth: Int, size: Double) : ExactSurface {
+    private val half = halfSize(size)
+
+    override fun coverage(x: Int, y: Int): Coverage =
+        if (isWithin(x, this.x) && isWithin(y, this.y)) Coverage.COVERED else Coverage.UNCOVERED
+
+    private fun isWithin(sample: Int, vertex: Int): Boolean = 256L * sample + 128 - vertex in -half until half
+
+    override fun depthError(x: Int, y: Int, depth: Int): Double = Math.abs(depth.toDouble() - this.depth)
+
+    override fun toString(): String = "ExactPoint($x, $y, $depth, $half)"
+
+    internal companion object {
+        /** Half of a size in pixels, grid steps. */
+        fun halfSize(pixels: Double): Long = maxOf(StrictMath.floor(128.0 * pixels + 0.5).toLong(), 128L)
+    }
+}

@@ -1,0 +1,177 @@
+package dev.lazyz.conformance.oracle
+
+import dev.lazyz.Depth
+import dev.lazyz.DepthConvention
+import dev.lazyz.FillRule
+import dev.lazyz.Raster
+import dev.lazyz.world.Camera
+import java.math.BigDecimal
+import java.math.MathContext
+import java.math.RoundingMode
+import org.joml.Matrix4dc
+import org.joml.Vector3dc
+
+/**
+ * Polygons, points and lines in space as [ExactPolygon]s, [ExactPoint]s and [ExactLine]s on a raster: rules 1.3, 4.2
+ * and 9.1 in 60 decimal digits.
+ *
+ * Vertices are transformed by the camera's matrices, as they are; cut at the near and the far plane; projected; and
+ * snapped. The contract does not say in which order a vertex's coordinates are computed in double precision: where a
+ * coordinate lies too close to the border between two grid points (or depths), both are permitted, and there is more
+ * than one right polygon. Written from the rules, and independent of set-up. Immutable and thread safe.
+ */
+public class ExactProjection(private val raster: Raster, private val camera: Camera) {
+    private val projection = camera.projectionMatrix(raster.width.toDouble() / raster.height)
+    private val view = camera.viewMatrix()
+
+    /**
+     * Returns all polygons that the contract permits for [contours], world space; null among them covers nothing.
+     *
+     * Empty where the contract leaves too much open to judge: vertices that are huge, on a plane, or in the guard
+     * band's reach; a plane that cuts a contour more than twice (rule 9.2); more than 64 polygons.
+     */
+    public fun polygons(contours: List<List<Vector3dc>>, fillRule: FillRule): List<ExactPolygon?> {
+        val all = contours.flatten()
+        if (all.size < 3 || all.any { !it.isFinite }) return listOf(null)
+        if (all.any { isHuge(it) }) return emptyList()
+        var pieces = contours.map { contour -> contour.map(::toClip) }
+        for (plane in listOf(Corner::toNear, Corner::toFar)) {
+            if (pieces.flatten().any { plane(it).abs() < CLOSE }) return emptyList()
+            if (pieces.sumOf { cuts(it, plane) } > 2) return emptyList()
+            pieces = pieces.map { cut(it, plane) }
+        }
+        pieces = pieces.filter { it.isNotEmpty() }
+        if (pieces.sumOf { it.size } < 3) return listOf(null)
+        return snapped(pieces, fillRule)
+    }
+
+    /** As [polygons], for a point of so many pixels. */
+    public fun points(position: Vector3dc, size: Double): List<ExactPoint?> {
+        if (!position.isFinite) return listOf(null)
+        if (isHuge(position)) return emptyList()
+        val corner = toClip(position)
+        for (plane in listOf(Corner::toNear, Corner::toFar)) {
+            if (plane(corner).abs() < CLOSE) return emptyList()
+            if (plane(corner).signum() < 0) return listOf(null)
+        }
+        return snaps(listOf(corner)).map { (x, y, depth) -> ExactPoint(x, y, depth, size) }
+    }
+
+    /** As [polygons], for a line of so many pixels between two points. */
+    public fun lines(from: Vector3dc, to: Vector3dc, width: Double): List<ExactLine?> {
+        if (!from.isFinite || !to.isFinite) return listOf(null)
+        if (isHuge(from) || isHuge(to)) return emptyList()
+        var ends = listOf(toClip(from), toClip(to))
+        for (plane in listOf(Corner::toNear, Corner::toFar)) {
+            val (d, e) = ends.map(plane)
+            if (d.abs() < CLOSE || e.abs() < CLOSE) return emptyList()
+            if (d.signum() < 0 && e.signum() < 0) return listOf(null)
+            val cut = ends[0].toward(ends[1], d.abs() / (d.abs() + e.abs()))
+            ends = listOf(if (d.signum() < 0) cut else ends[0], if (e.signum() < 0) cut else ends[1])
+        }
+        return snaps(ends).map { ExactLine(it.toIntArray(), width) }
+    }
+
+    private fun isHuge(p: Vector3dc): Boolean =
+        maxOf(Math.abs(p.x()), Math.abs(p.y()), Math.abs(p.z())) > LARGEST
+
+    /** Homogeneous clip coordinates; near is z = -w, far is z = w. */
+    private class Corner(val x: BigDecimal, val y: BigDecimal, val z: BigDecimal, val w: BigDecimal) {
+        fun toNear(): BigDecimal = w + z
+
+        fun toFar(): BigDecimal = w - z
+
+        /** The point a fraction [t] of the way to [other]. */
+        fun toward(other: Corner, t: BigDecimal) = Corner(
+            x + t * (other.x - x),
+            y + t * (other.y - y),
+            z + t * (other.z - z),
+            w + t * (other.w - w),
+        )
+    }
+
+    private fun toClip(p: Vector3dc): Corner {
+        val seen = times(view, listOf(big(p.x()), big(p.y()), big(p.z()), BigDecimal.ONE))
+        val (x, y, z, w) = times(projection, seen)
+        return Corner(x, y, z, w)
+    }
+
+    private fun times(m: Matrix4dc, v: List<BigDecimal>): List<BigDecimal> = (0 until 4).map { row ->
+        (0 until 4).fold(BigDecimal.ZERO) { sum, column -> sum + big(m.get(column, row)) * v[column] }
+    }
+
+    private fun cuts(contour: List<Corner>, plane: (Corner) -> BigDecimal): Int = contour.indices.count {
+        plane(contour[it]).signum() != plane(contour[(it + 1) % contour.size]).signum()
+    }
+
+    /** What is left inside of a plane: for each vertex the cut on the way to it, if there is one, and then itself. */
+    private fun cut(contour: List<Corner>, plane: (Corner) -> BigDecimal): List<Corner> {
+        val left = ArrayList<Corner>()
+        for ((i, to) in contour.withIndex()) {
+            val from = contour[(i + contour.size - 1) % contour.size]
+            val d = plane(from)
+            val e = plane(to)
+            if (d.signum() != e.signum()) left.add(from.toward(to, d.abs() / (d.abs() + e.abs())))
+            if (e.signum() >= 0) left.add(to)
+        }
+        return left
+    }
+
+    private fun snapped(contours: List<List<Corner>>, fillRule: FillRule): List<ExactPolygon?> =
+        snaps(contours.flatten()).map { numbersOfOne ->
+            var at = 0
+            val snapped = contours.map { contour ->
+                IntArray(3 * contour.size) { numbersOfOne[at++] }
+            }
+            ExactPolygon(snapped, fillRule)
+        }
+
+    /** Every way to snap vertices: x, y and depth of each; none where that leaves too much open. */
+    private fun snaps(corners: List<Corner>): List<List<Int>> {
+        val numbers = corners.flatMap { corner ->
+            val x = (corner.x / corner.w + BigDecimal.ONE) / TWO * big(raster.width.toDouble())
+            val y = (BigDecimal.ONE - corner.y / corner.w) / TWO * big(raster.height.toDouble())
+            if (maxOf(x.abs(), y.abs()) > GUARD) return emptyList()
+            val depth = (corner.z / corner.w + BigDecimal.ONE) / TWO
+            listOf(near(x * STEPS), near(y * STEPS), depths(depth))
+        }
+        if (numbers.fold(1L) { product, it -> minOf(product * it.size, 1000L) } > MOST) return emptyList()
+        return numbers.fold(listOf(emptyList())) { lists, it -> lists.flatMap { l -> it.map { n -> l + n } } }
+    }
+
+    private fun depths(unit: BigDecimal): List<Int> {
+        val depth = big(Depth.NEAR.toDouble()) + unit * big(Depth.FAR.toDouble() - Depth.NEAR)
+        val isMirrored = raster.convention == DepthConvention.LARGER_IS_NEARER
+        return near(depth).map { it.coerceIn(Depth.NEAR, Depth.FAR) }.distinct()
+            .map { if (isMirrored) Int.MAX_VALUE - it else it }
+    }
+
+    override fun toString(): String = "ExactProjection($raster, $camera)"
+
+    private companion object {
+        val digits = MathContext(60)
+        val TWO: BigDecimal = BigDecimal.valueOf(2)
+        val STEPS: BigDecimal = BigDecimal.valueOf(256)
+        val HALF: BigDecimal = BigDecimal("0.5")
+        val GUARD: BigDecimal = BigDecimal.valueOf(1L shl 18)
+
+        /** How close to the border between two integers double precision decides, in grid steps or units. */
+        val BORDER: BigDecimal = BigDecimal("1e-4")
+
+        /** How close to a plane double precision decides on which side a vertex is, world units. */
+        val CLOSE: BigDecimal = BigDecimal("1e-9")
+
+        const val LARGEST = 1e4
+        const val MOST = 64L
+
+        fun big(value: Double) = BigDecimal(value, digits)
+
+        /** The integers that [value] may be rounded to: nearest, half up, and both next to a half. */
+        fun near(value: BigDecimal): List<Int> = listOf(value - BORDER, value + BORDER)
+            .map { (it + HALF).setScale(0, RoundingMode.FLOOR).toInt() }.distinct()
+
+        operator fun BigDecimal.times(other: BigDecimal): BigDecimal = multiply(other, digits)
+
+        operator fun BigDecimal.div(other: BigDecimal): BigDecimal = divide(other, digits)
+    }
+}

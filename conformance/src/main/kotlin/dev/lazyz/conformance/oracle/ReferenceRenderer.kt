@@ -1,0 +1,172 @@
+package dev.lazyz.conformance.oracle
+
+import dev.lazyz.Capability
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.Renderer
+import dev.lazyz.Rgba
+import dev.lazyz.RowSink
+import dev.lazyz.Spans
+
+/**
+ * The oracle: asks every primitive at every sample and compares by the words of contract rule 5, nothing else.
+ *
+ * It shares no code with the strategies: no cursor, no linear form, no [DepthTest.key], no bounds; a primitive is asked
+ * on every row of the raster. Use it to judge a renderer, not to render. Thread safe; no state between calls.
+ *
+ * It trusts primitives: their spans, depths and colours are what they say. What ties primitives to the contract is
+ * exact arithmetic: [ExactPolygon], [ExactProjection] and [ExactSphere] decide coverage and depth from vertices,
+ * without set-up's code, and [ExactPicture] the visible primitive. This renderer is held to those by tests, and all
+ * others to this one by the suite, so a mistake in set-up that all strategies share does not go unseen.
+ *
+ * Time: samples x primitives. Memory: one row. Shading calls: exactly the visible samples, and where a translucent
+ * primitive is visible those of the fragments that show through.
+ */
+public class ReferenceRenderer : Renderer {
+    override val id: String get() = "reference"
+
+    override val summary: String get() = "asks every primitive at every sample: the contract's words, for comparison"
+
+    override val capabilities: Set<Capability>
+        get() = setOf(
+            Capability.SHADES_ONLY_VISIBLE,
+            Capability.CONSTANT_MEMORY,
+            Capability.STREAMS_ROWS,
+            Capability.TRANSPARENCY,
+        )
+
+    override fun render(frame: Frame, sink: RowSink): Counters {
+        val row = Row(frame)
+        for (y in frame.region.rowStart until frame.region.rowEnd) {
+            row.clear()
+            for (index in frame.primitives.indices) row.compare(index, y)
+            row.shade(y)
+            if (frame.hasTranslucency) row.blend(y)
+            sink.row(y, row.argb, row.depth, row.primitive)
+        }
+        return row.counters
+    }
+
+    private class Row(private val frame: Frame) {
+        private val raster = frame.raster
+        private val firstColumn = frame.region.columnStart
+        private val spans = Spans()
+        private val fragment = Fragment()
+        val argb = IntArray(frame.width)
+        val depth = IntArray(frame.width)
+        val primitive = IntArray(frame.width)
+        val counters = Counters().apply {
+            primitives = frame.primitives.size.toLong()
+            peakBytes = 12L * frame.width
+        }
+
+        /** Before the first primitive every sample has the background's colour, depth and no primitive (rule 4.3). */
+        fun clear() {
+            argb.fill(raster.background.toArgb())
+            depth.fill(raster.backgroundDepth)
+            primitive.fill(DepthTest.BACKGROUND)
+        }
+
+        /** Lets the primitive with this submission index compete for the samples of row [y] that it covers. */
+        fun compare(index: Int, y: Int) {
+            spans.clear()
+            frame.primitives[index].spans(y, spans)
+            for (i in 0 until frame.width) {
+                val x = firstColumn + i
+                if (!isCovered(x)) continue
+                counters.fragments++
+                counters.depthEvaluations++
+                val own = frame.primitives[index].depth(x, y)
+                if (raster.depthTest.prefers(own, index, depth[i], primitive[i])) {
+                    counters.depthPasses++
+                    depth[i] = own
+                    primitive[i] = index
+                }
+            }
+        }
+
+        private fun isCovered(x: Int): Boolean = (0 until spans.count).any { x >= spans.start(it) && x < spans.end(it) }
+
+        /** Gives every sample of row [y] the colour of its visible primitive. */
+        fun shade(y: Int) {
+            for (i in 0 until frame.width) {
+                if (primitive[i] == DepthTest.BACKGROUND || frame.primitives[primitive[i]].isTranslucent) continue
+                shade(primitive[i], firstColumn + i, y)
+                argb[i] = fragment.toArgb()
+            }
+        }
+
+        private fun shade(index: Int, x: Int, y: Int) {
+            counters.shadingCalls++
+            fragment.moveTo(x, y)
+            frame.primitives[index].shade(fragment)
+        }
+
+        /** Blends where a translucent primitive is visible: rule 5.5, in its words. */
+        fun blend(y: Int) {
+            for (i in 0 until frame.width) {
+                if (primitive[i] == DepthTest.BACKGROUND || !frame.primitives[primitive[i]].isTranslucent) continue
+                argb[i] = blended(fragments(firstColumn + i, y), firstColumn + i, y).toArgb()
+            }
+        }
+
+        /** The indices of all primitives that cover a sample and pass against the background, nearest first. */
+        private fun fragments(x: Int, y: Int): List<Int> {
+            val passing = frame.primitives.indices.filter { index ->
+                spans.clear()
+                frame.primitives[index].spans(y, spans)
+                isCovered(x) && raster.depthTest.prefers(
+                    frame.primitives[index].depth(x, y), index, raster.backgroundDepth, DepthTest.BACKGROUND,
+                )
+            }
+            return passing.sortedWith { a, b ->
+                val depths = listOf(a, b).map { frame.primitives[it].depth(x, y) }
+                if (raster.depthTest.prefers(depths[0], a, depths[1], b)) -1 else 1
+            }
+        }
+
+        private fun blended(nearestFirst: List<Int>, x: Int, y: Int): Rgba {
+            var t = 1f
+            val sums = FloatArray(4)
+            fun add(color: Rgba) {
+                val a = if (color.alpha > 0f) minOf(color.alpha, 1f) else 0f
+                if (a == 0f) return
+                val w = t * a
+                sums[0] += w * color.red
+                sums[1] += w * color.green
+                sums[2] += w * color.blue
+                sums[3] += w
+                t *= 1f - a
+            }
+            for (index in nearestFirst) {
+                if (!frame.primitives[index].isTranslucent) break
+                if (t > 0f) add(color(index, x, y))
+            }
+            val backdrop = nearestFirst.firstOrNull { !frame.primitives[it].isTranslucent }
+            if (t == 0f) return divided(sums)
+            val behind = if (backdrop == null) raster.background else color(backdrop, x, y)
+            if (sums[3] == 0f) return behind
+            add(behind)
+            return divided(sums)
+        }
+
+        private fun divided(sums: FloatArray) = Rgba(sums[0] / sums[3], sums[1] / sums[3], sums[2] / sums[3], sums[3])
+
+        private fun color(index: Int, x: Int, y: Int): Rgba {
+            shade(index, x, y)
+            return Rgba(fragment.red, fragment.green, fragment.blue, fragment.alpha)
+        }
+    }
+
+    private companion object {
+        /** Whether the fragment ([depth], [index]) hides the other: rules 5.1 to 5.3, in their words. */
+        fun DepthTest.prefers(depth: Int, index: Int, otherDepth: Int, otherIndex: Int): Boolean = when (this) {
+            DepthTest.LESS -> depth < otherDepth || (depth == otherDepth && index < otherIndex)
+            DepthTest.LESS_OR_EQUAL -> depth < otherDepth || (depth == otherDepth && index > otherIndex)
+            DepthTest.GREATER -> depth > otherDepth || (depth == otherDepth && index < otherIndex)
+            DepthTest.GREATER_OR_EQUAL -> depth > otherDepth || (depth == otherDepth && index > otherIndex)
+        }
+    }
+}

@@ -1,0 +1,161 @@
+package dev.lazyz.conformance.oracle
+
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Rgba
+import dev.lazyz.Selector
+import dev.lazyz.Spans
+
+/**
+ * The oracle of selectors: lists the fragments of each sample by the words of contract rule 5, and picks one.
+ *
+ * @property selector what a renderer is given
+ * @param shown what it has to show, given a sample's fragments, nearest first: the one whose depth and primitive are
+ *   shown and its colour, or null for the background
+ */
+internal class Selection(val selector: Selector, private val shown: (List<Seen>) -> Pair<Seen, Int>?) {
+    /** A fragment of a sample. */
+    class Seen(private val frame: Frame, val x: Int, val y: Int, val index: Int) {
+        val depth: Int = frame.primitives[index].depth(x, y)
+
+        /** Linear light. */
+        val color: Rgba by lazy {
+            val fragment = Fragment()
+            fragment.moveTo(x, y)
+            frame.primitives[index].shade(fragment)
+            Rgba(fragment.red, fragment.green, fragment.blue, fragment.alpha)
+        }
+    }
+
+    /** Returns the picture that a renderer with [selector] has to make of [frame]. */
+    fun of(frame: Frame): Image {
+        val region = frame.region
+        val size = region.size.toInt()
+        val argb = IntArray(size) { frame.raster.background.toArgb() }
+        val depth = IntArray(size) { frame.raster.backgroundDepth }
+        val primitive = IntArray(size) { DepthTest.BACKGROUND }
+        for (i in 0 until size) {
+            val fragments = fragments(frame, region.columnStart + i % region.width, region.rowStart + i / region.width)
+            val (seen, color) = (if (fragments.isEmpty()) null else shown(fragments)) ?: continue
+            argb[i] = color
+            depth[i] = seen.depth
+            primitive[i] = seen.index
+        }
+        return Image(region, argb, depth, primitive, Counters())
+    }
+
+    private fun fragments(frame: Frame, x: Int, y: Int): List<Seen> {
+        val covering = frame.primitives.indices.filter { index ->
+            val spans = Spans().also { frame.primitives[index].spans(y, it) }
+            (0 until spans.count).any { x >= spans.start(it) && x < spans.end(it) }
+        }
+        val test = frame.raster.depthTest
+        val isLeast = test == DepthTest.LESS || test == DepthTest.LESS_OR_EQUAL
+        val isFirst = test == DepthTest.LESS || test == DepthTest.GREATER
+        val behind = frame.raster.backgroundDepth
+        val all = covering.map { Seen(frame, x, y, it) }
+            .filter { (if (isLeast) it.depth < behind else it.depth > behind) || (!isFirst && it.depth == behind) }
+        val byIndex = if (isFirst) all.sortedBy { it.index } else all.sortedByDescending { it.index }
+
+        // Sorting is stable, so equal depths stay in the order of submission
+        return if (isLeast) byIndex.sortedBy { it.depth } else byIndex.sortedByDescending { it.depth }
+    }
+
+    companion object {
+        private const val LAYER = 2
+
+        /** The colours of [Selector.count], as its documentation lists them, for 1, 2, 3, 4, 5 to 8 ... fragments. */
+        private val ramp =
+            listOf(0x440154, 0x46327E, 0x365C8D, 0x277F8E, 0x1FA187, 0x4AC16D, 0xA0DA39, 0xFDE725).map { it or OPAQUE }
+
+        private const val OPAQUE = 0xFF shl 24
+
+        private fun heat(count: Int): Int =
+            ramp[listOf(1, 2, 3, 4, 8, 16, 32).indexOfFirst { count <= it }.let { if (it < 0) 7 else it }]
+
+        /** Selectors by name: those of the library, and some of one's own. */
+        val all: Map<String, Selection> = mapOf(
+            "nearest" to Selection(Selector.nearest()) { it.first().plain() },
+            "farthest" to Selection(Selector.farthest()) { it.last().plain() },
+            "number $LAYER" to Selection(Selector.kthNearest(LAYER)) { it.getOrNull(LAYER - 1)?.plain() },
+            "count" to Selection(Selector.count()) { it.first() to heat(it.size) },
+            "the last if it is red" to lastIfRed(),
+            "every other one as a mean" to mean(),
+            "one chosen by place, in a colour by depth" to byPlace(),
+            "the last of several calls" to lastCall(),
+            "the last of several calls, in a colour" to lastCallInColor(),
+        )
+
+        private fun Seen.plain() = this to color.toArgb()
+
+        /** Looks at a colour before it decides, and shows nothing where a sample has one fragment only. */
+        private fun lastIfRed() = Selection(
+            { cell ->
+                val last = cell.size - 1
+                if (last > 0) cell.show(if (cell.shade(last).red > 0.5f) last else 0)
+            },
+        ) { seen ->
+            if (seen.size ==
+                1
+            ) {
+                null
+            } else {
+                (if (seen.last().color.red > 0.5f) seen.last() else seen.first()).plain()
+            }
+        }
+
+        /** Asks the cell where it is, and for depth and primitive of whichever fragment. */
+        private fun byPlace() = Selection(
+            { cell ->
+                val i = (cell.x + 3 * cell.y) % cell.size
+                val other = cell.size - 1 - i
+                cell.show(i, cell.depth(other) % 256 / 255f, cell.primitive(other) % 8 / 7f, 0f, 1f)
+            },
+        ) { seen ->
+            val i = (seen[0].x + 3 * seen[0].y) % seen.size
+            val other = seen[seen.size - 1 - i]
+            seen[i] to Rgba(other.depth % 256 / 255f, other.index % 8 / 7f, 0f, 1f).toArgb()
+        }
+
+        /** Shows one fragment after the other, also in colours, and at last the one in the middle. */
+        private fun lastCall() = Selection(
+            { cell ->
+                for (i in 0 until cell.size) if (i % 2 == 0) cell.show(i) else cell.show(i, 1f, 0f, 1f, 1f)
+                cell.show(cell.size / 2)
+            },
+        ) { seen -> seen[seen.size / 2].plain() }
+
+        /** Shows the fragments from the back, and at last the nearest in green. */
+        private fun lastCallInColor() = Selection(
+            { cell ->
+                for (i in cell.size - 1 downTo 0) cell.show(i)
+                cell.show(0, 0f, 1f, 0f, 0.5f)
+            },
+        ) { seen -> seen.first() to Rgba(0f, 1f, 0f, 0.5f).toArgb() }
+
+        /** Mixes colours of several fragments, and shows the depth of the farthest. */
+        private fun mean() = Selection(
+            { cell ->
+                var red = 0f
+                var blue = 0f
+                for (i in 0 until cell.size step 2) {
+                    val fragment = cell.shade(i)
+                    red += fragment.red / cell.size
+                    blue += fragment.blue / cell.size
+                }
+                cell.show(cell.size - 1, red, 0f, blue, 1f)
+            },
+        ) { seen ->
+            var red = 0f
+            var blue = 0f
+            for (i in seen.indices step 2) {
+                red += seen[i].color.red / seen.size
+                blue += seen[i].color.blue / seen.size
+            }
+            seen.last() to Rgba(red, 0f, blue, 1f).toArgb()
+        }
+    }
+}

@@ -1,0 +1,138 @@
+package dev.lazyz.conformance.probes
+
+import dev.lazyz.Capability
+import dev.lazyz.Coherence
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.RenderOptions
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.Rasters
+import dev.lazyz.conformance.cases.changed.on
+import dev.lazyz.conformance.cases.changed.within
+import dev.lazyz.conformance.cases.glazed
+import dev.lazyz.conformance.cases.ints
+import dev.lazyz.conformance.cases.mixed
+import dev.lazyz.conformance.frames.FrameKind
+import dev.lazyz.conformance.frames.FrameMix
+import dev.lazyz.conformance.frames.Frames
+import dev.lazyz.conformance.oracle.Selection
+import net.jqwik.api.Arbitrary
+import net.jqwik.api.ArbitrarySupplier
+
+/** How the renderings of a [Combination] follow each other. */
+internal enum class Turns { ONE_BY_ONE, AT_ONCE }
+
+/**
+ * Several renderings by one renderer, and all that is not as usual about them.
+ *
+ * @param choices [Choices.COUNT] numbers that say what: 0 is always the usual, so failures shrink to what matters
+ */
+internal class Combination(cases: List<FrameCase>, private val choices: List<Int>) {
+    /** What the renderer is given, but for the selector. */
+    val options: RenderOptions = RenderOptions(
+        Coherence.entries.chosen(0),
+        listOf(null, null, null, 0L, 1_000L, 100_000L).chosen(1),
+        listOf(1, 2, 3, 5).chosen(2),
+        listOf(64, 8, 16, 32, 128, 512).chosen(3),
+    )
+
+    val turns: Turns = listOf(Turns.ONE_BY_ONE, Turns.ONE_BY_ONE, Turns.AT_ONCE).chosen(4)
+
+    /** The renderings, in order. */
+    val shots: List<Shot> = cases.mapIndexed { i, case -> Shot(case, OPTIONS + i * SHOT) }
+
+    private fun <T> List<T>.chosen(number: Int): T = this[choices[number] % size]
+
+    /** One rendering: a frame, and what is asked for besides; its choices begin with number [first]. */
+    inner class Shot(private val case: FrameCase, private val first: Int) {
+        /** What throws in a rendering just before this one, or null for no such rendering. */
+        val accident: Question? = (List<Question?>(USUAL) { null } + Question.entries).chosen(first)
+
+        /** How many questions are answered before it throws. */
+        val patience: Int = choices[first + 1]
+
+        /** The selector's name, or null for the usual. */
+        val selection: String? = (List<String?>(USUAL) { null } + Selection.all.keys).chosen(first + 2)
+
+        /** The frame on a raster whose background is behind everything, in the middle, or before everything. */
+        private fun onItsBackground(): FrameCase {
+            val before = Int.MAX_VALUE - Rasters.behindAll(case.frame.raster.depthTest)
+            val depth = (List<Int?>(USUAL) { null } + Int.MAX_VALUE / 2 + before).chosen(first + 8) ?: return case
+            return case.on(
+                with(case.frame.raster) { Raster(width, height, background, convention, depthTest, depth) },
+            )
+        }
+
+        /** The frame for a renderer that has these [capabilities]. */
+        fun caseFor(capabilities: Set<Capability>): FrameCase {
+            val case = onItsBackground()
+
+            // Bits of glass: none, all, or a mixture
+            val glaze = listOf(0, 0, 0xFFFF, choices[first + 3] * 657).chosen(first + 3)
+            val glazed = if (glaze != 0 && Capability.TRANSPARENCY in capabilities) case.glazed(glaze) else case
+            val raster = case.frame.raster
+            val (columnStart, columnEnd) = part(raster.width, first + 4)
+            val (rowStart, rowEnd) = part(raster.height, first + 6)
+            val region = Region(columnStart, rowStart, columnEnd, rowEnd)
+            return if (region == raster.region) glazed else glazed.within(region)
+        }
+
+        /** The selector; null for the usual, where the renderer has none, and where the oracle would take long. */
+        fun selectionFor(capabilities: Set<Capability>): Selection? {
+            if (selection == null || Capability.SELECTION !in capabilities) return null
+            val frame = caseFor(capabilities).frame
+            return Selection.all.getValue(selection).takeIf {
+                frame.region.size * frame.primitives.size < FEW_FRAGMENTS
+            }
+        }
+
+        /** From and until, by the choices [number] and the next: small ones leave a side whole. */
+        private fun part(side: Int, number: Int): Pair<Int, Int> {
+            val start = side * maxOf(0, choices[number] - Choices.MOST / 2) / Choices.MOST
+            return start to side - (side - start - 1) * maxOf(0, choices[number + 1] - Choices.MOST / 2) / Choices.MOST
+        }
+    }
+
+    companion object {
+        /** Most frames of a combination. */
+        const val MOST_FRAMES: Int = 3
+
+        private const val OPTIONS = 5
+        private const val SHOT = 9
+
+        /** How many usual ones there are for each that is not. */
+        private const val USUAL = 8
+        private const val FEW_FRAGMENTS = 5_000L
+    }
+
+    /** Numbers for a [Combination]. */
+    internal class Choices : ArbitrarySupplier<List<Int>> {
+        override fun get(): Arbitrary<List<Int>> = ints(0, MOST).list().ofSize(COUNT).withoutEdgeCases()
+
+        companion object {
+            const val MOST: Int = 99
+            const val COUNT: Int = OPTIONS + MOST_FRAMES * SHOT
+        }
+    }
+
+    /** One to three frames of all kinds, most of them larger than those of other rules. */
+    internal class Cases : ArbitrarySupplier<List<FrameCase>> {
+        override fun get(): Arbitrary<List<FrameCase>> {
+            val all = FrameMix.usual()
+                .with(FrameKind.POLYGONS_IN_SPACE, 5)
+                .with(FrameKind.MESHES, 6)
+                .with(FrameKind.NEAR_PLANE, 4)
+            val onScreen = FrameKind.entries.filter {
+                it.isInSpace
+            }.fold(FrameMix.usual()) { mix, it -> mix.with(it, 0) }
+            val frames = mixed(
+                5 to Frames.of(all.sized(131, 97).counted(0, 16)),
+                2 to Frames.of(all.sized(24, 20).counted(0, 12)),
+                1 to Frames.of(onScreen.sized(41, 31).counted(0, 40).layered(12)),
+                1 to Frames.of(onScreen.sized(331, 23).counted(0, 12)),
+                1 to Frames.of(onScreen.sized(23, 331).counted(0, 12)),
+            )
+            return frames.list().ofMinSize(1).ofMaxSize(MOST_FRAMES).withoutEdgeCases()
+        }
+    }
+}

@@ -1,0 +1,164 @@
+package dev.lazyz.conformance.probes
+
+import dev.lazyz.Capability
+import dev.lazyz.FillRule
+import dev.lazyz.Frame
+import dev.lazyz.Raster
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.conformance.cases.Confetti
+import dev.lazyz.conformance.frames.Frames
+import dev.lazyz.world.FrameBuilder
+import java.io.ByteArrayOutputStream
+import java.io.OutputStream
+import java.io.PrintStream
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.Locale
+import java.util.Properties
+import java.util.TimeZone
+import java.util.concurrent.ConcurrentLinkedQueue
+
+// What a rendering leaves behind. Other threads of the process may print, and other processes make files: what is told
+// is what the renderer's own threads print, and files that come with each rendering.
+
+/** Fails if renderings of a few frames, of which one has many layers, leave output, changed global state, threads or files. */
+internal fun leavesNothingBehind(renderer: Renderer) {
+    val isParallel = Capability.PARALLEL in renderer.capabilities
+    val configured = if (isParallel) renderer.configured(RenderOptions(threads = 2, tileSize = 8)) else renderer
+    fun render() {
+        for (frame in frames) configured.render(frame) { _, _, _, _ -> }
+    }
+    fun failIf(words: String?) {
+        if (words != null) throw AssertionError("${renderer.id} leaves behind $words")
+    }
+
+    // Once, for what is seen at once
+    val here = names(Path.of(""))
+    val before = GlobalState()
+    val printed = printedBy { failIf(propertySetBy { render() }) }
+    failIf(before.changedTo(GlobalState()))
+    failIf(if (printed.isEmpty()) null else "output: ${printed.take(MOST_PRINTED)}")
+    failIf(threadsBeyond(threads()))
+    failIf((names(Path.of("")) - here).firstOrNull()?.let { "the file $it" })
+
+    // Again and again, since a pool of threads is filled after some time, and files of others come now and then
+    repeat(ENOUGH * Runtime.getRuntime().availableProcessors()) { render() }
+    val threads = threads()
+    val temporary = Path.of(System.getProperty("java.io.tmpdir"))
+    val files = names(temporary)
+    repeat(WATCHED) { render() }
+    val newFiles = names(temporary) - files
+    failIf(if (newFiles.size < WATCHED) null else "a temporary file for each rendering, such as ${newFiles.first()}")
+    failIf(threadsBeyond(threads))
+}
+
+private const val ENOUGH = 16
+private const val WATCHED = 10
+private const val MOST_PRINTED = 80
+
+/** Two polygons; many primitives at each sample; and none at all. */
+private val frames: List<Frame> = listOf(
+    FrameBuilder(Raster(24, 16))
+        .polygon(Frames.tint(0), FillRule.NON_ZERO, doubleArrayOf(1.0, 1.0, 0.5, 23.0, 2.0, 0.5, 4.0, 15.0, 0.5))
+        .polygon(Frames.tint(1), FillRule.NON_ZERO, doubleArrayOf(2.0, 14.0, 0.2, 20.0, 15.0, 0.8, 12.0, 1.0, 0.5))
+        .build(),
+    Frame(Raster(5, 3), List(300) { Confetti(it, 0, 5, 0, 3, 20) }),
+    Frame(Raster(3, 5), emptyList()),
+)
+
+private fun names(folder: Path): Set<String> = Files.newDirectoryStream(folder).use { paths ->
+    paths.mapTo(HashSet()) { "${it.fileName}" }
+}
+
+/** The threads of the group that renders, and of the groups in it. */
+private fun threads(): Set<Thread> {
+    val group = Thread.currentThread().threadGroup
+    val threads = arrayOfNulls<Thread>(2 * group.activeCount() + WATCHED)
+    return threads.take(group.enumerate(threads)).filterNotNullTo(HashSet())
+}
+
+/** Says which threads have come besides those of [before] and stay; null if they are few, as threads of a pool are. */
+private fun threadsBeyond(before: Set<Thread>): String? {
+    val end = System.nanoTime() + PATIENCE_NANOSECONDS
+    while (true) {
+        val more = threads() - before
+        val lasting = threads().filter { !it.isDaemon && it !== Thread.currentThread() }
+        val words = when {
+            lasting.isNotEmpty() -> "the thread ${lasting.first().name}, which keeps the process from its end"
+            more.size >= WATCHED -> "threads, one with each rendering, such as ${more.first().name}"
+            else -> return null
+        }
+        if (System.nanoTime() > end) return words
+        Thread.sleep(1)
+    }
+}
+
+private const val PATIENCE_NANOSECONDS = 300_000_000L
+
+/** What is the same for the whole process. */
+private class GlobalState {
+    private val parts: Map<String, Any?> = mapOf(
+        "locale" to Locale.getDefault(),
+        "time zone" to TimeZone.getDefault(),
+        "handler of uncaught exceptions" to Thread.getDefaultUncaughtExceptionHandler(),
+        "standard output" to System.out,
+        "standard error" to System.err,
+        "standard input" to System.`in`,
+    ) + System.getProperties().entries.associate { "system property ${it.key}" to it.value }
+
+    fun changedTo(after: GlobalState): String? =
+        (parts.keys + after.parts.keys).firstOrNull { parts[it] != after.parts[it] }?.let { "another $it" }
+}
+
+/** Returns which system property this thread's group sets while [block] runs, be it to what it was; null if none. */
+private fun propertySetBy(block: () -> Unit): String? {
+    val group = Thread.currentThread().threadGroup
+    val usual = System.getProperties()
+    val set = ConcurrentLinkedQueue<Any>()
+    val watched = object : Properties() {
+        override fun put(key: Any?, value: Any?): Any? {
+            if (group.parentOf(Thread.currentThread().threadGroup)) set.add(key ?: "null")
+            return super.put(key, value)
+        }
+
+        override fun remove(key: Any?): Any? {
+            if (group.parentOf(Thread.currentThread().threadGroup)) set.add(key ?: "null")
+            return super.remove(key)
+        }
+    }
+    synchronized(usual) { for ((key, value) in usual) watched[key] = value }
+    set.clear()
+    System.setProperties(watched)
+    try {
+        block()
+    } finally {
+        if (System.getProperties() === watched) System.setProperties(usual)
+    }
+    return set.firstOrNull()?.let { "another system property $it" }
+}
+
+/** Returns what this thread's group prints while [block] runs. */
+private fun printedBy(block: () -> Unit): String {
+    val (out, err) = System.out to System.err
+    val printed = ByteArrayOutputStream()
+    val group = Thread.currentThread().threadGroup
+    fun watched(stream: PrintStream) = PrintStream(
+        object : OutputStream() {
+            override fun write(byte: Int) {
+                if (group.parentOf(Thread.currentThread().threadGroup)) printed.write(byte) else stream.write(byte)
+            }
+        },
+        true,
+    )
+    val (watchedOut, watchedErr) = watched(out) to watched(err)
+    System.setOut(watchedOut)
+    System.setErr(watchedErr)
+    try {
+        block()
+    } finally {
+        if (System.out === watchedOut) System.setOut(out)
+        if (System.err === watchedErr) System.setErr(err)
+    }
+    return printed.toString()
+}

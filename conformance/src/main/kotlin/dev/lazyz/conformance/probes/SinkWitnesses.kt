@@ -1,0 +1,61 @@
+package dev.lazyz.conformance.probes
+
+import dev.lazyz.Counters
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.RowSink
+import java.util.concurrent.atomic.AtomicInteger
+
+/** A sink that notes who calls it: made by the thread that should. */
+internal class ThreadWitness : RowSink {
+    private val caller = Thread.currentThread()
+    private val inside = AtomicInteger()
+
+    /** What was wrong first, or null. */
+    @Volatile
+    var complaint: String? = null
+        private set
+
+    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        val others = inside.getAndIncrement()
+        val thread = Thread.currentThread()
+        when {
+            thread !== caller -> complain("the sink gets row $y in ${thread.name}, not in the caller's ${caller.name}")
+            others > 0 -> complain("the sink gets row $y while it has another one")
+        }
+        inside.decrementAndGet()
+    }
+
+    private fun complain(what: String) {
+        complaint = complaint ?: what
+    }
+}
+
+/** A sink that copies its rows, looks whether they hold still for a while, and then writes nonsense into them. */
+internal class OverwritingSink(private val frame: Frame) : RowSink {
+    private val collector = Image.Collector(frame.region)
+    private var patience = PATIENT_ROWS
+
+    /** What was wrong first, or null. */
+    var complaint: String? = null
+        private set
+
+    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        collector.row(y, argb, depth, primitive)
+        val arrays = listOf(argb, depth, primitive)
+        val copies = arrays.map { it.copyOf(frame.width) }
+        if (patience-- > 0) Thread.sleep(1)
+        val isSame = arrays.indices.all { i -> (0 until frame.width).all { arrays[i][it] == copies[i][it] } }
+        if (!isSame) complaint = complaint ?: "row $y changes while the sink has it"
+        for ((i, array) in arrays.withIndex()) array.fill(NONSENSE + i, 0, frame.width)
+    }
+
+    /** The picture as it arrived. */
+    fun image(counters: Counters): Image = collector.toImage(counters)
+
+    private companion object {
+        /** Rows that are looked at for a millisecond each. */
+        const val PATIENT_ROWS = 2
+        const val NONSENSE = 0x5A5A5A5A
+    }
+}

@@ -1,0 +1,89 @@
+package dev.lazyz.conformance.probes.threads
+
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Spans
+import dev.lazyz.conformance.cases.FrameCase
+import java.util.concurrent.atomic.LongAdder
+
+/** Where the primitives of a [Crowd] make threads meet. */
+internal enum class Where(
+    /**
+     * How many meetings are enough. Two threads that compare and write without a lock, after they have met, lose something
+     * in one of thirty; who shares a fragment is found nearly each time.
+     */
+    val enough: Int,
+) {
+    /** At the same row, and at the same sample when its depth is asked for: two updates of the same sample. */
+    SAME_SAMPLE(1_000),
+
+    /** Wherever spans and colours are asked for: two uses of what belongs to one thread. */
+    ANY_SAMPLE(1_000),
+}
+
+/**
+ * A frame whose primitives all cover all samples and, if [meeting] is given, make threads meet. Which one is nearest is
+ * another one from sample to sample.
+ */
+internal class Crowd(private val salt: Long, private val where: Where, private val meeting: Meeting?) {
+    val frame: Frame = Frame(Raster(SIDE, SIDE), List(COUNT) { Member(it) })
+
+    private val shaded = LongAdder()
+
+    /** Shading calls so far. */
+    val shadingCalls: Long get() = shaded.sum()
+
+    private fun hash(index: Int, x: Int, y: Int): Int {
+        var h = salt + index * 0x632BE59BD9B4E019L + (y * SIDE + x) * -0x61C8864680B583EBL
+        h = (h xor (h ushr 32)) * -0x2917014799A6026DL
+        return (h ushr 34).toInt()
+    }
+
+    /** Steps of a thread that goes through rows from left to right. */
+    private fun step(x: Int, y: Int): Int = y * (SIDE + 1) + 1 + x
+
+    private inner class Member(private val index: Int) : Primitive {
+        override val rowStart: Int get() = 0
+        override val rowEnd: Int get() = SIDE
+        override val columnStart: Int get() = 0
+        override val columnEnd: Int get() = SIDE
+
+        override fun spans(y: Int, spans: Spans) {
+            if (y !in 0 until SIDE) return
+            meeting?.meet(if (where == Where.SAME_SAMPLE) step(-1, y) else 0)
+            spans.add(0, SIDE / 2 - 1)
+            if (where == Where.ANY_SAMPLE) meeting?.meet(0)
+            spans.add(SIDE / 2, SIDE)
+        }
+
+        override fun depth(x: Int, y: Int): Int {
+            val depth = hash(index, x, y)
+            if (where == Where.SAME_SAMPLE) meeting?.meet(step(x, y))
+            return depth
+        }
+
+        override fun shade(fragment: Fragment) {
+            shaded.increment()
+            if (where == Where.ANY_SAMPLE) meeting?.meet(0)
+            val bits = hash(index + COUNT, fragment.x, fragment.y)
+            fragment.setColor((bits and 255) / 255f, (bits shr 8 and 255) / 255f, (bits shr 16 and 255) / 255f)
+            if (where == Where.ANY_SAMPLE) meeting?.meet(0)
+        }
+    }
+
+    companion object {
+        const val SIDE = 64
+        const val COUNT = 4
+
+        /** Covered samples: bounds of depths are loose, so nothing is hidden before it is looked at. */
+        const val FRAGMENTS: Long = COUNT * SIDE * (SIDE - 1L)
+
+        /** The frame as it is when nobody has to meet. */
+        fun quiet(salt: Long, where: Where): FrameCase = FrameCase(
+            Crowd(salt, where, null).frame,
+            "// $COUNT primitives that cover $SIDE x $SIDE samples and make threads meet, number $salt",
+        )
+    }
+}

@@ -1,0 +1,56 @@
+package dev.lazyz.conformance.probes.threads
+
+import dev.lazyz.Capability
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Violation
+import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.judgement.withoutMemory
+import dev.lazyz.conformance.oracle.ReferenceRenderer
+
+/** Calls [block] until threads have met often enough to lose what can be lost, or do not meet at all. */
+internal fun whileTheyMeet(where: Where, block: (meeting: Meeting, round: Int) -> Unit) {
+    var left = where.enough
+    repeat(MOST_ROUNDS) { round ->
+        val meeting = Meeting(where)
+        block(meeting, round)
+        left -= meeting.closeMeetings
+        if (!meeting.hasMet || left <= 0) return
+    }
+}
+
+/** One is enough, but where tiles or a busy machine let threads meet less often. */
+private const val MOST_ROUNDS = 3
+
+/** Fails unless [renderer] makes of [crowd] what the oracle makes of [quiet]. */
+internal fun rightInACrowd(renderer: Renderer, quiet: FrameCase, crowd: Crowd) {
+    val expected = Rendering.of(ReferenceRenderer(), quiet.frame).image
+    val actual = try {
+        Rendering.of(renderer, crowd.frame).image
+    } catch (e: Exception) {
+        throw Violation("${renderer.id}, when threads meet: threw $e", quiet, expected, cause = e)
+    }
+    val difference = difference(expected, actual) ?: return
+    throw Violation("${renderer.id}, when threads meet: $difference\nin\n$quiet", quiet, expected, actual)
+}
+
+/** Fails unless [renderer], with four threads, counts what happens in [crowd], and what one thread counts. */
+internal fun countsInACrowd(renderer: Renderer, quiet: FrameCase, crowd: Crowd) {
+    val counters = Rendering.of(renderer.configured(RenderOptions(threads = 4, tileSize = 8)), crowd.frame).counters
+    val counted = listOf(counters.primitives, counters.fragments, counters.shadingCalls)
+    val happened = listOf(Crowd.COUNT.toLong(), Crowd.FRAGMENTS, crowd.shadingCalls)
+    val words = "primitives, fragments and shading calls"
+    if (counted != happened) miscounted(renderer, quiet, "$words are $happened, counted are $counted")
+    if (Capability.PARALLEL !in renderer.capabilities) return
+    val alone = Rendering.of(renderer.configured(RenderOptions(threads = 1, tileSize = 8)), quiet.frame).counters
+    if (counters.withoutMemory() != alone.withoutMemory()) {
+        miscounted(renderer, quiet, "one thread counts $alone, several that meet $counters")
+    }
+}
+
+private fun miscounted(renderer: Renderer, quiet: FrameCase, what: String): Nothing {
+    val right = Rendering.of(ReferenceRenderer(), quiet.frame).image
+    throw Violation("${renderer.id}, when threads meet: $what\nin\n$quiet", quiet, right, right)
+}

@@ -1,0 +1,145 @@
+package dev.lazyz.conformance.probes.threads
+
+import dev.lazyz.Counters
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.LinearForm
+import dev.lazyz.Primitive
+import dev.lazyz.Renderer
+import dev.lazyz.RowSink
+import dev.lazyz.ShadingCursor
+import dev.lazyz.Spans
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.changed.Recovered
+import dev.lazyz.conformance.judgement.Judgement
+import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.conformance.probes.answer
+import java.util.Random
+import java.util.concurrent.atomic.AtomicInteger
+
+/** When the thread that renders is interrupted. */
+internal enum class Interruption(private val words: String) {
+    BEFORE("before it renders"),
+    IN_THE_SINK("while the sink has a row"),
+    IN_A_PRIMITIVE("while a primitive is asked"),
+    ;
+
+    override fun toString(): String = words
+}
+
+/** Fails unless [renderer], called by an interrupted thread, soon gives the whole picture or InterruptedException. */
+internal fun endsInterrupted(renderer: Renderer, case: FrameCase): Unit =
+    interrupt(renderer, case, Interruption.BEFORE, Random(0)) { it.lostPicture(case) }
+
+/** Fails unless [renderer], whose thread is interrupted at some [moment], besides says so in one of the two ways. */
+internal fun tellsOfInterrupt(renderer: Renderer, case: FrameCase, moment: Interruption, random: Random): Unit =
+    interrupt(renderer, case, moment, random) { it.lostInterrupt() ?: it.lostPicture(case) }
+
+private fun interrupt(
+    renderer: Renderer,
+    case: FrameCase,
+    moment: Interruption,
+    random: Random,
+    complaint: (InterruptedRendering) -> String?,
+) {
+    val rendering = InterruptedRendering(renderer, case.frame, moment, random)
+    val thread = Thread(rendering, "lazyz-interrupted")
+    thread.isDaemon = true
+    thread.start()
+    thread.join(PATIENCE)
+    val what = if (thread.isAlive) "hangs" else complaint(rendering) ?: return
+    Judgement(renderer, case, "a thread that is interrupted $moment").fail(what, rendering.thrown)
+}
+
+/** Milliseconds after which a small frame counts as hanging. */
+private const val PATIENCE = 10_000L
+
+private class InterruptedRendering(
+    private val renderer: Renderer,
+    private val frame: Frame,
+    private val moment: Interruption,
+    random: Random,
+) : Runnable {
+    private val row = frame.region.rowStart + random.nextInt(frame.height)
+    private val questions = AtomicInteger(random.nextInt(MOST_QUESTIONS))
+    private val collector = Image.Collector(frame.region)
+    private lateinit var caller: Thread
+
+    @Volatile
+    private var isSent = false
+    private var isSet = false
+    private var counters: Counters? = null
+
+    /** What the renderer threw. */
+    @Volatile
+    var thrown: Throwable? = null
+        private set
+
+    override fun run() {
+        caller = Thread.currentThread()
+        if (moment == Interruption.BEFORE) send()
+        val asking = Frame(frame.raster, frame.primitives.map { Asking(it) }, frame.region)
+        val subject = if (moment == Interruption.IN_A_PRIMITIVE) asking else frame
+        val sink = RowSink { y, argb, depth, primitive ->
+            collector.row(y, argb, depth, primitive)
+            if (moment == Interruption.IN_THE_SINK && y == row) send()
+        }
+        thrown = answer { counters = renderer.render(subject, sink) }
+        isSet = caller.isInterrupted
+    }
+
+    private fun send() {
+        isSent = true
+        caller.interrupt()
+    }
+
+    /** How the caller is left in the dark, or null. */
+    fun lostInterrupt(): String? = when {
+        thrown is InterruptedException && !isSent -> "threw InterruptedException, though nobody had interrupted it"
+        thrown is InterruptedException && isSet -> "threw InterruptedException, and left the interrupt status set"
+        thrown != null -> null
+        isSent && !isSet -> "returned, and the interrupt status is not set any longer"
+        !isSent && isSet -> "set the interrupt status, though nobody had interrupted it"
+        else -> null
+    }
+
+    /** What is wrong with the picture, or null; there need not be any if there is an InterruptedException. */
+    fun lostPicture(case: FrameCase): String? {
+        if (thrown is InterruptedException) return null
+        val image = collector.toImage(counters ?: return "threw $thrown")
+        return difference(Rendering.of(ReferenceRenderer(), case.frame).image, image)?.toString()
+    }
+
+    /** Interrupts the caller when some questions have been asked, all primitives together. */
+    private inner class Asking(whole: Primitive) : Recovered(whole) {
+        override val depthForm: LinearForm? get() = null
+
+        override fun spans(y: Int, spans: Spans) {
+            ask()
+            whole.spans(y, spans)
+        }
+
+        override fun depth(x: Int, y: Int): Int {
+            ask()
+            return whole.depth(x, y)
+        }
+
+        override fun shade(fragment: Fragment) {
+            ask()
+            whole.shade(fragment)
+        }
+
+        override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
+
+        private fun ask() {
+            if (questions.getAndDecrement() == 0) send()
+        }
+    }
+
+    private companion object {
+        const val MOST_QUESTIONS = 200
+    }
+}

@@ -1,0 +1,135 @@
+package dev.lazyz.conformance.probes.threads
+
+import dev.lazyz.Image
+import dev.lazyz.Renderer
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.judgement.Judgement
+import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Violation
+import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.conformance.probes.Planted
+import dev.lazyz.conformance.probes.Question
+import dev.lazyz.conformance.probes.answer
+import java.util.concurrent.atomic.AtomicBoolean
+
+/** Fails unless what a primitive throws in a thread of [renderer]'s own reaches the caller, as it is. */
+internal fun passesOnFailuresOfWorkers(renderer: Renderer) {
+    val quiet = Workers.quiet()
+    for (question in Question.entries) {
+        for (kind in Planted.entries) {
+            val planted = kind.make()
+            val isThrown = AtomicBoolean()
+            val workers = Workers(Thread.currentThread()) {
+                if (it == question && isThrown.compareAndSet(false, true)) throw planted
+            }
+            val thrown = answer { Rendering.of(renderer, workers.frame) }
+
+            // Who works alone has nothing to pass on
+            if (!workers.hasCome) return
+            val expected = if (isThrown.get()) planted else null
+            if (thrown === expected) continue
+            throw Violation(
+                "${renderer.id}: ${expected ?: "nothing"} was thrown at a thread of its own by $question, " +
+                    "the caller got ${thrown ?: "nothing"}\nin\n$quiet",
+                quiet,
+            )
+        }
+    }
+    Judgement(renderer, quiet, "a failure before").equalsReference()
+}
+
+/**
+ * Fails unless [renderer], whose caller is interrupted while threads of its own are still at work, gives the whole
+ * picture or throws InterruptedException.
+ */
+internal fun heedsWorkersThoughInterrupted(renderer: Renderer, isBefore: Boolean) {
+    val quiet = Workers.quiet()
+    val rendering = InterruptedCaller(renderer, isBefore)
+    val thread = Thread(rendering, "lazyz-interrupted")
+    thread.isDaemon = true
+    thread.start()
+    thread.join(PATIENCE)
+    val what = if (thread.isAlive) "hangs" else rendering.complaint(quiet) ?: return
+    val moment = if (isBefore) "before it renders" else "while it waits for others"
+    Judgement(renderer, quiet, "a thread that is interrupted $moment").fail(what, rendering.thrown)
+}
+
+/** Milliseconds after which a small frame counts as hanging. */
+private const val PATIENCE = 20_000L
+
+private class InterruptedCaller(private val renderer: Renderer, private val isBefore: Boolean) : Runnable {
+    private lateinit var caller: Thread
+    private val isFirst = AtomicBoolean(true)
+    private var image: Image? = null
+    private var isSet = false
+
+    @Volatile
+    private var isSent = false
+
+    /** Whether a row has been handed out. */
+    @Volatile
+    private var isHandedOut = false
+
+    /** What the renderer threw. */
+    @Volatile
+    var thrown: Throwable? = null
+        private set
+
+    override fun run() {
+        caller = Thread.currentThread()
+        val workers = Workers(caller) { hold() }
+        if (isBefore) send()
+        thrown = answer {
+            val collector = Image.Collector(workers.frame.region)
+            val counters = renderer.render(workers.frame) { y, argb, depth, primitive ->
+                isHandedOut = true
+                collector.row(y, argb, depth, primitive)
+            }
+            image = collector.toImage(counters)
+        }
+        isSet = caller.isInterrupted
+    }
+
+    private fun send() {
+        isSent = true
+        caller.interrupt()
+    }
+
+    /** The first worker that asks goes on when the caller waits for it, or does not wait any longer. */
+    private fun hold() {
+        if (!isFirst.compareAndSet(true, false)) return
+        awaitUntil(WAIT) { isHandedOut || caller.state in ASLEEP }
+        if (isBefore || isHandedOut) return
+        send()
+        awaitUntil(MOMENT) { isHandedOut }
+    }
+
+    private fun awaitUntil(nanoseconds: Long, condition: () -> Boolean) {
+        val start = System.nanoTime()
+        while (!condition() && System.nanoTime() - start < nanoseconds) Thread.yield()
+    }
+
+    /** What is wrong, or null. */
+    fun complaint(case: FrameCase): String? {
+        val image = image
+        return when {
+            thrown is InterruptedException && !isSent -> "threw InterruptedException, though nobody had interrupted it"
+            thrown is InterruptedException && isSet -> "threw InterruptedException, and left the interrupt status set"
+            thrown is InterruptedException -> null
+            image == null -> "threw $thrown"
+            isSent && !isSet -> "returned, and the interrupt status is not set any longer"
+            else -> difference(Rendering.of(ReferenceRenderer(), case.frame).image, image)?.toString()
+        }
+    }
+
+    private companion object {
+        val ASLEEP = setOf(Thread.State.WAITING, Thread.State.TIMED_WAITING, Thread.State.BLOCKED)
+
+        /** Nanoseconds in which the caller is done with its own part of the work, mostly. */
+        const val WAIT = 200_000_000L
+
+        /** Nanoseconds in which who is woken up goes on. */
+        const val MOMENT = 30_000_000L
+    }
+}

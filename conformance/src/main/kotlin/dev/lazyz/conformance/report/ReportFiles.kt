@@ -1,0 +1,95 @@
+package dev.lazyz.conformance.report
+
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.code
+import dev.lazyz.conformance.report.ReportText.Companion.NO_SCENE_FILE
+import dev.lazyz.conformance.results.RuleFailure
+import dev.lazyz.conformance.results.SuiteRule
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardCopyOption.REPLACE_EXISTING
+import java.util.UUID
+
+/** A report on disk. */
+internal class ReportFiles(private val report: ConformanceReport, private val folder: Path) {
+    fun write() {
+        val failures = folder.resolve("failures")
+        Files.createDirectories(failures)
+
+        // Take away what an earlier run left, so that nothing is taken for a failure of this one
+        for (rule in SuiteRule.all) {
+            for (ending in ENDINGS) Files.deleteIfExists(failures.resolve(rule.name + ending))
+        }
+        for (result in report.results) result.failure?.let { write(it, failures, result.rule) }
+        if (Files.list(failures).use { it.findAny().isEmpty }) Files.delete(failures)
+
+        // The summaries last: they are the sign that all is there
+        write(folder.resolve("report.txt"), report.toText())
+        write(folder.resolve("report.json"), report.toJson())
+        write(folder.resolve("TEST-lazyz-conformance.xml"), report.toJUnitXml())
+        write(folder.resolve("report.html"), report.toHtml())
+    }
+
+    /** Writes the files of one [failure] of [rule] into [failures], and returns their names. */
+    fun write(failure: RuleFailure, failures: Path, rule: SuiteRule): List<String> {
+        val files = LinkedHashMap<String, ByteArray>()
+        failure.case?.let { files["$rule.kt"] = snippet(it, rule, failure).toByteArray() }
+        failure.sceneFile?.let { files["$rule.json"] = it.toByteArray() }
+        failure.before.forEachIndexed { i, it -> files["$rule-before-${i + 1}.kt"] = before(it, rule).toByteArray() }
+        for ((name, png) in Pictures.of(failure)?.png().orEmpty()) files["$rule-$name.png"] = png
+        for ((name, bytes) in files) write(failures.resolve(name), bytes)
+        return files.keys.toList()
+    }
+
+    /** A file that compiles, given the library and the suite. */
+    private fun snippet(case: FrameCase, rule: SuiteRule, failure: RuleFailure): String = buildString {
+        appendLine("// ${report.strategy.id} breaks $rule on this frame:")
+        for (line in failure.message.substringBefore("\nin\n").lines()) appendLine("// $line".trimEnd())
+        appendLine("// ${report.commandFor(rule)}")
+        appendLine("// ${if (failure.sceneFile == null) "scene file: $NO_SCENE_FILE" else drawing(case, rule)}")
+        append(code(case))
+    }
+
+    private fun before(case: FrameCase, rule: SuiteRule): String =
+        "// ${report.strategy.id} rendered this frame before it broke $rule\n${code(case)}"
+
+    private fun code(case: FrameCase): String = buildString {
+        appendLine()
+        for (name in IMPORTS) appendLine("import $name")
+        appendLine()
+        appendLine("val frame: Frame =")
+        appendLine(case.code.prependIndent("    "))
+    }
+
+    /** The command that draws the frame. */
+    private fun drawing(case: FrameCase, rule: SuiteRule): String {
+        val part = case.frame.region
+        val isWhole = part == case.frame.raster.region
+        val region =
+            if (isWhole) "" else " --region ${part.columnStart},${part.rowStart},${part.width}x${part.height}"
+        return "zcli render $rule.json$region --strategy ${report.strategy.id} -o $rule.png"
+    }
+
+    private fun write(path: Path, text: String) = write(path, text.toByteArray())
+
+    private fun write(path: Path, bytes: ByteArray) {
+        val temporary = path.resolveSibling(".${path.fileName}.${UUID.randomUUID()}.tmp")
+        try {
+            Files.write(temporary, bytes)
+            Files.move(temporary, path, REPLACE_EXISTING)
+        } finally {
+            Files.deleteIfExists(temporary)
+        }
+    }
+
+    private companion object {
+        /** What the code of frames names, see [FrameCase.code]. */
+        val IMPORTS = listOf(
+            "dev.lazyz.*", "dev.lazyz.conformance.cases.*", "dev.lazyz.conformance.frames.*", "dev.lazyz.world.*",
+            "org.joml.Vector3d",
+        )
+
+        val ENDINGS = listOf(".kt", ".json", "-expected.png", "-actual.png", "-difference.png") +
+            (1..RuleFailure.MOST_BEFORE).map { "-before-$it.kt" }
+    }
+}

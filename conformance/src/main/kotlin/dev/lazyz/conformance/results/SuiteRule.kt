@@ -1,0 +1,70 @@
+package dev.lazyz.conformance.results
+
+import dev.lazyz.conformance.rules.AllRules
+import dev.lazyz.conformance.rules.Level
+import dev.lazyz.conformance.rules.Rule
+import dev.lazyz.conformance.rules.Symptom
+import java.lang.reflect.Method
+import net.jqwik.api.Property
+
+/**
+ * A rule of the suite, as reports tell it. Immutable and thread safe.
+ *
+ * @property name the method's name, such as `rule_5_2_tiesGoToTheFirstSubmitted`: unique, and what waivers say
+ * @property level how binding it is
+ * @property intent why there is such a rule, one sentence; empty where none is given
+ * @property look what to look at in one's renderer when it fails, one sentence; empty where none is given
+ */
+public class SuiteRule private constructor(internal val method: Method) {
+    private val rule: Rule? = method.getAnnotation(Rule::class.java)
+
+    public val name: String get() = method.name
+
+    public val level: Level get() = rule?.level ?: Level.MUST
+
+    public val intent: String get() = rule?.intent.orEmpty()
+
+    public val look: String get() = rule?.look.orEmpty()
+
+    /** Symptoms of mistakes that the rule is about, see [Rule.about]. */
+    internal val about: Set<Symptom> get() = rule?.about.orEmpty().toSet()
+
+    /** The rule's number in `docs/contract.md`, such as `5.2`. Several tests may be of one rule. */
+    public val number: String get() = numbers().joinToString(".")
+
+    /**
+     * The seed of this rule's frames, given the [suite]'s: FNV-1a, 64 bits, over the characters of [name], begun at
+     * [suite]. So each rule has frames of its own, and has the same ones whichever other rules there are.
+     */
+    internal fun seed(suite: Long): Long = name.fold(suite) { hash, char -> (hash xor char.code.toLong()) * FNV_PRIME }
+
+    private fun numbers(): List<Int> =
+        name.removePrefix(PREFIX).split('_').takeWhile { it.toIntOrNull() != null }.map { it.toInt() }
+
+    override fun toString(): String = name
+
+    public companion object {
+        private const val PREFIX = "rule_"
+        private const val FNV_PRIME = 0x100000001B3L
+
+        /** All rules of the suite, by number and then by name. */
+        @JvmStatic
+        public val all: List<SuiteRule> = AllRules::class.java.methods
+            .filter { it.isAnnotationPresent(Property::class.java) && it.name.startsWith(PREFIX) }
+            .map { SuiteRule(it) }
+            .sortedWith(compareBy({ it.numbers().first() }, { it.numbers().getOrElse(1) { 0 } }, { it.name }))
+
+        /** Returns the rule called [name], or null if there is none. */
+        @JvmStatic
+        public fun find(name: String): SuiteRule? = all.firstOrNull { it.name == name }
+
+        /** Returns the rule of that name, or all of that number (`5.2`); none if [nameOrNumber] means nothing. */
+        @JvmStatic
+        public fun matching(nameOrNumber: String): List<SuiteRule> =
+            all.filter { it.name == nameOrNumber || it.number == nameOrNumber }
+
+        /** The suite's seed where nobody says another. */
+        internal val fixedSeed: Long =
+            all.first { it.method.parameterCount > 0 }.method.getAnnotation(Property::class.java).seed.toLong()
+    }
+}

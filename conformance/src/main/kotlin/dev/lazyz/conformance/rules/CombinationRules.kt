@@ -1,0 +1,101 @@
+package dev.lazyz.conformance.rules
+
+import dev.lazyz.Capability
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.judgement.Judgement
+import dev.lazyz.conformance.judgement.Violation
+import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.probes.Combination
+import dev.lazyz.conformance.probes.Trap
+import dev.lazyz.conformance.probes.Turns
+import dev.lazyz.conformance.probes.failsAsPlanned
+import dev.lazyz.conformance.probes.threads.atOnce
+import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.ForAll
+import net.jqwik.api.Property
+
+/** The rule about everything together. Part of `RendererConformance`. */
+@Suppress("ktlint:standard:function-naming")
+public sealed interface CombinationRules : RulesForOne {
+    /** Larger frames of all kinds, by parts, with options, glass, selectors, accidents and threads. */
+    @Rule(
+        intent = "What works alone works together: parts, options, depth tests, blending, selectors, reuse, threads.",
+        look = "The message names all that is not as usual; the smaller the frame has become, the more of it matters.",
+    )
+    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_5_combinationsAreRight(
+        @ForAll(supplier = Combination.Cases::class) cases: List<FrameCase>,
+        @ForAll(supplier = Combination.Choices::class) choices: List<Int>,
+    ) {
+        val combination = Combination(cases, choices)
+        val renderer = renderer()
+        val options = combination.options
+        val usual = renderer.configured(options)
+        when (combination.turns) {
+            Turns.ONE_BY_ONE -> combination.shots.forEach { taken(renderer, usual, options, it) }
+
+            Turns.AT_ONCE -> {
+                val capabilities = renderer.capabilities
+                val shown = combination.shots.map { it.caseFor(capabilities) }
+                atOnce(shown) { Judgement(usual, it, "$options, ${shown.size} frames at once").equalsReference() }
+            }
+        }
+    }
+
+    /** Takes [shot] by [usual], which has been given [options], or by one like it that has a selector, too. */
+    private fun taken(renderer: Renderer, usual: Renderer, options: RenderOptions, shot: Combination.Shot) {
+        val case = shot.caseFor(renderer.capabilities)
+        val selection = shot.selectionFor(renderer.capabilities)
+        if (selection != null) {
+            val chosen = with(options) {
+                RenderOptions(coherence, memoryBudget, threads, tileSize, selection.selector)
+            }
+            val judgement = Judgement(renderer.configured(chosen), case, "$options, selector ${shot.selection}")
+            difference(selection.of(case.frame), judgement.rendering.image)?.let { judgement.fail("", it) }
+            return
+        }
+        shot.accident?.let { failsAsPlanned(usual, case, Trap(case.frame, it, shot.patience)) }
+        val judgement = try {
+            Judgement(usual, case, "$options").equalsReference().rowsInOrder()
+        } catch (e: Violation) {
+            throw explained(e, options, case)
+        }
+        counts(judgement, case, renderer.capabilities, options)
+    }
+
+    /** What a new renderer says of [case] if it is wrong, too; otherwise [found], which is then about use. */
+    private fun explained(found: Violation, options: RenderOptions, case: FrameCase): Violation {
+        try {
+            Judgement(renderer().configured(options), case, "$options").equalsReference()
+        } catch (e: Violation) {
+            return e
+        }
+        return Violation(
+            "after other frames, or a failure, and not at first: ${found.message}",
+            case,
+            found.expected,
+            found.actual,
+            found.cause,
+        )
+    }
+
+    private fun counts(
+        judgement: Judgement,
+        case: FrameCase,
+        capabilities: Set<Capability>,
+        options: RenderOptions,
+    ) {
+        val counters = judgement.rendering.counters
+        val visible = judgement.rendering.image.visible
+        val isExact = Capability.SHADES_ONLY_VISIBLE in capabilities && options.memoryBudget == null &&
+            !case.frame.hasTranslucency
+        val isRight = counters.primitives == case.frame.primitives.size.toLong() &&
+            (if (isExact) counters.shadingCalls == visible.toLong() else counters.shadingCalls >= visible)
+        if (!isRight) {
+            val size = case.frame.primitives.size
+            judgement.fail("$size primitives submitted, $visible samples visible, but the counters are $counters")
+        }
+    }
+}

@@ -1,0 +1,51 @@
+package dev.lazyz.conformance.rules
+
+import dev.lazyz.Capability
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.frames.BlendedPointCases
+import dev.lazyz.conformance.frames.LineCases
+import dev.lazyz.conformance.frames.PointCases
+import dev.lazyz.conformance.judgement.Judgement
+import dev.lazyz.conformance.judgement.requireDeclared
+import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.ForAll
+import net.jqwik.api.Property
+
+/** Rules about points and lines, which have a size in pixels. Part of `RendererConformance`. */
+@Suppress("ktlint:standard:function-naming")
+public sealed interface PointRules : RulesForOne {
+    /** Clouds of points, most of which cover a sample or a few. */
+    @Rule(
+        intent = "A point is a primitive of its own: one sample or a square of them, at one depth.",
+        look = "Look for primitives of one sample or of one row that are lost, and for colours taken from a neighbour.",
+        about = [Symptom.IN_SPACE],
+    )
+    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_2_9_pointsAreOrdinary(@ForAll(supplier = PointCases::class) case: FrameCase) {
+        Judgement(renderer(), case).equalsReference()
+    }
+
+    /** Lines of any width, most of them thin. */
+    @Rule(
+        intent = "A line is a primitive of its own: one span a row, and depth that is no linear form.",
+        look = "Ask Primitive.depth where depthForm is null, and expect rows of a single sample.",
+        about = [Symptom.IN_SPACE],
+    )
+    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_2_10_linesAreOrdinary(@ForAll(supplier = LineCases::class) case: FrameCase) {
+        Judgement(renderer(), case).equalsReference()
+    }
+
+    /** Points and lines that let through what is behind them. */
+    @Rule(
+        intent = "Translucent points and lines blend as polygons do.",
+        look = "Sort a sample's fragments by their keys, whatever kind of primitive they are of.",
+        about = [Symptom.TRANSLUCENT],
+    )
+    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_5_5_pointsAndLinesBlend(@ForAll(supplier = BlendedPointCases::class) case: FrameCase) {
+        val renderer = renderer()
+        requireDeclared(renderer, Capability.TRANSPARENCY)
+        Judgement(renderer, case).equalsReference()
+    }
+}

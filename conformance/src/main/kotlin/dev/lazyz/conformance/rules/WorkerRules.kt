@@ -1,0 +1,84 @@
+package dev.lazyz.conformance.rules
+
+import dev.lazyz.RenderOptions
+import dev.lazyz.conformance.probes.threads.Crowd
+import dev.lazyz.conformance.probes.threads.Where
+import dev.lazyz.conformance.probes.threads.countsInACrowd
+import dev.lazyz.conformance.probes.threads.heedsWorkersThoughInterrupted
+import dev.lazyz.conformance.probes.threads.nobodyAsksAfterTheEnd
+import dev.lazyz.conformance.probes.threads.passesOnFailuresOfWorkers
+import dev.lazyz.conformance.probes.threads.rightInACrowd
+import dev.lazyz.conformance.probes.threads.whileTheyMeet
+import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.ForAll
+import net.jqwik.api.Property
+
+/** Rules about threads of the renderer's own, and what becomes of their work. Part of `RendererConformance`. */
+@Suppress("ktlint:standard:function-naming")
+public sealed interface WorkerRules : RulesForOne {
+    /** What a primitive throws in a thread of the renderer's own reaches the caller: exceptions and errors. */
+    @Rule(
+        intent = "A failure is the caller's to see, whichever thread ran into it, errors included.",
+        look = "Catch Throwable in each thread, pass the first on in the caller's, and draw nothing that is half done.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_1_failuresOfItsThreadsReachTheCaller() {
+        passesOnFailuresOfWorkers(renderer().configured(FOUR_THREADS))
+    }
+
+    /** When a rendering has failed, its threads ask nothing more. */
+    @Rule(
+        intent = "When a rendering has ended its frame is the caller's again, who may close what is behind it.",
+        look = "Wait for all threads before you pass on a failure of the caller's own part, or of the sink.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_1_nobodyAsksAfterTheEnd() {
+        nobodyAsksAfterTheEnd(renderer().configured(FOUR_THREADS))
+    }
+
+    /** A caller that is interrupted while the renderer's own threads are at work gets no half of a picture. */
+    @Rule(
+        intent = "Who is interrupted while it waits for its threads waits on, or throws: half a picture is none.",
+        look = "Look at each join, get, await and acquire: after InterruptedException the others' work is not done.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_1_interruptedCallersGetNoHalfPicture() {
+        val renderer = renderer().configured(FOUR_THREADS)
+        for (isBefore in listOf(true, false)) heedsWorkersThoughInterrupted(renderer, isBefore)
+    }
+
+    /** Threads of one rendering that work on the same sample, or ask at the same time, lose nothing. */
+    @Rule(
+        intent = "Any number of threads gives the same bits, at whatever moment they meet.",
+        look = "Look for keys that are read, compared and written without a lock, and for rows, spans and fragments " +
+            "that threads share.",
+    )
+    @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_5_threadsThatMeetLoseNothing(@ForAll salt: Long) {
+        val configured = renderer().configured(FOUR_THREADS)
+        for (where in Where.entries) {
+            whileTheyMeet(where) { meeting, round ->
+                rightInACrowd(configured, Crowd.quiet(salt + round, where), Crowd(salt + round, where, meeting))
+            }
+        }
+    }
+
+    /** Threads of one rendering that count at the same time count everything. */
+    @Rule(
+        intent = "Counters are exact, however many threads count.",
+        look = "Give each thread counters of its own and add them up at the end; an increment is a read and a write.",
+        about = [Symptom.COUNTERS],
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_8_1_threadsThatMeetLoseNoCounts(@ForAll salt: Long) {
+        for (where in Where.entries) {
+            whileTheyMeet(where) { meeting, round ->
+                countsInACrowd(renderer(), Crowd.quiet(salt + round, where), Crowd(salt + round, where, meeting))
+            }
+        }
+    }
+
+    private companion object {
+        val FOUR_THREADS = RenderOptions(threads = 4, tileSize = 8)
+    }
+}

@@ -1,0 +1,129 @@
+package dev.lazyz.conformance.run
+
+import dev.lazyz.conformance.results.RuleOutcome
+import dev.lazyz.conformance.results.RuleResult
+import dev.lazyz.conformance.results.SuiteRule
+import dev.lazyz.conformance.rules.AllRules
+import java.lang.reflect.AnnotatedElement
+import java.lang.reflect.Method
+import java.time.LocalDate
+import java.util.Optional
+import net.jqwik.api.lifecycle.AroundContainerHook
+import net.jqwik.api.lifecycle.AroundPropertyHook
+import net.jqwik.api.lifecycle.AroundTryHook
+import net.jqwik.api.lifecycle.ContainerLifecycleContext
+import net.jqwik.api.lifecycle.PropertyExecutionResult
+import net.jqwik.api.lifecycle.PropertyExecutor
+import net.jqwik.api.lifecycle.PropertyLifecycleContext
+import net.jqwik.api.lifecycle.TryExecutionResult
+import net.jqwik.api.lifecycle.TryExecutor
+import net.jqwik.api.lifecycle.TryLifecycleContext
+import org.opentest4j.TestAbortedException
+
+/** Sets tries and seed of the suite's rules, by a run of `Conformance` or by system properties, and judges. */
+internal class Effort :
+    AroundContainerHook,
+    AroundPropertyHook,
+    AroundTryHook {
+    /** Of the class whose rules are tried; jqwik makes one hook for all, and runs one class after the other. */
+    private var tally = Tally()
+
+    override fun beforeContainer(context: ContainerLifecycleContext) {
+        tally = Tally()
+        context.optionalContainerClass().ifPresent { requireRulesAsTheyAre(it) }
+    }
+
+    /** Rules are functions of interfaces, which cannot be final: this is what keeps test classes from overriding them. */
+    private fun requireRulesAsTheyAre(type: Class<*>) {
+        if (!AllRules::class.java.isAssignableFrom(type)) return
+        for (rule in SuiteRule.all) {
+            val found = type.getMethod(rule.name, *rule.method.parameterTypes)
+            check(found.declaringClass == rule.method.declaringClass) {
+                "${type.name} overrides $rule; a rule that cannot be kept is waived"
+            }
+        }
+    }
+
+    /** Leaves alone what a subclass adds. */
+    override fun appliesTo(element: Optional<AnnotatedElement>): Boolean =
+        element.map {
+            it !is Method || it.declaringClass.isAssignableFrom(AllRules::class.java)
+        }.orElse(false)
+
+    override fun aroundProperty(
+        context: PropertyLifecycleContext,
+        property: PropertyExecutor,
+    ): PropertyExecutionResult {
+        val rule = SuiteRule.find(context.targetMethod().name) ?: return property.execute()
+        val run = RunUnderWay.current
+        val settings = run?.settings ?: Settings.ofProperties()
+
+        // Make the effort that is asked for
+        val attributes = context.attributes()
+        attributes.setTries((attributes.tries().orElse(1) * settings.tries).toInt().coerceAtLeast(1))
+        attributes.setSeed(rule.seed(settings.seed ?: SuiteRule.fixedSeed).toString())
+        if (run != null) attributes.setShrinking(settings.shrinking.mode)
+
+        // Try the rule, and judge
+        val journal = run?.journal
+        journal?.begins(rule)
+        val (result, verdict) = Trial(rule, settings.waivers.of(rule.name), settings.deadline, tally.steps, journal)
+            .use { trial ->
+                trial.own = settings.frames
+                trial.notRun = tally.whyNoFurtherRule
+                val result = tried(trial, context, property)
+                result to trial.verdict(result, LocalDate.now())
+            }
+        tally.add(verdict)
+        journal?.ends(verdict)
+        settings.frames?.keep(verdict)
+        if (run != null) {
+            run.add(verdict)
+            return translated(result, verdict)
+        }
+        if (!verdict.outcome.isBroken || !verdict.outcome.isFailure) return translated(result, verdict)
+        val kept = KeptFailure.of(context.testInstance() as AllRules, settings, verdict)
+        return result.mapToFailed(AssertionError("${verdict.message}\n$kept", verdict.failure?.cause))
+    }
+
+    private fun tried(
+        trial: Trial,
+        context: PropertyLifecycleContext,
+        property: PropertyExecutor,
+    ): PropertyExecutionResult {
+        LastWords.keep()
+        Trial.current = trial
+        try {
+            val result = property.execute()
+            trial.repeat { context.targetMethod().invoke(context.testInstance(), *it.toTypedArray()) }
+            return result
+        } finally {
+            Trial.current = null
+        }
+    }
+
+    override fun aroundTry(
+        context: TryLifecycleContext,
+        attempt: TryExecutor,
+        parameters: List<Any>,
+    ): TryExecutionResult {
+        val rule = SuiteRule.find(context.targetMethod().name) ?: return attempt.execute(parameters)
+
+        // Where a build tool has jqwik shrink for some seconds, its search goes on when the rule is over
+        val trial = Trial.current?.takeIf { it.rule == rule } ?: throw ShrinkingEnds()
+        return trial.attempt(parameters) { attempt.execute(parameters) }
+    }
+
+    /** What jqwik tells whoever runs it. */
+    private fun translated(result: PropertyExecutionResult, verdict: RuleResult): PropertyExecutionResult =
+        when (verdict.outcome) {
+            RuleOutcome.PASSED, RuleOutcome.FAILED, RuleOutcome.CRASHED, RuleOutcome.TIMED_OUT, RuleOutcome.FLAKY ->
+                result
+
+            RuleOutcome.NOT_FOLLOWED, RuleOutcome.WAIVED, RuleOutcome.NOT_SUPPORTED ->
+                result.mapToAborted(TestAbortedException(verdict.message))
+
+            RuleOutcome.NOT_RUN, RuleOutcome.WAIVED_BUT_PASSES, RuleOutcome.WAIVER_EXPIRED ->
+                result.mapToFailed(AssertionError(verdict.message, verdict.failure?.cause))
+        }
+}

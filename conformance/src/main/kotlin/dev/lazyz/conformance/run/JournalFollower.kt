@@ -1,0 +1,51 @@
+package dev.lazyz.conformance.run
+
+import dev.lazyz.conformance.results.RuleListener
+import dev.lazyz.conformance.results.RuleOutcome
+import dev.lazyz.conformance.results.SuiteRule
+import java.io.RandomAccessFile
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** Reads a [Journal] while other processes write it, one after the other, and tells [listener] of each rule once. */
+internal class JournalFollower(private val path: Path, private val listener: RuleListener) {
+    private val told = HashSet<String>()
+    private val line = StringBuilder()
+    private var position = 0L
+    private var since = System.nanoTime()
+
+    /** Reads what is new. */
+    fun goOn() {
+        if (!Files.exists(path) || Files.size(path) == position) return
+        val news = RandomAccessFile(path.toFile(), "r").use { file ->
+            file.seek(position)
+            ByteArray((file.length() - position).toInt()).also { file.readFully(it) }
+        }
+        position += news.size
+        for (byte in news) {
+            when (val char = byte.toInt().toChar()) {
+                '\n' -> lineEnds()
+                Journal.TRY[0], Journal.STEP[0] -> Unit
+                else -> line.append(char)
+            }
+        }
+    }
+
+    private fun lineEnds() {
+        val text = line.toString()
+        line.clear()
+        val (name, outcome, milliseconds) = LINE.matchEntire(text)?.destructured ?: return
+        val now = System.nanoTime()
+        val elapsed = (now - since) / NANOSECONDS
+        since = now
+        if (!told.add(name)) return
+        val rule = SuiteRule.find(name) ?: return
+        listener.ended(rule, RuleOutcome.valueOf(outcome), milliseconds.toLongOrNull() ?: elapsed)
+    }
+
+    private companion object {
+        /** Without tries and steps; who ended with the process has no time of its own. */
+        val LINE = Regex("""(\w+) +(?:! )?([A-Z_]+)(?: (\d+)| .*)?""")
+        const val NANOSECONDS = 1_000_000L
+    }
+}

@@ -1,0 +1,284 @@
+package dev.lazyz.conformance.run
+
+import dev.lazyz.Renderer
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.casesAmong
+import dev.lazyz.conformance.census.Census
+import dev.lazyz.conformance.judgement.NotDeclared
+import dev.lazyz.conformance.judgement.ProcessEnded
+import dev.lazyz.conformance.judgement.TimedOut
+import dev.lazyz.conformance.judgement.TryUnderWay
+import dev.lazyz.conformance.judgement.Violation
+import dev.lazyz.conformance.probes.answer
+import dev.lazyz.conformance.results.RuleFailure
+import dev.lazyz.conformance.results.RuleOutcome
+import dev.lazyz.conformance.results.RuleResult
+import dev.lazyz.conformance.results.SuiteRule
+import dev.lazyz.conformance.results.Waiver
+import dev.lazyz.conformance.rules.Level
+import java.time.Duration
+import java.time.LocalDate
+import java.util.Collections
+import java.util.IdentityHashMap
+import java.util.concurrent.atomic.AtomicInteger
+import net.jqwik.api.lifecycle.PropertyExecutionResult
+import net.jqwik.api.lifecycle.PropertyExecutionResult.Status
+import net.jqwik.api.lifecycle.TryExecutionResult
+
+/**
+ * One rule on trial, from the first try to the verdict.
+ *
+ * Each try runs in a thread of its own, and each of its renderings has [deadline]. After the first that fails, at most
+ * [steps] smaller frames are tried, the same ones at every run.
+ */
+internal class Trial(
+    val rule: SuiteRule,
+    private val waiver: Waiver?,
+    deadline: Duration = Settings.USUAL_DEADLINE,
+    steps: Int = Settings.MANY_STEPS,
+    private val journal: Journal? = null,
+) : TryUnderWay,
+    AutoCloseable {
+    /** The user's own frames; null if there are none. */
+    var own: OwnFrames? = null
+
+    override val ownCases: List<FrameCase> get() = own?.cases.orEmpty()
+
+    private val stepsLeft = AtomicInteger(steps)
+    private val census = Census()
+    private val start = System.nanoTime()
+    private val thread = TryThread(deadline)
+    private val patience = deadline.multipliedBy(DEADLINES_TO_SHRINK)
+    private var shrinkingSince = 0L
+    private val before = ArrayDeque<FrameCase>()
+    private var isFlaky = false
+    private val processEnd = journal?.endAt(rule)
+    private var tries = 0
+
+    /** Why the rule does not apply, once that is known. */
+    private var notDeclared: NotDeclared? = null
+
+    /** Why the rule is not tried at all; null if it is. */
+    var notRun: String? = null
+
+    /** The smallest try that failed. If there is one, what follows makes the frame smaller, and is no try. */
+    @Volatile
+    private var falsified: Falsified? = null
+
+    /** What the first try that failed threw. */
+    private var firstFailure: Throwable? = null
+
+    private class Falsified(val parameters: List<Any>, val failure: Throwable)
+
+    private val rendered = Collections.synchronizedSet(Collections.newSetFromMap(IdentityHashMap<Renderer, Boolean>()))
+
+    /** Where the try under way runs. */
+    @Volatile
+    private var tryThread: Thread? = null
+
+    override fun isAgain(renderer: Renderer): Boolean = !rendered.add(renderer) && Thread.currentThread() === tryThread
+
+    /** What the try under way renders, or rendered last; null if that is no frame, or none yet. */
+    @Volatile
+    var underTrial: FrameCase? = null
+        private set
+
+    override fun saw(case: FrameCase, how: String) {
+        underTrial = case
+        if (falsified == null) {
+            census.add(case.frame, case.scene, how)
+        } else {
+            stepsLeft.addAndGet(-case.frame.primitives.size / PRIMITIVES_OF_A_STEP)
+        }
+    }
+
+    override fun goesOn() {
+        thread.goesOn()
+        journal?.goesOn()
+    }
+
+    /** Calls [block] as the next try, or as the next step to a smaller frame. */
+    fun attempt(parameters: List<Any>, block: () -> TryExecutionResult): TryExecutionResult {
+        if (notRun != null || notDeclared != null) return TryExecutionResult.satisfied(true)
+        falsified?.let { return shrink(it, parameters, block) }
+        journal?.tries()
+        tries++
+        if (processEnd != null) return replay(processEnd, parameters)
+        census.nextTry()
+        val result = answer(parameters, block)
+        val failure = result.throwable().orElse(null)
+        if (failure is NotDeclared) {
+            notDeclared = failure
+            return TryExecutionResult.satisfied(true)
+        }
+        if (result.isFalsified) {
+            firstFailure = failure
+            falsified = Falsified(parameters, failure ?: AssertionError("failed without a word"))
+            shrinkingSince = System.nanoTime()
+            if (isTooExpensiveToRepeat(failure)) stepsLeft.set(0)
+        } else {
+            remember(parameters)
+        }
+        return result
+    }
+
+    /** None of the tries is made again, and the one in which the process ended is told. */
+    private fun replay(end: ProcessEnd, parameters: List<Any>): TryExecutionResult {
+        if (tries < end.tries) return TryExecutionResult.satisfied()
+        val lead = if (end.isShrinking) "failed, and when smaller frames were tried " else ""
+        val where = casesAmong(parameters).firstOrNull()?.let { "\nin\n$it" }.orEmpty()
+        val message = "${lead}ended the process: ${end.words}$where"
+        val failure = if (end.outcome == RuleOutcome.TIMED_OUT) TimedOut(message, null) else ProcessEnded(message)
+        falsified = Falsified(parameters, failure)
+        stepsLeft.set(0)
+        return TryExecutionResult.falsified(failure)
+    }
+
+    /** What jqwik gets to see is the first failure: it would keep a list of all that fail otherwise, and sort it. */
+    private fun shrink(best: Falsified, parameters: List<Any>, block: () -> TryExecutionResult): TryExecutionResult {
+        if (!isStepLeft()) throw ShrinkingEnds()
+        journal?.shrinks()
+        val failure = answer(parameters, block).throwable().orElse(null)
+        if (failure is TimedOut) throw ShrinkingEnds()
+        if (failure == null || failure.javaClass != best.failure.javaClass) return TryExecutionResult.satisfied()
+        falsified = Falsified(parameters, failure)
+        return TryExecutionResult.falsified(firstFailure)
+    }
+
+    private fun isStepLeft(): Boolean =
+        stepsLeft.getAndDecrement() > 0 && System.nanoTime() - shrinkingSince < patience.toNanos()
+
+    /** No throwable gets past here, and none of jqwik's business is done in the other thread but the call itself. */
+    private fun answer(parameters: List<Any>, block: () -> TryExecutionResult): TryExecutionResult {
+        underTrial = casesAmong(parameters).firstOrNull()
+        rendered.clear()
+        return try {
+            thread.call {
+                tryThread = Thread.currentThread()
+                block()
+            }
+        } catch (late: Late) {
+            val where = underTrial?.let { "\nin\n$it" }.orEmpty()
+            TryExecutionResult.falsified(TimedOut("${late.message}$where", underTrial))
+        } catch (e: InterruptedException) {
+            throw e
+        } catch (e: Throwable) {
+            TryExecutionResult.falsified(e)
+        }
+    }
+
+    private fun remember(parameters: List<Any>) {
+        before.addAll(casesAmong(parameters))
+        while (before.size > RuleFailure.MOST_BEFORE) before.removeFirst()
+    }
+
+    /** Calls [block] with the try that failed, some times: if one does not fail, the failure is not reproducible. */
+    fun repeat(block: (List<Any>) -> Unit) {
+        val best = falsified ?: return
+        if (isTooExpensiveToRepeat(best.failure)) return
+        isFlaky = (1..REPETITIONS).any { answer { thread.call { block(best.parameters) } } == null }
+    }
+
+    /** Says what came of the rule, given jqwik's [result]. */
+    fun verdict(result: PropertyExecutionResult, today: LocalDate): RuleResult {
+        val failure =
+            falsified?.failure ?: result.throwable().orElse(null) ?: AssertionError("failed without a word")
+        val plain = outcome(result.status(), failure)
+        val outcome = when {
+            waiver == null || plain == RuleOutcome.NOT_RUN -> plain
+            waiver.expires < today -> RuleOutcome.WAIVER_EXPIRED
+            plain.isBroken -> RuleOutcome.WAIVED
+            else -> RuleOutcome.WAIVED_BUT_PASSES
+        }
+        val parameters = falsified?.parameters.orEmpty()
+        return RuleResult(
+            rule,
+            outcome,
+            message = message(plain, outcome, failure),
+            tries = if (plain == RuleOutcome.NOT_RUN) 0 else result.countTries(),
+            milliseconds = (System.nanoTime() - start) / NANOSECONDS,
+            distribution = census.distribution(),
+            failure = if (!plain.isBroken) {
+                null
+            } else {
+                RuleFailure.of(failure, parameters, firstFailure, if (isFlaky) before.toList() else emptyList())
+            },
+        )
+    }
+
+    private fun outcome(status: Status, failure: Throwable): RuleOutcome = when {
+        notRun != null -> RuleOutcome.NOT_RUN
+        notDeclared != null -> RuleOutcome.NOT_SUPPORTED
+        processEnd != null -> processEnd.outcome
+        status == Status.SUCCESSFUL -> RuleOutcome.PASSED
+        status == Status.ABORTED -> RuleOutcome.NOT_SUPPORTED
+        failure is TimedOut -> RuleOutcome.TIMED_OUT
+        isCrash(failure) -> RuleOutcome.CRASHED
+        rule.level == Level.SHOULD -> RuleOutcome.NOT_FOLLOWED
+        isFlaky -> RuleOutcome.FLAKY
+        else -> RuleOutcome.FAILED
+    }
+
+    private fun message(plain: RuleOutcome, outcome: RuleOutcome, failure: Throwable): String = when (outcome) {
+        RuleOutcome.PASSED -> ""
+        RuleOutcome.FLAKY -> "$NOT_REPRODUCIBLE\n${words(failure)}"
+        RuleOutcome.FAILED, RuleOutcome.CRASHED, RuleOutcome.TIMED_OUT, RuleOutcome.NOT_FOLLOWED -> words(failure)
+        RuleOutcome.NOT_RUN -> notRun.orEmpty()
+        RuleOutcome.NOT_SUPPORTED -> (notDeclared ?: failure).message.orEmpty()
+        RuleOutcome.WAIVED -> "waived until ${waiver?.expires}: ${waiver?.reason} (${waiver?.link})"
+        RuleOutcome.WAIVED_BUT_PASSES -> "is waived, but ${verb(plain)}: delete its waiver"
+        RuleOutcome.WAIVER_EXPIRED -> "the waiver expired on ${waiver?.expires}, and the rule ${verb(plain)}"
+    }
+
+    private fun words(failure: Throwable): String = failure.message ?: failure.toString()
+
+    private fun verb(plain: RuleOutcome): String = when (plain) {
+        RuleOutcome.PASSED -> "passes"
+        RuleOutcome.FAILED -> "fails"
+        RuleOutcome.CRASHED -> "crashes"
+        RuleOutcome.TIMED_OUT -> "times out"
+        RuleOutcome.FLAKY -> "is flaky"
+        RuleOutcome.NOT_FOLLOWED -> "is not followed"
+        else -> "is not supported"
+    }
+
+    override fun close(): Unit = thread.close()
+
+    companion object {
+        private const val NANOSECONDS = 1_000_000L
+
+        /** A frame that comes out wrong once in ten times comes out wrong so many times more once in a thousand. */
+        private const val REPETITIONS = 3
+
+        /** A frame of so many primitives counts as one more step: of large frames few smaller ones are tried. */
+        private const val PRIMITIVES_OF_A_STEP = 1000
+
+        /** Steps are what bounds shrinking, but for tries that take seconds each. */
+        private const val DEADLINES_TO_SHRINK = 3L
+
+        private const val NOT_REPRODUCIBLE =
+            "not reproducible: rendered again, the same frame came out right; look for state or races"
+
+        /** The rule that is on trial just now; null between rules. There is one at a time in a JVM. */
+        var current: Trial?
+            get() = TryUnderWay.current as Trial?
+            set(trial) {
+                TryUnderWay.current = trial
+            }
+
+        private fun isCrash(failure: Throwable): Boolean =
+            if (failure is AssertionError) failure is Violation && failure.cause is Error else failure is Error
+
+        private fun isTooExpensiveToRepeat(failure: Throwable?): Boolean =
+            failure is TimedOut || failure is ProcessEnded || failure is OutOfMemoryError ||
+                failure?.cause is OutOfMemoryError
+    }
+}
+
+/**
+ * Ends jqwik's search for a smaller frame, which goes through many thousands of them even if none is tried. An error,
+ * because jqwik takes an exception for one more way to fail.
+ */
+internal class ShrinkingEnds : Error("the smallest frame is known") {
+    override fun fillInStackTrace(): Throwable = this
+}

@@ -1,0 +1,130 @@
+package dev.lazyz.conformance.broken
+
+import dev.lazyz.Capability
+import dev.lazyz.Coherence
+import dev.lazyz.Counters
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Primitive
+import dev.lazyz.RenderOptions
+import dev.lazyz.Rgba
+import dev.lazyz.RowSink
+import dev.lazyz.ShadingCursor
+import dev.lazyz.strategies.lazy.LazyZBuffer
+import dev.lazyz.strategies.painter.Painter
+
+/** Renderers that are right but for colours, and when they are made. */
+object BrokenColours {
+    fun premultiplied() = painting("alpha-premultiplied") { image, _ ->
+        val argb = IntArray(image.argb.size) {
+            val color = Rgba.ofArgb(image.argb[it])
+            color.scaled(color.alpha).toArgb()
+        }
+        Image(image.region, argb, image.depth, image.primitive, image.counters)
+    }
+
+    fun alphaLost() = painting("alpha-lost") { image, _ ->
+        val argb = IntArray(image.argb.size) { image.argb[it] or (0xFF shl 24) }
+        Image(image.region, argb, image.depth, image.primitive, image.counters)
+    }
+
+    fun shadesBeforeTheTest() =
+        BrokenRenderer("shades-before-the-test", setOf(Capability.SHADES_ONLY_VISIBLE)) { frame, sink ->
+            Painter().render(frame, sink)
+        }
+
+    fun shadesTwice() = BrokenRenderer("shades-twice", setOf(Capability.SHADES_ONLY_VISIBLE)) { frame, sink ->
+        LazyZBuffer().render(Frame(frame.raster, frame.primitives.map(::TwiceShaded), frame.region), sink)
+    }
+
+    fun oneStepShort() = stepping("one-step-short") { cursor, steps -> if (steps > 1) cursor.step() }
+
+    fun oneStepTooMany() = stepping("one-step-too-many") { cursor, steps ->
+        repeat(if (steps == 1) 2 else 1) { cursor.step() }
+    }
+
+    /** Shades directly for the picture, and steps though nobody asked for it. */
+    fun alwaysSteps(): BrokenRenderer = BrokenRenderer(
+        "always-steps",
+        setOf(Capability.COHERENCE),
+        options = { alwaysSteps() },
+    ) { frame, sink -> LazyZBuffer(RenderOptions(Coherence.INCREMENTAL)).render(frame, sink) }
+
+    fun countsNoSteps() = coherent("counts-no-steps") { frame, options, sink ->
+        LazyZBuffer(options).render(frame, sink).apply { shadingSteps = 0 }
+    }
+
+    fun countsWholeChains() = coherent("counts-whole-chains") { frame, options, sink ->
+        LazyZBuffer(options).render(frame, sink).apply { longestChain = shadingSteps }
+    }
+
+    private class TwiceShaded(private val whole: Primitive) : Primitive by whole {
+        override fun shade(fragment: Fragment) {
+            val (x, y) = fragment.x to fragment.y
+            whole.shade(fragment)
+            fragment.moveTo(x, y)
+            whole.shade(fragment)
+        }
+    }
+
+    private class Stepping(private val whole: Primitive, private val step: (ShadingCursor, Int) -> Unit) :
+        Primitive by whole {
+        override fun shadingCursor(x: Int, y: Int): ShadingCursor? {
+            val cursor = whole.shadingCursor(x, y) ?: return null
+            var steps = 0
+            return object : ShadingCursor by cursor {
+                override fun step() = step(cursor, ++steps)
+            }
+        }
+    }
+
+    private fun stepping(id: String, step: (ShadingCursor, Int) -> Unit) = coherent(id) { frame, options, sink ->
+        val primitives = frame.primitives.map { Stepping(it, step) }
+        LazyZBuffer(options).render(Frame(frame.raster, primitives, frame.region), sink)
+    }
+
+    private fun coherent(
+        id: String,
+        options: RenderOptions = RenderOptions(),
+        how: (Frame, RenderOptions, RowSink) -> Counters,
+    ): BrokenRenderer = BrokenRenderer(id, setOf(Capability.COHERENCE), { coherent(id, it, how) }) { frame, sink ->
+        how(frame, options, sink)
+    }
+
+    /** Paints the visible samples of the first primitive in the colour that its first sample has. */
+    fun constantColour() = primitives("colour-of-the-first-sample") { FirstColour(it) }
+
+    fun fillsBetweenEqualEnds() = primitives("fills-between-equal-ends") { BetweenEqualEnds(it) }
+
+    private class BetweenEqualEnds(private val whole: Primitive) : Primitive by whole {
+        override fun shade(fragment: Fragment) {
+            val (x, y) = fragment.x to fragment.y
+            val ends = listOf(x - 1, x + 1).map { whole.colorAt(it, y) }
+            fragment.moveTo(if (ends[0] == ends[1]) x + 1 else x, y)
+            whole.shade(fragment)
+        }
+    }
+
+    fun oneColourWithoutCursor() = primitives("one-colour-without-cursor") { EveryEighthColour(it) }
+
+    private class EveryEighthColour(private val whole: Primitive) : Primitive by whole {
+        override fun shade(fragment: Fragment) {
+            if (whole.shadingCursor(fragment.x, fragment.y) == null) fragment.moveTo(fragment.x / 8 * 8, fragment.y)
+            whole.shade(fragment)
+        }
+    }
+
+    private fun Primitive.colorAt(x: Int, y: Int): List<Float> {
+        val fragment = Fragment().apply { moveTo(x, y) }
+        shade(fragment)
+        return with(fragment) { listOf(red, green, blue, alpha) }
+    }
+
+    private class FirstColour(private val whole: Primitive) : Primitive by whole {
+        override fun shade(fragment: Fragment) {
+            fragment.moveTo(fragment.x, maxOf(whole.rowStart, 0))
+            whole.shade(fragment)
+        }
+    }
+}

@@ -1,0 +1,47 @@
+package dev.lazyz.conformance.broken
+
+import dev.lazyz.Capability
+import dev.lazyz.Frame
+import dev.lazyz.RenderOptions
+import dev.lazyz.strategies.lists.Lists
+import dev.lazyz.strategies.zbuffer.ZBuffer
+
+/** Renderers that are right as long as one thing at a time is not as usual. */
+object BrokenCombinations {
+    /** Tiles are counted from the raster's corner, and the part begins elsewhere. */
+    fun partsInSmallTiles() = BrokenRenderer("parts-in-small-tiles", options = { options ->
+        BrokenRenderer("parts-in-small-tiles") { frame, sink ->
+            val first = frame.region.columnStart
+            val isSplit = options.tileSize < 64 && first % options.tileSize != 0
+            val image = ZBuffer().render(frame)
+            if (isSplit) for (i in image.argb.indices step image.width) image.primitive[i] = -1
+            emit(image, sink)
+        }
+    }) { frame, sink -> ZBuffer().render(frame, sink) }
+
+    fun glassInParts() = glazier("glass-in-parts") { frame, _ -> frame.region != frame.raster.region }
+
+    fun glassOfSeveralThreads() = glazier("glass-of-several-threads") { _, options -> options.threads > 1 }
+
+    /** Takes glass for opaque when [isLost]. */
+    private fun glazier(id: String, isLost: (Frame, RenderOptions) -> Boolean): BrokenRenderer {
+        fun configured(options: RenderOptions): BrokenRenderer =
+            BrokenRenderer(id, setOf(Capability.TRANSPARENCY), options = { configured(it) }) { frame, sink ->
+                Lists().render(if (isLost(frame, options)) frame.asOpaque() else frame, sink)
+            }
+        return configured(RenderOptions(threads = 1))
+    }
+
+    /** What is left of a failure shows in the next picture, if options were given. */
+    fun failureShowsLater() = BrokenRenderer("failure-shows-later", options = {
+        var hasFailed = false
+        BrokenRenderer("failure-shows-later") { frame, sink ->
+            val wasFailing = hasFailed
+            hasFailed = true
+            val image = ZBuffer().render(frame)
+            hasFailed = false
+            if (wasFailing) image.depth.fill(0)
+            emit(image, sink)
+        }
+    }) { frame, sink -> ZBuffer().render(frame, sink) }
+}

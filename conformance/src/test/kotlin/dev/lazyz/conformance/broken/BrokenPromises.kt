@@ -1,0 +1,187 @@
+package dev.lazyz.conformance.broken
+
+import dev.lazyz.Capability
+import dev.lazyz.Cell
+import dev.lazyz.Coherence
+import dev.lazyz.Counters
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Primitive
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.RowSink
+import dev.lazyz.Selector
+import dev.lazyz.Spans
+import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
+import dev.lazyz.strategies.hybrid.Hybrid
+import dev.lazyz.strategies.lazy.LazyZBuffer
+import dev.lazyz.strategies.lists.Lists
+import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.zbuffer.ZBuffer
+
+/** Renderers that are right but promise too much, or count wrongly. */
+object BrokenPromises {
+    fun memoryGrows() = claiming("memory-grows-with-rows", Capability.CONSTANT_MEMORY, ZBuffer())
+
+    /** Keeps all rows, and does not say so. */
+    fun keepsRows() = BrokenRenderer("keeps-rows", setOf(Capability.CONSTANT_MEMORY)) { frame, sink ->
+        val kept = ArrayList<IntArray>()
+        LazyZBuffer().render(frame) { y, argb, depth, primitive ->
+            kept.add(argb.copyOf())
+            sink.row(y, kept.last(), depth, primitive)
+        }
+    }
+
+    fun buffersRows() = claiming("buffers-rows", Capability.STREAMS_ROWS, ZBuffer())
+
+    private val stepping = setOf(Capability.SHADES_ONLY_VISIBLE, Capability.COHERENCE)
+
+    fun stepsLess() = BrokenRenderer(
+        "steps-less",
+        stepping,
+        options = { options ->
+            BrokenRenderer("steps-less", stepping) { frame, sink ->
+                val cheap = frame.primitives.map { CheapStarts(it) }
+                LazyZBuffer(options).render(Frame(frame.raster, cheap, frame.region), sink)
+            }
+        },
+    ) { frame, sink -> LazyZBuffer().render(frame, sink) }
+
+    private class CheapStarts(private val primitive: Primitive) : Primitive by primitive {
+        override val shadingStartCost: Int get() = maxOf(0, primitive.shadingStartCost - 1)
+    }
+
+    fun keepsStepping(): BrokenRenderer = keepsStepping(RenderOptions())
+
+    private fun keepsStepping(last: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "keeps-stepping",
+        stepping,
+        options = { keepsStepping(if (it.coherence == Coherence.DIRECT) last else it) },
+    ) { frame, sink -> LazyZBuffer(last).render(frame, sink) }
+
+    /** Asks all primitives about the next row before it hands out this one. */
+    fun looksAhead() = BrokenRenderer("looks-ahead", setOf(Capability.STREAMS_ROWS)) { frame, sink ->
+        LazyZBuffer().render(frame) { y, argb, depth, primitive ->
+            if (y + 1 < frame.region.rowEnd) for (it in frame.primitives) it.spans(y + 1, Spans())
+            sink.row(y, argb, depth, primitive)
+        }
+    }
+
+    /** Finishes the picture though nobody takes it. */
+    fun finishesAnyway() = BrokenRenderer("finishes-anyway", setOf(Capability.STREAMS_ROWS)) { frame, sink ->
+        var isOver = false
+        try {
+            LazyZBuffer().render(frame, sink).also { isOver = true }
+        } finally {
+            if (!isOver) LazyZBuffer().render(frame) { _, _, _, _ -> }
+        }
+    }
+
+    /** As many threads as the machine has, or two, whatever the options say. */
+    fun takesMoreThreads() = BrokenRenderer(
+        "takes-more-threads",
+        setOf(Capability.PARALLEL),
+        options = { Tiled().configured(RenderOptions(threads = 4, tileSize = 8)) },
+    ) { frame, sink -> Tiled().render(frame, sink) }
+
+    fun parallelInName() = claiming("parallel-in-name", Capability.PARALLEL, ZBuffer())
+
+    fun countsByThread() = threaded("counts-by-thread") { counters, threads -> counters.depthEvaluations += threads }
+
+    fun losesCounts() = threaded("loses-counts") { counters, threads -> counters.fragments /= threads }
+
+    private fun threaded(id: String, threads: Int = 1, change: (Counters, Int) -> Unit): BrokenRenderer =
+        BrokenRenderer(id, setOf(Capability.PARALLEL), { threaded(id, it.threads, change) }) { frame, sink ->
+            Tiled(RenderOptions(threads = threads, tileSize = 8)).render(frame, sink).also { change(it, threads) }
+        }
+
+    fun budgetIgnored() = claiming("budget-ignored", Capability.MEMORY_BUDGET, Hybrid())
+
+    /** Where there is no room for a suspension the sample stays as it was. */
+    fun budgetCostsColours() = BrokenRenderer(
+        "budget-costs-colours",
+        setOf(Capability.MEMORY_BUDGET),
+        { if (it.memoryBudget == 0L) painting("budget-costs-colours") { image, _ -> image.dark() } else Hybrid(it) },
+    ) { frame, sink -> ZBuffer().render(frame, sink) }
+
+    private fun Image.dark() = Image(region, IntArray(argb.size), depth, primitive, counters)
+
+    fun keepsPrimitives() = claiming("keeps-primitives", Capability.STREAMS_PRIMITIVES, HierarchicalZBuffer())
+
+    fun keepsItsSelector(): BrokenRenderer = keepsItsSelector(RenderOptions())
+
+    private fun keepsItsSelector(last: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "keeps-its-selector",
+        setOf(Capability.SELECTION),
+        options = { keepsItsSelector(if (it.selector == null) last else it) },
+    ) { frame, sink -> Lists(last).render(frame, sink) }
+
+    fun ignoresTheSelector() = selecting("ignores-the-selector") { Selector.nearest() }
+
+    fun selectsWithoutTheNearest() = selecting("selects-without-the-nearest") { selector ->
+        Selector { cell -> selector.select(if (cell.size == 1) cell else Behind(cell)) }
+    }
+
+    fun cellsFromTheBack() = selecting("cells-from-the-back") { selector -> Selector { selector.select(Reversed(it)) } }
+
+    fun firstShowDecides() = selecting("first-show-decides") { selector ->
+        Selector { cell -> selector.select(ShownOnce(cell)) }
+    }
+
+    private class ShownOnce(private val cell: Cell) : Cell by cell {
+        private var isShown = false
+
+        override fun show(i: Int) {
+            if (!isShown) cell.show(i)
+            isShown = true
+        }
+
+        override fun show(i: Int, red: Float, green: Float, blue: Float, alpha: Float) {
+            if (!isShown) cell.show(i, red, green, blue, alpha)
+            isShown = true
+        }
+    }
+
+    private class Behind(private val cell: Cell) : Cell by cell {
+        override val size: Int get() = cell.size - 1
+
+        override fun depth(i: Int) = cell.depth(i + 1)
+
+        override fun primitive(i: Int) = cell.primitive(i + 1)
+
+        override fun shade(i: Int) = cell.shade(i + 1)
+
+        override fun show(i: Int) = cell.show(i + 1)
+    }
+
+    private class Reversed(private val cell: Cell) : Cell by cell {
+        private fun at(i: Int) = cell.size - 1 - i
+
+        override fun depth(i: Int) = cell.depth(at(i))
+
+        override fun primitive(i: Int) = cell.primitive(at(i))
+
+        override fun shade(i: Int) = cell.shade(at(i))
+
+        override fun show(i: Int) = cell.show(at(i))
+    }
+
+    private fun selecting(id: String, change: (Selector) -> Selector) = BrokenRenderer(
+        id,
+        setOf(Capability.SELECTION),
+        { options -> Lists(RenderOptions(selector = options.selector?.let(change))) },
+    ) { frame, sink -> ZBuffer().render(frame, sink) }
+
+    fun countsVisibleFragments() = counting("counts-visible-fragments") { fragments = it.visible.toLong() }
+
+    fun countsRejectedTwice() = counting("counts-rejected-twice") { fragments += fragments - depthPasses }
+
+    fun countsEveryTest() = counting("counts-every-test-as-passed") { depthPasses = 2 * fragments }
+
+    fun testsTheBackground() = counting("tests-the-background") { depthEvaluations += it.region.size }
+
+    fun keepsMemorySecret() = counting("keeps-memory-secret") { peakBytes = 0 }
+
+    private fun claiming(id: String, capability: Capability, renderer: Renderer) =
+        BrokenRenderer(id, setOf(capability)) { frame: Frame, sink: RowSink -> renderer.render(frame, sink) }
+}

@@ -1,0 +1,77 @@
+package dev.lazyz.conformance.broken
+
+import dev.lazyz.Capability
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.RowSink
+import dev.lazyz.strategies.zbuffer.ZBuffer
+
+/** A renderer with one mistake. */
+class BrokenRenderer(
+    override val id: String,
+    override val capabilities: Set<Capability> = emptySet(),
+    private val options: ((RenderOptions) -> Renderer)? = null,
+    private val how: (Frame, RowSink) -> Counters,
+) : Renderer {
+    override val summary: String get() = "makes one mistake: $id"
+
+    override fun configured(options: RenderOptions): Renderer = this.options?.invoke(options) ?: this
+
+    override fun render(frame: Frame, sink: RowSink): Counters = how(frame, sink)
+
+    override fun toString(): String = id
+}
+
+/** A right picture, changed before it is handed out. */
+internal fun painting(id: String, change: (Image, Frame) -> Image) = BrokenRenderer(id) { frame, sink ->
+    emit(change(ZBuffer().render(frame), frame), sink)
+}
+
+/** Renders another frame than it was given. */
+internal fun drawing(id: String, change: (Frame) -> Frame) =
+    BrokenRenderer(id) { frame, sink -> ZBuffer().render(change(frame), sink) }
+
+/** Takes primitives for what [change] makes of them. */
+internal fun primitives(id: String, change: (Primitive) -> Primitive) =
+    drawing(id) { Frame(it.raster, it.primitives.map(change), it.region) }
+
+/** Hands out the rows of the right picture as [order] says, given their number. */
+internal fun rows(id: String, order: (Int) -> List<Int>) =
+    BrokenRenderer(id) { frame, sink -> emit(ZBuffer().render(frame), sink, order(frame.height)) }
+
+/** Renders right, and counts what [change] makes of it. */
+internal fun counting(id: String, change: Counters.(Image) -> Unit) = BrokenRenderer(id) { frame, sink ->
+    val image = ZBuffer().render(frame)
+    emit(image, sink).apply { change(image) }
+}
+
+/** Hands out [rows] of an image. */
+internal fun emit(image: Image, sink: RowSink, rows: List<Int> = (0 until image.height).toList()): Counters {
+    for (row in rows) {
+        val (argb, depth, primitive) = listOf(image.argb, image.depth, image.primitive).map {
+            it.copyOfRange(row * image.width, (row + 1) * image.width)
+        }
+        sink.row(image.region.rowStart + row, argb, depth, primitive)
+    }
+    return image.counters
+}
+
+/** The frame on another raster. */
+internal fun Frame.on(change: Raster.() -> Raster) = Frame(raster.change(), primitives, region)
+
+/** The raster with another depth test. */
+internal fun Raster.tested(test: DepthTest) = Raster(width, height, background, convention, test, backgroundDepth)
+
+/** The same, but for ties. */
+internal fun swappedTies(test: DepthTest) = when (test) {
+    DepthTest.LESS -> DepthTest.LESS_OR_EQUAL
+    DepthTest.LESS_OR_EQUAL -> DepthTest.LESS
+    DepthTest.GREATER -> DepthTest.GREATER_OR_EQUAL
+    DepthTest.GREATER_OR_EQUAL -> DepthTest.GREATER
+}

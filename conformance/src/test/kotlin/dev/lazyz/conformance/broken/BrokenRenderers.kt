@@ -1,0 +1,194 @@
+package dev.lazyz.conformance.broken
+
+import dev.lazyz.Capability
+import dev.lazyz.Cell
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Raster
+import dev.lazyz.RenderOptions
+import dev.lazyz.Rgba
+import dev.lazyz.Selector
+import dev.lazyz.conformance.cases.Rasters
+import dev.lazyz.strategies.lists.Lists
+import dev.lazyz.strategies.zbuffer.ZBuffer
+
+/**
+ * Renderers that are right but for one mistake.
+ *
+ * Each function returns a new renderer, so that some may keep state.
+ */
+object BrokenRenderers {
+    /** `<=` where `<` is meant. */
+    fun lastWinsTies() = drawing("last-wins-ties") { frame -> frame.on { tested(swappedTies(depthTest)) } }
+
+    /** Right indices and depths, but on ties the colour of the other primitive. */
+    fun colourOfTheLoser() = BrokenRenderer("colour-of-the-loser") { frame, sink ->
+        val right = ZBuffer().render(frame)
+        val wrong = ZBuffer().render(frame.on { tested(swappedTies(depthTest)) })
+        emit(Image(right.region, wrong.argb, right.depth, right.primitive, right.counters), sink)
+    }
+
+    /** The usual depth test, whatever the raster says. */
+    fun usualTestOnly() = drawing("usual-test-only") { frame -> frame.on { tested(convention.nearest) } }
+
+    /** The painter's algorithm without its sort. */
+    fun lastSubmittedWins() = drawing("last-submitted-wins") { frame ->
+        val last = frame.raster.tested(DepthTest.LESS_OR_EQUAL)
+        Frame(last, frame.primitives.map { AtDepth(it, 0) }, frame.region)
+    }
+
+    /** A background that is always behind everything. */
+    fun backgroundAtInfinity() = drawing("background-at-infinity") { frame ->
+        frame.on { Raster(width, height, background, convention, depthTest, Rasters.behindAll(depthTest)) }
+    }
+
+    /** Spans without their last column. */
+    fun spanEndsEarly() = primitives("span-ends-early") { ShortSpans(it) }
+
+    /** One span a row, from the first start to the last end. */
+    fun gapsFilled() = primitives("gaps-filled") { FilledGaps(it) }
+
+    /** Colours of the sample to the left. */
+    fun shadesTheNeighbour() = primitives("shades-the-neighbour") { ShiftedShade(it) }
+
+    /** No primitives without a linear form. */
+    fun linearFormsOnly() = drawing("linear-forms-only") { frame ->
+        frame.keeping { frame.primitives[it].depthForm != null }
+    }
+
+    /** Primitives that cover nothing have no index. */
+    fun dropsTheInvisible() = drawing("drops-the-invisible") { frame ->
+        Frame(frame.raster, frame.primitives.filter { it.coversAnything() }, frame.region)
+    }
+
+    /** Rows from the bottom. */
+    fun bottomUp() = rows("bottom-up") { height -> List(height) { height - 1 - it } }
+
+    /** The first row two times. */
+    fun firstRowTwice() = rows("first-row-twice") { height -> listOf(0) + (0 until height) }
+
+    /** All rows but the last. */
+    fun lastRowMissing() = rows("last-row-missing") { height -> (0 until height - 1).toList() }
+
+    /** Samples of the background show what the frame before showed there. */
+    fun remembersTheLastFrame(): BrokenRenderer {
+        var last = IntArray(0)
+        return BrokenRenderer("remembers-the-last-frame") { frame, sink ->
+            val image = ZBuffer().render(frame)
+            for (i in image.argb.indices) {
+                if (image.primitive[i] == DepthTest.BACKGROUND && i < last.size) image.argb[i] = last[i]
+            }
+            last = image.argb
+            emit(image, sink)
+        }
+    }
+
+    /** The frame in a field, so that threads render each other's. */
+    fun oneThreadOnly(): BrokenRenderer {
+        var current: Frame? = null
+        return BrokenRenderer("one-thread-only") { frame, sink ->
+            current = frame
+            Thread.sleep(1)
+            ZBuffer().render(checkNotNull(current), sink)
+        }
+    }
+
+    /** Counts primitives that are visible. */
+    fun countsTheVisible() = counting("counts-the-visible") { image ->
+        primitives =
+            image.primitive.distinct().size.toLong()
+    }
+
+    /** Counts a shading call that never happens. */
+    fun countsACallTooMany() = counting("counts-a-call-too-many") { shadingCalls++ }
+
+    /** Does not count what passes. */
+    fun countsNoPasses() = counting("counts-no-passes") { depthPasses = 0 }
+
+    /** The whole raster, whatever the region. */
+    fun ignoresTheRegion() = drawing("ignores-the-region") { Frame(it.raster, it.primitives) }
+
+    /** Another picture when it is configured. */
+    fun optionsMatter() = BrokenRenderer("options-matter", options = { lastWinsTies() }) { frame, sink ->
+        ZBuffer().render(frame, sink)
+    }
+
+    /** The eager z-buffer under false pretences. */
+    fun shadesMoreThanItPromises() =
+        BrokenRenderer("shades-more-than-it-promises", setOf(Capability.SHADES_ONLY_VISIBLE)) { frame, sink ->
+            ZBuffer().render(frame, sink)
+        }
+
+    /** Takes what is translucent for opaque, without a word. */
+    fun takesGlassForOpaque() = drawing("takes-glass-for-opaque") { it.asOpaque() }
+
+    /** Blends in the order of submission. */
+    fun blendsAsSubmitted() = blending("blends-as-submitted") { cell ->
+        over(cell, cell.upToBackdrop().sortedByDescending { cell.primitive(it) })
+    }
+
+    /** The textbook's order of sums, from the back: the same but for the last bits. */
+    fun blendsFromTheBack() = blending("blends-from-the-back") { cell -> over(cell, cell.upToBackdrop().reversed()) }
+
+    /** Blends what lies behind an opaque fragment, too. */
+    fun blendsBehindTheBackdrop() = blending("blends-behind-the-backdrop") { cell ->
+        over(cell, (0 until cell.size).filter { it == 0 || cell.isTranslucent(it) }.reversed())
+    }
+
+    /** Blends right, and tells the depth of what is farthest. */
+    fun depthOfTheBackdrop() = blending("depth-of-the-backdrop") { cell ->
+        val right = SeenThrough(cell)
+        Selector.blend().select(right)
+        val last = cell.upToBackdrop().last()
+        right.color?.let { cell.show(last, it.red, it.green, it.blue, it.alpha) } ?: cell.show(0)
+    }
+
+    /** Blends into 8 bits a component, over and over. */
+    fun blendsInEightBits() = blending("blends-in-eight-bits") { cell ->
+        over(cell, cell.upToBackdrop().reversed()) { Rgba.ofArgb(it.toArgb()) }
+    }
+
+    /** Fails without primitives. */
+    fun needsAPrimitive() = drawing("needs-a-primitive") { frame -> frame.also { it.primitives.first() } }
+
+    /** Fails on a single column. */
+    fun needsTwoColumns() = drawing("needs-two-columns") { frame -> frame.also { check(it.raster.width > 1) } }
+
+    /** Hears which colour a selector shows. */
+    private class SeenThrough(private val cell: Cell) : Cell by cell {
+        var color: Rgba? = null
+
+        override fun show(i: Int, red: Float, green: Float, blue: Float, alpha: Float) {
+            color = Rgba(red, green, blue, alpha)
+        }
+    }
+
+    private fun Cell.upToBackdrop(): List<Int> {
+        val backdrop = (0 until size).firstOrNull { !isTranslucent(it) } ?: (size - 1)
+        return (0..backdrop).toList()
+    }
+
+    /** Shows the fragments [fromBack], one over the other, over the background. */
+    private fun over(cell: Cell, fromBack: List<Int>, rounded: (Rgba) -> Rgba = { it }) {
+        var color = cell.background
+        for (i in fromBack) {
+            val fragment = cell.shade(i)
+            val a = fragment.alpha.coerceIn(0f, 1f)
+            val alpha = a + color.alpha * (1 - a)
+            fun mix(front: Float, back: Float) =
+                if (alpha == 0f) 0f else (a * front + (1 - a) * color.alpha * back) / alpha
+            val (red, green, blue) = listOf(
+                mix(fragment.red, color.red), mix(fragment.green, color.green), mix(fragment.blue, color.blue),
+            )
+            color = rounded(Rgba(red, green, blue, alpha))
+        }
+        cell.show(0, color.red, color.green, color.blue, color.alpha)
+    }
+
+    private fun blending(id: String, selector: Selector) =
+        BrokenRenderer(id, setOf(Capability.TRANSPARENCY)) { frame, sink ->
+            val chosen = if (frame.hasTranslucency) selector else Selector.nearest()
+            Lists(RenderOptions(selector = chosen)).render(frame, sink)
+        }
+}

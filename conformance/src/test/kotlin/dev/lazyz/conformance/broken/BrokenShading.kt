@@ -1,0 +1,176 @@
+package dev.lazyz.conformance.broken
+
+import dev.lazyz.Capability
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.Rgba
+import dev.lazyz.strategies.lists.Lists
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
+
+/** Renderers that are right but for normals, light, textures, masks, and what blends. */
+object BrokenShading {
+    fun normalsNotTurned() = wrong("normals-not-turned", Inside.Companion::turnNormals)
+
+    fun equalNormalsNotTurned() = wrong("equal-normals-not-turned") { inside, changes ->
+        if (inside.hasEqual(Inside.NORMAL, 3)) Inside.turnNormals(inside, changes)
+    }
+
+    fun highlightsLost() = wrong("highlights-lost", Inside.Companion::loseHighlight)
+
+    fun emissionLost() = wrong("emission-lost", Inside.Companion::loseEmission)
+
+    fun nearestTexel() = wrong("nearest-texel", Inside.Companion::readNearest)
+
+    fun clampsColumns() = wrong("clamps-columns") { inside, changes ->
+        inside.texture?.let { changes.set(it, "wrapU", TextureWrap.CLAMP) }
+    }
+
+    fun flatInterpolation() = wrong("interpolates-on-the-screen", Inside.Companion::interpolateOnScreen)
+
+    fun strictMask() = wrong("mask-is-strict") { inside, changes ->
+        inside.mask?.let { changes.set(it, "cutoff", Math.nextUp(Inside.read(it, "cutoff") as Float)) }
+    }
+
+    fun vertexAlphaIgnored() = blending("vertex-alpha-ignored") { inside, changes ->
+        inside.eachCorner { data, at -> changes.setNumber(data, at + Inside.COLOR + 3, 1.0) }
+    }
+
+    /** Leaves out what blends and is seen from behind. */
+    fun blendsFrontFacesOnly() =
+        BrokenRenderer("blends-front-faces-only", setOf(Capability.TRANSPARENCY)) { frame, sink ->
+            val front = frame.keeping { i ->
+                val primitive = frame.primitives[i]
+                !primitive.isTranslucent || !Inside(primitive).isWoundClockwise
+            }
+            Lists().render(front, sink)
+        }
+
+    private fun wrong(id: String, change: (Inside, Changes) -> Unit) = BrokenRenderer(id) { frame, sink ->
+        changed(frame, change) { ZBuffer().render(frame, sink) }
+    }
+
+    private fun blending(id: String, change: (Inside, Changes) -> Unit) =
+        BrokenRenderer(id, setOf(Capability.TRANSPARENCY)) { frame, sink ->
+            changed(frame, change) { Lists().render(frame, sink) }
+        }
+
+    /** Calls [block] while the frame's primitives are changed. */
+    internal fun <T> changed(frame: Frame, change: (Inside, Changes) -> Unit, block: () -> T): T =
+        Changes().use { changes ->
+            for (primitive in frame.primitives) change(Inside(primitive), changes)
+            block()
+        }
+}
+
+/** Values that the library's own objects have for a while. */
+internal class Changes : AutoCloseable {
+    private val undo = ArrayList<() -> Unit>()
+
+    fun set(target: Any, field: String, value: Any) {
+        val accessible = Inside.field(target, field)
+        val before = accessible.get(target)
+        accessible.set(target, value)
+        undo.add { accessible.set(target, before) }
+    }
+
+    fun setNumber(data: DoubleArray, at: Int, value: Double) {
+        val before = data[at]
+        data[at] = value
+        undo.add { data[at] = before }
+    }
+
+    override fun close() {
+        for (it in undo.reversed()) it()
+    }
+}
+
+/** What is within a primitive that set-up made, and no renderer gets to see: where mistakes of shading are. */
+internal class Inside(primitive: Primitive) {
+    /** The primitive if it has a mask. */
+    val mask: Any?
+
+    /** The polygon or sphere, or null. */
+    private val core: Any?
+
+    init {
+        var whole: Any = primitive
+        var masked: Any? = null
+        while (whole.javaClass.simpleName in WRAPPERS) {
+            if (whole.javaClass.simpleName == "MaskedPrimitive") masked = whole
+            whole = checkNotNull(read(whole, "whole"))
+        }
+        mask = masked
+        core = whole.takeIf { it.javaClass.simpleName in CORES }
+    }
+
+    private val isPlanar: Boolean get() = core?.javaClass?.simpleName == "PlanarPrimitive"
+
+    private val shader: Any? get() = core?.let { read(it, "shader") }
+        ?.takeIf { it.javaClass.simpleName == "MaterialShader" }
+
+    private val material: Any? get() = shader?.let { read(it, "material") }
+
+    /** The material's texture, or null. */
+    val texture: Any? get() = shader?.let { read(it, "texture") }
+
+    /** Whether the reference triangle runs clockwise on the screen. */
+    val isWoundClockwise: Boolean
+        get() {
+            if (!isPlanar) return false
+            val reference = checkNotNull(read(checkNotNull(core), "reference"))
+            fun number(name: String) = (read(reference, name) as Int).toLong()
+            val (x, y) = number("x0") to number("y0")
+            return (number("x1") - x) * (number("y2") - y) - (number("x2") - x) * (number("y1") - y) > 0
+        }
+
+    /** Whether the [size] numbers from [field] on are the same at all corners. */
+    fun hasEqual(field: Int, size: Int): Boolean {
+        val corners = ArrayList<List<Double>>()
+        eachCorner { data, at -> corners.add((0 until size).map { data[at + field + it] }) }
+        return corners.distinct().size == 1
+    }
+
+    /** Calls [action] with the numbers of each corner of the reference triangle, and where they begin. */
+    fun eachCorner(action: (data: DoubleArray, at: Int) -> Unit) {
+        if (!isPlanar) return
+        val planar = checkNotNull(core)
+        val data = read(checkNotNull(read(planar, "vertices")), "data") as DoubleArray
+        for (corner in read(planar, "corners") as IntArray) action(data, STRIDE * corner)
+    }
+
+    companion object {
+        private val WRAPPERS = setOf("MaskedPrimitive", "OpaquePrimitive", "Glass")
+        private val CORES = setOf("PlanarPrimitive", "SpherePrimitive")
+        private const val STRIDE = 16
+        private const val W = 3
+        const val NORMAL: Int = 7
+        const val COLOR: Int = 12
+
+        fun field(target: Any, name: String): java.lang.reflect.Field =
+            target.javaClass.getDeclaredField(name).apply { isAccessible = true }
+
+        fun read(target: Any, name: String): Any? = field(target, name).get(target)
+
+        /** Normals are those of the vertices, whichever side is seen. */
+        fun turnNormals(inside: Inside, changes: Changes) {
+            if (inside.isPlanar) changes.set(checkNotNull(inside.core), "normalSign", 1.0)
+        }
+
+        fun loseHighlight(inside: Inside, changes: Changes) {
+            inside.material?.let { changes.set(it, "specular", Rgba.BLACK) }
+        }
+
+        fun loseEmission(inside: Inside, changes: Changes) {
+            inside.material?.let { changes.set(it, "emission", Rgba.BLACK) }
+        }
+
+        fun readNearest(inside: Inside, changes: Changes) {
+            inside.texture?.let { changes.set(it, "filter", TextureFilter.NEAREST) }
+        }
+
+        fun interpolateOnScreen(inside: Inside, changes: Changes) =
+            inside.eachCorner { data, at -> changes.setNumber(data, at + W, 1.0) }
+    }
+}

@@ -1,0 +1,105 @@
+package dev.lazyz.conformance.broken
+
+import dev.lazyz.Capability
+import dev.lazyz.Cell
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Primitive
+import dev.lazyz.RenderOptions
+import dev.lazyz.Selector
+import dev.lazyz.Spans
+import dev.lazyz.conformance.cases.changed.Recovered
+import dev.lazyz.conformance.cases.changed.renumbered
+import dev.lazyz.strategies.lists.Lists
+import dev.lazyz.strategies.zbuffer.ZBuffer
+
+/** Renderers that are right as long as nothing is large. */
+object BrokenSizes {
+    fun columnsIn16Bits() = primitives("columns-in-16-bits") { ShadedAt(it) { x, y -> (x and 0xFFFF) to y } }
+
+    fun rowsIn15Bits() = primitives("rows-in-15-bits") { ShadedAt(it) { x, y -> x to (y and 0x7FFF) } }
+
+    fun lastColumnOfATileOf64() = primitives("last-column-of-a-tile-of-64") { Sifted(it) { x, _ -> x % 64 < 63 } }
+
+    fun lastRowOfABandOf128() = primitives("last-row-of-a-band-of-128") { Sifted(it) { _, y -> y % 128 < 127 } }
+
+    fun noTilesBeyondTheFirstOf256() =
+        primitives("no-tiles-beyond-256") { Sifted(it) { x, y -> x < 256 && y < 256 } }
+
+    /** The first column of a tile of 256 is a copy of the one before. */
+    fun seamAt256() = painting("seam-at-256") { image, _ ->
+        val first = image.region.columnStart
+        val argb = IntArray(image.argb.size) {
+            image.argb[if ((first + it % image.width) % 256 == 0 && it % image.width > 0) it - 1 else it]
+        }
+        Image(image.region, argb, image.depth, image.primitive, image.counters)
+    }
+
+    fun sixteenSpans() = primitives("sixteen-spans-in-a-row") {
+        object : Misread(it) {
+            override fun misread(from: Spans, to: Spans) {
+                for (i in 0 until minOf(from.count, 16)) to.add(from.start(i), from.end(i))
+            }
+        }
+    }
+
+    fun thirtyTwoLayers() = layers("thirty-two-layers", 32)
+
+    fun layersInAByte() = layers("layers-in-a-byte", 255)
+
+    fun blends32Layers() = BrokenRenderer("blends-32-layers", setOf(Capability.TRANSPARENCY)) { frame, sink ->
+        val selector = Selector { cell -> Selector.blend().select(First(cell)) }
+        val chosen = if (frame.hasTranslucency) selector else Selector.nearest()
+        Lists(RenderOptions(selector = chosen)).render(frame, sink)
+    }
+
+    fun indexThroughAFloat() = painting("index-through-a-float") { image, _ ->
+        image.renumbered { it.toFloat().toInt() }
+    }
+
+    fun indexIn24Bits() = painting("index-in-24-bits") { image, _ -> image.renumbered { it and 0xFFFFFF } }
+
+    private class First(private val cell: Cell) : Cell by cell {
+        override val size: Int get() = minOf(cell.size, 32)
+    }
+
+    /** Takes no more than so many fragments at a sample. */
+    private fun layers(id: String, most: Int) = BrokenRenderer(id) { frame, sink ->
+        val counts = HashMap<Pair<Int, Int>, Int>()
+        val kept = frame.primitives.map { primitive ->
+            val samples = HashSet<Pair<Int, Int>>()
+            for (y in frame.region.rowStart until frame.region.rowEnd) {
+                val spans = Spans(frame.region).also { primitive.spans(y, it) }
+                for (i in 0 until spans.count) {
+                    for (x in spans.start(i) until spans.end(i)) {
+                        if (counts.merge(x to y, 1, Int::plus)!! <= most) samples.add(x to y)
+                    }
+                }
+            }
+            Sifted(primitive) { x, y -> (x to y) in samples }
+        }
+        ZBuffer().render(Frame(frame.raster, kept, frame.region), sink)
+    }
+
+    /** Covers of [whole] what [isKept]. */
+    private class Sifted(whole: Primitive, private val isKept: (x: Int, y: Int) -> Boolean) : Recovered(whole) {
+        override fun spans(y: Int, spans: Spans) {
+            val all = Spans().also { whole.spans(y, it) }
+            for (i in 0 until all.count) {
+                for (x in all.start(i) until all.end(i)) if (isKept(x, y)) spans.add(x, x + 1)
+            }
+        }
+    }
+
+    private class ShadedAt(private val whole: Primitive, private val place: (x: Int, y: Int) -> Pair<Int, Int>) :
+        Primitive by whole {
+        override fun shade(fragment: Fragment) {
+            val (x, y) = fragment.x to fragment.y
+            val (column, row) = place(x, y)
+            fragment.moveTo(column, row)
+            whole.shade(fragment)
+            fragment.moveTo(x, y)
+        }
+    }
+}

@@ -1,0 +1,56 @@
+package dev.lazyz.conformance.broken.gallery
+
+import dev.lazyz.conformance.broken.BrokenDepths
+import dev.lazyz.conformance.broken.BrokenManners
+import dev.lazyz.conformance.broken.BrokenRenderers
+import dev.lazyz.conformance.broken.gallery.RuleNames.background
+import dev.lazyz.conformance.broken.gallery.RuleNames.copies
+import dev.lazyz.conformance.broken.gallery.RuleNames.counts
+import dev.lazyz.conformance.broken.gallery.RuleNames.hidden
+import dev.lazyz.conformance.broken.gallery.RuleNames.index
+import dev.lazyz.conformance.broken.gallery.RuleNames.many
+import dev.lazyz.conformance.broken.gallery.RuleNames.nearest
+import dev.lazyz.conformance.broken.gallery.RuleNames.order
+import dev.lazyz.conformance.broken.gallery.RuleNames.own
+import dev.lazyz.conformance.broken.gallery.RuleNames.pairs
+import dev.lazyz.conformance.broken.gallery.RuleNames.parts
+import dev.lazyz.conformance.broken.gallery.RuleNames.scenes
+import dev.lazyz.conformance.broken.gallery.RuleNames.tests
+import dev.lazyz.conformance.broken.gallery.RuleNames.ties
+
+/** The gallery's part about depth and order. */
+internal object DepthAndOrderGallery {
+    val mutants: List<Mutant> = listOf(
+        Mutant(BrokenRenderers::lastWinsTies, "`<=` where `<` is meant", ties, tests, pairs),
+        Mutant(BrokenRenderers::usualTestOnly, "the usual depth test, whatever the raster says", tests, pairs),
+        Mutant(BrokenDepths::reversedTestsSwapTies, "where the greatest depth wins, ties go the wrong way", tests),
+        Mutant(BrokenRenderers::lastSubmittedWins, "the painter's algorithm without its sort", nearest, scenes, order),
+        Mutant(
+            BrokenDepths::flatPrimitives,
+            "primitives are compared by their nearest depths, not at samples",
+            nearest, hidden,
+        ),
+        Mutant(BrokenDepths::spanComparedAtItsStart, "one comparison a span, at its start", nearest, scenes),
+        Mutant(BrokenDepths::staleRejection, "one old sample decides that a whole primitive is hidden", nearest, order),
+        Mutant(
+            BrokenDepths::signedKeys,
+            "keys with the upper bit of depth are compared as if they were signed",
+            nearest, scenes,
+        ),
+        Mutant(BrokenDepths::throughFloat, "depth goes through a float", nearest, scenes),
+        Mutant(BrokenDepths::in24Bits, "depth has 24 bits", nearest, own),
+        Mutant(BrokenDepths::formsInDouble, "linear forms are evaluated in floating point", own),
+        Mutant(
+            BrokenDepths::roundedDown,
+            "half a unit is taken off, as if forms were yet to be rounded",
+            nearest, scenes,
+        ),
+        Mutant(BrokenDepths::oneStepBehind, "depth along a span is one step behind", nearest, scenes),
+        Mutant(BrokenDepths::clampedToPlanes, "depth is clamped to the near and the far plane", own),
+        Mutant(BrokenRenderers::backgroundAtInfinity, "a background that is always behind everything", background),
+        Mutant(BrokenDepths::backgroundLosesTies, "the background loses ties", background),
+        Mutant(BrokenRenderers::dropsTheInvisible, "primitives that cover nothing have no index", index, counts, parts),
+        Mutant(BrokenManners::indexIn16Bits, "indices have 16 bits", many),
+        Mutant(BrokenManners::indexByIdentity, "a primitive's index is where the list first holds it", copies),
+    )
+}

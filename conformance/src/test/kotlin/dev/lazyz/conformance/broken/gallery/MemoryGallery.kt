@@ -1,0 +1,80 @@
+package dev.lazyz.conformance.broken.gallery
+
+import dev.lazyz.Capability
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.RenderOptions
+import dev.lazyz.conformance.broken.BrokenRenderer
+import dev.lazyz.conformance.broken.gallery.RuleNames.arrivals
+import dev.lazyz.conformance.broken.gallery.RuleNames.heap
+import dev.lazyz.conformance.broken.gallery.RuleNames.kept
+import dev.lazyz.conformance.broken.gallery.RuleNames.memory
+import dev.lazyz.strategies.hybrid.Hybrid
+import dev.lazyz.strategies.zbuffer.ZBuffer
+
+/** The gallery's part about memory that is held and not told: all counters are as they should be. */
+internal object MemoryGallery {
+    val mutants: List<Mutant> = listOf(
+        Mutant(::wholePicture, "promises constant memory, holds the picture, and tells a row's memory", memory),
+        Mutant(::hoardsPrimitives, "promises to stream primitives, and keeps each in a list", arrivals),
+        Mutant(::notesPrimitives, "promises to stream primitives, and notes the bounds of each", arrivals),
+        Mutant(::budgetKeptInName, "ignores the memory budget, and tells that it is kept", heap),
+        Mutant(::keepsTheLastFrame, "keeps the last frame until the next one comes", kept),
+        Mutant(::keepsFailedFrames, "keeps frames that could not be rendered", kept),
+    )
+
+    private fun wholePicture() = BrokenRenderer("whole-picture", setOf(Capability.CONSTANT_MEMORY)) { frame, sink ->
+        ZBuffer().render(frame, sink).apply { peakBytes = 12L * frame.width }
+    }
+
+    private fun hoardsPrimitives() =
+        BrokenRenderer("hoards-primitives", setOf(Capability.STREAMS_PRIMITIVES)) { frame, sink ->
+            val hoard = ArrayList<Primitive>()
+            ZBuffer().render(frame.heard { hoard.add(it) }, sink).also { hoard.clear() }
+        }
+
+    private fun notesPrimitives() =
+        BrokenRenderer("notes-primitives", setOf(Capability.STREAMS_PRIMITIVES)) { frame, sink ->
+            val rows = IntArray(frame.primitives.size)
+            var count = 0
+            ZBuffer().render(frame.heard { rows[count++ % rows.size] = it.rowStart }, sink).also { rows.fill(0) }
+        }
+
+    /** The frame whose primitives are told to [hear] one by one. */
+    private fun Frame.heard(hear: (Primitive) -> Unit): Frame {
+        val primitives = object : AbstractList<Primitive>() {
+            override val size: Int get() = this@heard.primitives.size
+
+            override fun get(index: Int): Primitive = this@heard.primitives[index].also(hear)
+        }
+        return Frame(raster, primitives, region)
+    }
+
+    private fun budgetKeptInName(): BrokenRenderer = budgetKeptInName(RenderOptions())
+
+    private fun budgetKeptInName(options: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "budget-kept-in-name",
+        setOf(Capability.MEMORY_BUDGET),
+        { budgetKeptInName(it) },
+    ) { frame, sink ->
+        val image = Hybrid(RenderOptions(memoryBudget = 0)).render(Frame(frame.raster, emptyList(), frame.region))
+        val most = image.counters.peakBytes + (options.memoryBudget ?: Long.MAX_VALUE / 2)
+        Hybrid().render(frame, sink).apply { peakBytes = minOf(peakBytes, most) }
+    }
+
+    private fun keepsTheLastFrame(): BrokenRenderer {
+        val last = arrayOfNulls<Frame>(1)
+        return BrokenRenderer("keeps-the-last-frame") { frame, sink ->
+            last[0] = frame
+            ZBuffer().render(frame, sink)
+        }
+    }
+
+    private fun keepsFailedFrames(): BrokenRenderer {
+        val failed = ArrayList<Frame>()
+        return BrokenRenderer("keeps-failed-frames") { frame, sink ->
+            failed.add(frame)
+            ZBuffer().render(frame, sink).also { failed.remove(frame) }
+        }
+    }
+}

@@ -1,0 +1,82 @@
+package dev.lazyz.conformance.broken.gallery
+
+import dev.lazyz.conformance.broken.BrokenColours
+import dev.lazyz.conformance.broken.BrokenPromises
+import dev.lazyz.conformance.broken.BrokenRenderers
+import dev.lazyz.conformance.broken.gallery.RuleNames.among
+import dev.lazyz.conformance.broken.gallery.RuleNames.arrivals
+import dev.lazyz.conformance.broken.gallery.RuleNames.budget
+import dev.lazyz.conformance.broken.gallery.RuleNames.counts
+import dev.lazyz.conformance.broken.gallery.RuleNames.empty
+import dev.lazyz.conformance.broken.gallery.RuleNames.fragments
+import dev.lazyz.conformance.broken.gallery.RuleNames.memory
+import dev.lazyz.conformance.broken.gallery.RuleNames.options
+import dev.lazyz.conformance.broken.gallery.RuleNames.parallel
+import dev.lazyz.conformance.broken.gallery.RuleNames.passes
+import dev.lazyz.conformance.broken.gallery.RuleNames.promise
+import dev.lazyz.conformance.broken.gallery.RuleNames.selects
+import dev.lazyz.conformance.broken.gallery.RuleNames.stepping
+import dev.lazyz.conformance.broken.gallery.RuleNames.steps
+import dev.lazyz.conformance.broken.gallery.RuleNames.streams
+import dev.lazyz.conformance.broken.gallery.RuleNames.sums
+import dev.lazyz.conformance.broken.gallery.RuleNames.told
+import dev.lazyz.conformance.broken.gallery.RuleNames.unpulled
+
+/** The gallery's part about counters and promises. */
+internal object PromisesGallery {
+    val mutants: List<Mutant> = listOf(
+        Mutant(BrokenRenderers::countsTheVisible, "counts primitives that are visible", counts),
+        Mutant(BrokenRenderers::countsACallTooMany, "counts a shading call that never happens", counts, empty),
+        Mutant(BrokenRenderers::countsNoPasses, "does not count what passes", passes),
+        Mutant(BrokenPromises::keepsMemorySecret, "does not tell how much memory it takes", told),
+        Mutant(BrokenPromises::countsVisibleFragments, "counts visible samples as fragments", fragments),
+        Mutant(BrokenPromises::countsRejectedTwice, "counts rejected fragments twice", fragments),
+        Mutant(BrokenPromises::countsEveryTest, "counts every comparison as passed", among),
+        Mutant(BrokenPromises::testsTheBackground, "computes depths where nothing is covered", among),
+        Mutant(
+            BrokenRenderers::shadesMoreThanItPromises,
+            "the eager z-buffer promises to shade only what is visible",
+            promise,
+        ),
+        Mutant(BrokenColours::shadesBeforeTheTest, "shades before the depth test", promise),
+        Mutant(BrokenColours::shadesTwice, "shades each visible sample twice, and counts one", counts, promise),
+        Mutant(BrokenColours::alwaysSteps, "steps from colour to colour whatever it was told", steps),
+        Mutant(BrokenPromises::stepsLess, "adaptive, it starts again at a gap that costs as much as a start", stepping),
+        Mutant(BrokenPromises::keepsStepping, "told to step and then not to step, it goes on stepping", stepping),
+        Mutant(BrokenColours::countsNoSteps, "does not count steps", steps),
+        Mutant(BrokenColours::countsWholeChains, "counts the steps of a row as one chain", steps),
+        Mutant(BrokenPromises::memoryGrows, "promises constant memory, and says that it is not", memory),
+        Mutant(BrokenPromises::keepsRows, "promises constant memory, and keeps the rows without saying so", memory),
+        Mutant(BrokenPromises::buffersRows, "promises to stream rows, and buffers the picture", streams, unpulled),
+        Mutant(
+            BrokenPromises::looksAhead,
+            "promises to stream rows, and asks about the next one first",
+            streams, unpulled,
+        ),
+        Mutant(
+            BrokenPromises::finishesAnyway,
+            "promises to stream rows, and finishes when nobody takes them",
+            unpulled,
+        ),
+        Mutant(BrokenPromises::keepsPrimitives, "promises to stream primitives, and sorts them all", arrivals),
+        Mutant(BrokenPromises::parallelInName, "promises to be parallel, and is not", parallel),
+        Mutant(BrokenPromises::takesMoreThreads, "takes more threads than the options allow", parallel),
+        Mutant(BrokenPromises::countsByThread, "counts work of its own for each thread", sums),
+        Mutant(BrokenPromises::losesCounts, "loses the counts of all threads but one", sums),
+        Mutant(BrokenPromises::budgetIgnored, "promises to keep to a budget, and ignores it", budget),
+        Mutant(
+            BrokenPromises::budgetCostsColours,
+            "without a budget to suspend colours there are none",
+            budget, options,
+        ),
+        Mutant(BrokenPromises::keepsItsSelector, "once it had a selector, it goes on selecting without", selects),
+        Mutant(BrokenPromises::ignoresTheSelector, "promises selection, and shows the nearest", selects),
+        Mutant(
+            BrokenPromises::selectsWithoutTheNearest,
+            "the selector does not get the nearest of several fragments",
+            selects,
+        ),
+        Mutant(BrokenPromises::firstShowDecides, "of several calls of show the first decides", selects),
+        Mutant(BrokenPromises::cellsFromTheBack, "the selector gets fragments from the back", selects),
+    )
+}

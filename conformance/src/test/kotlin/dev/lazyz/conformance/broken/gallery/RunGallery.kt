@@ -1,0 +1,64 @@
+package dev.lazyz.conformance.broken.gallery
+
+import dev.lazyz.Frame
+import dev.lazyz.conformance.broken.BrokenRenderer
+import dev.lazyz.conformance.broken.WrongColors
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import java.util.concurrent.CountDownLatch
+
+/** Renderers that would end a run, or make it tell something else each time. None is in [Gallery]: they take time. */
+object RunGallery {
+    fun sleeps() = whereThereIsSomething("sleeps") { Thread.sleep(Long.MAX_VALUE) }
+
+    /** Does not heed interrupts; ends with the process. */
+    fun spins() = whereThereIsSomething("spins") { while (true) Thread.onSpinWait() }
+
+    /** Waits for a thread of its own that never says that it is done. */
+    fun waits() = whereThereIsSomething("waits") {
+        val never = CountDownLatch(1)
+        Thread({ never.await() }, "never-done").apply { isDaemon = true }.start()
+        never.await()
+    }
+
+    /** Ends the process without a word. */
+    fun halts() = whereThereIsSomething("halts") { Runtime.getRuntime().halt(7) }
+
+    /** Never returns what it is asked for. */
+    fun never(): Nothing {
+        while (true) Thread.sleep(Long.MAX_VALUE)
+    }
+
+    fun exhausts() = whereThereIsSomething("exhausts") { List(8) { LongArray(Int.MAX_VALUE) } }
+
+    fun recurses() = whereThereIsSomething("recurses") { depthOf(0) }
+
+    fun forgets() = whereThereIsSomething("forgets") { TODO("to be written") }
+
+    @Suppress("removal", "DEPRECATION")
+    fun dies() = whereThereIsSomething("dies") { throw ThreadDeath() }
+
+    /** Wrong once in ten times. */
+    fun racy(): BrokenRenderer {
+        var calls = 0
+        return BrokenRenderer("racy") { frame, sink ->
+            if (++calls % 10 == 0) WrongColors().render(frame, sink) else ZBuffer().render(frame, sink)
+        }
+    }
+
+    /** Wrong when the frame before was a wide one. */
+    fun stateful(): BrokenRenderer {
+        var lastWidth = 0
+        return BrokenRenderer("stateful") { frame, sink ->
+            val isWrong = lastWidth > frame.width * 4
+            lastWidth = frame.width
+            if (isWrong) WrongColors().render(frame, sink) else ZBuffer().render(frame, sink)
+        }
+    }
+
+    private fun depthOf(depth: Int): Int = 1 + depthOf(depth + 1)
+
+    private fun whereThereIsSomething(id: String, block: (Frame) -> Any?) = BrokenRenderer(id) { frame, sink ->
+        if (frame.primitives.size > 2) block(frame)
+        ZBuffer().render(frame, sink)
+    }
+}

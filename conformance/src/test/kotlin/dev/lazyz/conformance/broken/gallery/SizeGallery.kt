@@ -1,0 +1,40 @@
+package dev.lazyz.conformance.broken.gallery
+
+import dev.lazyz.conformance.broken.BrokenCombinations
+import dev.lazyz.conformance.broken.BrokenSizes
+import dev.lazyz.conformance.broken.gallery.RuleNames.deep
+import dev.lazyz.conformance.broken.gallery.RuleNames.far
+import dev.lazyz.conformance.broken.gallery.RuleNames.floats
+import dev.lazyz.conformance.broken.gallery.RuleNames.manySpans
+import dev.lazyz.conformance.broken.gallery.RuleNames.thin
+import dev.lazyz.conformance.broken.gallery.RuleNames.thousands
+import dev.lazyz.conformance.broken.gallery.RuleNames.tiles
+import dev.lazyz.conformance.broken.gallery.RuleNames.together
+
+/** The gallery's part about what is right alone, and wrong together. */
+internal object CombinationGallery {
+    val mutants: List<Mutant> = listOf(
+        Mutant(BrokenCombinations::partsInSmallTiles, "parts that begin within a small tile lack a column", together),
+        Mutant(BrokenCombinations::glassInParts, "in parts of a raster nothing is blended", together),
+        Mutant(BrokenCombinations::glassOfSeveralThreads, "several threads blend nothing", together),
+        Mutant(BrokenCombinations::failureShowsLater, "with options, a failure shows in the next picture", together),
+    )
+}
+
+/** The gallery's part about size: right for small frames. */
+internal object SizeGallery {
+    val mutants: List<Mutant> = listOf(
+        Mutant(BrokenSizes::columnsIn16Bits, "columns are kept in 16 bits where they are shaded", far),
+        Mutant(BrokenSizes::rowsIn15Bits, "rows are kept in a short where they are shaded", far),
+        Mutant(BrokenSizes::lastColumnOfATileOf64, "the last column of each tile of 64 x 64 samples is lost", tiles),
+        Mutant(BrokenSizes::lastRowOfABandOf128, "the last row of each band of 128 rows is lost", tiles),
+        Mutant(BrokenSizes::noTilesBeyondTheFirstOf256, "tiles of 256 right of or below the first are lost", tiles),
+        Mutant(BrokenSizes::seamAt256, "the first column of a tile of 256 is a copy of the one before", tiles),
+        Mutant(BrokenSizes::sixteenSpans, "a primitive has at most 16 spans in a row", manySpans),
+        Mutant(BrokenSizes::thirtyTwoLayers, "a sample takes at most 32 fragments", deep),
+        Mutant(BrokenSizes::layersInAByte, "a sample takes at most 255 fragments", thousands),
+        Mutant(BrokenSizes::blends32Layers, "at most 32 layers are blended", thin),
+        Mutant(BrokenSizes::indexThroughAFloat, "indices go through a float", floats),
+        Mutant(BrokenSizes::indexIn24Bits, "indices have 24 bits", floats),
+    )
+}

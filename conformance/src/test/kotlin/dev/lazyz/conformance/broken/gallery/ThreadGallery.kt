@@ -1,0 +1,146 @@
+package dev.lazyz.conformance.broken.gallery
+
+import dev.lazyz.Counters
+import dev.lazyz.Fragment
+import dev.lazyz.RowSink
+import dev.lazyz.Spans
+import dev.lazyz.conformance.broken.BrokenRenderer
+import dev.lazyz.conformance.broken.Crew
+import dev.lazyz.conformance.broken.Tools
+import dev.lazyz.conformance.broken.emit
+import dev.lazyz.conformance.broken.gallery.RuleNames.caller
+import dev.lazyz.conformance.broken.gallery.RuleNames.halfDone
+import dev.lazyz.conformance.broken.gallery.RuleNames.late
+import dev.lazyz.conformance.broken.gallery.RuleNames.lost
+import dev.lazyz.conformance.broken.gallery.RuleNames.lostCounts
+import dev.lazyz.conformance.broken.gallery.RuleNames.meets
+import dev.lazyz.conformance.broken.gallery.RuleNames.overwrites
+import dev.lazyz.conformance.broken.gallery.RuleNames.status
+import dev.lazyz.conformance.broken.gallery.RuleNames.workers
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import kotlin.concurrent.thread
+
+/** The gallery's part about threads, and the sink. */
+internal object ThreadGallery {
+    val mutants: List<Mutant> = listOf(
+        Mutant(::sharesARow, "threads fill one row, and copy it when it is full", lost),
+        Mutant(::sharesAFragment, "threads of one rendering share a fragment", lost),
+        Mutant(::sharesSpans, "threads of one rendering share spans", lost),
+        Mutant(::losesUpdates, "threads compare and write the key of a sample without a lock", lost),
+        Mutant(::sharesCounters, "threads count in the same counters without a lock", lostCounts),
+        Mutant(::losesErrors, "an error, which is no exception, ends its thread without a word", workers),
+        Mutant(::asksOn, "when the caller's part has failed, a thread goes on with its own", late),
+        Mutant(::handsOutHalf, "a caller that is interrupted hands out what its threads have done so far", halfDone),
+        Mutant(::keepsAFragment, "the fragment is in a field, for all renderings", meets),
+        Mutant(::keepsSpans, "the spans are in a field, for all renderings", meets),
+        Mutant(::callsFromAThread, "the sink is called by a thread of the renderer's own", caller),
+        Mutant(::callsAtOnce, "several threads call the sink, each with its row", caller),
+        Mutant(::buildsOnItsRows, "a row is written only where it is not as the one before", overwrites),
+        Mutant(::fillsRowsLater, "the next row is written into the arrays that the sink still has", overwrites),
+        Mutant(::losesTheInterrupt, "the interrupt status is cleared, and the picture is made all the same", status),
+        Mutant(::interruptsTwice, "InterruptedException is thrown with the status still set", status),
+    )
+
+    private fun crew(id: String, threads: Int, tools: () -> Tools) = BrokenRenderer(id) { frame, sink ->
+        emit(Crew(frame, threads, tools()).render(), sink)
+    }
+
+    private fun asksOn() = BrokenRenderer("asks-on") { frame, sink ->
+        val helper = thread(isDaemon = true) {
+            val spans = Spans()
+            try {
+                for (y in frame.region.rowStart until frame.region.rowEnd) {
+                    frame.primitives.forEach {
+                        it.spans(y, spans.apply { clear() })
+                    }
+                }
+            } catch (_: Exception) {
+                // The caller meets it, too
+            }
+        }
+        ZBuffer().render(frame, sink).also { helper.join() }
+    }
+
+    private fun sharesARow() = crew("shares-a-row", 4) {
+        var row: IntArray? = null
+        Tools(row = { width -> synchronized(this) { row ?: IntArray(width).also { row = it } } })
+    }
+
+    private fun sharesAFragment() = crew("shares-a-fragment", 4) {
+        val fragment = Fragment()
+        Tools(fragment = { fragment })
+    }
+
+    private fun sharesSpans() = crew("shares-spans", 4) {
+        val spans = Spans()
+        Tools(spans = { spans })
+    }
+
+    private fun losesUpdates() = crew("loses-updates", 4) { Tools(isLocked = false) }
+
+    private fun sharesCounters() = crew("shares-counters", 4) {
+        val counters = Counters()
+        Tools(counters = { counters })
+    }
+
+    private fun losesErrors() = crew("loses-errors", 4) { Tools(isTold = { it !is Error }) }
+
+    private fun handsOutHalf() = crew("hands-out-half", 4) { Tools(isPatient = false) }
+
+    private fun keepsAFragment(): BrokenRenderer {
+        val fragment = Fragment()
+        return crew("keeps-a-fragment", 1) { Tools(fragment = { fragment }) }
+    }
+
+    private fun keepsSpans(): BrokenRenderer {
+        val spans = Spans()
+        return crew("keeps-spans", 1) { Tools(spans = { spans }) }
+    }
+
+    private fun callsFromAThread() = BrokenRenderer("calls-from-a-thread") { frame, sink ->
+        val image = ZBuffer().render(frame)
+        thread { emit(image, sink) }.join()
+        image.counters
+    }
+
+    private fun callsAtOnce() = BrokenRenderer("calls-at-once") { frame, sink ->
+        val image = ZBuffer().render(frame)
+        (0 until image.height).map { row -> thread { emit(image, sink, listOf(row)) } }.forEach { it.join() }
+        image.counters
+    }
+
+    private fun buildsOnItsRows() = BrokenRenderer("builds-on-its-rows") { frame, sink ->
+        val image = ZBuffer().render(frame)
+        val rows = List(3) { IntArray(image.width) }
+        for (y in 0 until image.height) {
+            listOf(image.argb, image.depth, image.primitive).forEachIndexed { i, all ->
+                for (x in 0 until image.width) {
+                    val at = y * image.width + x
+                    if (y == 0 || all[at] != all[at - image.width]) rows[i][x] = all[at]
+                }
+            }
+            sink.row(image.region.rowStart + y, rows[0], rows[1], rows[2])
+        }
+        image.counters
+    }
+
+    private fun fillsRowsLater() = BrokenRenderer("fills-rows-later") { frame, sink ->
+        ZBuffer().render(frame) { y, argb, depth, primitive ->
+            val next = thread { depth.fill(y) }
+            sink.row(y, argb, depth, primitive)
+            next.join()
+        }
+    }
+
+    private fun losesTheInterrupt() = BrokenRenderer("loses-the-interrupt") { frame, sink ->
+        ZBuffer().render(frame, sink).also { Thread.interrupted() }
+    }
+
+    private fun interruptsTwice() = BrokenRenderer("interrupts-twice") { frame, sink ->
+        val patient = RowSink { y, argb, depth, primitive ->
+            if (Thread.currentThread().isInterrupted) throw InterruptedException("interrupted")
+            sink.row(y, argb, depth, primitive)
+        }
+        ZBuffer().render(frame, patient)
+    }
+}

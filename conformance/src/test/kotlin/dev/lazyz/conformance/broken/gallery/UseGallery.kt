@@ -1,0 +1,48 @@
+package dev.lazyz.conformance.broken.gallery
+
+import dev.lazyz.conformance.broken.BrokenManners
+import dev.lazyz.conformance.broken.BrokenRenderers
+import dev.lazyz.conformance.broken.gallery.RuleNames.accidents
+import dev.lazyz.conformance.broken.gallery.RuleNames.again
+import dev.lazyz.conformance.broken.gallery.RuleNames.empty
+import dev.lazyz.conformance.broken.gallery.RuleNames.frames
+import dev.lazyz.conformance.broken.gallery.RuleNames.interrupts
+import dev.lazyz.conformance.broken.gallery.RuleNames.nearest
+import dev.lazyz.conformance.broken.gallery.RuleNames.options
+import dev.lazyz.conformance.broken.gallery.RuleNames.outside
+import dev.lazyz.conformance.broken.gallery.RuleNames.region
+import dev.lazyz.conformance.broken.gallery.RuleNames.rows
+import dev.lazyz.conformance.broken.gallery.RuleNames.sinks
+import dev.lazyz.conformance.broken.gallery.RuleNames.threads
+
+/** The gallery's part about use. */
+internal object UseGallery {
+    val mutants: List<Mutant> = listOf(
+        Mutant(BrokenRenderers::bottomUp, "rows from the bottom", rows),
+        Mutant(BrokenRenderers::firstRowTwice, "the first row two times", rows),
+        Mutant(BrokenRenderers::lastRowMissing, "all rows but the last", rows, nearest, empty),
+        Mutant(BrokenRenderers::ignoresTheRegion, "the whole raster, whatever the region", region),
+        Mutant(BrokenManners::regionOffsetTwice, "rows are numbered from the region's start, twice", region),
+        Mutant(
+            BrokenManners::columnsOfTheRaster,
+            "rows begin with the raster's first column, not the region's",
+            region,
+        ),
+        Mutant(BrokenManners::looksOutsideTheRegion, "asks for the spans of all, and then for the region's", outside),
+        Mutant(BrokenRenderers::remembersTheLastFrame, "the background shows the frame before", again, threads),
+        Mutant(BrokenManners::keepsTheClippedPart, "a part is told by its size, so another gets its rows", again),
+        Mutant(BrokenManners::notRestartable, "a frame can be rendered once", again),
+        Mutant(BrokenRenderers::oneThreadOnly, "the frame is in a field, so that threads render each other's", threads),
+        Mutant(BrokenManners::widthOf97, "one width is wrong, which only a frame of the user's own has", frames),
+        Mutant(BrokenRenderers::optionsMatter, "another picture when it is configured", options),
+        Mutant(BrokenManners::racyMerge, "of two threads' results the second overwrites the first", options),
+        Mutant(BrokenManners::tileSeam, "the first column of a tile is a copy of the one before", options),
+        Mutant(BrokenManners::swallowsExceptions, "what a primitive throws is swallowed", accidents),
+        Mutant(BrokenManners::wrapsExceptions, "what a primitive throws is wrapped", accidents),
+        Mutant(BrokenManners::poisonedByFailure, "after a failure nothing works", accidents, sinks),
+        Mutant(BrokenManners::swallowsTheSinks, "what the sink throws is swallowed", sinks),
+        Mutant(BrokenManners::goesOnAfterTheSinkFailed, "the sink gets more rows after it has thrown", sinks),
+        Mutant(BrokenManners::interruptedHalfWay, "an interrupted thread gets a picture of nothing", interrupts),
+        Mutant(BrokenManners::failsWhenInterrupted, "an interrupted thread gets some other exception", interrupts),
+    )
+}

@@ -1,0 +1,135 @@
+package dev.lazyz.conformance.census
+
+import dev.lazyz.DepthConvention
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.Rgba
+import dev.lazyz.conformance.cases.Rasters
+import dev.lazyz.conformance.cases.changed.Cutting
+import dev.lazyz.conformance.frames.Plate
+import dev.lazyz.conformance.frames.screen.screenCase
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Camera
+import dev.lazyz.world.FrameBuilder
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Texture
+import dev.lazyz.world.Vertex
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Frames have the traits that they are made to have, and no others. */
+class CensusTest {
+    private val plain = Raster(8, 4)
+
+    private fun plates(vararg sides: ClosedFloatingPointRange<Double>): Frame {
+        val builder = FrameBuilder(plain)
+        for (it in sides) Plate(it.start, 0.0, it.endInclusive, 4.0, 0.5, 0.5).piece().addTo(builder, 0)
+        return builder.build()
+    }
+
+    private fun full(raster: Raster, count: Int): Frame =
+        Frame(raster, List<Primitive>(count) { Cutting(Whole(raster), 0..<raster.width, 0..<raster.height) })
+
+    /** Everywhere, in the middle. */
+    private class Whole(raster: Raster) :
+        Primitive by screenCase(
+            raster,
+            listOf(Plate(-1.0, -1.0, raster.width + 1.0, raster.height + 1.0, 0.5, 0.5).piece()),
+        ).frame.primitives.single()
+
+    @Test
+    fun samplesShowTraits() {
+        assertTrue(FrameTrait.MEETING in Census.traits(plates(0.0..3.0, 3.0..8.0)))
+        assertFalse(FrameTrait.MEETING in Census.traits(plates(0.0..4.0, 3.0..8.0)))
+        assertFalse(FrameTrait.MEETING in Census.traits(plates(0.0..3.0, 4.0..8.0)))
+        assertFalse(FrameTrait.DEEP in Census.traits(full(plain, 8)))
+        assertTrue(FrameTrait.DEEP in Census.traits(full(plain, 9)))
+        for ((teeth, isMany) in listOf(6 to false, 7 to true)) {
+            val raster = Raster(20, 4)
+            val comb = Plate(0.0, 0.0, 1.0, 4.0, 0.5, 0.5).comb(teeth, 2.0)
+            val frame = FrameBuilder(raster).polygon(Rgba.WHITE, comb).build()
+            assertEquals(isMany, FrameTrait.MANY_SPANS in Census.traits(frame))
+        }
+    }
+
+    @Test
+    fun rastersBringTraits() {
+        for (test in DepthTest.entries) {
+            val raster = Raster(8, 4, Rgba.WHITE, DepthConvention.LARGER_IS_NEARER, test, Rasters.behindAll(test))
+            val traits = Census.traits(full(raster, 1))
+            for (it in DepthTest.entries) assertEquals(it == test, FrameTrait.valueOf(it.name) in traits)
+            assertTrue(FrameTrait.LARGER_IS_NEARER in traits)
+            assertFalse(FrameTrait.BACKGROUND_DEPTH in traits)
+        }
+        val middle = Raster(8, 4, backgroundDepth = 7)
+        assertTrue(FrameTrait.BACKGROUND_DEPTH in Census.traits(full(middle, 1)))
+        assertTrue(FrameTrait.NARROW in Census.traits(full(Raster(1, 70), 1)))
+        assertTrue(FrameTrait.SEVERAL_TILES in Census.traits(full(Raster(1, 70), 1)))
+        val part = full(Raster(1, 70), 1).within(Region(0, 0, 1, 9))
+        assertFalse(FrameTrait.SEVERAL_TILES in Census.traits(part))
+        assertTrue(FrameTrait.REGION in Census.traits(part))
+    }
+
+    @Test
+    fun scenesBringTraits() {
+        val texture = Material(texture = Texture(1, 1, intArrayOf(-1)), alphaMode = AlphaMode.MASK)
+        val near = floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 0f, 1f, 0f)
+        val across = floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 0f, 1f, 9f)
+        val front = Polygon(listOf(listOf(Vertex(0.0, 0.0, 0.0), Vertex(1.0, 0.0, 0.0), Vertex(0.0, 1.0, 0.0))))
+        assertEquals(setOf<FrameTrait>(), ofScene(Scene(listOf(front), viewpoint = camera)))
+        val plain = Mesh(near, intArrayOf(0, 1, 2))
+        assertEquals(setOf(FrameTrait.MESH), ofScene(Scene(listOf(plain), viewpoint = camera)))
+        assertEquals(
+            setOf(FrameTrait.MESH, FrameTrait.NEAR_PLANE, FrameTrait.TEXTURED, FrameTrait.MASKED),
+            ofScene(Scene(listOf(Mesh(across, intArrayOf(0, 1, 2), texture)), viewpoint = camera)),
+        )
+        assertEquals(setOf(FrameTrait.SPHERE), ofScene(Scene(listOf(Sphere(Vector3d(), 1.0)), viewpoint = camera)))
+        val onScreen = Scene(listOf(Mesh(near, intArrayOf(0, 1, 2), texture)), viewpoint = Camera.screen())
+        assertEquals(setOf<FrameTrait>(), ofScene(onScreen))
+    }
+
+    private val eye = Vector3d(0.0, 0.0, 5.0)
+    private val camera = Camera.perspective(eye, Vector3d(), Vector3d(0.0, 1.0, 0.0), 40.0, 0.5, 9.0)
+
+    private fun ofScene(scene: Scene): Set<FrameTrait> = HashSet<FrameTrait>().also { addSceneTraits(scene, it) }
+
+    @Test
+    fun pairsAreCounted() {
+        val census = Census()
+        census.add(full(plain, 9))
+        census.add(full(plain, 2), how = "options")
+        val distribution = census.distribution()
+        assertEquals(2, distribution.count(FrameTrait.TIE))
+        assertEquals(1, distribution.count(FrameTrait.TIE, FrameTrait.DEEP))
+        assertEquals(1, distribution.count(FrameTrait.CONFIGURED, FrameTrait.TIE))
+        assertEquals(0, distribution.count(FrameTrait.CONFIGURED, FrameTrait.DEEP))
+        assertEquals(2, (distribution + distribution).count(FrameTrait.DEEP, FrameTrait.TIE))
+    }
+
+    @Test
+    fun largeFramesAreLookedAtInPart() {
+        val large = full(Raster(300, 200), 12)
+        assertTrue(Census.traits(large).containsAll(setOf(FrameTrait.DEEP, FrameTrait.TIE, FrameTrait.SEVERAL_TILES)))
+        val census = Census()
+        census.add(full(Raster(20_000, 1), 6))
+        assertEquals(1, census.distribution().unexamined)
+    }
+
+    @Test
+    fun impossiblePairsHaveReasons() {
+        assertEquals("a raster has one depth test", PairsOfTraits.whyNever(FrameTrait.LESS, FrameTrait.GREATER))
+        assertEquals(null, PairsOfTraits.whyNever(FrameTrait.TIE, FrameTrait.GREATER))
+        assertEquals(null, PairsOfTraits.whyNever(FrameTrait.TIE, FrameTrait.TIE))
+        assertTrue(PairsOfTraits.expected.size > 300)
+    }
+}

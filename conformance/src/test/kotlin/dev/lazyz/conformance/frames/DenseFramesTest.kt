@@ -1,0 +1,106 @@
+package dev.lazyz.conformance.frames
+
+import dev.lazyz.Frame
+import dev.lazyz.Spans
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.oracle.ReferenceRenderer
+import java.util.Random
+import net.jqwik.api.Arbitrary
+import net.jqwik.api.Example
+import org.junit.jupiter.api.Assertions.assertTrue
+
+/** Frames on the screen are full: few are blank, most primitives cover something, and samples are covered often. */
+class DenseFramesTest {
+    @Example
+    fun framesOfTheRulesAreDense() {
+        assertDense("screen", Frames.screen(), 1.5)
+        assertDense("tied", Frames.tied(), 1.5)
+        assertDense("confetti", Frames.confetti(), 1.0)
+    }
+
+    @Example
+    fun framesOfMixesAreDense() {
+        val usual = FrameMix.usual().with(FrameKind.DEGENERATE, 0)
+        val onScreen = FrameKind.entries.filter { it.isInSpace }.fold(usual) { mix, kind -> mix.with(kind, 0) }
+        assertDense("usual", Frames.of(onScreen), 1.5)
+        assertDense("large", Frames.of(onScreen.sized(100, 90).counted(1, 30)), 1.5)
+    }
+
+    @Example
+    fun awkwardKindsAreWhatTheyAreNamedAfter() {
+        val combs = some(Frames.of(FrameMix.of(FrameKind.COMBS).sized(200, 40)))
+        assertTrue(combs.count { most(it) { frame, y, i -> spans(frame, y, i).count } > 20 } > combs.size / 3)
+        assertTrue(combs.any { most(it) { frame, y, i -> spans(frame, y, i).count } > 70 })
+
+        val flat = some(Frames.of(FrameMix.of(FrameKind.NEARLY_COPLANAR).counted(2, 3)))
+        assertTrue(flat.count { PictureTrait.INTERPENETRATING in PictureTrait.of(it) } > flat.size / 3)
+
+        val touching = some(Frames.of(FrameMix.of(FrameKind.TOUCHING).counted(2, 8)))
+        for (lead in -1..1) assertTrue(touching.count { touches(it, lead) } > touching.size / 5) { "$lead" }
+
+        val confetti = some(Frames.of(FrameMix.of(FrameKind.CONFETTI).counted(2, 8)))
+        for (lead in 0..1) assertTrue(confetti.count { isLevelBehind(it, lead) } > confetti.size / 10) { "$lead" }
+    }
+
+    @Example
+    fun tiesOftenLieApart() {
+        val apart = some(Frames.of(FrameMix.of(FrameKind.COINCIDENT).counted(8, 8))).count { frame ->
+            val first = frame.primitives[0]
+            val depth = (0 until frame.height).firstNotNullOfOrNull { depthAt(frame, 0, it) } ?: return@count false
+            (2..7).any { i -> depthAt(frame, i, depth.second)?.first == depth.first && first !== frame.primitives[i] }
+        }
+        assertTrue(apart > 40) { "$apart" }
+    }
+
+    /** Depth of a primitive at the first column that it covers in row [y], and the row. */
+    private fun depthAt(frame: Frame, index: Int, y: Int): Pair<Int, Int>? {
+        val spans = spans(frame, y, index)
+        return if (spans.count == 0) null else frame.primitives[index].depth(spans.start(0), y) to y
+    }
+
+    /** Whether a level is [lead] units behind an end of a slope. Bounds of polygons allow for a unit on each side. */
+    private fun touches(frame: Frame, lead: Int): Boolean = frame.primitives.any { slope ->
+        slope.greatestDepth - slope.leastDepth > 2 && frame.primitives.any { level ->
+            level.greatestDepth - level.leastDepth == 2 &&
+                (level.leastDepth == slope.leastDepth + lead || level.greatestDepth == slope.greatestDepth + lead)
+        }
+    }
+
+    /** Whether a primitive without slack in its bounds is [lead] units behind another. */
+    private fun isLevelBehind(frame: Frame, lead: Int): Boolean {
+        val levels = frame.primitives.filter { it.leastDepth == it.greatestDepth }
+        return levels.any { a -> levels.any { b -> a !== b && b.leastDepth == a.leastDepth + lead } }
+    }
+
+    private fun assertDense(name: String, frames: Arbitrary<FrameCase>, leastDepthComplexity: Double) {
+        val some = some(frames).filter { it.primitives.isNotEmpty() }
+        val blank = some.count { ReferenceRenderer().render(it).visible == 0 }
+        val covered = some.flatMap { frame -> frame.primitives.indices.map { coverage(frame, it) } }
+        val idle = covered.count { it == 0 }
+        val complexity = some.map { frame ->
+            frame.primitives.indices.sumOf { coverage(frame, it) }.toDouble() / frame.raster.size
+        }.average()
+        val numbers = "$name: $blank of ${some.size} frames are blank, $idle of ${covered.size} primitives cover " +
+            "nothing, depth complexity is $complexity"
+        assertTrue(blank < 0.05 * some.size, numbers)
+        assertTrue(idle < 0.2 * covered.size, numbers)
+        assertTrue(complexity >= leastDepthComplexity, numbers)
+    }
+
+    private fun coverage(frame: Frame, index: Int): Int = (0 until frame.height).sumOf { y ->
+        val spans = spans(frame, y, index)
+        (0 until spans.count).sumOf { spans.end(it) - spans.start(it) }
+    }
+
+    private fun most(frame: Frame, value: (Frame, Int, Int) -> Int): Int =
+        frame.primitives.indices.maxOfOrNull { i -> (0 until frame.height).maxOf { value(frame, it, i) } } ?: 0
+
+    private fun spans(frame: Frame, y: Int, index: Int) =
+        Spans(frame.region).also { frame.primitives[index].spans(y, it) }
+
+    private fun some(frames: Arbitrary<FrameCase>): List<Frame> {
+        val generator = frames.generator(1000)
+        val random = Random(1995)
+        return List(300) { generator.next(random).value().frame }
+    }
+}

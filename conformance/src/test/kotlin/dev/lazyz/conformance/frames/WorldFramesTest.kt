@@ -1,0 +1,88 @@
+package dev.lazyz.conformance.frames
+
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Spans
+import dev.lazyz.conformance.broken.coversAnything
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.world.Mesh
+import java.util.Random
+import net.jqwik.api.Arbitrary
+import net.jqwik.api.Example
+import org.junit.jupiter.api.Assertions.assertTrue
+
+/** Scenes are worth trying: seldom blank, most of what is in them can be seen, and in more than one colour. */
+class WorldFramesTest {
+    @Example
+    fun scenesAreWorthTheEffort() {
+        for ((name, cases) in listOf("world" to WorldCases(), "long" to LongRowCases(), "blended" to BlendedCases())) {
+            val worth = Worth(some(cases.get(), 250).map { it.frame.asOpaque() })
+            assertTrue(worth.blank < 0.05) { "$name: $worth" }
+            assertTrue(worth.nothing < 0.2) { "$name: $worth" }
+            assertTrue(worth.layers >= 1.5) { "$name: $worth" }
+            assertTrue(worth.colorful > 0.6) { "$name: $worth" }
+        }
+    }
+
+    /** What came of rendering [frames]. */
+    private class Worth(frames: List<Frame>) {
+        private var primitives = 0
+        private var empty = 0
+        private var visible = 0
+        private var severalColors = 0
+        private var blanks = 0
+        private var fragments = 0L
+        private var covered = 0L
+
+        init {
+            for (frame in frames) add(frame)
+        }
+
+        /** Part of the frames that show no primitive. */
+        val blank: Double = blanks.toDouble() / frames.size
+
+        /** Part of the primitives that cover no sample. */
+        val nothing: Double get() = empty.toDouble() / primitives
+
+        /** Fragments for each sample that is covered. */
+        val layers: Double get() = fragments.toDouble() / covered
+
+        /** Of the primitives that are visible at two samples or more, the part that show two colours or more. */
+        val colorful: Double get() = severalColors.toDouble() / visible
+
+        private fun add(frame: Frame) {
+            val image = ReferenceRenderer().render(frame)
+            if (image.visible == 0) blanks++
+            val colors = image.argb.indices.filter { image.primitive[it] != DepthTest.BACKGROUND }
+                .groupBy({ image.primitive[it] }, { image.argb[it] })
+            visible += colors.values.count { it.size > 1 }
+            severalColors += colors.values.count { it.toSet().size > 1 }
+            primitives += frame.primitives.size
+            for (y in 0 until frame.height) count(frame, y)
+            empty += frame.primitives.count { !it.coversAnything() }
+        }
+
+        private fun count(frame: Frame, y: Int) {
+            val isCovered = BooleanArray(frame.width)
+            for (primitive in frame.primitives) {
+                val spans = Spans().also { primitive.spans(y, it) }
+                for (i in 0 until spans.count) {
+                    fragments += spans.end(i) - spans.start(i)
+                    isCovered.fill(true, spans.start(i), spans.end(i))
+                }
+            }
+            covered += isCovered.count { it }
+        }
+
+        override fun toString(): String = "%.3f of the frames are blank, %.3f of the primitives cover nothing, "
+            .format(blank, nothing) + "%.2f fragments a sample, %.3f of the visible have colours; %d primitives"
+            .format(layers, colorful, primitives)
+    }
+
+    private fun some(frames: Arbitrary<FrameCase>, count: Int): List<FrameCase> {
+        val generator = frames.generator(1000)
+        val random = Random(1995)
+        return List(count) { generator.next(random).value() }
+    }
+}

@@ -1,0 +1,119 @@
+package dev.lazyz.conformance.results
+
+import dev.lazyz.conformance.Conformance
+import dev.lazyz.conformance.SuiteRun
+import dev.lazyz.conformance.broken.BrokenRenderers
+import dev.lazyz.conformance.broken.gallery.Gallery
+import dev.lazyz.conformance.broken.gallery.Mutant
+import dev.lazyz.conformance.broken.gallery.RuleNames
+import dev.lazyz.conformance.rules.Symptom
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.readLines
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Which rule a mistake is about, given all that it breaks. */
+class DiagnosisTest {
+    private val names = RuleNames
+
+    private val record: Path = listOf("src/test/resources", "conformance/src/test/resources").map { Path.of(it) }
+        .first { Files.isDirectory(it) }.resolve("gallery-symptoms.txt")
+
+    private fun broken(rule: String, vararg symptoms: Symptom) =
+        Diagnosis.Broken(checkNotNull(SuiteRule.find(rule)), symptoms.toSet())
+
+    private fun causes(vararg broken: Diagnosis.Broken) =
+        Diagnosis.ofBroken(broken.toList()).causes.map { it.rule.name }
+
+    /**
+     * A line for each wrong renderer and, indented, for each rule that it breaks at a fifth of the usual effort: names
+     * of rules and symptoms. `-Dlazyz.record=true` writes it anew, in some minutes.
+     */
+    private fun recorded(): Map<Mutant, List<Diagnosis.Broken>> {
+        val blocks = LinkedHashMap<String, MutableList<Diagnosis.Broken>>()
+        for (line in record.readLines()) {
+            val words = line.trim().split(' ')
+            if (!line.startsWith(" ")) {
+                blocks[line] = ArrayList()
+            } else {
+                val rule = SuiteRule.find(words[0]) ?: continue
+                val symptoms = words.drop(1).mapTo(LinkedHashSet()) { Symptom.valueOf(it) }
+                blocks.values.last().add(Diagnosis.Broken(rule, symptoms.takeIf { it.isNotEmpty() }))
+            }
+        }
+        return Gallery.all.associateWith { blocks[it.id].orEmpty() }.filterValues { it.isNotEmpty() }
+    }
+
+    private fun record() {
+        val text = StringBuilder()
+        for (mutant in Gallery.all) {
+            val conformance = Conformance { mutant.make() }.tries(0.2).withoutShrinking()
+
+            // Some render a frame of very many primitives once for each of them
+            for (rule in SuiteRun.rules - names.many + mutant.noticedBy) conformance.rule(rule)
+            text.append("${mutant.id}\n")
+            for (result in conformance.run().results) {
+                val failure = result.failure ?: continue
+                text.append("  ${(listOf(result.rule.name) + failure.symptoms.orEmpty()).joinToString(" ")}\n")
+            }
+            record.writeText(text.toString())
+        }
+    }
+
+    /** Nine of ten at least, on failures that are not made smaller, which tells less. */
+    @Test
+    fun oneOfTheRulesThatAWrongRendererIsAboutIsAmongTheFirstThree() {
+        if (System.getProperty("lazyz.record") == "true") record()
+        val all = recorded()
+        val missed = all.filter { (mutant, broken) ->
+            Diagnosis.ofBroken(broken).causes.none { it.rule.name in mutant.noticedBy }
+        }
+        val share = "${all.size - missed.size} of ${all.size} wrong renderers are diagnosed"
+        val lines = missed.map { (mutant, broken) ->
+            "${mutant.id}: ${Diagnosis.ofBroken(broken).causes.map { it.rule }}, not ${mutant.noticedBy}"
+        }
+        assertTrue(all.size > 60, share)
+        assertTrue(missed.size * 10 <= all.size, "$share:\n${lines.joinToString("\n")}")
+    }
+
+    @Test
+    fun symptomOfAllFailuresIsTheCause() {
+        val tie = arrayOf(Symptom.PICTURE, Symptom.TIE)
+        val all = arrayOf(broken(names.nearest, *tie), broken(names.halves, *tie), broken(names.ties, *tie))
+        assertEquals(names.ties, causes(*all).first())
+        val other = arrayOf(Symptom.PICTURE, Symptom.ORDER)
+        assertEquals(names.nearest, causes(broken(names.nearest, *other), broken(names.halves, *other), all[2]).first())
+    }
+
+    @Test
+    fun symptomThatARuleMakesItselfSaysNothing() {
+        val region = arrayOf(Symptom.PICTURE, Symptom.REGION)
+        val plain = arrayOf(Symptom.PICTURE)
+        val first = causes(broken(names.region, *region), broken(names.nearest, *plain), broken(names.own, *plain))
+        assertEquals(names.nearest, first.first())
+        assertEquals(listOf(names.region), causes(broken(names.region, *region)))
+    }
+
+    @Test
+    fun whatOnlyShouldBeIsNamedAfterWhatMust() {
+        val counters = arrayOf(Symptom.COUNTERS)
+        val causes = causes(broken(names.told, *counters), broken(names.passes, *counters))
+        assertEquals(listOf(names.passes, names.told), causes)
+    }
+
+    @Test
+    fun reportBeginsWithTheCauseAndIsShortHoweverMuchFails() {
+        val report = Conformance { BrokenRenderers.lastWinsTies() }.tries(0.1).withoutShrinking().run()
+        val text = report.toText()
+        assertTrue(report.results.count { it.outcome.isFailure } > 10, text)
+        val lines = text.lines()
+        assertTrue(lines[0].startsWith("last-wins-ties does NOT conform: "), lines[0])
+        assertEquals("Likely causes, best first", lines[2])
+        assertTrue(lines[3].startsWith("  1. ${names.ties}: in "), lines[3])
+        assertTrue(lines.size <= 190, "${lines.size} lines")
+        assertEquals(3, lines.count { it.startsWith("FAILED: ") })
+    }
+}

@@ -1,0 +1,177 @@
+package dev.lazyz.conformance.run
+
+import dev.lazyz.Capability
+import dev.lazyz.Counters
+import dev.lazyz.Frame
+import dev.lazyz.Renderer
+import dev.lazyz.RowSink
+import dev.lazyz.conformance.Conformance
+import dev.lazyz.conformance.NotMadeException
+import dev.lazyz.conformance.broken.PlainRenderer
+import dev.lazyz.conformance.broken.WrongColors
+import dev.lazyz.conformance.broken.gallery.RunGallery
+import dev.lazyz.conformance.results.RuleOutcome
+import dev.lazyz.conformance.results.RuleResult
+import java.nio.file.Path
+import java.time.Duration
+import kotlin.io.path.readLines
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+/** Whatever a renderer does, a run comes to its end and tells it. */
+class RunTest {
+    private val nearest = "rule_5_1_nearestFragmentIsVisible"
+    private val ties = "rule_5_2_tiesGoToTheFirstSubmitted"
+
+    private fun of(make: () -> Renderer) = Conformance(make).tries(0.1).deadline(Duration.ofMillis(300))
+
+    private fun nearest(make: () -> Renderer): RuleResult = of(make).rule(nearest).run().results.single()
+
+    private fun assertOutcome(expected: RuleOutcome, result: RuleResult) =
+        assertEquals(expected, result.outcome) { result.message }
+
+    @Test
+    fun hangingRendererTimesOutWithTheFrameAndThePlace() {
+        val places = mapOf(
+            RunGallery.sleeps() to "java.lang.Thread.sleep(",
+            RunGallery.spins() to "Thread.onSpinWait(",
+            RunGallery.waits() to "thread never-done (WAITING)",
+        )
+        for ((renderer, place) in places) {
+            val result = nearest { renderer }
+            assertOutcome(RuleOutcome.TIMED_OUT, result)
+            assertTrue("was not over after 0.3 s; it is at" in result.message, result.message)
+            assertTrue(renderer.id == "spins" || place in result.message, result.message)
+            assertTrue(".RunGallery" in result.message, result.message)
+            assertTrue("\nin\nFrameBuilder(Raster(" in result.message, result.message)
+            assertTrue(result.failure?.code.orEmpty() in result.message)
+        }
+    }
+
+    @Test
+    fun rendererThatIsNeverMadeIsToldWithThePlace() {
+        val hanging = listOf(
+            { RunGallery.never() },
+            {
+                object : PlainRenderer() {
+                    override val capabilities: Set<Capability> get() = RunGallery.never()
+                }
+            },
+        )
+        for (make in hanging) {
+            val told = assertThrows(NotMadeException::class.java) { of(make).run() }.message.orEmpty()
+            assertTrue(told.startsWith("making the renderer was not over after 0.3 s; it is at"), told)
+            assertTrue("RunGallery.never" in told, told)
+        }
+    }
+
+    @Test
+    fun listenerLearnsWhatCameOfEachRule() {
+        val heard = ArrayList<String>()
+        val run = of { WrongColors() }.rule("9.6").rule("5.2")
+            .listener { rule, outcome, milliseconds -> heard.add("$rule $outcome $milliseconds") }.run()
+        assertEquals(run.results.map { "${it.rule} ${it.outcome} ${it.milliseconds}" }.sorted(), heard.sorted())
+        assertTrue(run.results.size > 2)
+    }
+
+    @Test
+    fun slowRendererIsNotTakenForHanging() {
+        val result = of {
+            object : PlainRenderer() {
+                override fun render(frame: Frame, sink: RowSink): Counters {
+                    Thread.sleep(100)
+                    return super.render(frame, sink)
+                }
+            }
+        }.tries(0.01).rule("rule_5_3_everyDepthTestIsObeyed").run().results.single()
+        assertTrue(result.milliseconds > 300)
+        assertOutcome(RuleOutcome.PASSED, result)
+    }
+
+    @Test
+    fun otherRulesAreTriedUntilThreeHaveTimedOut() {
+        val rules =
+            listOf("rule_1_3_movingByWholePixelsMovesThePicture", "5.1", ties, "rule_9_6_narrowRastersAreOrdinary")
+        val run = of { RunGallery.sleeps() }.also { for (rule in rules) it.rule(rule) }.run()
+        val outcomes = run.results.map { it.outcome }
+        assertEquals(3, outcomes.count { it == RuleOutcome.TIMED_OUT }) { run.toText() }
+        assertTrue(outcomes.takeLast(2).all { it == RuleOutcome.NOT_RUN }, run.toText())
+        assertEquals("3 rules before it timed out or ended the process", run.results.last().message)
+        assertEquals(0, run.results.last().tries)
+    }
+
+    @Test
+    fun errorsAreCrashesOfOneRule() {
+        val renderers = mapOf(
+            RunGallery.exhausts() to "java.lang.OutOfMemoryError",
+            RunGallery.recurses() to "java.lang.StackOverflowError",
+            RunGallery.forgets() to "kotlin.NotImplementedError",
+            RunGallery.dies() to "java.lang.ThreadDeath",
+        )
+        for ((renderer, error) in renderers) {
+            val run = of { renderer }.deadline(Duration.ofSeconds(20)).rule(nearest)
+                .rule("rule_9_6_framesWithoutPrimitivesAreOrdinary").run()
+            assertOutcome(RuleOutcome.CRASHED, run.results.first())
+            assertOutcome(RuleOutcome.PASSED, run.results.last())
+            assertTrue("threw $error" in run.results.first().message, run.results.first().message)
+            assertNotNull(run.results.first().failure?.code)
+        }
+    }
+
+    @Test
+    fun failureThatIsNotReproducibleIsFlakyAndKeepsWhatCameBefore() {
+        for (renderer in listOf(RunGallery.racy(), RunGallery.stateful())) {
+            val result = nearest { renderer }
+            assertOutcome(RuleOutcome.FLAKY, result)
+            assertTrue(result.message.startsWith("not reproducible: "), result.message)
+            assertTrue(checkNotNull(result.failure).before.isNotEmpty(), renderer.id)
+        }
+    }
+
+    @Test
+    fun shrinkingIsBoundedAndLeavesNoThread() {
+        var calls = 0
+        val before = Thread.getAllStackTraces().keys
+        val report = of {
+            calls++
+            WrongColors()
+        }.rule("5.1").rule("5.2").run()
+        val broken = report.results.filter { it.outcome == RuleOutcome.FAILED }
+        assertTrue(broken.size > Tally.MOST_SHRUNK, report.toText())
+
+        // Each failure: first the tries, then the steps of shrinking, then its repetitions
+        val tries = report.results.sumOf { it.tries }
+        val most = Tally.MOST_SHRUNK * Settings.MANY_STEPS + (broken.size - Tally.MOST_SHRUNK) * Settings.FEW_STEPS
+        assertTrue(calls <= tries + most + 4 * broken.size, "$calls calls")
+        assertEquals(emptySet<Thread>(), Thread.getAllStackTraces().keys - before)
+    }
+
+    @Test
+    fun runWhoseProcessEndedIsTakenUp(@TempDir folder: Path) {
+        val journal = folder.resolve("journal")
+        assertFalse(Journal.ended(journal, "exit code 3", RuleOutcome.CRASHED))
+        journal.writeText("rule_4_3_backgroundIsWhereNothingPasses ... PASSED\n$nearest ....")
+        assertTrue(Journal.ended(journal, "exit code 3", RuleOutcome.CRASHED))
+
+        var calls = 0
+        val run = of {
+            calls++
+            PlainRenderer()
+        }.journal(journal).rule(nearest).rule(ties).run()
+        val (crashed, passed) = run.results
+        assertOutcome(RuleOutcome.CRASHED, crashed)
+        assertTrue(crashed.message.startsWith("ended the process: exit code 3\nin\nFrameBuilder("), crashed.message)
+        assertEquals(4, crashed.tries)
+        assertOutcome(RuleOutcome.PASSED, passed)
+        assertEquals(1 + passed.tries, calls, "no try of the rule that has crashed")
+        val lines = journal.readLines()
+        assertEquals("$nearest .... ! CRASHED exit code 3", lines[1])
+        assertEquals("$ties ${".".repeat(passed.tries)} PASSED ${passed.milliseconds}", lines.last())
+    }
+}

@@ -1,0 +1,27 @@
+package dev.lazyz.scenes.collections
+
+/** Numbers that grow in number at the end, unboxed. Not thread safe. */
+internal class Floats(capacity: Int = INITIAL_CAPACITY) {
+    private var values = FloatArray(capacity)
+
+    var size = 0
+        private set
+
+    operator fun get(index: Int): Float = values[index]
+
+    fun add(value: Float) {
+        if (size == values.size) values = values.copyOf(size + maxOf(size / 2, INITIAL_CAPACITY))
+        values[size++] = value
+    }
+
+    fun clear() {
+        size = 0
+    }
+
+    /** Returns the numbers; the array itself where it is full, so add no more. */
+    fun toArray(): FloatArray = if (size == values.size) values else values.copyOf(size)
+
+    private companion object {
+        const val INITIAL_CAPACITY = 16
+    }
+}

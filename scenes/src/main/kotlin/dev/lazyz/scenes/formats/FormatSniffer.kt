@@ -1,0 +1,54 @@
+package dev.lazyz.scenes.formats
+
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.off.OffHeader
+import dev.lazyz.scenes.text.TextEncoding
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+
+/** Tells a file's format from its first bytes, for files whose name does not. */
+internal object FormatSniffer {
+    private const val HEAD = 4096
+    private const val STL_HEADER = 84
+    private const val STL_FACET = 50L
+
+    private val objLine = Regex("(v|vt|vn|f|o|g|s|mtllib|usemtl)\\s.*")
+
+    /** Returns the format that [bytes] look like, or null. */
+    fun format(bytes: ByteArray): SceneFormat? {
+        val head = TextEncoding.start(bytes, HEAD)
+        return when {
+            head.startsWith("glTF") -> SceneFormat.GLB
+            head.startsWith("ply\n") || head.startsWith("ply\r") -> SceneFormat.PLY
+            head.startsWith("PK\u0003\u0004") -> SceneFormat.THREE_MF
+            isOff(head) -> SceneFormat.OFF
+            isBinaryStl(bytes) -> SceneFormat.STL
+            head.trimStart().startsWith("solid") && "facet" in head -> SceneFormat.STL
+            head.trimStart().startsWith('{') -> jsonFormat(head)
+            isObj(head) -> SceneFormat.OBJ
+            else -> null
+        }
+    }
+
+    private fun jsonFormat(head: String): SceneFormat? = when {
+        "\"lazyz\"" in head -> SceneFormat.SCENE
+        "\"asset\"" in head || "\"accessors\"" in head || "\"buffers\"" in head -> SceneFormat.GLTF
+        else -> null
+    }
+
+    /** A binary STL has no mark of its own, but its length says how many facets it has. */
+    private fun isBinaryStl(bytes: ByteArray): Boolean {
+        if (bytes.size < STL_HEADER) return false
+        val facets =
+            ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt(STL_HEADER - 4).toLong() and 0xFFFFFFFFL
+        return STL_HEADER + STL_FACET * facets == bytes.size.toLong()
+    }
+
+    private fun isOff(head: String): Boolean = OffHeader.isKeyword(head.trimStart().takeWhile { !it.isWhitespace() })
+
+    /** The first line that says something must be a statement of OBJ. */
+    private fun isObj(head: String): Boolean {
+        val first = head.lineSequence().map { it.trim() }.firstOrNull { it.isNotEmpty() && !it.startsWith('#') }
+        return first?.matches(objLine) == true
+    }
+}

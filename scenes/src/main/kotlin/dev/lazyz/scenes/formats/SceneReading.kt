@@ -1,0 +1,122 @@
+package dev.lazyz.scenes.formats
+
+import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.gltf.GltfParser
+import dev.lazyz.scenes.loading.Loading
+import dev.lazyz.scenes.loading.LoadingMemory
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.obj.ObjParser
+import dev.lazyz.scenes.off.OffParser
+import dev.lazyz.scenes.ply.PlyParser
+import dev.lazyz.scenes.scenefile.SceneFileReader
+import dev.lazyz.scenes.stl.StlParser
+import dev.lazyz.scenes.threemf.ThreeMfParser
+import java.io.IOException
+import java.io.InputStream
+import java.nio.file.AccessDeniedException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** From a file or a stream to the parser of its format. */
+internal object SceneReading {
+    /** Bytes that the system is asked for at a time. */
+    private const val PIECE = 1 shl 20
+
+    /** Reads a file of the given format, or of the one that its content looks like. */
+    fun read(path: Path, format: SceneFormat?, options: LoadOptions): LoadedScene {
+        val folder = path.toAbsolutePath().parent
+        return read(path, format, Loading(options), folder)
+    }
+
+    /** Reads a file as a part of a larger reading, whose references must not lead out of [root]. */
+    fun read(path: Path, format: SceneFormat?, loading: Loading, root: Path?): LoadedScene {
+        val name = path.toString()
+        val source = Source(bytes(path, name, format), name, path.toAbsolutePath().parent, loading, root)
+        return parse(source, format ?: sniffed(source))
+    }
+
+    fun read(
+        input: InputStream,
+        format: SceneFormat,
+        name: String,
+        folder: Path?,
+        options: LoadOptions,
+    ): LoadedScene {
+        val bytes = try {
+            bytes(input, 0, name, format)
+        } catch (e: IOException) {
+            throw SceneFormatException(name, null, "cannot be read: ${e.message ?: e}", cause = e)
+        }
+        return parse(Source(bytes, name, folder, Loading(options)), format)
+    }
+
+    private fun parse(source: Source, format: SceneFormat): LoadedScene {
+        if (source.bytes.isEmpty()) source.fail(null, "is empty", "check that it was written completely")
+        val parser = when (format) {
+            SceneFormat.OBJ -> ObjParser
+            SceneFormat.STL -> StlParser
+            SceneFormat.PLY -> PlyParser
+            SceneFormat.OFF -> OffParser
+            SceneFormat.THREE_MF -> ThreeMfParser
+            SceneFormat.GLTF, SceneFormat.GLB -> GltfParser
+            SceneFormat.SCENE -> return SceneFileReader(source).read()
+        }
+        if (parser != GltfParser && source.loading.options.animationTime != null) {
+            source.warn("files of this format have no animation, so that the time of one changes nothing")
+        }
+        return LoadedScene(parser.parse(source), source.warnings.toList())
+    }
+
+    private fun bytes(path: Path, name: String, format: SceneFormat?): ByteArray {
+        if (!Files.exists(path)) throw SceneFormatException(name, null, "there is no such file", "check the name")
+        if (Files.isDirectory(path)) throw SceneFormatException(name, null, "is a folder", "name a file in it")
+        if (!Files.isRegularFile(path)) {
+            throw SceneFormatException(name, null, "is a pipe or a device, not a file", "send its bytes as a stream")
+        }
+        try {
+            val size = Files.size(path)
+            if (size > mostBytes(format)) throw tooLarge(name, size, format)
+            return Files.newInputStream(path).use { bytes(it, size.toInt(), name, format) }
+        } catch (e: AccessDeniedException) {
+            throw SceneFormatException(name, null, "cannot be read: permission denied", "ask for permission", e)
+        } catch (e: IOException) {
+            throw SceneFormatException(name, null, "cannot be read: ${e.message ?: e}", cause = e)
+        }
+    }
+
+    /** Reads all of [input]: the [expected] bytes straight into their array, and what a stream has besides. */
+    private fun bytes(input: InputStream, expected: Int, name: String, format: SceneFormat?): ByteArray {
+        val bytes = ByteArray(expected)
+        var count = 0
+        while (count < expected) {
+            val read = input.read(bytes, count, minOf(PIECE, expected - count))
+            if (read < 0) return bytes.copyOf(count)
+            count += read
+        }
+        val room = mostBytes(format) - expected
+        val rest = input.readNBytes(room.toInt() + 1)
+        if (rest.size > room) throw tooLarge(name, expected + rest.size.toLong(), format)
+        return if (rest.isEmpty()) bytes else bytes + rest
+    }
+
+    /** Most bytes of a file of [format]: an array must hold them, and the memory what becomes of them. */
+    private fun mostBytes(format: SceneFormat?): Long =
+        minOf(Int.MAX_VALUE - 16L, Runtime.getRuntime().maxMemory() / LoadingMemory.perByte(format))
+
+    private fun tooLarge(name: String, size: Long, format: SceneFormat?): SceneFormatException {
+        val problem = "is too large: $size bytes, at most ${mostBytes(format)} fit"
+        return SceneFormatException(name, null, problem, "raise -Xmx, or split it")
+    }
+
+    private fun sniffed(source: Source): SceneFormat {
+        if (source.bytes.isEmpty()) source.fail(null, "is empty", "check that it was written completely")
+        val known = SceneFormat.entries.flatMap { it.extensions }.joinToString { ".$it" }
+        val format =
+            FormatSniffer.format(source.bytes) ?: source.fail(null, "is of no known format", "known are $known")
+        if (source.bytes.size > mostBytes(format)) throw tooLarge(source.name, source.bytes.size.toLong(), format)
+        return format
+    }
+}

@@ -1,0 +1,65 @@
+package dev.lazyz.scenes.json
+
+/** Questions about the text of keys and numbers. */
+internal object JsonKeys {
+    private val identifier = Regex("[A-Za-z_][A-Za-z0-9_-]*")
+
+    /** Returns the path of member [key] of the object at [path]. */
+    fun path(path: String, key: String): String = when {
+        !key.matches(identifier) -> "$path[\"$key\"]"
+        path.isEmpty() -> key
+        else -> "$path.$key"
+    }
+
+    /** Returns the word of [known] that [key] is a misspelling of, by at most two letters, or null. */
+    fun nearest(key: String, known: List<String>): String? =
+        known.filter { StrictMath.abs(it.length - key.length) <= MAX_EDITS }
+            .map { it to edits(key, it) }
+            .filter { (word, edits) -> edits <= MAX_EDITS && edits < word.length / 2 }
+            .minByOrNull { it.second }
+            ?.first
+
+    /** Whether [text] is a number by JSON's grammar (RFC 8259, section 6). */
+    fun isNumber(text: String): Boolean {
+        var i = if (text.startsWith('-')) 1 else 0
+        val wholeStart = i
+        i = skipDigits(text, i)
+        if (i == wholeStart || (text[wholeStart] == '0' && i > wholeStart + 1)) return false
+        if (i < text.length && text[i] == '.') {
+            val end = skipDigits(text, i + 1)
+            if (end == i + 1) return false
+            i = end
+        }
+        if (i < text.length && (text[i] == 'e' || text[i] == 'E')) {
+            i++
+            if (i < text.length && (text[i] == '+' || text[i] == '-')) i++
+            val end = skipDigits(text, i)
+            if (end == i) return false
+            i = end
+        }
+        return i == text.length
+    }
+
+    private fun skipDigits(text: String, start: Int): Int {
+        var i = start
+        while (i < text.length && text[i] in '0'..'9') i++
+        return i
+    }
+
+    /** Counts the letters to insert, delete or replace between two words (Levenshtein's distance). */
+    private fun edits(a: String, b: String): Int {
+        var previous = IntArray(b.length + 1) { it }
+        for (i in 1..a.length) {
+            val row = IntArray(b.length + 1)
+            row[0] = i
+            for (j in 1..b.length) {
+                val replaced = previous[j - 1] + if (a[i - 1] == b[j - 1]) 0 else 1
+                row[j] = minOf(replaced, previous[j] + 1, row[j - 1] + 1)
+            }
+            previous = row
+        }
+        return previous[b.length]
+    }
+
+    private const val MAX_EDITS = 2
+}

@@ -1,0 +1,173 @@
+package dev.lazyz.scenes.json
+
+import dev.lazyz.scenes.loading.Source
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import org.joml.Vector3d
+
+/**
+ * A value of a scene file together with the way to it, so that a complaint can say where.
+ *
+ * @property path such as `surfaces[2].material`; empty for the whole file
+ */
+internal class JsonNode(private val source: Source, val path: String, private val element: JsonElement) {
+    val isText: Boolean get() = element is JsonPrimitive && element.isString
+
+    val isList: Boolean get() = element is JsonArray
+
+    fun fail(problem: String, remedy: String? = null): Nothing = source.fail(path.ifEmpty { null }, problem, remedy)
+
+    /** Runs [block]; an argument that the library refuses becomes a complaint about this value. */
+    inline fun <T> checked(block: () -> T): T = try {
+        block()
+    } catch (e: IllegalArgumentException) {
+        source.fail(path.ifEmpty { null }, e.message ?: "not a legal value", cause = e)
+    }
+
+    /** Returns the members of an object; one that is not [known] is an error. */
+    fun members(vararg known: String): JsonMembers {
+        if (element !is JsonObject) wrongType("an object with ${known.joinToString()}")
+        for (key in element.keys) {
+            if (key !in known) {
+                val meant = JsonKeys.nearest(key, known.asList())
+                source.fail(
+                    JsonKeys.path(path, key),
+                    "unknown key \"$key\"",
+                    if (meant != null) "did you mean \"$meant\"?" else "known here: ${known.joinToString()}",
+                )
+            }
+        }
+        return JsonMembers(this, known.asList(), element.mapValues { (key, value) -> child(key, value) })
+    }
+
+    /** Returns the members of an object whose keys are names of the user's choice, in the order of the file. */
+    fun named(): Map<String, JsonNode> {
+        if (element !is JsonObject) wrongType("an object of names")
+        return element.mapValues { (key, value) -> child(key, value) }
+    }
+
+    fun items(): List<JsonNode> {
+        if (element !is JsonArray) wrongType("a list")
+        return List(element.size) { item(element, it) }
+    }
+
+    fun text(): String {
+        if (element !is JsonPrimitive || !element.isString) wrongType("text in quotes")
+        return element.content
+    }
+
+    /** Returns the constant of an enum that is written as one of the [names]. */
+    fun <T> choice(names: Map<String, T>): T {
+        val text = text()
+        val known = names.keys.joinToString { "\"$it\"" }
+        return names[text] ?: fail("\"$text\" is not known here", "write one of $known")
+    }
+
+    fun integer(): Int = literal("a whole number").toIntOrNull() ?: wrongType("a whole number")
+
+    fun long(): Long = literal("a whole number").toLongOrNull() ?: wrongType("a whole number")
+
+    fun double(): Double {
+        special()?.let { return it }
+        val text = literal("a number")
+        return text.toDouble().also { if (it.isInfinite()) fail("$text is too large", TOO_LARGE_REMEDY) }
+    }
+
+    fun float(): Float {
+        special()?.let { return it.toFloat() }
+        val text = literal("a number")
+        return text.toFloat().also { if (it.isInfinite()) fail("$text is too large", TOO_LARGE_REMEDY) }
+    }
+
+    /** Returns a list of exactly [count] numbers. */
+    fun doubles(count: Int): DoubleArray {
+        if (element !is JsonArray) wrongType("a list of $count numbers")
+        if (element.size != count) fail("needs $count numbers, not ${element.size}")
+        return DoubleArray(count) { item(element, it).double() }
+    }
+
+    fun floats(): FloatArray {
+        if (element !is JsonArray) wrongType("a list of numbers")
+        return FloatArray(element.size) { finiteOrNull(element[it]) ?: item(element, it).float() }
+    }
+
+    fun integers(): IntArray {
+        if (element !is JsonArray) wrongType("a list of whole numbers")
+        return IntArray(element.size) { wholeOrNull(element[it]) ?: item(element, it).integer() }
+    }
+
+    private fun item(list: JsonArray, index: Int): JsonNode = JsonNode(source, "$path[$index]", list[index])
+
+    private fun wholeOrNull(item: JsonElement): Int? {
+        if (item !is JsonPrimitive || item.isString || !JsonKeys.isNumber(item.content)) return null
+        return item.content.toIntOrNull()
+    }
+
+    /** The short way for the long lists of meshes: no path, no node. */
+    private fun finiteOrNull(item: JsonElement): Float? {
+        if (item !is JsonPrimitive || item.isString || !JsonKeys.isNumber(item.content)) return null
+        return item.content.toFloat().takeIf { it.isFinite() }
+    }
+
+    private fun literal(wanted: String): String {
+        if (element !is JsonPrimitive || element.isString || !JsonKeys.isNumber(element.content)) wrongType(wanted)
+        return element.content
+    }
+
+    /** What JSON has no number for is written in quotes. */
+    private fun special(): Double? = when {
+        element !is JsonPrimitive || !element.isString -> null
+        element.content == "NaN" -> Double.NaN
+        element.content == "Infinity" -> Double.POSITIVE_INFINITY
+        element.content == "-Infinity" -> Double.NEGATIVE_INFINITY
+        else -> null
+    }
+
+    private fun child(key: String, value: JsonElement): JsonNode = JsonNode(source, JsonKeys.path(path, key), value)
+
+    private fun wrongType(wanted: String): Nothing {
+        val found = when (element) {
+            is JsonNull -> "null"
+            is JsonObject -> "an object"
+            is JsonArray -> "a list"
+            is JsonPrimitive -> element.content.take(40).let { if (element.isString) "the text \"$it\"" else it }
+        }
+        fail("must be $wanted, not $found")
+    }
+
+    override fun toString(): String = "JsonNode($path)"
+
+    private companion object {
+        const val TOO_LARGE_REMEDY = "write \"Infinity\" if that is what it is to be"
+    }
+}
+
+/** The members of an object by their keys. */
+internal class JsonMembers(
+    private val node: JsonNode,
+    private val known: List<String>,
+    private val values: Map<String, JsonNode>,
+) {
+    operator fun get(key: String): JsonNode? = values[key]
+
+    fun required(key: String): JsonNode = values[key] ?: node.fail("\"$key\" is missing", "add it")
+
+    /** Returns what positions are relative to. */
+    fun origin(): Vector3d = values["origin"]?.doubles(3)?.let { Vector3d(it[0], it[1], it[2]) } ?: Vector3d()
+
+    /** Returns the one member of those that exclude each other. */
+    fun one(vararg kinds: String): Pair<String, JsonNode> {
+        val present = kinds.filter { it in values }
+        val choices = kinds.joinToString { "\"$it\"" }
+        if (present.size > 1) {
+            node.fail("has ${present.joinToString(" and ") { "\"$it\"" }}", "keep one of $choices")
+        }
+        val kind = present.firstOrNull() ?: node.fail("has no kind", "add one of $choices")
+        return kind to values.getValue(kind)
+    }
+
+    override fun toString(): String = "JsonMembers(${values.keys} of $known)"
+}

@@ -1,0 +1,92 @@
+package dev.lazyz.scenes.json
+
+import dev.lazyz.scenes.loading.Loading
+import dev.lazyz.scenes.loading.Source
+import java.nio.ByteBuffer
+import java.nio.charset.CharacterCodingException
+import kotlinx.serialization.ExperimentalSerializationApi
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonDecodingException
+import kotlinx.serialization.json.JsonElement
+
+/** From bytes to a tree of JSON, with a place for every fault. */
+internal object JsonText {
+    @OptIn(ExperimentalSerializationApi::class)
+    fun parse(source: Source): JsonElement {
+        val text = decode(source)
+        NestingCheck(source, text).run()
+        try {
+            return Json.parseToJsonElement(text)
+        } catch (e: JsonDecodingException) {
+            val place = if (e.offset < 0) null else place(text, e.offset)
+            source.fail(place, "is not JSON: ${e.shortMessage}", cause = e)
+        } catch (e: OutOfMemoryError) {
+            source.fail(null, "does not fit into memory", "keep meshes in files of their own, or raise -Xmx", e)
+        }
+    }
+
+    /** Returns `line 3, column 7` for an offset in [text]. */
+    fun place(text: String, offset: Int): String {
+        val before = text.substring(0, offset.coerceIn(0, text.length))
+        return "line ${before.count { it == '\n' } + 1}, column ${before.length - before.lastIndexOf('\n')}"
+    }
+
+    private fun decode(source: Source): String {
+        val bytes = source.bytes
+        val hasMark = bytes.size >= 3 && bytes[0] == 0xEF.toByte() && bytes[1] == 0xBB.toByte() &&
+            bytes[2] == 0xBF.toByte()
+        val start = if (hasMark) 3 else 0
+        try {
+            return Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes, start, bytes.size - start)).toString()
+        } catch (e: CharacterCodingException) {
+            source.fail(null, "is not text in UTF-8", "save it as UTF-8", e)
+        } catch (e: OutOfMemoryError) {
+            source.fail(null, "does not fit into memory", "keep meshes in files of their own, or raise -Xmx", e)
+        }
+    }
+}
+
+/**
+ * Looks through a text for what the parser would not complain about: nesting that is too deep for its stack, and a key
+ * given twice in one object, of which it would keep the last.
+ */
+private class NestingCheck(private val source: Source, private val text: String) {
+    /** Keys of the objects around the current place; null stands for a list. */
+    private val around = ArrayList<HashSet<String>?>()
+
+    fun run() {
+        var i = 0
+        while (i < text.length) {
+            when (text[i]) {
+                '{' -> open(HashSet(), i)
+                '[' -> open(null, i)
+                '}', ']' -> around.removeLastOrNull()
+                '"' -> i = string(i)
+            }
+            i++
+        }
+    }
+
+    private fun open(keys: HashSet<String>?, offset: Int) {
+        val most = source.loading.limits.nesting
+        if (around.size == most) {
+            source.fail(JsonText.place(text, offset), "is nested more than $most deep", Loading.NESTING_REMEDY)
+        }
+        around.add(keys)
+    }
+
+    /** Passes over the string that starts at [start] and returns where it ends; a colon behind it makes it a key. */
+    private fun string(start: Int): Int {
+        var end = start + 1
+        while (end < text.length && text[end] != '"') end += if (text[end] == '\\') 2 else 1
+        var next = end + 1
+        while (next < text.length && text[next].isWhitespace()) next++
+        if (next < text.length && text[next] == ':') {
+            val key = text.substring(start + 1, end)
+            if (around.lastOrNull()?.add(key) == false) {
+                source.fail(JsonText.place(text, start), "key \"$key\" is given twice", "remove one")
+            }
+        }
+        return end
+    }
+}

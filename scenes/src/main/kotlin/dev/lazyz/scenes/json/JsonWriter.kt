@@ -1,0 +1,120 @@
+package dev.lazyz.scenes.json
+
+/** Writes JSON as it comes, so that a large mesh is never in memory as text; indented for people to read. */
+internal class JsonWriter(private val out: Appendable) {
+    private var depth = 0
+    private var isFirst = true
+
+    /** Writes an object whose members [content] writes. */
+    inline fun members(content: JsonWriter.() -> Unit) {
+        open('{')
+        content()
+        close('}')
+    }
+
+    /** Writes a list, each item on a line of its own. */
+    inline fun <T> items(items: Iterable<T>, write: JsonWriter.(T) -> Unit) {
+        open('[')
+        for (item in items) {
+            next()
+            write(item)
+        }
+        close(']')
+    }
+
+    /** Writes a member's key; its value has to follow. */
+    fun key(name: String): JsonWriter = apply {
+        next()
+        text(name)
+        out.append(": ")
+    }
+
+    fun text(value: String) {
+        out.append('"')
+        for (char in value) {
+            when {
+                char == '"' || char == '\\' -> out.append('\\').append(char)
+                char < ' ' || char.isSurrogate() -> out.append("\\u%04x".format(char.code))
+                else -> out.append(char)
+            }
+        }
+        out.append('"')
+    }
+
+    fun integer(value: Int) {
+        out.append(value.toString())
+    }
+
+    fun float(value: Float) = literal(value.toString(), value.isFinite())
+
+    fun double(value: Double) = literal(value.toString(), value.isFinite())
+
+    /** Writes a short list on one line. */
+    fun doubles(vararg values: Double) = inline(values.size) { double(values[it]) }
+
+    /** Writes a short list on one line. */
+    fun floats(vararg values: Float) = inline(values.size) { float(values[it]) }
+
+    /** Writes a short list on one line. */
+    fun integers(vararg values: Int) = inline(values.size) { integer(values[it]) }
+
+    /** Writes a long list, [PER_LINE] numbers a line: a whole number of points, of pairs and of colours. */
+    inline fun long(count: Int, write: (Int) -> Unit) {
+        if (count == 0) return inline(0) { }
+        open('[')
+        for (i in 0 until count) {
+            if (i % PER_LINE == 0) next() else append(", ")
+            write(i)
+        }
+        close(']')
+    }
+
+    fun inline(count: Int, write: (Int) -> Unit) {
+        out.append('[')
+        for (i in 0 until count) {
+            if (i > 0) out.append(", ")
+            write(i)
+        }
+        out.append(']')
+    }
+
+    fun open(bracket: Char) {
+        out.append(bracket)
+        depth++
+        isFirst = true
+    }
+
+    fun close(bracket: Char) {
+        depth--
+        if (!isFirst) newLine()
+        out.append(bracket)
+        isFirst = false
+    }
+
+    /** Begins the next member or item. */
+    fun next() {
+        if (!isFirst) out.append(',')
+        isFirst = false
+        newLine()
+    }
+
+    fun append(text: String) {
+        out.append(text)
+    }
+
+    /** A whole number loses its `.0`; what JSON has no number for is put in quotes. */
+    private fun literal(text: String, isFinite: Boolean) {
+        if (isFinite) out.append(text.removeSuffix(".0")) else text(text)
+    }
+
+    private fun newLine() {
+        out.append('\n')
+        repeat(depth) { out.append("  ") }
+    }
+
+    override fun toString(): String = "JsonWriter(depth $depth)"
+
+    companion object {
+        const val PER_LINE: Int = 12
+    }
+}

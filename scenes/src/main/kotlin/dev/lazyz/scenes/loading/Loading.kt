@@ -1,0 +1,83 @@
+package dev.lazyz.scenes.loading
+
+import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.Scenes
+import dev.lazyz.world.Texture
+import java.nio.file.Path
+
+/**
+ * One call of [Scenes.load]: its [options], what it has used of them so far, and the textures that it has read. All sources
+ * of the call share it. Not thread safe.
+ */
+internal class Loading(val options: LoadOptions = LoadOptions()) {
+    val limits: LoadLimits = options.limits
+
+    /** Textures by the files' real paths; null for one that cannot be decoded. */
+    val textures: MutableMap<Path, Texture?> = HashMap()
+
+    private val start = System.nanoTime()
+    private var read = 0L
+    private var decoded = 0L
+    private var triangles = 0L
+    private var vertices = 0L
+    private var texels = 0L
+
+    /** So many [bytes] of a file were read. */
+    fun read(bytes: Int) {
+        read += bytes
+    }
+
+    /** Fails if [source] must not decode so many more vertices; call it before memory is allocated for them. */
+    fun vertices(source: Source, count: Long) {
+        vertices += count
+        check(source, vertices, limits.vertices, "vertices", "vertices", "--max-vertices")
+        decode(source, count * VERTEX_BYTES)
+    }
+
+    /** Fails if [source] must not decode so many more triangles; call it before memory is allocated for them. */
+    fun triangles(source: Source, count: Long) {
+        triangles += count
+        check(source, triangles, limits.triangles, "triangles", "triangles", "--max-triangles")
+        decode(source, count * TRIANGLE_BYTES)
+    }
+
+    /** As [triangles], for so many segments of lines, each of which counts as a triangle. */
+    fun segments(source: Source, count: Long): Unit = triangles(source, count)
+
+    /** Fails if [source] must not decode so many more texels; call it before memory is allocated for them. */
+    fun texels(source: Source, count: Long) {
+        texels += count
+        check(source, texels, limits.texels, "pixels of textures", "texels", "--max-texels")
+        decode(source, count * TEXEL_BYTES)
+    }
+
+    /** Fails if [source] must not decode so many [bytes] more; call it before memory is allocated for them. */
+    fun decode(source: Source, bytes: Long) {
+        decoded += bytes
+        val most = limits.decodedBytes ?: LoadLimits.defaultDecodedBytes(read)
+        check(source, decoded, most, "bytes of decoded data", "decodedBytes", "--max-decoded")
+        val time = limits.time ?: return
+        if (System.nanoTime() - start >= time.toNanos()) {
+            exceeded(source, "takes more than ${time.toMillis()} ms to read", "time", "--max-seconds")
+        }
+    }
+
+    private fun check(source: Source, used: Long, most: Long, what: String, limit: String, flag: String) {
+        if (used > most) exceeded(source, "has more than $most $what: $used at least", limit, flag)
+    }
+
+    private fun exceeded(source: Source, problem: String, limit: String, flag: String): Nothing =
+        source.fail(null, problem, "if it can be trusted, raise LoadLimits.$limit (zcli: $flag), and -Xmx if need be")
+
+    companion object {
+        /** What to do about JSON that is nested too deep. */
+        const val NESTING_REMEDY: String = "if it can be trusted, raise LoadLimits.nesting (zcli: --max-nesting)"
+
+        private const val TRIANGLE_BYTES = 12L
+        private const val VERTEX_BYTES = 32L
+
+        /** While it is decoded: the decoder's picture, and a copy. */
+        private const val TEXEL_BYTES = 12L
+    }
+}

@@ -1,0 +1,83 @@
+package dev.lazyz.scenes.meshes
+
+import dev.lazyz.geometry.DistinctTriples
+import dev.lazyz.scenes.collections.Ints
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+
+/**
+ * Triangles whose corners may have a colour and texture coordinates of their own, instead of their vertex's. Corners of
+ * one vertex that agree in both are one vertex of the mesh. Not thread safe.
+ *
+ * @param vertices what corners refer to
+ * @param colors the colours of corners
+ * @param places the texture coordinates of corners
+ */
+internal class CornerMesh(
+    private val vertices: VertexArrays,
+    private val colors: Palette = Palette(),
+    private val places: TexturePlaces = TexturePlaces(),
+) {
+    private val corners = DistinctTriples(vertices.count)
+    private val triangles = Ints()
+    private var hasColors = vertices.colors != null
+    private var hasPlaces = vertices.uvs != null
+
+    /** How many triangles there are. */
+    val triangleCount: Int get() = triangles.size / 3
+
+    /** Adds a corner of [vertex]; three make a triangle. Numbers of colour and texture coordinates are -1 for the vertex's. */
+    fun add(vertex: Int, color: Int = -1, place: Int = -1) {
+        if (color >= 0) hasColors = true
+        if (place >= 0) hasPlaces = true
+        triangles.add(corners.add(vertex, color, place))
+    }
+
+    /** Returns the mesh, if [source] may have one so large; add no more corners then. */
+    fun mesh(source: Source, material: Material = Material()): Mesh {
+        source.loading.decode(source, corners.size * CORNER_BYTES)
+        return Mesh(
+            gathered(vertices.positions, 3, 0f),
+            triangles.toArray(),
+            material,
+            vertices.normals?.let { gathered(it, 3, 0f) },
+            if (hasPlaces) places() else null,
+            if (hasColors) colors() else null,
+            vertices.origin,
+        )
+    }
+
+    private fun places(): FloatArray = gathered(vertices.uvs, 2, 0f).also { uvs ->
+        for (corner in 0 until corners.size) {
+            val place = corners.get(corner, 2)
+            if (place >= 0) places.copy(place, uvs, 2 * corner)
+        }
+    }
+
+    private fun colors(): FloatArray = gathered(vertices.colors, 4, 1f).also { all ->
+        for (corner in 0 until corners.size) {
+            val color = corners.get(corner, 1)
+            if (color >= 0) colors.copy(color, all, 4 * corner)
+        }
+    }
+
+    /** Returns the [width] numbers of each corner's vertex, or [missing] ones where vertices have none. */
+    private fun gathered(from: FloatArray?, width: Int, missing: Float): FloatArray {
+        val result = FloatArray(width * corners.size)
+        if (from == null) {
+            result.fill(missing)
+        } else {
+            for (corner in 0 until corners.size) {
+                val start = width * corners.get(corner, 0)
+                from.copyInto(result, width * corner, start, start + width)
+            }
+        }
+        return result
+    }
+
+    private companion object {
+        /** Of a vertex, and of what finds it. */
+        const val CORNER_BYTES = 80L
+    }
+}

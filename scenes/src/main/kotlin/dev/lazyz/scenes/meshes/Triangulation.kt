@@ -1,0 +1,113 @@
+package dev.lazyz.scenes.meshes
+
+import earcut4j.Earcut
+
+/**
+ * Cuts polygons into triangles with the polygon's own corners and no others.
+ *
+ * The polygon is seen along its normal (M. E. Newell's: the sum over the edges, see I. E. Sutherland, R. F. Sproull and
+ * R. A. Schumacker, "A Characterization of Ten Hidden-Surface Algorithms", 1974), with the coordinate
+ * dropped in which the normal is longest. A convex polygon becomes a fan around its first corner, any other is cut by
+ * ear clipping (earcut4j). The result runs the same way round as the polygon.
+ *
+ * A polygon of no area, or with a corner that is NaN or infinite, becomes a fan too, so that its number of triangles is
+ * what a reader expects. One that crosses itself becomes some triangles within its outline.
+ */
+internal object Triangulation {
+    /** Most corners of a polygon that is not convex: a crossing outline costs the cube of their number at worst. */
+    const val MAX_CONCAVE_CORNERS = 4096
+
+    /**
+     * Returns three corner numbers a triangle for the polygon with the corners [xyz] (x, y, z for each), or null if it
+     * is concave and has more than [MAX_CONCAVE_CORNERS] corners. Fewer than three corners make no triangle.
+     */
+    fun triangles(xyz: DoubleArray): IntArray? {
+        val corners = xyz.size / 3
+        if (corners <= 3) return fan(corners)
+        val flat = project(xyz) ?: return fan(corners)
+        if (isConvex(flat)) return fan(corners)
+        if (corners > MAX_CONCAVE_CORNERS) return null
+        val ears = Earcut.earcut(flat)
+        if (ears.isEmpty()) return fan(corners)
+        return counterClockwise(flat, ears)
+    }
+
+    private fun fan(corners: Int): IntArray {
+        val triangles = IntArray(3 * maxOf(corners - 2, 0))
+        for (i in 0 until corners - 2) {
+            triangles[3 * i + 1] = i + 1
+            triangles[3 * i + 2] = i + 2
+        }
+        return triangles
+    }
+
+    /** Returns x, y for each corner, counter-clockwise, or null if the polygon has no normal. */
+    private fun project(xyz: DoubleArray): DoubleArray? {
+        // Newell's normal: twice the areas of the polygon's shadows on the three coordinate planes, seen from corner 0
+        // so that a polygon far from the origin loses no digits
+        val local = DoubleArray(xyz.size) { xyz[it] - xyz[it % 3] }
+        val normal = DoubleArray(3)
+        var from = local.size - 3
+        for (to in local.indices step 3) {
+            for (axis in 0 until 3) {
+                val a = (axis + 1) % 3
+                val b = (axis + 2) % 3
+                normal[axis] += (local[from + a] - local[to + a]) * (local[from + b] + local[to + b])
+            }
+            from = to
+        }
+        val longest = (0 until 3).maxByOrNull { StrictMath.abs(normal[it]) } ?: 0
+        if (!normal.all { it.isFinite() } || normal[longest] == 0.0) return null
+
+        val first = if (normal[longest] > 0.0) (longest + 1) % 3 else (longest + 2) % 3
+        val second = 3 - longest - first
+        return DoubleArray(xyz.size / 3 * 2) { local[it / 2 * 3 + if (it % 2 == 0) first else second] }
+    }
+
+    /** Whether the outline turns left at every corner, or not at all, and goes around only once. */
+    private fun isConvex(xy: DoubleArray): Boolean {
+        var turnsOfDirection = 0
+        var lastSign = 0
+        val corners = xy.size / 2
+        for (i in 0..corners) {
+            val a = 2 * (i % corners)
+            val b = 2 * ((i + 1) % corners)
+            val c = 2 * ((i + 2) % corners)
+            val dx = xy[b] - xy[a]
+            val dy = xy[b + 1] - xy[a + 1]
+            val nextX = xy[c] - xy[b]
+            val nextY = xy[c + 1] - xy[b + 1]
+            val turn = dx * nextY - dy * nextX
+            val isBackward = turn == 0.0 && dx * nextX + dy * nextY < 0.0
+            if (turn < 0.0 || isBackward) return false
+
+            // A convex outline runs to the right once and to the left once
+            val sign = if (dx > 0.0) {
+                1
+            } else if (dx < 0.0) {
+                -1
+            } else {
+                0
+            }
+            if (sign != 0 && lastSign != 0 && sign != lastSign) turnsOfDirection++
+            if (sign != 0) lastSign = sign
+        }
+        return turnsOfDirection <= 2
+    }
+
+    /** Turns triangles that run clockwise; the ones without area stay as they are. */
+    private fun counterClockwise(xy: DoubleArray, triangles: List<Int>): IntArray {
+        val result = triangles.toIntArray()
+        for (i in result.indices step 3) {
+            val a = 2 * result[i]
+            val b = 2 * result[i + 1]
+            val c = 2 * result[i + 2]
+            val area = (xy[b] - xy[a]) * (xy[c + 1] - xy[a + 1]) - (xy[b + 1] - xy[a + 1]) * (xy[c] - xy[a])
+            if (area < 0.0) {
+                result[i + 1] = c / 2
+                result[i + 2] = b / 2
+            }
+        }
+        return result
+    }
+}

@@ -1,0 +1,36 @@
+package dev.lazyz.scenes.meshes
+
+import org.joml.Vector3d
+import org.joml.Vector3dc
+
+/**
+ * The vertices of a file: arrays as [dev.lazyz.world.Mesh] wants them, null for what the file does not have.
+ *
+ * @property positions x, y, z of each
+ * @property normals x, y, z of each
+ * @property uvs u, v of each, v downward
+ * @property colors red, green, blue, alpha of each, linear light
+ * @property origin what positions are relative to
+ */
+internal class VertexArrays(
+    val positions: FloatArray,
+    val normals: FloatArray? = null,
+    val uvs: FloatArray? = null,
+    val colors: FloatArray? = null,
+    val origin: Vector3dc = Vector3d(),
+) {
+    /** How many vertices there are. */
+    val count: Int get() = positions.size / 3
+
+    /** Returns the first [count] vertices. */
+    fun first(count: Int): VertexArrays {
+        if (count == this.count) return this
+        return VertexArrays(
+            positions.copyOf(3 * count),
+            normals?.copyOf(3 * count),
+            uvs?.copyOf(2 * count),
+            colors?.copyOf(4 * count),
+            origin,
+        )
+    }
+}

@@ -1,0 +1,36 @@
+package dev.lazyz.scenes.text
+
+/**
+ * Numbers as programs of many kinds write them into mesh files. "Not a number" and infinity are read in C's spellings
+ * (`nan`, `-nan(ind)`, `inf`) and in Microsoft's (`1.#QNAN`, `1.#INF`), in any case. A sign before the `e` instead of behind
+ * it, `3.1+e2`, is some exporters' misprint of `3.1e+2`.
+ */
+internal object TextNumbers {
+    private val misprint = Regex("([+-]?[0-9.]+)([+-])[eE]([0-9]+)")
+
+    /** Returns the number that [word] spells, or null if it is none. */
+    fun parse(word: String): Double? = word.toDoubleOrNull() ?: named(word) ?: corrected(word)?.toDoubleOrNull()
+
+    /** Returns the float nearest to the number that [word] spells, or null if it is none. */
+    fun parseFloat(word: String): Float? =
+        word.toFloatOrNull() ?: named(word)?.toFloat() ?: corrected(word)?.toFloatOrNull()
+
+    private fun corrected(word: String): String? =
+        if (misprint.matches(word)) misprint.replace(word, "$1e$2$3") else null
+
+    private fun named(word: String): Double? {
+        val isNegative = word.startsWith("-")
+        val name = word.removePrefix("-").removePrefix("+").lowercase()
+        return when {
+            name.startsWith("nan") || name.startsWith("1.#qnan") || name.startsWith("1.#snan") -> Double.NaN
+            name.startsWith("1.#ind") -> Double.NaN
+            name == "inf" || name == "infinity" || name.startsWith("1.#inf") ->
+                if (isNegative) Double.NEGATIVE_INFINITY else Double.POSITIVE_INFINITY
+            else -> null
+        }
+    }
+
+    /** Says what to do about [word], which is not a number. */
+    fun remedy(word: String): String? =
+        if (',' in word) "write numbers with a decimal point, not a comma" else null
+}

@@ -1,0 +1,80 @@
+package dev.lazyz.scenes.loading
+
+import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Scene
+import java.nio.file.Files
+import java.nio.file.Path
+import java.time.Duration
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively
+import org.junit.jupiter.api.Assumptions.assumeTrue
+
+/** What the loaders' tests share: sources out of text, bytes and files, and what a loader owes to a damaged file. */
+internal object TestSources {
+    fun of(text: String, folder: Path? = null) = Source(text.toByteArray(), "test", folder)
+
+    fun of(bytes: ByteArray, folder: Path? = null) = Source(bytes, "test", folder)
+
+    /** Opens one of the real meshes that stand beside the project, or skips the test. */
+    fun model(name: String): Source {
+        val path = modelPath(name)
+        return Source(Files.readAllBytes(path), name, path.parent)
+    }
+
+    /** Finds one of the real meshes that stand beside the project, or skips the test. */
+    fun modelPath(name: String): Path = sharedPath("models", name)
+
+    /** Finds one of the malicious files that stand beside the project, or skips the test. */
+    fun casePath(name: String): Path = sharedPath("cases", name)
+
+    private fun sharedPath(folderName: String, name: String): Path {
+        val folder = generateSequence(Path.of(System.getProperty("user.dir")).toAbsolutePath()) { it.parent }
+            .map { it.resolve("shared").resolve(folderName) }
+            .firstOrNull { Files.isDirectory(it) }
+        assumeTrue(folder != null && Files.exists(folder.resolve(name)), "no file $name")
+        return folder!!.resolve(name)
+    }
+
+    fun error(parser: SceneParser, source: Source): SceneFormatException =
+        assertThrows(SceneFormatException::class.java) { parser.parse(source) }
+
+    /** Cuts the file at every byte, and changes each byte in some ways: a scene or the one exception, and no hang. */
+    fun assertSurvivesDamage(
+        parser: SceneParser,
+        bytes: ByteArray,
+        folder: Path? = null,
+        changes: List<Int> = listOf(0xFF, 0x01, 0x80),
+    ) {
+        var damage = ""
+        assertTimeoutPreemptively(Duration.ofSeconds(60)) {
+            for (length in bytes.indices) {
+                damage = "cut at byte $length"
+                assertSurvives(parser, bytes.copyOf(length), damage, folder)
+            }
+            for (at in bytes.indices) {
+                for (change in changes) {
+                    damage = "byte $at xor $change"
+                    val broken = bytes.copyOf()
+                    broken[at] = (broken[at].toInt() xor change).toByte()
+                    assertSurvives(parser, broken, damage, folder)
+                }
+            }
+        }
+    }
+
+    private fun assertSurvives(parser: SceneParser, bytes: ByteArray, damage: String, folder: Path?) {
+        try {
+            parser.parse(Source(bytes, "test", folder))
+        } catch (_: SceneFormatException) {
+            // The one exception that is allowed
+        } catch (e: Throwable) {
+            throw AssertionError("$damage: $e", e)
+        }
+    }
+}
+
+internal val Scene.meshes: List<Mesh> get() = surfaces.map { it as Mesh }
+
+/** The corners of each triangle, `x y z` each, so that meshes with other vertex numbers compare. */
+internal fun Mesh.corners(): List<List<Float>> = triangles.map { positions.slice(3 * it until 3 * it + 3) }

@@ -1,0 +1,40 @@
+package dev.lazyz.scenes.text
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class TextLinesTest {
+    @Test
+    fun everyLineEndCountsOnce() {
+        val lines = TextLines("a\nb\r\nc\rd\n\ne".toByteArray())
+        val read = generateSequence { lines.next()?.let { Pair(lines.number, it) } }.toList()
+        assertEquals(listOf(1 to "a", 2 to "b", 3 to "c", 4 to "d", 5 to "", 6 to "e"), read)
+        assertNull(lines.next())
+        assertEquals(6, lines.number)
+    }
+
+    @Test
+    fun positionIsTheStartOfTheNextLine() {
+        val lines = TextLines("ab\r\ncd\n".toByteArray())
+        lines.next()
+        assertEquals(4, lines.position)
+        lines.next()
+        assertEquals(7, lines.position)
+    }
+
+    @Test
+    fun wordsPassOverEmptyLines() {
+        val lines = TextLines("\n \t\n a \t B\n".toByteArray())
+        assertTrue(lines.nextWordOfText() && lines.isWord("a") && lines.number == 3)
+        assertEquals(1, lines.countWords())
+        assertFalse(lines.isBlank())
+        assertTrue(lines.nextWord() && lines.isWord("b"))
+        assertEquals("B", lines.word())
+        assertTrue(lines.isBlank())
+        assertFalse(lines.nextWord())
+        assertFalse(lines.nextWordOfText())
+    }
+}
