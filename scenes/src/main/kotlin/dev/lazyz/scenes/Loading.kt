@@ -1,5 +1,6 @@
 package dev.lazyz.scenes
 
+import dev.lazyz.Mesh
 import dev.lazyz.Texture
 import java.nio.file.Path
 
@@ -59,6 +60,10 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
             exceeded(source, "takes more than ${time.toMillis()} ms to read", "time", "--max-seconds")
         }
     }
+
+    /** Returns [mesh] with smooth normals, unless it has normals or is to have none. */
+    fun smoothed(mesh: Mesh, creaseAngle: Double): Mesh =
+        if (mesh.normals == null && options.smoothNormals) mesh.withSmoothNormals(creaseAngle) else mesh
 
     private fun check(source: Source, used: Long, most: Long, what: String, limit: String, flag: String) {
         if (used > most) exceeded(source, "has more than $most $what: $used at least", limit, flag)

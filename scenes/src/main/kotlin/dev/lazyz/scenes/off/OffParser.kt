@@ -33,7 +33,6 @@ internal object OffParser : SceneParser {
             source.warn("there are no faces, so there is nothing to see")
             return Scene(emptyList())
         }
-        val mesh = triangles.mesh(Material())
-        return Scene(listOf(if (mesh.normals == null) mesh.withSmoothNormals(CREASE_ANGLE) else mesh))
+        return Scene(listOf(source.loading.smoothed(triangles.mesh(Material()), CREASE_ANGLE)))
     }
 }
