@@ -1,25 +1,26 @@
 package dev.lazyz.setup
 
+import dev.lazyz.Mesh
 import kotlin.math.sqrt
 
 /**
  * The normals of the corners at one position after the other, and the vertex copies that have them: corners of one
  * vertex with the same normal share a copy. Not thread safe.
  *
- * @param vertices the vertex of each corner
- * @param faces see [FaceNormals]
+ * @param mesh its triangles' normals are made wherever one is needed, for keeping them takes more memory than the mesh
  * @param creaseAngle from which on an edge is a crease, degrees
  * @param firstCopy by vertex: the copy to begin its chain with, or -1; an array for all instances, which do different
  * vertices
  * @param copyOf by corner: where its copy is written; an array for all instances
  */
 internal class CornerNormals(
-    private val vertices: IntArray,
-    private val faces: DoubleArray,
+    mesh: Mesh,
     creaseAngle: Double,
     private val firstCopy: IntArray,
     private val copyOf: IntArray,
 ) {
+    private val vertices = mesh.triangles
+    private val faceNormal = FaceNormal(mesh)
     private val cosine = StrictMath.cos(radians(creaseAngle))
 
     /** Of an angle safely below half the crease's: no two faces that lean from one direction by less make a crease. */
@@ -85,14 +86,15 @@ internal class CornerNormals(
         sumZ = 0.0
         for (i in from until until) {
             val at = corners[i] / 3 * 3
-            sumX += faces[at]
-            sumY += faces[at + 1]
-            sumZ += faces[at + 2]
+            faceNormal.make(at)
+            sumX += faceNormal.x
+            sumY += faceNormal.y
+            sumZ += faceNormal.z
             if (isCrowded) continue
             face[i - from] = at
-            x[i - from] = faces[at]
-            y[i - from] = faces[at + 1]
-            z[i - from] = faces[at + 2]
+            x[i - from] = faceNormal.x
+            y[i - from] = faceNormal.y
+            z[i - from] = faceNormal.z
         }
     }
 

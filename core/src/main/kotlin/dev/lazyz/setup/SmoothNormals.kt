@@ -24,10 +24,9 @@ internal class SmoothNormals(private val mesh: Mesh, private val creaseAngle: Do
     }
 
     private fun cornerNormals(byPosition: CornersByPosition): List<CornerNormals> {
-        val faces = FaceNormals.of(mesh)
         val firstCopy = IntArray(mesh.vertexCount) { -1 }
         val chunks = List((byPosition.count + CHUNK - 1) / CHUNK) {
-            CornerNormals(mesh.triangles, faces, creaseAngle, firstCopy, triangles)
+            CornerNormals(mesh, creaseAngle, firstCopy, triangles)
         }
         inParallel(chunks.size) { chunk ->
             for (position in chunk * CHUNK until minOf((chunk + 1) * CHUNK, byPosition.count)) {
