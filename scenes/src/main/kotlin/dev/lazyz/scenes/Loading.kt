@@ -21,6 +21,10 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     private var vertices = 0L
     private var texels = 0L
 
+    /** How many milliseconds are left for reading; null without a limit. */
+    val millisecondsLeft: Long?
+        get() = limits.time?.let { maxOf(it.toMillis() - (System.nanoTime() - start) / NANOSECONDS, 0) }
+
     /** So many [bytes] of a file were read. */
     fun read(bytes: Int) {
         read += bytes
@@ -75,6 +79,9 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     companion object {
         /** What to do about JSON that is nested too deep. */
         const val NESTING_REMEDY: String = "if it can be trusted, raise LoadLimits.nesting (zcli: --max-nesting)"
+
+        /** In a millisecond. */
+        private const val NANOSECONDS = 1_000_000L
 
         private const val TRIANGLE_BYTES = 12L
         private const val VERTEX_BYTES = 32L
