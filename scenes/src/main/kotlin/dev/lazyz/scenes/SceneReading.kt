@@ -38,12 +38,12 @@ internal object SceneReading {
         folder: Path?,
         options: LoadOptions,
     ): LoadedScene {
-        val bytes = try {
-            bytes(input, 0, name, format)
+        val source = try {
+            Source(bytes(input, 0, name, format), name, folder, Loading(options))
         } catch (e: IOException) {
             throw SceneFormatException(name, null, "cannot be read: ${e.message ?: e}", cause = e)
         }
-        return parse(Source(bytes, name, folder, Loading(options)), format)
+        return parse(source, format)
     }
 
     private fun parse(source: Source, format: SceneFormat): LoadedScene {

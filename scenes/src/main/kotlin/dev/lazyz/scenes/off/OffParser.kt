@@ -1,7 +1,9 @@
 package dev.lazyz.scenes.off
 
+import dev.lazyz.Box
 import dev.lazyz.Material
 import dev.lazyz.Scene
+import dev.lazyz.scenes.FarOrigin
 import dev.lazyz.scenes.SceneParser
 import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.triangulation.PolygonMesh
@@ -24,11 +26,13 @@ internal object OffParser : SceneParser {
     override fun parse(source: Source): Scene {
         if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
         source.decodeText()
-        val reader = OffReader(source)
-        val vertices = reader.readVertices()
+        val reader = FarOrigin.reading(
+            read = { origin -> OffReader(source, origin).also { it.readVertices() } },
+            bounds = { Box.around(it.vertices.positions) },
+        )
         reader.readFaces()
         source.release()
-        val triangles = PolygonMesh(source, vertices, reader.polygons)
+        val triangles = PolygonMesh(source, reader.vertices, reader.polygons)
         if (triangles.triangleCount == 0) {
             source.warn("there are no faces, so there is nothing to see")
             return Scene(emptyList())

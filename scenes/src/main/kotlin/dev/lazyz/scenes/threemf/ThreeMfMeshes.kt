@@ -7,7 +7,6 @@ import dev.lazyz.scenes.Source
 import dev.lazyz.scenes.triangulation.CornerMesh
 import dev.lazyz.scenes.triangulation.Ints
 import dev.lazyz.scenes.triangulation.MeshParts
-import dev.lazyz.scenes.triangulation.VertexArrays
 
 /** A group and a number in it, for triangles without looks of their own; the group is -1 if there are none. */
 internal data class DefaultLook(val group: Int, val index: Int)
@@ -21,7 +20,7 @@ internal class ThreeMfMeshes(private val source: Source, private val textures: T
     /** Returns the triangles of [found], which [model] defines, with smooth normals; one mesh for each texture. */
     fun build(model: ThreeMfModel, found: ThreeMfObject, default: DefaultLook): List<Mesh> {
         if (found.triangles.size == 0) return emptyList()
-        val mesh = CornerMesh(VertexArrays(found.positions.toArray()), model.looks.palette, model.looks.places)
+        val mesh = CornerMesh(found.vertices(), model.looks.palette, model.looks.places)
         val textureNumbers = LinkedHashMap<Int, Int>()
         val groupOf = Ints()
         for (triangle in 0 until found.triangles.size / 3) {
