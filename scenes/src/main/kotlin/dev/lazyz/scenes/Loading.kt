@@ -65,9 +65,17 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
         }
     }
 
-    /** Returns [mesh] with smooth normals, unless it has normals or is to have none. */
-    fun smoothed(mesh: Mesh, creaseAngle: Double): Mesh =
-        if (mesh.normals == null && options.smoothNormals) mesh.withSmoothNormals(creaseAngle) else mesh
+    /** Returns [mesh] with smooth normals, unless it has normals or is to have none; fails if the memory is too small. */
+    fun smoothed(source: Source, mesh: Mesh, creaseAngle: Double): Mesh {
+        if (mesh.normals != null || !options.smoothNormals) return mesh
+        val need = LoadingMemory.normals(mesh.triangleCount.toLong(), mesh.vertexCount.toLong())
+        val most = Runtime.getRuntime().maxMemory()
+        if (need > most) {
+            val problem = "has too many triangles for the memory: their normals need $need bytes, Java may use $most"
+            source.fail(null, problem, "raise -Xmx, or LoadOptions(smoothNormals = false)")
+        }
+        return mesh.withSmoothNormals(creaseAngle)
+    }
 
     private fun check(source: Source, used: Long, most: Long, what: String, limit: String, flag: String) {
         if (used > most) exceeded(source, "has more than $most $what: $used at least", limit, flag)

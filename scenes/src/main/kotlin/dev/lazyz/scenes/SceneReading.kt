@@ -60,7 +60,12 @@ internal object SceneReading {
         if (parser != GltfParser && source.loading.options.animationTime != null) {
             source.warn("files of this format have no animation, so that the time of one changes nothing")
         }
-        return LoadedScene(parser.parse(source), source.warnings.toList())
+        try {
+            return LoadedScene(parser.parse(source), source.warnings.toList())
+        } catch (e: OutOfMemoryError) {
+            val most = Runtime.getRuntime().maxMemory()
+            source.fail(null, "needs more memory than the $most bytes that Java may use", "raise -Xmx, or split it", e)
+        }
     }
 
     private fun bytes(path: Path, name: String, format: SceneFormat?): ByteArray {

@@ -94,7 +94,7 @@ internal class ObjMeshes(
             origin = model.origin,
         )
         val isSmooth = batch.normals == Normals.SMOOTH
-        val shaded = if (isSmooth) source.loading.smoothed(whole, ObjParser.CREASE_ANGLE) else whole
+        val shaded = if (isSmooth) source.loading.smoothed(source, whole, ObjParser.CREASE_ANGLE) else whole
         val parts = MeshParts(shaded, groupOf, groups.size)
         return groups.map { (group, number) ->
             Placed(firstFaces[number], coated(parts.part(number), materialOf(group.material), group.isTextured))

@@ -37,6 +37,6 @@ internal object OffParser : SceneParser {
             source.warn("there are no faces, so there is nothing to see")
             return Scene(emptyList())
         }
-        return Scene(listOf(source.loading.smoothed(triangles.mesh(Material()), CREASE_ANGLE)))
+        return Scene(listOf(source.loading.smoothed(source, triangles.mesh(Material()), CREASE_ANGLE)))
     }
 }

@@ -27,7 +27,7 @@ internal class ThreeMfMeshes(private val source: Source, private val textures: T
             val texture = addTriangle(model.looks, found, triangle, default, mesh)
             groupOf.add(textureNumbers.getOrPut(texture) { textureNumbers.size })
         }
-        val whole = source.loading.smoothed(mesh.mesh(source), ThreeMfParser.CREASE_ANGLE)
+        val whole = source.loading.smoothed(source, mesh.mesh(source), ThreeMfParser.CREASE_ANGLE)
         val parts = MeshParts(whole, groupOf, textureNumbers.size)
         return textureNumbers.map { (number, group) ->
             val texture = model.looks.textures[number]?.let(textures::find)
