@@ -88,7 +88,7 @@ public class Fragment {
      */
     internal val texel: FloatArray = FloatArray(4)
 
-    /** Scratch array for the result of [dev.lazyz.shading.Lighting]. */
+    /** Scratch array for the light at a sample. */
     internal val light: FloatArray = FloatArray(6)
 
     /** A batch of one fragment, for a [BatchShader] that is called with this fragment. */

@@ -6,20 +6,22 @@ import kotlin.math.sqrt
  * Computes the normals of the corners at one position after the other, and assigns vertex copies to them. Corners of
  * one vertex that have the same normal share a copy. Not thread safe.
  *
- * @param vertices the vertex of each corner
- * @param faces see [FaceNormals]
+ * @param positions x, y, z of each vertex
+ * @param vertices the vertex of each corner. The normals of triangles are computed wherever one is needed, because keeping
+ *   them takes more memory than the mesh
  * @param creaseAngle the smallest angle of an edge that is a crease, degrees
  * @param firstCopy by vertex: the first copy in its chain, or -1; one array for all instances, which process different
  *   vertices
  * @param copyOf by corner: receives the corner's copy; one array for all instances
  */
 internal class CornerNormals(
+    positions: FloatArray,
     private val vertices: IntArray,
-    private val faces: DoubleArray,
     creaseAngle: Double,
     private val firstCopy: IntArray,
     private val copyOf: IntArray,
 ) {
+    private val faceNormal = FaceNormal(positions, vertices)
     private val cosine = StrictMath.cos(radians(creaseAngle))
 
     /**
@@ -89,14 +91,15 @@ internal class CornerNormals(
         sumZ = 0.0
         for (i in from until until) {
             val at = corners[i] / 3 * 3
-            sumX += faces[at]
-            sumY += faces[at + 1]
-            sumZ += faces[at + 2]
+            faceNormal.compute(at)
+            sumX += faceNormal.x
+            sumY += faceNormal.y
+            sumZ += faceNormal.z
             if (isCrowded) continue
             face[i - from] = at
-            x[i - from] = faces[at]
-            y[i - from] = faces[at + 1]
-            z[i - from] = faces[at + 2]
+            x[i - from] = faceNormal.x
+            y[i - from] = faceNormal.y
+            z[i - from] = faceNormal.z
         }
     }
 

@@ -2,7 +2,6 @@ package dev.lazyz.world
 
 import dev.lazyz.geometry.CornerNormals
 import dev.lazyz.geometry.CornersByPosition
-import dev.lazyz.geometry.FaceNormals
 import dev.lazyz.inParallel
 
 /**
@@ -20,41 +19,40 @@ internal class SmoothNormals(private val mesh: Mesh, private val creaseAngle: Do
     private val triangles = IntArray(mesh.triangles.size)
 
     /** Returns the mesh with normals. A vertex has as many copies as its corners have different normals. */
-    fun mesh(): Mesh {
-        val byPosition = CornersByPosition(mesh.positions, mesh.triangles)
-        val chunks = cornerNormals(byPosition)
-        return numbered(chunks, byPosition.positionOf)
-    }
+    fun mesh(): Mesh = numbered(copies())
 
-    private fun cornerNormals(byPosition: CornersByPosition): List<CornerNormals> {
-        val faces = FaceNormals.of(mesh.positions, mesh.triangles)
+    /** The normals of the copies of vertices, by chunk of positions. */
+    private class Copies(val positionOf: IntArray, val sizes: IntArray, val normals: List<FloatArray>)
+
+    private fun copies(): Copies {
+        val byPosition = CornersByPosition(mesh.positions, mesh.triangles)
         val firstCopy = IntArray(mesh.vertexCount) { -1 }
         val chunks = List((byPosition.count + CHUNK - 1) / CHUNK) {
-            CornerNormals(mesh.triangles, faces, creaseAngle, firstCopy, triangles)
+            CornerNormals(mesh.positions, mesh.triangles, creaseAngle, firstCopy, triangles)
         }
         inParallel(chunks.size) { chunk ->
             for (position in chunk * CHUNK until minOf((chunk + 1) * CHUNK, byPosition.count)) {
                 chunks[chunk].add(byPosition.corners, byPosition.starts[position], byPosition.starts[position + 1])
             }
         }
-        return chunks
+        return Copies(byPosition.positionOf, IntArray(chunks.size) { chunks[it].size }, chunks.map { it.normals })
     }
 
     /** Renumbers the copies in the order of their first corner, and builds the mesh. */
-    private fun numbered(chunks: List<CornerNormals>, positionOf: IntArray): Mesh {
-        val numbers = Array(chunks.size) { IntArray(chunks[it].size) { -1 } }
-        val sources = IntArray(chunks.sumOf { it.size })
+    private fun numbered(copies: Copies): Mesh {
+        val numbers = Array(copies.sizes.size) { IntArray(copies.sizes[it]) { -1 } }
+        val sources = IntArray(copies.sizes.sum())
         val normals = FloatArray(3 * sources.size)
         var count = 0
         for ((corner, vertex) in mesh.triangles.withIndex()) {
-            val chunk = positionOf[vertex] / CHUNK
+            val chunk = copies.positionOf[vertex] / CHUNK
             val copy = triangles[corner]
             var number = numbers[chunk][copy]
             if (number < 0) {
                 number = count++
                 numbers[chunk][copy] = number
                 sources[number] = vertex
-                chunks[chunk].normals.copyInto(normals, 3 * number, 3 * copy, 3 * copy + 3)
+                copies.normals[chunk].copyInto(normals, 3 * number, 3 * copy, 3 * copy + 3)
             }
             triangles[corner] = number
         }

@@ -52,6 +52,11 @@ public final class MeshFiles {
         return Scene.builder().add(new Mesh(positions, triangles)).build();
     }
 
+    /** Returns the plain loops that read its files. */
+    public PlainLoops plainLoops() {
+        return new PlainLoops(positions.length, triangles.length);
+    }
+
     /** Returns a scene with its meshes' shapes alone, each triangle by its own normal, seen from the front. */
     public static Scene facets(Scene scene) {
         Scene.Builder facets = Scene.builder()

@@ -18,8 +18,11 @@ internal class Floats(capacity: Int = INITIAL_CAPACITY) {
         size = 0
     }
 
-    /** Returns the numbers; the array itself where it is full, so add no more. */
-    fun toArray(): FloatArray = if (size == values.size) values else values.copyOf(size)
+    /** Returns the numbers, in the same array each time; add no more. */
+    fun toArray(): FloatArray {
+        if (size < values.size) values = values.copyOf(size)
+        return values
+    }
 
     private companion object {
         const val INITIAL_CAPACITY = 16

@@ -13,13 +13,35 @@ internal class Ints(capacity: Int = INITIAL_CAPACITY) {
         values[index] = value
     }
 
+    /** Makes room for [capacity] numbers in all. */
+    fun ensure(capacity: Int) {
+        if (capacity > values.size) values = values.copyOf(capacity)
+    }
+
     fun add(value: Int) {
         if (size == values.size) values = values.copyOf(size + maxOf(size / 2, INITIAL_CAPACITY))
         values[size++] = value
     }
 
-    /** Returns the numbers; the array itself where it is full, so add no more. */
-    fun toArray(): IntArray = if (size == values.size) values else values.copyOf(size)
+    fun add(a: Int, b: Int, c: Int) {
+        if (size > values.size - 3) values = values.copyOf(size + maxOf(size / 2, INITIAL_CAPACITY))
+        values[size] = a
+        values[size + 1] = b
+        values[size + 2] = c
+        size += 3
+    }
+
+    /** Whether all numbers are below [limit]. */
+    fun areBelow(limit: Int): Boolean {
+        for (i in 0 until size) if (values[i] >= limit) return false
+        return true
+    }
+
+    /** Returns the numbers, in the same array each time; add no more. */
+    fun toArray(): IntArray {
+        if (size < values.size) values = values.copyOf(size)
+        return values
+    }
 
     private companion object {
         const val INITIAL_CAPACITY = 16

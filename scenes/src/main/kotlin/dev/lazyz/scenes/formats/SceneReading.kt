@@ -45,12 +45,12 @@ internal object SceneReading {
         folder: Path?,
         options: LoadOptions,
     ): LoadedScene {
-        val bytes = try {
-            bytes(input, 0, name, format)
+        val source = try {
+            Source(bytes(input, 0, name, format), name, folder, Loading(options))
         } catch (e: IOException) {
             throw SceneFormatException(name, null, "cannot be read: ${e.message ?: e}", cause = e)
         }
-        return parse(Source(bytes, name, folder, Loading(options)), format)
+        return parse(source, format)
     }
 
     private fun parse(source: Source, format: SceneFormat): LoadedScene {
@@ -67,7 +67,12 @@ internal object SceneReading {
         if (parser != GltfParser && source.loading.options.animationTime != null) {
             source.warn("files of this format have no animation, so that the time of one changes nothing")
         }
-        return LoadedScene(parser.parse(source), source.warnings.toList())
+        try {
+            return LoadedScene(parser.parse(source), source.warnings.toList())
+        } catch (e: OutOfMemoryError) {
+            val most = Runtime.getRuntime().maxMemory()
+            source.fail(null, "needs more memory than the $most bytes that Java may use", "raise -Xmx, or split it", e)
+        }
     }
 
     private fun bytes(path: Path, name: String, format: SceneFormat?): ByteArray {

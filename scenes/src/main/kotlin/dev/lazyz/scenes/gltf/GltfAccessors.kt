@@ -29,7 +29,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
         return floats.getOrPut(checkNotNull(index)) { read(accessor, index, type) }
     }
 
-    /** Returns the whole numbers of a scalar accessor; one beyond 31 bits comes out as -1. */
+    /** Returns the whole numbers of a scalar accessor; one beyond 31 bits comes out negative. */
     fun indices(index: Int, where: String): IntArray {
         val accessor = document.element(document.json.accessors, index, "accessors", where)
         val here = "accessors[$index]"
@@ -39,7 +39,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
         }
         if (accessor.sparse != null) document.fail("$here.sparse", "vertex numbers must not be sparse")
         val data = dense(accessor, index, ElementType.SCALAR) ?: return IntArray(count(accessor, here))
-        return IntArray(count(accessor, here), data::whole)
+        return data.wholes(count(accessor, here))
     }
 
     private fun read(accessor: Accessor, index: Int, type: ElementType): FloatArray {
@@ -49,11 +49,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
         val count = count(accessor, "accessors[$index]")
         document.source.loading.decode(document.source, count.toLong() * width * Float.SIZE_BYTES)
         val result = FloatArray(count * width)
-        if (data != null) {
-            for (element in 0 until count) {
-                for (i in 0 until width) result[element * width + i] = data.number(element, i, isNormalized)
-            }
-        }
+        data?.copy(count, width, isNormalized, result)
         accessor.sparse?.let { substitute(it, accessor, index, type, result) }
         return result
     }

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.gltf
 
+import com.fasterxml.jackson.core.JsonFactory
 import com.fasterxml.jackson.core.JsonProcessingException
 import com.fasterxml.jackson.core.StreamReadConstraints
 import com.fasterxml.jackson.core.exc.StreamConstraintsException
@@ -21,6 +22,14 @@ import java.io.IOException
  * above 1 or an empty list, is passed over with a warning, for such files are many. Unknown properties are allowed.
  */
 internal object GltfJson {
+    /** Made once: it finds out much about jgltf's classes, and remembers it. */
+    private val mapper: ObjectMapper by lazy {
+        JacksonUtils.createObjectMapper { error -> reading.get()?.let { report(it, error) } }
+    }
+
+    /** What this thread is reading. */
+    private val reading = ThreadLocal<Source>()
+
     private const val REMEDY = "correct it or export the model again"
 
     /** What the JSON is in. */
@@ -33,23 +42,21 @@ internal object GltfJson {
     }
 
     fun read(source: Source, start: Int, length: Int, container: Container = Container.USUAL): GlTF {
-        val mapper = JacksonUtils.createObjectMapper { error -> report(source, error) }
-        val nesting = source.loading.limits.nesting
-        mapper.factory.setStreamReadConstraints(
-            StreamReadConstraints.builder().maxNestingDepth(nesting).maxStringLength(Int.MAX_VALUE).build(),
-        )
-        val found = tree(source, mapper, start, length)
+        val found = tree(source, start, length)
         val tree = if (Version1Json.isMeant(found)) version2(source, found, container) else found
         val version = tree.path("asset").path("version").asText("")
         if (!version.startsWith("2.")) {
             source.fail("asset.version", "the version is \"$version\", not 2.0", "export the model as glTF 2.0")
         }
         try {
+            reading.set(source)
             return mapper.treeToValue(tree, GlTF::class.java)
         } catch (e: JsonMappingException) {
             source.fail(place(e), "the value is not what glTF has here: ${brief(e.originalMessage)}", REMEDY, e)
         } catch (e: IOException) {
             source.fail(null, "the JSON is not glTF: ${brief(e.message)}", REMEDY, e)
+        } finally {
+            reading.remove()
         }
     }
 
@@ -59,9 +66,13 @@ internal object GltfJson {
         return Version1Json.convert(tree) { where, problem -> source.fail(where, problem, REMEDY) }
     }
 
-    private fun tree(source: Source, mapper: ObjectMapper, start: Int, length: Int): JsonNode {
+    private fun tree(source: Source, start: Int, length: Int): JsonNode {
+        val nesting = source.loading.limits.nesting
+        val constraints =
+            StreamReadConstraints.builder().maxNestingDepth(nesting).maxStringLength(Int.MAX_VALUE).build()
+        val factory = JsonFactory.builder().streamReadConstraints(constraints).build()
         val tree: JsonNode? = try {
-            mapper.readTree(source.bytes, start, length)
+            factory.createParser(source.bytes, start, length).use { mapper.readTree(it) }
         } catch (e: JsonProcessingException) {
             if (e is StreamConstraintsException && "nesting depth" in e.originalMessage) {
                 val most = source.loading.limits.nesting

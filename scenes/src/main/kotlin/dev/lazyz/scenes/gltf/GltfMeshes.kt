@@ -84,7 +84,8 @@ internal class GltfMeshes(
 
     private fun indices(vertices: GltfVertices, count: Int, where: String): IntArray {
         val indices = vertices.indices() ?: IntArray(count) { it }
-        for ((i, vertex) in indices.withIndex()) {
+        for (i in indices.indices) {
+            val vertex = indices[i]
             if (vertex !in 0 until count) {
                 val shown = if (vertex < 0) "beyond 31 bits" else vertex.toString()
                 document.fail("$where.indices", "element $i is $shown, but there are $count vertices, counted from 0")

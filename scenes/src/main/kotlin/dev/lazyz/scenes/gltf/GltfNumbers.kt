@@ -39,6 +39,37 @@ internal class GltfNumbers(
         }
     }
 
+    /** Returns the whole numbers of [count] scalar elements; those beyond 31 bits are negative. */
+    fun wholes(count: Int): IntArray {
+        val result = IntArray(count)
+        when {
+            count == 0 -> return result
+            componentType == GltfConstants.GL_UNSIGNED_INT && stride == Int.SIZE_BYTES ->
+                bytes.duplicate().order(bytes.order()).position(offset).asIntBuffer().get(result)
+            componentType == GltfConstants.GL_UNSIGNED_SHORT ->
+                for (i in 0 until count) result[i] = bytes.getShort(offset + i * stride).toInt() and 0xFFFF
+            else -> for (i in 0 until count) result[i] = whole(i)
+        }
+        return result
+    }
+
+    /** Writes the numbers of [count] elements, [width] each, to [to]; see [number]. */
+    fun copy(count: Int, width: Int, isNormalized: Boolean, to: FloatArray) {
+        if (count == 0) return
+        if (componentType == GltfConstants.GL_FLOAT && stride == width * Float.SIZE_BYTES) {
+            bytes.duplicate().order(bytes.order()).position(offset).asFloatBuffer().get(to, 0, count * width)
+        } else if (componentType == GltfConstants.GL_FLOAT) {
+            for (element in 0 until count) {
+                val at = offset + element * stride
+                for (i in 0 until width) to[element * width + i] = bytes.getFloat(at + i * Float.SIZE_BYTES)
+            }
+        } else {
+            for (element in 0 until count) {
+                for (i in 0 until width) to[element * width + i] = number(element, i, isNormalized)
+            }
+        }
+    }
+
     private fun small(at: Int): Int = when (componentType) {
         GltfConstants.GL_BYTE -> bytes.get(at).toInt()
         GltfConstants.GL_UNSIGNED_BYTE -> bytes.get(at).toInt() and 0xFF

@@ -36,7 +36,7 @@ internal class GltfVertices(
         return numbers
     }
 
-    /** Returns the vertex numbers, or null if vertices follow each other; one beyond 31 bits comes out as -1. */
+    /** Returns the vertex numbers, or null if vertices follow each other; one beyond 31 bits comes out negative. */
     fun indices(): IntArray? =
         geometry?.triangles ?: primitive.indices?.let { accessors.indices(it, "$where.indices") }
 
@@ -61,7 +61,8 @@ internal class GltfVertices(
         val bytes = document.view(view, "$dracoWhere.bufferView")
         val array = ByteArray(bytes.capacity()).also { bytes.get(it) }
         return decoding {
-            DracoGeometry.decode(array) { document.source.loading.decode(document.source, it) }
+            val loading = document.source.loading
+            DracoGeometry.decode(array, loading.millisecondsLeft) { loading.decode(document.source, it) }
         }
     }
 

@@ -3,6 +3,7 @@ package dev.lazyz.scenes.loading
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.world.Mesh
 import dev.lazyz.world.Texture
 import java.nio.file.Path
 
@@ -22,6 +23,10 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     private var triangles = 0L
     private var vertices = 0L
     private var texels = 0L
+
+    /** How many milliseconds are left for reading; null without a limit. */
+    val millisecondsLeft: Long?
+        get() = limits.time?.let { maxOf(it.toMillis() - (System.nanoTime() - start) / NANOSECONDS, 0) }
 
     /** So many [bytes] of a file were read. */
     fun read(bytes: Int) {
@@ -63,6 +68,18 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
         }
     }
 
+    /** Returns [mesh] with smooth normals, unless it has normals or is to have none; fails if the memory is too small. */
+    fun smoothed(source: Source, mesh: Mesh, creaseAngle: Double): Mesh {
+        if (mesh.normals != null || !options.smoothNormals) return mesh
+        val need = LoadingMemory.normals(mesh.triangleCount.toLong(), mesh.vertexCount.toLong())
+        val most = Runtime.getRuntime().maxMemory()
+        if (need > most) {
+            val problem = "has too many triangles for the memory: their normals need $need bytes, Java may use $most"
+            source.fail(null, problem, "raise -Xmx, or LoadOptions(smoothNormals = false)")
+        }
+        return mesh.withSmoothNormals(creaseAngle)
+    }
+
     private fun check(source: Source, used: Long, most: Long, what: String, limit: String, flag: String) {
         if (used > most) exceeded(source, "has more than $most $what: $used at least", limit, flag)
     }
@@ -73,6 +90,9 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     companion object {
         /** What to do about JSON that is nested too deep. */
         const val NESTING_REMEDY: String = "if it can be trusted, raise LoadLimits.nesting (zcli: --max-nesting)"
+
+        /** In a millisecond. */
+        private const val NANOSECONDS = 1_000_000L
 
         private const val TRIANGLE_BYTES = 12L
         private const val VERTEX_BYTES = 32L

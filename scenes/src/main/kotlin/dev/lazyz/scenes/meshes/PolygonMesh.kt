@@ -11,76 +11,81 @@ internal class PolygonMesh(
     private val vertices: VertexArrays,
     private val polygons: Polygons,
 ) {
-    /** By triangle and corner: where it stands in the [polygons]. */
-    private val corners = Ints(polygons.size - polygons.size / 4)
+    /** Whether the polygons are the triangles, so that nothing is cut and nothing left out. */
+    private val areTriangles = polygons.areTriangles && polygons.areBelow(vertices.count)
 
-    /** By triangle: its polygon. */
+    /** By triangle and corner: the corner's number among those of all polygons; empty if [areTriangles]. */
+    private val corners = Ints(if (areTriangles) 0 else polygons.cornerCount)
+
+    /** By triangle: its polygon; empty if [areTriangles]. */
     private val polygonOf = Ints()
 
-    /** By polygon: where it stands. */
-    private val starts = Ints()
-
     init {
-        cut()
+        if (!areTriangles) cut()
         source.loading.triangles(source, triangleCount.toLong())
     }
 
     /** How many triangles there are. */
-    val triangleCount: Int get() = corners.size / 3
+    val triangleCount: Int get() = if (areTriangles) polygons.count else corners.size / 3
 
     /** Returns the number of a triangle's texture, or -1. */
-    fun textureOf(triangle: Int): Int = polygons.place(starts[polygonOf[triangle]])
+    fun textureOf(triangle: Int): Int = polygons.textureOf(polygon(triangle))
 
     /** Returns all triangles in the order of their polygons. Colours of vertices hide those of polygons, as in MeshLab. */
     fun mesh(material: Material): Mesh {
         if (!polygons.haveLooks) {
-            val triangles = IntArray(corners.size) { polygons[corners[it]] }
-            return Mesh(vertices.positions, triangles, material, vertices.normals, vertices.uvs, vertices.colors)
+            val triangles =
+                if (areTriangles) polygons.vertices() else IntArray(corners.size) { polygons.vertex(corners[it]) }
+            return Mesh(
+                vertices.positions, triangles, material, vertices.normals, vertices.uvs, vertices.colors,
+                vertices.origin,
+            )
         }
         val mesh = CornerMesh(vertices, polygons.colors, polygons.places)
-        for (i in 0 until corners.size) {
-            val color = if (vertices.colors == null) polygons.colorOf(polygonOf[i / 3]) else -1
-            mesh.add(polygons[corners[i]], color, polygons.place(corners[i]))
+        for (i in 0 until 3 * triangleCount) {
+            val corner = if (areTriangles) i else corners[i]
+            val color = if (vertices.colors == null) polygons.colorOf(polygon(i / 3)) else -1
+            mesh.add(polygons.vertex(corner), color, polygons.place(corner))
         }
         return mesh.mesh(source, material)
     }
 
+    private fun polygon(triangle: Int): Int = if (areTriangles) triangle else polygonOf[triangle]
+
     /** Cuts all polygons whose vertices are there. */
     private fun cut() {
-        var at = 0
         var withoutVertices = 0
         for (polygon in 0 until polygons.count) {
-            starts.add(at)
-            val count = polygons[at++]
-            if (!haveVertices(at, count)) {
+            val start = polygons.start(polygon)
+            val end = polygons.end(polygon)
+            if (!haveVertices(start, end)) {
                 withoutVertices++
-            } else if (count == 3) {
-                for (corner in at until at + 3) corners.add(corner)
+            } else if (end - start == 3) {
+                for (corner in start until end) corners.add(corner)
             } else {
-                cut(at, count)
+                cut(start, end - start)
             }
             while (3 * polygonOf.size < corners.size) polygonOf.add(polygon)
-            at += count
         }
         if (withoutVertices > 0) {
             source.warn("$withoutVertices faces are left out, because vertices of theirs are missing")
         }
     }
 
-    private fun haveVertices(at: Int, count: Int): Boolean {
-        for (corner in at until at + count) if (polygons[corner] >= vertices.count) return false
+    private fun haveVertices(from: Int, until: Int): Boolean {
+        for (corner in from until until) if (polygons.vertex(corner) >= vertices.count) return false
         return true
     }
 
-    private fun cut(at: Int, count: Int) {
+    private fun cut(start: Int, count: Int) {
         val local = Triangulation.triangles(
-            DoubleArray(3 * count) { vertices.positions[3 * polygons[at + it / 3] + it % 3].toDouble() },
+            DoubleArray(3 * count) { vertices.positions[3 * polygons.vertex(start + it / 3) + it % 3].toDouble() },
         )
         if (local == null) {
             val most = Triangulation.MAX_CONCAVE_CORNERS
             source.warn("a concave face of $count corners, more than $most, is left out")
             return
         }
-        for (corner in local) corners.add(at + corner)
+        for (corner in local) corners.add(start + corner)
     }
 }

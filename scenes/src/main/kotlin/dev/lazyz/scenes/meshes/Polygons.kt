@@ -4,11 +4,17 @@ import dev.lazyz.scenes.collections.Ints
 
 /** The polygons of a file, one after the other, with what they and their corners look like. Not thread safe. */
 internal class Polygons {
-    /** Of each polygon the number of corners, then the vertex numbers. */
+    /** The vertex numbers of all corners. */
     private val corners = Ints()
 
-    /** Where [corners] has a vertex number, that of the corner's texture coordinates or -1; before them the texture's. */
+    /** By polygon: number of its first corner; null as long as all polygons are triangles. */
+    private var starts: Ints? = null
+
+    /** By corner: number of its texture coordinates, or -1. */
     private val placeNumbers = Ints()
+
+    /** By polygon: number of its texture, or -1. */
+    private val textureNumbers = Ints()
 
     /** By polygon: number of its colour, or -1. */
     private val colorNumbers = Ints()
@@ -27,17 +33,32 @@ internal class Polygons {
     /** Whether corners have texture coordinates. */
     val havePlaces: Boolean get() = placeNumbers.size > 0
 
-    /** How many corners there are, and a number for each polygon besides. */
-    val size: Int get() = corners.size
+    /** Whether all polygons are triangles. */
+    val areTriangles: Boolean get() = starts == null
+
+    /** How many corners there are. */
+    val cornerCount: Int get() = corners.size
+
+    /** Makes room for so many further corners. */
+    fun expect(cornerCount: Int) = corners.ensure(corners.size + cornerCount)
 
     /** Begins a polygon of so many corners, which are to be added next. */
     fun begin(cornerCount: Int) {
-        corners.add(cornerCount)
+        if (cornerCount != 3 && starts == null) {
+            starts = Ints().also { for (triangle in 0 until count) it.add(3 * triangle) }
+        }
+        starts?.add(corners.size)
         count++
     }
 
     fun add(vertex: Int) {
         corners.add(vertex)
+    }
+
+    /** Adds a triangle of three vertices. */
+    fun addTriangle(a: Int, b: Int, c: Int) {
+        begin(3)
+        corners.add(a, b, c)
     }
 
     /** Gives [polygon] a colour; those before it have got theirs. */
@@ -47,21 +68,40 @@ internal class Polygons {
     }
 
     /** Gives the polygon that was added last a texture; the texture coordinates of its corners are to be added next. */
-    fun texture(number: Int, cornerCount: Int) {
-        while (placeNumbers.size < corners.size - cornerCount - 1) placeNumbers.add(-1)
-        placeNumbers.add(number)
+    fun texture(number: Int) {
+        while (textureNumbers.size < count - 1) textureNumbers.add(-1)
+        textureNumbers.add(number)
+        while (placeNumbers.size < start(count - 1)) placeNumbers.add(-1)
     }
 
     fun addPlace(number: Int) {
         placeNumbers.add(number)
     }
 
-    /** Returns the number at [index], below [size]: of corners, then of the vertex at each. */
-    operator fun get(index: Int): Int = corners[index]
+    /** Returns the number of a polygon's first corner; the others follow it. */
+    fun start(polygon: Int): Int {
+        val places = starts
+        return if (places == null) 3 * polygon else places[polygon]
+    }
 
-    /** Returns the number of the texture coordinates of the corner at [index], of a polygon's texture before its first. */
-    fun place(index: Int): Int = if (index < placeNumbers.size) placeNumbers[index] else -1
+    /** Returns the number behind that of a polygon's last corner. */
+    fun end(polygon: Int): Int = if (polygon + 1 < count) start(polygon + 1) else corners.size
 
-    /** Returns the number of a polygon's colour. */
+    /** Returns the vertex number of a corner. */
+    fun vertex(corner: Int): Int = corners[corner]
+
+    /** Whether the vertex numbers of all corners are below [limit]. */
+    fun areBelow(limit: Int): Boolean = corners.areBelow(limit)
+
+    /** Returns the vertex numbers of all corners; add no more. */
+    fun vertices(): IntArray = corners.toArray()
+
+    /** Returns the number of a corner's texture coordinates, or -1. */
+    fun place(corner: Int): Int = if (corner < placeNumbers.size) placeNumbers[corner] else -1
+
+    /** Returns the number of a polygon's texture, or -1. */
+    fun textureOf(polygon: Int): Int = if (polygon < textureNumbers.size) textureNumbers[polygon] else -1
+
+    /** Returns the number of a polygon's colour, or -1. */
     fun colorOf(polygon: Int): Int = if (polygon < colorNumbers.size) colorNumbers[polygon] else -1
 }

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.obj
 
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.TextLines
 
 /**
  * Reads faces, whose corners are `v`, `v/vt`, `v//vn` or `v/vt/vn`. What only some corners of a face have is left out
@@ -17,8 +18,65 @@ internal class ObjFaceReader(
     private var hasTextures = false
     private var hasNormals = false
 
+    /** Of the face at hand, three numbers a corner. */
+    private var numbers = IntArray(3 * LEAST)
+
     /** Reads the statement at hand. */
     fun read() {
+        statements.nextWord()
+        val count = plainCorners()
+        if (count >= 3) {
+            model.faces.begin(part, statements.number)
+            for (i in 0 until 3 * count step 3) model.faces.addCorner(numbers[i], numbers[i + 1], numbers[i + 2])
+        } else {
+            statements.restart()
+            readAny()
+        }
+    }
+
+    /**
+     * Reads the corners into [numbers] and returns how many there are; -1 unless all have the same numbers, which count
+     * forward and have up to nine digits, as those of most files. What [readAny] does, sooner.
+     */
+    private fun plainCorners(): Int {
+        val bytes = statements.bytes
+        val end = statements.contentEnd()
+        var at = statements.wordEnd
+        var count = 0
+        var kind = 0
+        while (true) {
+            while (at < end && TextLines.isSpace(bytes[at])) at++
+            if (at == end) return count
+            if (3 * count == numbers.size) numbers = numbers.copyOf(2 * numbers.size)
+            numbers.fill(-1, 3 * count, 3 * count + 3)
+            var found = 0
+            var place = 0
+            while (true) {
+                val start = at
+                var value = 0
+                while (at < end) {
+                    val digit = bytes[at] - ZERO
+                    if (digit !in 0..9) break
+                    value = 10 * value + digit
+                    at++
+                }
+                if (at - start > MOST_DIGITS || (at > start && value == 0)) return -1
+                if (at > start) {
+                    numbers[3 * count + place] = value - 1
+                    found = found or (1 shl place)
+                }
+                if (++place == 3 || at == end || bytes[at] != SLASH) break
+                at++
+            }
+            if (found and 1 == 0 || (at < end && !TextLines.isSpace(bytes[at]))) return -1
+            if (count == 0) kind = found
+            if (found != kind) return -1
+            count++
+        }
+    }
+
+    /** Reads the statement at hand, whose first word was read. */
+    private fun readAny() {
         val count = survey()
         if (count < 3) {
             source.warn("line ${statements.number}: a face of $count corners is left out")
@@ -31,7 +89,6 @@ internal class ObjFaceReader(
 
     /** Returns the number of corners, and finds out what all of them have. */
     private fun survey(): Int {
-        statements.nextWord()
         hasTextures = true
         hasNormals = true
         var count = 0
@@ -112,6 +169,11 @@ internal class ObjFaceReader(
     )
 
     private companion object {
+        /** Corners that faces have room for at first. */
+        const val LEAST = 4
+
+        /** Numbers of so many digits are whole numbers in 32 bits. */
+        const val MOST_DIGITS = 9
         const val ZERO = '0'.code
         const val MINUS = '-'.code.toByte()
         const val SLASH = '/'.code.toByte()

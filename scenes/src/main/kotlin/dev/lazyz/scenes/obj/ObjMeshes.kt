@@ -93,7 +93,8 @@ internal class ObjMeshes(
             colors = model.colors(vertices.size, vertices::position),
             origin = model.origin,
         )
-        val shaded = if (batch.normals == Normals.SMOOTH) whole.withSmoothNormals(ObjParser.CREASE_ANGLE) else whole
+        val isSmooth = batch.normals == Normals.SMOOTH
+        val shaded = if (isSmooth) source.loading.smoothed(source, whole, ObjParser.CREASE_ANGLE) else whole
         val parts = MeshParts(shaded, groupOf, groups.size)
         return groups.map { (group, number) ->
             Placed(firstFaces[number], coated(parts.part(number), materialOf(group.material), group.isTextured))

@@ -42,8 +42,8 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) {
     fun checkReferences() {
         val count = positions.size / 3
         points.check(source, count)
-        for (corner in 0 until faces.positions.size) {
-            if (faces.positions[corner] < count) continue
+        if (!faces.positions.areBelow(count)) {
+            val corner = (0 until faces.positions.size).first { faces.positions[it] >= count }
             val face = (0 until faces.size).first { corner < faces.end(it) }
             val problem = "the face refers to number ${faces.positions[corner] + 1} of $count vertices"
             source.fail("line ${faces.line(face)}", problem, REFERENCE_REMEDY)
@@ -53,6 +53,7 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) {
     }
 
     private fun drop(numbers: Ints, count: Int, what: String) {
+        if (numbers.areBelow(count)) return
         var dropped = 0
         var first = -1
         for (face in 0 until faces.size) {
@@ -61,7 +62,6 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) {
             for (corner in corners) numbers[corner] = -1
             if (dropped++ == 0) first = faces.line(face)
         }
-        if (dropped == 0) return
         source.warn("$dropped faces, first in line $first, refer to $what that are not there, and are drawn without")
     }
 

@@ -28,6 +28,7 @@ internal object ObjParser : SceneParser {
         if (model.positions.size == 0) {
             source.fail(null, "there is no vertex in the file", "check what kind of file it is")
         }
+        source.release()
         model.checkReferences()
         val faces = model.faces
         source.loading.vertices(source, model.positions.size / 3L)

@@ -27,7 +27,7 @@ internal class Statements(private val text: ByteArray) {
     private var end = 0
 
     /** Where the statement ends without the comment behind it; -1 as long as that was not asked for. */
-    private var contentEnd = 0
+    private var knownEnd = 0
     private var mayHaveComment = false
 
     /** Where the word that was read last begins. */
@@ -48,7 +48,7 @@ internal class Statements(private val text: ByteArray) {
             number = lines
             if (start < end && bytes[end - 1] == BACKSLASH) join()
         } while (start == end || bytes[start] == HASH)
-        contentEnd = if (mayHaveComment) -1 else end
+        knownEnd = if (mayHaveComment) -1 else end
         wordEnd = start
         return true
     }
@@ -104,12 +104,13 @@ internal class Statements(private val text: ByteArray) {
     /** Returns the text from [from] until [until] of [bytes], with spaces for tabs. */
     fun decoded(from: Int, until: Int): String = String(bytes, from, until - from, charset).replace('\t', ' ')
 
-    private fun contentEnd(): Int {
-        if (contentEnd < 0) {
-            contentEnd = start
-            while (contentEnd < end && !isComment(contentEnd)) contentEnd++
+    /** Returns where the statement ends in [bytes], without a comment behind it. */
+    fun contentEnd(): Int {
+        if (knownEnd < 0) {
+            knownEnd = start
+            while (knownEnd < end && !isComment(knownEnd)) knownEnd++
         }
-        return contentEnd
+        return knownEnd
     }
 
     private fun isComment(at: Int): Boolean = bytes[at] == HASH && (at == start || bytes[at - 1] != POINT)

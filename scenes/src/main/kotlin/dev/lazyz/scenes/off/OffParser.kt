@@ -1,5 +1,7 @@
 package dev.lazyz.scenes.off
 
+import dev.lazyz.geometry.Box
+import dev.lazyz.scenes.loading.FarOrigin
 import dev.lazyz.scenes.loading.SceneParser
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.PolygonMesh
@@ -24,16 +26,17 @@ internal object OffParser : SceneParser {
     override fun parse(source: Source): Scene {
         if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
         source.decodeText()
-        val reader = OffReader(source)
-        val vertices = reader.readVertices()
+        val reader = FarOrigin.reading(
+            read = { origin -> OffReader(source, origin).also { it.readVertices() } },
+            bounds = { Box.around(it.vertices.positions) },
+        )
         reader.readFaces()
         source.release()
-        val triangles = PolygonMesh(source, vertices, reader.polygons)
+        val triangles = PolygonMesh(source, reader.vertices, reader.polygons)
         if (triangles.triangleCount == 0) {
             source.warn("there are no faces, so there is nothing to see")
             return Scene(emptyList())
         }
-        val mesh = triangles.mesh(Material())
-        return Scene(listOf(if (mesh.normals == null) mesh.withSmoothNormals(CREASE_ANGLE) else mesh))
+        return Scene(listOf(source.loading.smoothed(source, triangles.mesh(Material()), CREASE_ANGLE)))
     }
 }

@@ -4,43 +4,56 @@ import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.Polygons
 import dev.lazyz.scenes.meshes.VertexArrays
+import org.joml.Vector3d
+import org.joml.Vector3dc
 
-/** Reads the tables of a file: a vertex a line, and a face that begins on a line of its own. Not thread safe. */
-internal class OffReader(private val source: Source) {
+/**
+ * Reads the tables of a file: a vertex a line, and a face that begins on a line of its own. Not thread safe.
+ *
+ * @param origin what is subtracted from all positions
+ */
+internal class OffReader(private val source: Source, private val origin: Vector3dc) {
     private val line = OffLine(source)
     private val header = OffHeader.read(source, line)
+
+    private val isFar = origin != Vector3d()
+    private var longRows = 0
+
+    /** The vertices, when they are read. */
+    lateinit var vertices: VertexArrays
+        private set
 
     /** The faces, when they are read. */
     val polygons = Polygons()
 
-    fun readVertices(): VertexArrays {
+    /** Reads the vertices; the faces follow. */
+    fun readVertices() {
         val count = header.vertexCount
         if (count > line.bytesLeft / LEAST_VERTEX_BYTES + 1) {
             line.fail("$count vertices are announced, for which the remaining ${line.bytesLeft} bytes are too few")
         }
-        source.loading.vertices(source, count.toLong())
-        val vertices = VertexArrays(
+        // A file that is read a second time, relative to an origin, has no more vertices for that
+        if (!isFar) source.loading.vertices(source, count.toLong())
+        vertices = VertexArrays(
             FloatArray(3 * count),
             if (header.hasNormals) FloatArray(3 * count) else null,
             if (header.hasPlaces) FloatArray(2 * count) else null,
             if (header.hasColors) FloatArray(4 * count) else null,
+            origin,
         )
         val colors = OffColors()
-        var longRows = 0
         for (vertex in 0 until count) {
             if (!line.next()) cutOff("vertices", vertex, count)
             if (!readVertex(vertices, vertex, colors)) longRows++
         }
         vertices.colors?.let { for (i in it.indices) it[i] = colors.channel(i / 4, i % 4) }
-        if (longRows > 0) source.warn("$longRows vertices have numbers that their kind has not, which are passed over")
-        return vertices
     }
 
     /** Reads a vertex out of the line; false if numbers are left over, or are no colour. */
     private fun readVertex(to: VertexArrays, vertex: Int, colors: OffColors): Boolean {
         val plain = header.plainNumbers
         if (line.count < plain) line.fail("the vertex has ${line.count} numbers, not $plain")
-        copy(0, to.positions, 3 * vertex, 3)
+        for (axis in 0 until 3) to.positions[3 * vertex + axis] = (line.numbers[axis] - origin.get(axis)).toFloat()
         var at = 3
         if (to.normals != null) {
             copy(at, to.normals, 3 * vertex, 3)
@@ -64,8 +77,9 @@ internal class OffReader(private val source: Source) {
         for (i in 0 until count) to[at + i] = line.numbers[from + i].toFloat()
     }
 
-    /** Reads the faces into [polygons]. */
+    /** Reads the faces into [polygons], and warns of what was passed over. */
     fun readFaces() {
+        if (longRows > 0) source.warn("$longRows vertices have numbers that their kind has not, which are passed over")
         val colors = OffColors()
 
         // By colour: its polygon

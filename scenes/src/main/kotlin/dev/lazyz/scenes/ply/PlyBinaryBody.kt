@@ -7,10 +7,11 @@ import java.nio.ByteOrder
 /** A body of numbers without anything between them. */
 internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder) : PlyBody(source, header) {
     private val buffer = ByteBuffer.wrap(source.bytes).order(order)
-    private val end = source.bytes.size
+    val end = source.bytes.size
 
     /** Where the next number stands. */
-    private var position = header.bodyPosition
+    var position = header.bodyPosition
+        private set
 
     override val location get() = "byte $position"
 
@@ -32,6 +33,61 @@ internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder
         }
         return true
     }
+
+    override fun cornerRoom(element: PlyElement): Int {
+        val list = element.properties.singleOrNull { it.countType != null } ?: return 0
+        val triangle = element.properties.sumOf { it.leastSize.toLong() } + 3 * list.type.size
+        return 3 * minOf(element.count.toLong(), (end - position) / triangle).toInt()
+    }
+
+    /** Whether rows of [element] are nothing but a list of whole numbers in 32 bits, which [readLists] reads. */
+    fun areLists(element: PlyElement): Boolean =
+        element.properties.size == 1 && element.hasLists && element.properties[0].type == PlyType.INT
+
+    /** As [readRows] for lists, sooner: hands where their numbers stand, and how many they are, to [use], which reads them. */
+    inline fun readLists(element: PlyElement, use: (Int, Int) -> Unit) {
+        var rows = 0
+        while (rows < element.count) {
+            val count = nextList(element.properties[0])
+            if (count < 0) break
+            use(position - Int.SIZE_BYTES * count, count)
+            rows++
+        }
+        note(element, rows)
+    }
+
+    /** Moves behind the list at hand and returns its length; -1 if the file ends before it does. */
+    fun nextList(list: PlyProperty): Int {
+        if (end - position < list.leastSize) return -1.also { cutOff() }
+        val count = listLength(list, next(checkNotNull(list.countType)))
+        if (count > (end - position) / Int.SIZE_BYTES) return -1.also { cutOff() }
+        position += Int.SIZE_BYTES * count
+        return count
+    }
+
+    /** Returns the number of type [PlyType.INT] that stands at a byte. */
+    fun int(at: Int): Int = buffer.getInt(at)
+
+    /** As [readRows] for rows without lists, which are of one size, sooner: hands their numbers, and where they stand, to [use], which reads them. */
+    inline fun eachRow(element: PlyElement, use: (Int, Int) -> Unit): Int {
+        val size = element.properties.sumOf { it.type.size }
+        val start = position
+        val count = minOf(element.count, (end - start) / size)
+        for (row in 0 until count) use(row, start + row * size)
+        endRows(element, count, if (count < element.count) end else start + count * size)
+        return count
+    }
+
+    fun endRows(element: PlyElement, count: Int, position: Int) {
+        note(element, count)
+        this.position = position
+    }
+
+    /** Returns the number of type [PlyType.FLOAT] that stands at a byte. */
+    fun float(at: Int): Float = buffer.getFloat(at)
+
+    /** Returns the number of type [PlyType.UCHAR] that stands at a byte. */
+    fun code(at: Int): Int = buffer.get(at).toInt() and 0xFF
 
     private fun cutOff(): Boolean {
         position = end

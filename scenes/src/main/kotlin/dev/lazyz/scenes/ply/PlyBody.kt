@@ -17,6 +17,9 @@ internal abstract class PlyBody(protected val source: Source, private val header
     /** Returns for how many rows of [element] what is left of the file has room; make no more for them. */
     abstract fun room(element: PlyElement): Int
 
+    /** Returns how many corners of triangles the rows of [element] have at least, if all have the same number. */
+    open fun cornerRoom(element: PlyElement): Int = 0
+
     /** Hands all rows of [element] that are there, with their numbers, to [use]; returns how many there are. */
     inline fun readRows(element: PlyElement, use: (Int, PlyRow) -> Unit): Int {
         val row = PlyRow(element)

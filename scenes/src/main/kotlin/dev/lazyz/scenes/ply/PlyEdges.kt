@@ -11,8 +11,9 @@ import dev.lazyz.world.Lines
  * them. Not thread safe.
  *
  * @param vertexCount how many vertices there are or will be
+ * @param isAgain whether the file is read a second time, so that what limits are about was counted
  */
-internal class PlyEdges(private val source: Source, private val vertexCount: Int) {
+internal class PlyEdges(private val source: Source, private val vertexCount: Int, private val isAgain: Boolean) {
     private val segments = Ints()
 
     val isEmpty: Boolean get() = segments.size == 0
@@ -24,7 +25,7 @@ internal class PlyEdges(private val source: Source, private val vertexCount: Int
             if (element.properties.isNotEmpty()) body.readRows(element) { _, _ -> }
             return emptySet()
         }
-        source.loading.segments(source, body.room(element).toLong())
+        if (!isAgain) source.loading.segments(source, body.room(element).toLong())
         body.readRows(element) { _, row ->
             for (column in columns) segments.add(body.vertexNumber(row.numbers[column], vertexCount, "edge"))
         }

@@ -26,6 +26,11 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
         val color = PlyColor.of(element)
         val texture = element.column(listOf("texcoord"), isList = true)
         val textureNumber = texture?.let { element.column(listOf("texnumber")) }
+        polygons.expect(body.cornerRoom(element))
+        if (body is PlyBinaryBody && body.areLists(element)) {
+            body.readLists(element) { at, count -> face(body, at, count) }
+            return setOf(column)
+        }
         body.readRows(element) { _, row ->
             val corners = row.lists[column]
             if (corners.size < 3) {
@@ -54,8 +59,25 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
         return setOf(column) + (color?.columns ?: emptyList()) + listOfNotNull(texture, textureNumber)
     }
 
+    /** Adds the face whose corners stand in [body] from a byte on. */
+    private fun face(body: PlyBinaryBody, at: Int, count: Int) {
+        if (count == 3) {
+            val size = Int.SIZE_BYTES
+            polygons.addTriangle(
+                vertex(body.int(at), body),
+                vertex(body.int(at + size), body),
+                vertex(body.int(at + 2 * size), body),
+            )
+        } else if (count < 3) {
+            tooSmall++
+        } else {
+            polygons.begin(count)
+            for (i in 0 until count) polygons.add(vertex(body.int(at + Int.SIZE_BYTES * i), body))
+        }
+    }
+
     private fun addTexture(list: PlyList, number: Int) {
-        polygons.texture(number, list.size / 2)
+        polygons.texture(number)
         for (i in 0 until list.size step 2) {
             polygons.addPlace(polygons.places.add(list.numbers[i].toFloat(), (1.0 - list.numbers[i + 1]).toFloat()))
         }
@@ -64,35 +86,47 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
     /** Reads all rows of element `tristrips`; returns the numbers of the columns that it read. */
     fun readStrips(element: PlyElement, body: PlyBody): Set<Int> {
         val column = indexColumn(element)
-        body.readRows(element) { _, row -> strip(row.lists[column], body) }
+        polygons.expect(body.cornerRoom(element))
+        if (body is PlyBinaryBody && body.areLists(element)) {
+            body.readLists(element) { at, count ->
+                strip(IntArray(count) { body.int(at + Int.SIZE_BYTES * it) }, count, body)
+            }
+            return setOf(column)
+        }
+        body.readRows(element) { _, row ->
+            val list = row.lists[column]
+            strip(IntArray(list.size) { cornerOfStrip(list.numbers[it], body) }, list.size, body)
+        }
         return setOf(column)
     }
 
-    private fun strip(list: PlyList, body: PlyBody) {
-        val corners = list.numbers
+    private fun strip(corners: IntArray, count: Int, body: PlyBody) {
         var start = 0
-        for (i in 0 until list.size) {
-            val corner = corners[i]
-            if (corner == RESTART) {
+        for (i in 0 until count) {
+            val c = corners[i]
+            if (c == RESTART) {
                 start = i + 1
                 continue
             }
-            val c = vertex(corner, body)
+            vertex(c, body)
             if (i < start + 2) continue
-            val a = corners[i - 2].toInt()
-            val b = corners[i - 1].toInt()
+            val a = corners[i - 2]
+            val b = corners[i - 1]
 
             // A triangle with a corner twice only joins two strips
             if (a == b || b == c || a == c) continue
             val isTurned = (i - start) % 2 == 1
-            polygons.begin(3)
-            polygons.add(if (isTurned) b else a)
-            polygons.add(if (isTurned) a else b)
-            polygons.add(c)
+            polygons.addTriangle(if (isTurned) b else a, if (isTurned) a else b, c)
         }
     }
 
+    private fun cornerOfStrip(number: Double, body: PlyBody): Int =
+        if (number == RESTART.toDouble()) RESTART else vertex(number, body)
+
     private fun vertex(number: Double, body: PlyBody): Int = body.vertexNumber(number, vertexCount, "face")
+
+    private fun vertex(number: Int, body: PlyBody): Int =
+        if (number in 0 until vertexCount) number else vertex(number.toDouble(), body)
 
     private fun indexColumn(element: PlyElement): Int =
         element.column(listOf("vertex_indices", "vertex_index"), isList = true) ?: source.fail(
@@ -102,6 +136,6 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
         )
 
     private companion object {
-        const val RESTART = -1.0
+        const val RESTART = -1
     }
 }

@@ -27,7 +27,7 @@ internal class PlyMeshes(
         if (triangles.triangleCount == 0) return emptyList()
         val hasOneTexture = vertices.uvs != null && !polygons.havePlaces
         val whole = triangles.mesh(Material(texture = if (hasOneTexture) texture(0) else null))
-        val shaded = if (whole.normals == null) whole.withSmoothNormals(PlyParser.CREASE_ANGLE) else whole
+        val shaded = source.loading.smoothed(source, whole, PlyParser.CREASE_ANGLE)
         return if (polygons.havePlaces) textured(shaded, triangles) else listOf(shaded)
     }
 

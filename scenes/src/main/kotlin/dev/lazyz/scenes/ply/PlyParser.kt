@@ -35,6 +35,7 @@ internal object PlyParser : SceneParser {
             bounds = { Box.around(it.vertices.positions) },
         )
         tables.warn()
+        source.release()
         return scene(source, header, tables)
     }
 

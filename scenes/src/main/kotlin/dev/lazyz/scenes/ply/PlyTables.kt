@@ -2,6 +2,7 @@ package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.VertexArrays
+import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
@@ -17,7 +18,7 @@ internal class PlyTables(private val source: Source, private val header: PlyHead
     lateinit var vertices: VertexArrays
         private set
     val faces: PlyFaces = PlyFaces(source, vertexCount)
-    val edges: PlyEdges = PlyEdges(source, vertexCount)
+    val edges: PlyEdges = PlyEdges(source, vertexCount, isAgain = origin != Vector3d())
 
     /** Reads the tables in the order in which they stand. */
     fun read() {

@@ -2,6 +2,7 @@ package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.VertexArrays
+import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /** Reads the element `vertex`, with positions relative to [origin]. */
@@ -16,6 +17,8 @@ internal class PlyVertices(
     private val normal = columns(listOf("nx", "ny", "nz"))
     private val texture = texturePairs.firstNotNullOfOrNull(::columns)
     private val color = PlyColor.of(element)
+    private val colorColumns = color?.columns.orEmpty().toIntArray()
+    private val isFar = origin != Vector3d()
 
     /** The numbers of the columns that are read. */
     val columns: Set<Int> =
@@ -25,7 +28,9 @@ internal class PlyVertices(
     /** Reads all rows that are there. */
     fun read(body: PlyBody): VertexArrays {
         val room = body.room(element)
-        source.loading.vertices(source, room.toLong())
+
+        // A file that is read a second time, relative to an origin, has no more vertices for that
+        if (!isFar) source.loading.vertices(source, room.toLong())
         val vertices = VertexArrays(
             FloatArray(3 * room),
             normal?.let { FloatArray(3 * room) },
@@ -33,13 +38,51 @@ internal class PlyVertices(
             color?.let { FloatArray(4 * room) },
             origin,
         )
-        val count = body.readRows(element) { i, row ->
-            set(vertices, i, row)
-            if (color != null && vertices.colors != null) {
-                for (channel in 0 until 4) vertices.colors[4 * i + channel] = color.channel(row, channel)
+        val count = if (body is PlyBinaryBody && areFloats()) {
+            readFloats(body, vertices)
+        } else {
+            body.readRows(element) { i, row ->
+                set(vertices, i, row)
+                setColor(vertices, i, row)
             }
         }
         return vertices.first(count)
+    }
+
+    /** Whether all that is read is floats, and colours in bytes. */
+    private fun areFloats(): Boolean {
+        val floats = listOfNotNull(position, normal, texture).flatMap { it.toList() }
+        return !element.hasLists && floats.all { element.properties[it].type == PlyType.FLOAT } &&
+            color?.columns.orEmpty().all { element.properties[it].type == PlyType.UCHAR }
+    }
+
+    /** Reads all rows that are there straight from the bytes; returns how many there are. */
+    private fun readFloats(body: PlyBinaryBody, to: VertexArrays): Int {
+        val places = element.properties.runningFold(0) { place, property -> place + property.type.size }.toIntArray()
+        val positionPlaces = IntArray(3) { places[position[it]] }
+        val row = PlyRow(element)
+        return body.eachRow(element) { vertex, at ->
+            for (axis in 0 until 3) {
+                val number = body.float(at + positionPlaces[axis])
+                to.positions[3 * vertex + axis] = if (isFar) (number - origin.get(axis)).toFloat() else number
+            }
+            if (to.normals != null && normal != null) {
+                for (axis in 0 until 3) to.normals[3 * vertex + axis] = body.float(at + places[normal[axis]])
+            }
+            if (to.uvs != null && texture != null) {
+                to.uvs[2 * vertex] = body.float(at + places[texture[0]])
+                to.uvs[2 * vertex + 1] = (1.0 - body.float(at + places[texture[1]])).toFloat()
+            }
+            if (color != null) {
+                for (column in colorColumns) row.numbers[column] = body.code(at + places[column]).toDouble()
+                setColor(to, vertex, row)
+            }
+        }
+    }
+
+    private fun setColor(to: VertexArrays, vertex: Int, row: PlyRow) {
+        if (color == null || to.colors == null) return
+        for (channel in 0 until 4) to.colors[4 * vertex + channel] = color.channel(row, channel)
     }
 
     private fun set(to: VertexArrays, vertex: Int, row: PlyRow) {

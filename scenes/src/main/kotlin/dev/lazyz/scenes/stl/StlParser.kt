@@ -23,7 +23,7 @@ internal object StlParser : SceneParser {
         if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
         val meshes = meshes(source)
         if (meshes.isEmpty()) source.warn("there are no facets, so there is nothing to see")
-        return Scene(meshes.map { it.withSmoothNormals(CREASE_ANGLE) })
+        return Scene(meshes.map { source.loading.smoothed(source, it, CREASE_ANGLE) })
     }
 
     private fun ascii(source: Source): List<Solid> = FarOrigin.reading(

@@ -13,7 +13,8 @@ internal class ThreeMfMeshReader(
     private val to: ThreeMfObject,
     private val unused: KindCounts,
 ) {
-    private val place = FloatArray(3)
+    private val numbers = DoubleArray(3)
+    private val nearest = FloatArray(3)
     private val corners = IntArray(3)
     private val looks = IntArray(3)
 
@@ -39,11 +40,12 @@ internal class ThreeMfMeshReader(
                 "z" -> 2
                 else -> continue
             }
-            place[axis] = part.float(part.attribute(i))
+            nearest[axis] = part.float(part.attribute(i))
+            numbers[axis] = part.attribute(i).toDouble()
             found = found or (1 shl axis)
         }
         if (found != ALL) part.fail("the vertex lacks x, y or z")
-        for (number in place) to.positions.add(number)
+        for (axis in 0 until 3) to.add(numbers[axis], nearest[axis])
     }
 
     private fun readTriangle() {

@@ -21,14 +21,14 @@ internal class ThreeMfMeshes(private val source: Source, private val textures: T
     /** Returns the triangles of [found], which [model] defines, with smooth normals; one mesh for each texture. */
     fun build(model: ThreeMfModel, found: ThreeMfObject, default: DefaultLook): List<Mesh> {
         if (found.triangles.size == 0) return emptyList()
-        val mesh = CornerMesh(VertexArrays(found.positions.toArray()), model.looks.palette, model.looks.places)
+        val mesh = CornerMesh(found.vertices(), model.looks.palette, model.looks.places)
         val textureNumbers = LinkedHashMap<Int, Int>()
         val groupOf = Ints()
         for (triangle in 0 until found.triangles.size / 3) {
             val texture = addTriangle(model.looks, found, triangle, default, mesh)
             groupOf.add(textureNumbers.getOrPut(texture) { textureNumbers.size })
         }
-        val whole = mesh.mesh(source).withSmoothNormals(ThreeMfParser.CREASE_ANGLE)
+        val whole = source.loading.smoothed(source, mesh.mesh(source), ThreeMfParser.CREASE_ANGLE)
         val parts = MeshParts(whole, groupOf, textureNumbers.size)
         return textureNumbers.map { (number, group) ->
             val texture = model.looks.textures[number]?.let(textures::find)

@@ -1,8 +1,11 @@
 package dev.lazyz.scenes.threemf
 
+import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.collections.Floats
 import dev.lazyz.scenes.collections.Ints
+import dev.lazyz.scenes.meshes.VertexArrays
 import org.joml.Matrix4d
+import org.joml.Vector3d
 
 /** What a model part defines, by the numbers that the part gives to it. */
 internal class ThreeMfModel(val path: String) {
@@ -31,8 +34,11 @@ internal class Placement(val path: String, val number: Int, val transform: Matri
 internal class ThreeMfObject(val isSupport: Boolean, val name: String) {
     val components = ArrayList<Placement>()
 
-    /** x, y, z of each vertex, and three vertex numbers a triangle. */
+    /** x, y, z of each vertex: the nearest floats, and what the numbers in the file are more than those. */
     val positions = Floats()
+    private val remainders = Floats()
+
+    /** Three vertex numbers a triangle. */
     val triangles = Ints()
 
     /**
@@ -44,4 +50,19 @@ internal class ThreeMfObject(val isSupport: Boolean, val name: String) {
     /** The group and the number in it for triangles without looks of their own; the group is -1 if there are none. */
     var defaultGroup = -1
     var defaultIndex = 0
+
+    /** Adds a coordinate, which is nearest to the float [nearest]. */
+    fun add(coordinate: Double, nearest: Float) {
+        positions.add(nearest)
+        remainders.add((coordinate - nearest).toFloat())
+    }
+
+    /** Returns the vertices; relative to an origin if they are far away from that of the world, for their size. */
+    fun vertices(): VertexArrays {
+        val near = positions.toArray()
+        val origin = Box.around(near)?.origin()
+        if (origin == null || origin == Vector3d()) return VertexArrays(near)
+        val far = FloatArray(near.size) { (near[it] - origin.get(it % 3) + remainders[it]).toFloat() }
+        return VertexArrays(far, origin = origin)
+    }
 }

@@ -36,6 +36,39 @@ class ObjParserTest {
         assertEquals(listOf(0f, 0f, 1f), mesh.normals!!.take(3))
     }
 
+    /** Faces of plain numbers are read in one go, others, such as those that count backward, word by word. */
+    @Test
+    fun bothWaysToReadFacesAgree() {
+        val text = square + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\nvn 0 1 0\n"
+        val faces = listOf(
+            "1 2 3 4" to "-4 -3 -2 -1",
+            "1/1 2/2 3/3 4/4" to "-4/-4 -3/-3 -2/-2 -1/-1",
+            "1//1 2//1 3//2 4//2" to "1//-2 2//1 3//2 4//2",
+            "1/1/1 2/2/1 3/3/2 4/4/2" to "1/1/1 2/2/1 3/-2/2 4/4/2",
+            "1/ 2/ 3/ 4/" to "-4/ 2 3// 4",
+            "1 2 3/3 4" to "-4 2 3 4",
+            "1 2 3 4 # 5" to "-4 2 3 4 # 5",
+            "1 2 \\\n 3\t4" to "1 -3 3 4",
+            "0000000001 2 3 4" to "1 2 3 4",
+        )
+        for ((plain, other) in faces) {
+            val (first, second) = listOf(plain, other).map { mesh("${text}f $it \n") }
+            assertArrayEquals(second.positions, first.positions, plain)
+            assertArrayEquals(second.triangles, first.triangles, plain)
+            assertArrayEquals(second.normals, first.normals, plain)
+            assertArrayEquals(second.uvs, first.uvs, plain)
+        }
+        for (bad in listOf("1/2/3/ 2/2/2 3/3/3", "1 2 3x", "1 2 0", "1 2 99999999999", "1 2 1e1", "1/0 2/0 3/0")) {
+            val source = TestSources.of("${text}f $bad\n")
+            if ('/' in bad && "0" in bad) {
+                ObjParser.parse(source)
+                assertEquals(1, source.warnings.size, bad)
+            } else {
+                assertEquals("line 11", TestSources.error(ObjParser, source).location, bad)
+            }
+        }
+    }
+
     @Test
     fun farFromTheOriginNoDetailIsLost() {
         val text = "v 500123.001 4649776.002 3.125\nv 500124.001 4649776.002 3\nv 500124.001 4649777.503 3\nf 1 2 3\n"

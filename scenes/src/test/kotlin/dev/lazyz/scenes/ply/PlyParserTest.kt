@@ -1,7 +1,11 @@
 package dev.lazyz.scenes.ply
 
 import dev.lazyz.Rgba
+import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.images.PngFile
+import dev.lazyz.scenes.loading.Loading
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.corners
 import dev.lazyz.scenes.loading.meshes
@@ -9,6 +13,7 @@ import dev.lazyz.scenes.meshes.AwkwardMesh
 import dev.lazyz.world.Mesh
 import java.nio.file.Files
 import java.nio.file.Path
+import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
@@ -46,6 +51,86 @@ class PlyParserTest {
             assertEquals(square.flatten().map { it.toFloat() }, mesh.positions.toList(), "$format")
             assertEquals(listOf(0f, 0f, 1f), mesh.normals!!.take(3), "$format")
         }
+    }
+
+    @Test
+    fun farFromTheOriginNoDetailIsLost() {
+        val corners = listOf(500123.001, 4649776.002, 3.125, 500124.001, 4649776.002, 3.0, 500124.001, 4649777.503, 3.0)
+        val head = header(
+            "element vertex 3", "property double x", "property double y", "property double z",
+            "element face 1", "property list uchar int vertex_indices",
+        )
+        val far = listOf(
+            "double double double" to corners.chunked(3),
+            "uchar/int" to listOf(listOf(listOf(0, 1, 2))),
+        )
+        val limits = LoadLimits(vertices = 3, triangles = 1)
+        for (format in PlyFormat.entries) {
+            val source = Source(PlyFiles.of(format, head, far), "a", null, Loading(LoadOptions(limits)))
+            val mesh = PlyParser.parse(source).meshes.single()
+            assertEquals(500123.5, mesh.origin.x(), 0.1)
+            for ((i, number) in corners.withIndex()) {
+                assertEquals(number, mesh.positions[3 * mesh.triangles[i / 3] + i % 3] + mesh.origin.get(i % 3), 1e-6)
+            }
+        }
+    }
+
+    /** Tables of floats, codes and lists of 32 bits are read straight from the bytes, others number by number. */
+    @Test
+    fun bothWaysToReadBinaryTablesAgree() {
+        val head = header(
+            "element vertex 6", "property FLOATS x", "property uchar red", "property FLOATS y", "property FLOATS z",
+            "property uchar green", "property uchar blue", "property FLOATS nx", "property FLOATS ny",
+            "property FLOATS nz", "property FLOATS s", "property FLOATS t", "property uchar alpha",
+            "element face 4", "property list uchar INTS vertex_indices",
+        )
+        val far = listOf(0.0, 70000.0)
+        for (offset in far) {
+            val vertices = List(6) {
+                val x = offset + it % 3
+                listOf(x, 20 * it, 0.1f * it, it, 255 - it, it * 3, -0.0f, 0.5f, Float.NaN, 0.25f, 0.75f, 40 * it)
+            }
+            val faces = listOf(listOf(0, 1, 2), listOf(0, 1), listOf(0, 1, 4, 3), listOf(5, 4, 3)).map { listOf(it) }
+            val meshes = listOf("float" to "int", "double" to "int", "float" to "uint").flatMap { (float, int) ->
+                val types = "F uchar F F uchar uchar F F F F F uchar".replace("F", float)
+                val tables = listOf(types to vertices, "uchar/$int" to faces)
+                val text = head.replace("FLOATS", float).replace("INTS", int)
+                listOf(PlyFormat.LITTLE_ENDIAN, PlyFormat.BIG_ENDIAN).flatMap { format ->
+                    val bytes = PlyFiles.of(format, text, tables)
+                    listOf(mesh(bytes), mesh(bytes.copyOf(bytes.size - 5)), mesh(bytes.copyOf(bytes.size - 14)))
+                }
+            }
+            for ((i, mesh) in meshes.withIndex()) {
+                val first = meshes[i % 3]
+                assertArrayEquals(first.positions, mesh.positions)
+                assertArrayEquals(first.triangles, mesh.triangles)
+                assertArrayEquals(first.normals, mesh.normals)
+                assertArrayEquals(first.uvs, mesh.uvs)
+                assertArrayEquals(first.colors, mesh.colors)
+                assertEquals(first.origin, mesh.origin)
+            }
+            assertEquals(listOf(4, 3, 1), meshes.take(3).map { it.triangleCount })
+            assertEquals(offset > 0.0, meshes[0].origin != Vector3d())
+        }
+    }
+
+    @Test
+    fun vertexNumbersOfBinaryListsAreChecked() {
+        val head = header(
+            "element vertex 4", "property float x", "property float y", "property float z",
+            "element tristrips 1", "property list int int vertex_indices",
+        )
+        fun strip(vararg numbers: Int, format: PlyFormat = PlyFormat.LITTLE_ENDIAN) =
+            PlyFiles.of(format, head, listOf(tables[0], "int/int" to listOf(listOf(numbers.toList()))))
+        val ascii = mesh(strip(0, 1, 2, 3, -1, 3, 2, 1, format = PlyFormat.ASCII))
+        assertArrayEquals(ascii.triangles, mesh(strip(0, 1, 2, 3, -1, 3, 2, 1)).triangles)
+        for (wrong in listOf(4, -2, Int.MIN_VALUE)) {
+            val error = TestSources.error(PlyParser, TestSources.of(strip(0, 1, wrong)))
+            assertTrue("vertex number $wrong is not one of the 4 vertices" in error.message!!, error.message)
+        }
+        val faces = listOf(tables[0], "uchar/int" to listOf(listOf(listOf(0, 1, -1))))
+        val error = TestSources.error(PlyParser, TestSources.of(PlyFiles.of(PlyFormat.BIG_ENDIAN, plain, faces)))
+        assertTrue("vertex number -1 is not one" in error.message!!, error.message)
     }
 
     @Test

@@ -66,14 +66,16 @@ internal class DracoGeometry private constructor(private val mesh: DracoMesh) {
         /**
          * Decodes [bytes].
          *
+         * @param milliseconds how long that may take at most, if it is less than for any data of this size
          * @param allow is asked before so many bytes are decoded, and throws if they are too many
          * @throws DracoException if the data is damaged
          */
-        fun decode(bytes: ByteArray, allow: (Long) -> Unit): DracoGeometry {
+        fun decode(bytes: ByteArray, milliseconds: Long?, allow: (Long) -> Unit): DracoGeometry {
             val header = DracoHeader.read(bytes)
             allow(header.faces * FACE_BYTES + header.vertices * VERTEX_BYTES)
+            val most = LEAST_TIME + bytes.size * TIME_PER_BYTE
             return guarded {
-                val mesh = steps.run(LEAST_TIME + bytes.size * TIME_PER_BYTE) { Draco.decode(bytes) }
+                val mesh = steps.run(minOf(most, milliseconds ?: most)) { Draco.decode(bytes) }
                 DracoGeometry(mesh as? DracoMesh ?: throw DracoException(DAMAGED))
             }
         }

@@ -10,6 +10,7 @@ import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.corners
 import dev.lazyz.scenes.loading.meshes
 import java.util.Base64
+import java.util.concurrent.CountDownLatch
 import kotlin.math.abs
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
@@ -29,7 +30,7 @@ class DracoGeometryTest {
             "qFgAAAAA/wMAAAABAQEDQQECOwECOwECOwECOwE4BgB+sUBwgAAAAAD4AAAAAAAAAAAAAAAAAAAAAABAQAo=",
     )
 
-    private fun decode(bytes: ByteArray) = DracoGeometry.decode(bytes) {}
+    private fun decode(bytes: ByteArray) = DracoGeometry.decode(bytes, null) {}
 
     @Test
     fun verticesTrianglesAndAttributesComeBack() {
@@ -56,7 +57,7 @@ class DracoGeometryTest {
         val refusal = IllegalStateException()
         var asked = 0L
         assertThrows(IllegalStateException::class.java) {
-            DracoGeometry.decode(compressed) {
+            DracoGeometry.decode(compressed, null) {
                 asked = it
                 throw refusal
             }
@@ -86,6 +87,22 @@ class DracoGeometryTest {
         val message = { assertThrows(DracoException::class.java) { steps.run(20) { Thread.sleep(60_000) } }.message!! }
         assertTrue("more than 20 ms" in message())
         assertTrue("still busy" in message())
+    }
+
+    @Test
+    fun stepsThatEndAfterAllMakeRoomForOthers() {
+        val steps = EndlessSteps(1)
+        val isOver = CountDownLatch(1)
+        var worker = Thread.currentThread()
+        assertThrows(DracoException::class.java) {
+            steps.run(20) {
+                worker = Thread.currentThread()
+                isOver.await()
+            }
+        }
+        isOver.countDown()
+        worker.join()
+        assertEquals(5, steps.run(1000) { 5 })
     }
 
     private fun file(bytes: ByteArray, ids: String = """"POSITION":0,"COLOR_0":1"""): String = """{

@@ -1,0 +1,112 @@
+package dev.lazyz.scenes
+
+import java.io.File
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+import kotlin.random.Random
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+/** Files of some megabytes, read in virtual machines whose heaps are measured by the files' sizes. */
+class LoadingMemoryTest {
+    @TempDir
+    lateinit var folder: Path
+
+    @Test
+    fun closedMeshesFitIntoTheMemoryThatIsPromised() {
+        val ply = Files.write(folder.resolve("a.ply"), grid(PLY_SIDE))
+        assertEquals("loaded", LoadInChild.run(ply, Files.size(ply) * 11 / 2))
+        val stl = Files.write(
+            folder.resolve("a.stl"),
+            stl(STL_FACETS) { facet, corner ->
+                (facet + corner) / 2 %
+                    STL_FACETS
+            }
+        )
+        assertEquals("loaded", LoadInChild.run(stl, Files.size(stl) * 7 / 2))
+    }
+
+    @Test
+    fun whatDoesNotFitIsRefusedAndDoesNotExhaustTheMemory() {
+        // No corner is shared, so that each facet has three vertices
+        val random = Random(1)
+        val path = Files.write(folder.resolve("a.stl"), stl(STL_FACETS) { _, _ -> random.nextInt() })
+        val results = listOf(20, 32, 40, 48, 56, 90).map { LoadInChild.run(path, Files.size(path) * it / 10) }
+        assertTrue(results.all { it == "loaded" || "raise -Xmx" in it }, "$results")
+        assertEquals(listOf(false, true), listOf(results.first(), results.last()).map { it == "loaded" })
+    }
+
+    /** A mesh of triangles whose corners are where their [number]s say, in the plane of x and y. */
+    private fun stl(facets: Int, number: (Int, Int) -> Int): ByteArray {
+        val bytes = ByteBuffer.allocate(84 + 50 * facets).order(ByteOrder.LITTLE_ENDIAN)
+        bytes.position(80).putInt(facets)
+        for (facet in 0 until facets) {
+            repeat(3) { bytes.putFloat(0f) }
+            for (corner in 0 until 3) {
+                val place = number(facet, corner)
+                bytes.putFloat((place and 0xFFFF).toFloat()).putFloat((place ushr 16).toFloat()).putFloat(0f)
+            }
+            bytes.putShort(0)
+        }
+        return bytes.array()
+    }
+
+    private fun grid(side: Int): ByteArray {
+        val header = "ply\nformat binary_little_endian 1.0\nelement vertex ${(side + 1) * (side + 1)}\n" +
+            "property float x\nproperty float y\nproperty float z\nelement face ${2 * side * side}\n" +
+            "property list uchar int vertex_indices\nend_header\n"
+        val bytes = ByteBuffer.allocate(header.length + 12 * (side + 1) * (side + 1) + 26 * side * side)
+            .order(ByteOrder.LITTLE_ENDIAN).put(header.toByteArray())
+        for (y in 0..side) {
+            for (x in 0..side) {
+                bytes.putFloat(x.toFloat()).putFloat(y.toFloat()).putFloat(0.01f * x * y / side)
+            }
+        }
+        for (y in 0 until side) {
+            for (x in 0 until side) {
+                val at = y * (side + 1) + x
+                bytes.put(3).putInt(at).putInt(at + 1).putInt(at + side + 2)
+                bytes.put(3).putInt(at).putInt(at + side + 2).putInt(at + side + 1)
+            }
+        }
+        return bytes.array()
+    }
+
+    private companion object {
+        const val PLY_SIDE = 600
+        const val STL_FACETS = 300_000
+    }
+}
+
+/** Reads a file in a Java of its own. */
+internal object LoadInChild {
+    @JvmStatic
+    fun main(args: Array<String>) {
+        try {
+            Scenes.load(Path.of(args[0]), LoadLimits(decodedBytes = Long.MAX_VALUE))
+            println("loaded")
+        } catch (e: SceneFormatException) {
+            println(e.message)
+        }
+    }
+
+    /** Returns what [main] says in a heap of so many [bytes]. */
+    fun run(path: Path, bytes: Long): String {
+        val classPath = System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path")
+        val java = File(System.getProperty("java.home"), "bin/java").path
+        val process = ProcessBuilder(
+            java, "-Xmx${bytes shr 10}k", "-XX:+UseG1GC", "-XX:TieredStopAtLevel=1", "-cp", classPath,
+            LoadInChild::class.java.name, "$path",
+        ).redirectErrorStream(true).start()
+        if (!process.waitFor(1, TimeUnit.MINUTES)) {
+            process.destroyForcibly()
+            return "does not end"
+        }
+        return process.inputStream.bufferedReader().readText().trim()
+    }
+}
