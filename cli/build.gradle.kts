@@ -14,6 +14,7 @@ dependencies {
     implementation(libs.jqwik)
     implementation(libs.clikt)
     implementation(libs.mordant)
+    testImplementation(libs.abi.tools)
 }
 
 tasks.named<Jar>("fatJar") {
@@ -33,10 +34,10 @@ tasks.assemble {
 
 tasks.test {
     inputs.dir("src/main/sh")
-    // BuildsAgreeTest reads them
+    // BuildsAgreeTest and PublicApiTest read them
     inputs.files(
         rootProject.fileTree(rootDir) {
-            include("*.kts", "*.properties", "pom.xml", "gradle/*.toml", "*/build.gradle.kts", "*/pom.xml")
+            include("*.kts", "*.properties", "pom.xml", "gradle/*.toml", "*/build.gradle.kts", "*/pom.xml", "*/api/*.api")
         },
     )
 }

@@ -43,11 +43,11 @@ class LicencesTest {
             "obj" to "Marco Hutter",
         )
 
-        /** Under the Apache License 2.0, or (jqwik) the Eclipse Public License 2.0: jars of other libraries contain these texts. */
+        /** Apache License 2.0, or (jqwik) Eclipse Public License 2.0: jars of other libraries contain these texts. */
         val withTextsElsewhere = listOf(
-            "annotations", "clikt", "clikt-core-jvm", "clikt-jvm", "colormath-jvm", "jqwik", "kotlin-stdlib",
-            "kotlinx-coroutines-core-jvm", "kotlinx-serialization-core-jvm", "kotlinx-serialization-json-jvm",
-            "mordant-core-jvm", "mordant-jvm",
+            "abi-tools", "annotations", "clikt", "colormath", "java-diff-utils", "jqwik", "kotlin-klib-abi-reader",
+            "kotlin-metadata-jvm", "kotlin-stdlib", "kotlinx-coroutines-core", "kotlinx-serialization-core",
+            "kotlinx-serialization-json", "mordant",
         )
         const val OWN_NAME = "lazyz"
     }
