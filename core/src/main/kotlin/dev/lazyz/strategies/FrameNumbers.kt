@@ -23,31 +23,31 @@ import dev.lazyz.setup.planar.triangleBatch
  * @property shadingCost cost of one colour, relative to the shader that the model was measured with (a few nanoseconds
  *   per colour); [of] cannot determine it and sets 1
  */
-public class FrameNumbers @JvmOverloads constructor(
-    public val columns: Int,
-    public val rows: Int,
-    public val primitives: Long,
-    public val primitiveRows: Double,
-    public val fragments: Double,
-    public val isTranslucent: Boolean = false,
-    public val shadingCost: Double = 1.0,
+internal class FrameNumbers @JvmOverloads constructor(
+    val columns: Int,
+    val rows: Int,
+    val primitives: Long,
+    val primitiveRows: Double,
+    val fragments: Double,
+    val isTranslucent: Boolean = false,
+    val shadingCost: Double = 1.0,
 ) {
     /** Number of samples in the picture. */
-    public val samples: Double get() = columns.toDouble() * rows
+    val samples: Double get() = columns.toDouble() * rows
 
     /** Mean number of primitives that cover a sample. */
-    public val depthComplexity: Double get() = fragments / samples
+    val depthComplexity: Double get() = fragments / samples
 
     /** Expected number of samples covered by at least one primitive, if primitives are placed at random. */
-    public val visible: Double get() = samples * (1.0 - StrictMath.exp(-depthComplexity))
+    val visible: Double get() = samples * (1.0 - StrictMath.exp(-depthComplexity))
 
     override fun toString(): String =
         "FrameNumbers($columns x $rows, primitives=$primitives, primitiveRows=$primitiveRows, fragments=$fragments, " +
             "isTranslucent=$isTranslucent, shadingCost=$shadingCost)"
 
-    public companion object {
+    companion object {
         /** Approximate number of primitives that [of] looks at. */
-        public const val SAMPLE: Int = 1024
+        const val SAMPLE: Int = 1024
 
         /** Number of rows of a primitive whose spans are counted. */
         private const val SPAN_ROWS = 4
@@ -56,7 +56,7 @@ public class FrameNumbers @JvmOverloads constructor(
          * Returns the numbers of [frame]. Cost: about [SAMPLE] primitives, plus the cost of [Frame.hasTranslucency].
          */
         @JvmStatic
-        public fun of(frame: Frame): FrameNumbers {
+        fun of(frame: Frame): FrameNumbers {
             val content = frame.content
             val tally = Tally(frame.region)
             val batched = content.batches.sumOf { it.count.toLong() }

@@ -26,14 +26,13 @@ public class StrategyEstimate internal constructor(
 /**
  * The expected time and memory of all renderers for a frame, see [Renderers.estimates]. Immutable.
  *
- * @property numbers the frame's numbers, from which the estimates are computed
  * @property threads the requested number of threads
  * @property memory most bytes that a renderer may hold
  * @property all all renderers: first those that can be chosen, by ascending time, then those that can be chosen but
  *   were never measured, then those that are ruled out
  */
 public class StrategyEstimates private constructor(
-    public val numbers: FrameNumbers,
+    internal val numbers: FrameNumbers,
     public val threads: Int,
     public val memory: Long,
     public val all: List<StrategyEstimate>,
@@ -41,14 +40,14 @@ public class StrategyEstimates private constructor(
 ) {
     /**
      * The renderer to choose, or null if all are ruled out. This is the first in the order of [Renderers.all] that is
-     * not ruled out, unless the fastest is expected to be more than [StrategyModel.DOUBT] times as fast; then it is the
+     * not ruled out, unless the fastest is expected to be more than [MARGIN] times as fast; then it is the
      * fastest.
      */
     public val best: StrategyEstimate?
         get() {
             if (usual == null) return null
             val fastest = all.first()
-            return if (usual.milliseconds > StrategyModel.DOUBT * fastest.milliseconds) fastest else usual
+            return if (usual.milliseconds > MARGIN * fastest.milliseconds) fastest else usual
         }
 
     /**
@@ -71,10 +70,16 @@ public class StrategyEstimates private constructor(
 
     override fun toString(): String = "StrategyEstimates(best=${best?.renderer?.id}, $numbers)"
 
-    internal companion object {
+    public companion object {
+        /**
+         * How many times as fast another renderer must be expected to be, for it to be chosen instead of the first
+         * suitable one. Estimates are often wrong by less.
+         */
+        public const val MARGIN: Double = 1.5
+
         private const val MEBIBYTE = 1024.0 * 1024.0
 
-        fun of(
+        internal fun of(
             renderers: List<Renderer>,
             frame: Frame,
             options: RenderOptions,

@@ -11,27 +11,21 @@ import dev.lazyz.RenderOptions
  * Times include set-up and are those of a warm JVM on the machine of the measurements. On other machines only the
  * ratios of times are meaningful, and only roughly. Thread safe.
  */
-public object StrategyModel {
-    /**
-     * How much faster a renderer must be to be preferred: a renderer other than the default is chosen only if it is
-     * expected to be more than this many times as fast.
-     */
-    public const val DOUBT: Double = 1.5
-
+internal object StrategyModel {
     /** The names of the [timeTerms]. */
     @JvmStatic
-    public val timeTermNames: List<String> = listOf(
+    val timeTermNames: List<String> = listOf(
         "frame", "primitives", "primitive rows", "samples", "fragments", "late colours", "early colours",
     )
 
     /** The names of the [memoryTerms]. */
     @JvmStatic
-    public val memoryTermNames: List<String> =
+    val memoryTermNames: List<String> =
         listOf("frame", "columns", "samples", "primitives", "primitives a row", "fragments a row")
 
     /** Returns the terms of the time. */
     @JvmStatic
-    public fun timeTerms(numbers: FrameNumbers): DoubleArray {
+    fun timeTerms(numbers: FrameNumbers): DoubleArray {
         // In random order, the k-th fragment of a sample is the nearest so far with probability 1/k
         val changes = 1.0 + StrictMath.log(maxOf(1.0, numbers.depthComplexity))
         return doubleArrayOf(
@@ -47,7 +41,7 @@ public object StrategyModel {
 
     /** Returns the terms of the memory. */
     @JvmStatic
-    public fun memoryTerms(numbers: FrameNumbers): DoubleArray = doubleArrayOf(
+    fun memoryTerms(numbers: FrameNumbers): DoubleArray = doubleArrayOf(
         1.0,
         numbers.columns.toDouble(),
         numbers.samples,
@@ -62,7 +56,7 @@ public object StrategyModel {
      */
     @JvmStatic
     @JvmOverloads
-    public fun milliseconds(id: String, numbers: FrameNumbers, threads: Int = 1): Double {
+    fun milliseconds(id: String, numbers: FrameNumbers, threads: Int = 1): Double {
         val coefficients = StrategyCosts.nanoseconds[id] ?: return Double.NaN
         val alone = sum(coefficients, timeTerms(numbers)) / NANOS
         val serial = StrategyCosts.serialShares[id] ?: return alone
@@ -78,7 +72,7 @@ public object StrategyModel {
      */
     @JvmStatic
     @JvmOverloads
-    public fun bytes(id: String, numbers: FrameNumbers, budget: Long? = null): Double {
+    fun bytes(id: String, numbers: FrameNumbers, budget: Long? = null): Double {
         val coefficients = StrategyCosts.bytes[id] ?: return Double.NaN
         val primitives = if (id in fromArrays) 0.0 else PRIMITIVE_BYTES * numbers.primitives
         val working = sum(coefficients, memoryTerms(numbers))

@@ -105,7 +105,7 @@ class AutoChoiceTest {
             val usual = estimates.all.single { it.renderer.id == Renderers.builtIn.first().id }
             val least = estimates.all.minOf { it.milliseconds }
             val best = checkNotNull(estimates.best)
-            if (usual.milliseconds <= StrategyModel.DOUBT * least) {
+            if (usual.milliseconds <= StrategyEstimates.MARGIN * least) {
                 assertEquals(usual, best)
             } else {
                 assertEquals(least, best.milliseconds)

@@ -6,7 +6,6 @@ import dev.lazyz.Renderer
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.StrategyEstimates
-import dev.lazyz.strategies.StrategyModel
 
 /**
  * The strategy of a rendering: the one that the user named, or the first that is capable of what the flags and the
@@ -45,7 +44,7 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
         val reason = when {
             named != null -> "--strategy names it"
             isAutomatic && strategy.id == estimates.all.first().renderer.id -> "it is expected to be the fastest"
-            isAutomatic && best != null -> "no other is expected to be ${StrategyModel.DOUBT} times as fast"
+            isAutomatic && best != null -> "no other is expected to be ${StrategyEstimates.MARGIN} times as fast"
             isAutomatic -> "all are ruled out, and it is the first that is capable of this"
             else -> "it is the first of 'zcli strategies' that is capable of this"
         }
@@ -77,7 +76,7 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
         Strategies.all().filter { it.capabilities.containsAll(needs) }
 
     companion object {
-        /** In place of an id: choose by [StrategyModel]. */
+        /** In place of an id: choose by [StrategyEstimates]. */
         const val AUTO = "auto"
 
         private const val SEE = "\nSee 'zcli strategies --long'."

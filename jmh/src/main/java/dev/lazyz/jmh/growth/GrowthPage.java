@@ -1,7 +1,7 @@
 package dev.lazyz.jmh.growth;
 
 import dev.lazyz.jmh.report.GeneratedPage;
-import dev.lazyz.strategies.StrategyModel;
+import dev.lazyz.strategies.StrategyEstimates;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -256,7 +256,7 @@ public final class GrowthPage {
         String fastest = strategies.stream()
                 .min(Comparator.comparingDouble(strategy -> estimate(point, strategy)))
                 .orElseThrow();
-        return estimate(point, usual) > StrategyModel.DOUBT * estimate(point, fastest) ? fastest : usual;
+        return estimate(point, usual) > StrategyEstimates.MARGIN * estimate(point, fastest) ? fastest : usual;
     }
 
     private double estimate(GrowthResults.Point point, String strategy) {
