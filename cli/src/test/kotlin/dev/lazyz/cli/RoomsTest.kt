@@ -56,6 +56,16 @@ class RoomsTest {
         assertEquals(emptyList<Source>(), lost)
     }
 
+    /** docs/architecture.md has a row for each package; those of core have a test of their own. */
+    @Test
+    fun thePageShowsThePackages() {
+        val page = root.resolve("docs/architecture.md").readText().substringAfter("## Packages of the other modules")
+        val names = Regex("`((?:${MODULES.joinToString("|")})[a-z0-9.]*)`").findAll(page)
+        val shown = names.map { "dev.lazyz." + it.groupValues[1] }
+        val others = MODULES.filter { it != "core" }.flatMap { sources.getValue(it) }.map { it.packageName }
+        assertEquals(others.toSortedSet(), shown.toSortedSet())
+    }
+
     @Test
     fun circlesAreFound() {
         val house = listOf(
