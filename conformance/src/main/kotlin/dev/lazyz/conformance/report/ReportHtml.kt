@@ -7,7 +7,7 @@ import dev.lazyz.conformance.results.RuleResult
 import dev.lazyz.conformance.rules.ConformanceVersions
 import java.util.Base64
 
-/** A report as one page, pictures included, without scripts. */
+/** A report as one HTML page, including pictures, without scripts. */
 internal class ReportHtml(private val report: ConformanceReport) {
     fun text(): String = buildString {
         val title = escaped("${report.strategy.id}: Lazy Z conformance")
@@ -57,7 +57,7 @@ internal class ReportHtml(private val report: ConformanceReport) {
         if (told.isEmpty()) return
         appendLine("<h2>$title</h2>")
 
-        // Where to find which, if there is more than one
+        // A table of contents, if there is more than one
         if (told.size > 1) {
             appendLine("<ul>")
             for (result in told) appendLine("<li>${link(result)} ${badge(result)}</li>")
@@ -129,7 +129,7 @@ internal class ReportHtml(private val report: ConformanceReport) {
         }
     }
 
-    /** Whether there is a section about it. */
+    /** Whether the page has a section about the rule. */
     private fun isTold(result: RuleResult): Boolean = result.outcome.isFailure || result.failure != null
 
     private fun link(result: RuleResult): String =

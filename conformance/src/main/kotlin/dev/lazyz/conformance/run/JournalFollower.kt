@@ -7,14 +7,14 @@ import java.io.RandomAccessFile
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Reads a [Journal] while other processes write it, one after the other, and tells [listener] of each rule once. */
+/** Reads a [Journal] while a sequence of processes writes it, and calls [listener] once for each rule. */
 internal class JournalFollower(private val path: Path, private val listener: RuleListener) {
     private val told = HashSet<String>()
     private val line = StringBuilder()
     private var position = 0L
     private var since = System.nanoTime()
 
-    /** Reads what is new. */
+    /** Reads what was appended since the last call. */
     fun goOn() {
         if (!Files.exists(path) || Files.size(path) == position) return
         val news = RandomAccessFile(path.toFile(), "r").use { file ->
@@ -44,7 +44,7 @@ internal class JournalFollower(private val path: Path, private val listener: Rul
     }
 
     private companion object {
-        /** Without tries and steps; who ended with the process has no time of its own. */
+        /** A line without tries and steps. A rule that ended with its process has no recorded duration. */
         val LINE = Regex("""(\w+) +(?:! )?([A-Z_]+)(?: (\d+)| .*)?""")
         const val NANOSECONDS = 1_000_000L
     }

@@ -1,18 +1,18 @@
 package dev.lazyz.conformance.run
 
 /**
- * Tells on standard error, when the process ends during a try, which rule and frame were on trial; and when it ends as
- * the renderer is made.
+ * If the process ends during a try, prints the rule and the frame to standard error. Also prints a message if the
+ * process ends while the renderer is created.
  */
 internal object LastWords {
     init {
         Runtime.getRuntime().addShutdownHook(Thread({ tell() }, "lazyz-last-words"))
     }
 
-    /** From now on the end of the process is watched. */
+    /** Starts watching for the end of the process. */
     fun keep(): Unit = Unit
 
-    /** Whether the renderer is made just now, before any rule is on trial. */
+    /** Whether the renderer is being created, before any rule runs. */
     @Volatile
     var isMaking: Boolean = false
 
