@@ -6,12 +6,12 @@ import dev.lazyz.Image
 import dev.lazyz.RowSink
 import java.util.concurrent.atomic.AtomicInteger
 
-/** A sink that notes who calls it: made by the thread that should. */
+/** A sink that checks which thread calls it. Must be created by the expected thread. */
 internal class ThreadWitness : RowSink {
     private val caller = Thread.currentThread()
     private val inside = AtomicInteger()
 
-    /** What was wrong first, or null. */
+    /** The first violation, or null. */
     @Volatile
     var complaint: String? = null
         private set
@@ -31,12 +31,12 @@ internal class ThreadWitness : RowSink {
     }
 }
 
-/** A sink that copies its rows, looks whether they hold still for a while, and then writes nonsense into them. */
+/** A sink that copies its rows, checks that they do not change for a while, and then overwrites them. */
 internal class OverwritingSink(private val frame: Frame) : RowSink {
     private val collector = Image.Collector(frame.region)
     private var patience = PATIENT_ROWS
 
-    /** What was wrong first, or null. */
+    /** The first violation, or null. */
     var complaint: String? = null
         private set
 
@@ -50,11 +50,11 @@ internal class OverwritingSink(private val frame: Frame) : RowSink {
         for ((i, array) in arrays.withIndex()) array.fill(NONSENSE + i, 0, frame.width)
     }
 
-    /** The picture as it arrived. */
+    /** Returns the delivered picture. */
     fun image(counters: Counters): Image = collector.toImage(counters)
 
     private companion object {
-        /** Rows that are looked at for a millisecond each. */
+        /** Number of rows that are observed for a millisecond each. */
         const val PATIENT_ROWS = 2
         const val NONSENSE = 0x5A5A5A5A
     }

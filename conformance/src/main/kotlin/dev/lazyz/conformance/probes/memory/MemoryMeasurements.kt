@@ -13,23 +13,23 @@ import dev.lazyz.conformance.probes.answer
 import java.lang.ref.Reference
 import java.lang.ref.WeakReference
 
-// Memory is measured on the heap: a renderer's own counter may be wrong. What a violation holds is several times what is
-// allowed, and what is allowed several times the usual noise.
+// Memory is measured on the heap, because a renderer's own counters may be wrong. A violation holds several times the
+// allowed memory, and the allowed memory is several times the usual noise.
 
 private val NOBODY = RowSink { _, _, _, _ -> }
 
 private const val WIDE = 256
 
-/** More than a renderer that works in bands of a thousand rows has at work in two threads. */
+/** More rows than a renderer with bands of a thousand rows processes at a time in two threads. */
 private const val FEW_ROWS = 4096
 private const val MANY_ROWS = 16_384
 
-/** Bytes by which memory may grow for reasons that are no arrays of rows: half a byte for each further sample. */
+/** Allowed growth in bytes for other reasons than arrays of rows: half a byte for each additional sample. */
 private const val ROWS_ALLOWANCE = (MANY_ROWS - FEW_ROWS) * WIDE / 2L
 
-/** Fails if more rows take more memory: by the renderer's own word, or by what the garbage collector leaves. */
+/** Fails if more rows take more memory, according to the renderer's counters or to the heap. */
 internal fun constantMemory(renderer: Renderer) {
-    // Several threads may have several blocks of rows at work, but no more of them for a higher picture
+    // Several threads may process several blocks of rows at a time, but not more of them for a higher picture
     val configured = renderer.configured(RenderOptions(threads = 2))
     val few = configured.render(stripes(FEW_ROWS), NOBODY).peakBytes
     val many = configured.render(stripes(MANY_ROWS), NOBODY).peakBytes
@@ -45,7 +45,7 @@ internal fun constantMemory(renderer: Renderer) {
 private fun stripes(rows: Int, heed: (Int) -> Unit = {}) =
     Frame(Raster(WIDE, rows), listOf(Stripe(0..3, 0..<rows, 1000, heed), Stripe(2..7, 0..<rows, 2000, heed)))
 
-/** Bytes that are held when the last row is asked about, and when the first and the last one are handed out. */
+/** Returns the bytes held when the last row is queried, and when the first and the last one are delivered. */
 private fun heldForRows(renderer: Renderer, rows: Int): Long = Heap.most { measure ->
     val last = Once(rows - 1, measure)
     renderer.render(stripes(rows, last)) { y, _, _, _ -> if (y == 0 || y == rows - 1) measure() }
@@ -54,10 +54,10 @@ private fun heldForRows(renderer: Renderer, rows: Int): Long = Heap.most { measu
 private const val FEW_PRIMITIVES = 2048
 private const val MANY_PRIMITIVES = 131_072
 
-/** Bytes by which memory may grow for reasons that are no records of primitives. */
+/** Allowed growth in bytes for other reasons than records of primitives. */
 private const val PRIMITIVES_ALLOWANCE = MANY_PRIMITIVES - FEW_PRIMITIVES.toLong()
 
-/** Fails if very many hidden primitives take more memory than many, whether they are hidden at once or later. */
+/** Fails if many more hidden primitives take more memory, whether they are hidden immediately or later. */
 internal fun constantMemoryInPrimitives(renderer: Renderer) {
     for (order in Order.entries) {
         val few = renderer.render(arriving(order, FEW_PRIMITIVES), NOBODY).peakBytes
@@ -75,7 +75,7 @@ internal fun constantMemoryInPrimitives(renderer: Renderer) {
     }
 }
 
-/** In which order primitives arrive of which one hides all others. */
+/** The order of primitives of which one hides all others. */
 private enum class Order(private val words: String) {
     HIDDEN_AT_ONCE("from near to far"),
     HIDDEN_LATER("from far to near"),
@@ -84,7 +84,10 @@ private enum class Order(private val words: String) {
     override fun toString(): String = words
 }
 
-/** A frame that keeps no primitive: each one is made when it is asked for, and is garbage unless the renderer keeps it. */
+/**
+ * Returns a frame that does not store primitives: each is created when it is requested, and is garbage unless the
+ * renderer keeps it.
+ */
 private fun arriving(order: Order, count: Int, heed: (Int) -> Unit = {}): Frame {
     val primitives = object : AbstractList<Primitive>() {
         override val size: Int get() = count
@@ -97,20 +100,23 @@ private fun arriving(order: Order, count: Int, heed: (Int) -> Unit = {}): Frame 
     return Frame(Raster(8, 2), primitives)
 }
 
-/** Bytes that are held when the last primitive is asked about, and when the first row is handed out. */
+/** Returns the bytes held when the last primitive is queried, and when the first row is delivered. */
 private fun heldForArrivals(renderer: Renderer, order: Order, count: Int): Long = Heap.most { measure ->
     renderer.render(arriving(order, count, Once(count - 1, measure))) { y, _, _, _ -> if (y == 0) measure() }
 }
 
 private const val SIDE = 512
 
-/** Primitives that share a row, so that no two samples side by side are of the same one. */
+/** Number of primitives that share a row, so that adjacent samples always show different ones. */
 private const val SHARERS = 32
 
-/** Bytes beyond a budget that are forgiven, besides a quarter of it: what is counted are arrays, not their headers. */
+/** Allowed bytes beyond a budget, in addition to a quarter of it: renderers count arrays, but not their headers. */
 private const val BUDGET_ALLOWANCE = 256L * 1024
 
-/** Fails if the heap holds more than a budget, besides the image: what a picture of one large primitive takes. */
+/**
+ * Fails if the heap holds more than a budget in addition to the image's memory, which is what a picture of one large
+ * primitive takes.
+ */
 internal fun budgetOnTheHeap(renderer: Renderer) {
     val plain = listOf(0..<SIDE to 0..<SIDE)
     val speckles = List(SIDE * SHARERS) { (it % SHARERS..<SIDE step SHARERS) to (it / SHARERS..it / SHARERS) }
@@ -123,7 +129,7 @@ internal fun budgetOnTheHeap(renderer: Renderer) {
     }
 }
 
-/** Bytes that are held when the last primitive is asked about, and when the first row is handed out. */
+/** Returns the bytes held when the last primitive is queried, and when the first row is delivered. */
 private fun heldForColours(renderer: Renderer, places: List<Pair<IntProgression, IntRange>>): Long {
     var heed: (Int) -> Unit = {}
     val primitives = places.mapIndexed { index, (columns, rows) -> Stripe(columns, rows, 1000) { heed(index) } }
@@ -133,7 +139,7 @@ private fun heldForColours(renderer: Renderer, places: List<Pair<IntProgression,
     }
 }
 
-/** Fails if a renderer that is still in use holds a frame that it has rendered, or given up. */
+/** Fails if a renderer that is still in use holds a frame after its rendering has ended or failed. */
 internal fun keepsNothing(renderer: Renderer) {
     Heap.requireCollection()
     for (end in End.entries) {
@@ -155,7 +161,10 @@ private enum class End(private val words: String) {
     override fun toString(): String = words
 }
 
-/** Renders a frame that nobody knows but the renderer, and lets go of it, its primitive and its sink. */
+/**
+ * Renders a frame, and returns weak references to the frame, its primitive and its sink, which only the renderer may
+ * still hold.
+ */
 private fun rendered(renderer: Renderer, end: End): List<WeakReference<Any>> {
     val primitive = Stripe(0..7, 0..7, 1000) { check(end != End.PRIMITIVE_THREW || it < 4) { "enough" } }
     val frame = Frame(Raster(16, 16), listOf(primitive))

@@ -7,7 +7,9 @@ import dev.lazyz.conformance.probes.answer
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.LockSupport
 
-/** Fails if threads of [renderer]'s own ask primitives when a rendering has ended that failed on the caller's thread. */
+/**
+ * Fails if [renderer]'s own threads query primitives after a rendering has ended with a failure on the caller's thread.
+ */
 internal fun nobodyAsksAfterTheEnd(renderer: Renderer) {
     for (isSinkToFail in listOf(false, true)) {
         val late = LateQuestions(renderer, isSinkToFail).count() ?: return
@@ -18,7 +20,7 @@ internal fun nobodyAsksAfterTheEnd(renderer: Renderer) {
     }
 }
 
-/** A rendering that fails on the caller's thread while workers are at work, who are slow. */
+/** A rendering that fails on the caller's thread while worker threads run slowly. */
 private class LateQuestions(private val renderer: Renderer, private val isSinkToFail: Boolean) {
     private val planted = IllegalStateException("planted")
     private val pauses = AtomicInteger()
@@ -27,7 +29,7 @@ private class LateQuestions(private val renderer: Renderer, private val isSinkTo
     @Volatile
     private var hasEnded = false
 
-    /** Returns how many questions came late; null if there are no workers. */
+    /** Returns the number of late queries; null if there are no workers. */
     fun count(): Int? {
         val workers = Workers(Thread.currentThread(), { if (!isSinkToFail) throw planted }) { beSlow() }
         val sink = RowSink { _, _, _, _ -> if (isSinkToFail) throw planted }
@@ -44,13 +46,13 @@ private class LateQuestions(private val renderer: Renderer, private val isSinkTo
     }
 
     private companion object {
-        /** How many answers are slow: those of a tile, more or less. */
+        /** Number of slow answers: about as many as a tile needs. */
         const val MOST_PAUSES = 300
 
-        /** Nanoseconds. */
+        /** In nanoseconds. */
         const val PAUSE = 500_000L
 
-        /** Milliseconds in which a thread asks again. */
+        /** Milliseconds to wait for further queries. */
         const val PATIENCE = 40L
     }
 }
