@@ -5,7 +5,10 @@ import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Spans
 
-/** Covers nothing, though its bounds say that it may cover everything; must not be asked for anything else. */
+/**
+ * A primitive that covers nothing, although its bounds are the whole raster. Throws when its depth or colour is
+ * queried.
+ */
 internal class NothingThere(private val raster: Raster) : Primitive {
     override val rowStart: Int get() = 0
     override val rowEnd: Int get() = raster.height

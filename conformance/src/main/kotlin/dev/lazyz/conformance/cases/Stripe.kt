@@ -6,8 +6,8 @@ import dev.lazyz.Spans
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * The samples of [columns] in [rows], at [depth], red. Calls [heed] with the row before it answers about spans, and
- * before it shades its first column.
+ * A red primitive that covers the samples of [columns] in [rows] at [depth]. Calls [heed] with the row before it adds
+ * spans, and before it shades its first column.
  */
 internal class Stripe(
     private val columns: IntProgression,
@@ -35,7 +35,7 @@ internal class Stripe(
     }
 }
 
-/** Calls [action] the first time that it is told [key]. Thread safe. */
+/** Calls [action] the first time that it is called with [key]. Thread safe. */
 internal class Once(private val key: Int, private val action: () -> Unit) : (Int) -> Unit {
     private val isOver = AtomicBoolean()
 
