@@ -80,8 +80,8 @@ public class RecordedReport private constructor(
             val suite = json.text("suite")
             if (suite != ConformanceVersions.SUITE) {
                 throw RecordedReportException(
-                    "$path is of version $suite of the suite, and this is ${ConformanceVersions.SUITE}: " +
-                        "verify it with that version",
+                    "$path is for version $suite of the suite, but this is version ${ConformanceVersions.SUITE}: " +
+                        "verify it with version $suite",
                 )
             }
             val rules = json.getValue("rules").jsonArray.map { it.jsonObject }

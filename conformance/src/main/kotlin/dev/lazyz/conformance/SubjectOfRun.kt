@@ -5,5 +5,5 @@ import dev.lazyz.conformance.run.RunUnderWay
 
 /** The suite for the renderer of the run in progress. Instantiated by jqwik. */
 internal class SubjectOfRun : RendererConformance() {
-    override fun renderer(): Renderer = checkNotNull(RunUnderWay.current) { "no run is under way" }.make.get()
+    override fun renderer(): Renderer = checkNotNull(RunUnderWay.current) { "no run is in progress" }.make.get()
 }

@@ -65,7 +65,7 @@ public class Supervision @JvmOverloads constructor(
             follower.goOn()
             if (isDone()) return Outcome(code, text)
             val silence = TryThread.seconds(patience)
-            val words = if (isInTime) "exit code $code" else "the process did not answer for $silence"
+            val words = if (isInTime) "exit code $code" else "the process made no progress for $silence"
             val outcome = if (isInTime) RuleOutcome.CRASHED else RuleOutcome.TIMED_OUT
             if (!Journal.ended(journal, words, outcome)) throw EndedEarlyException(words, text)
             follower.goOn()

@@ -88,7 +88,7 @@ class AsATestTest {
             val message = run(nearest, scenes).getValue(scenes).throwable.get().message.orEmpty()
             val kept = folder.resolve("Wrong")
             val files = listOf(".kt", ".json", "-expected.png", "-actual.png", "-difference.png").map { scenes + it }
-            val words = "\nkept in $kept: ${files.joinToString()}\nseed 1995; again: zcli conformance "
+            val words = "\nsaved in $kept: ${files.joinToString()}\nseed 1995; again: zcli conformance "
             assertTrue(words in message, message)
             for (file in files) assertTrue(kept.resolve(file).exists(), file)
             assertTrue(kept.resolve("$nearest.kt").exists())
@@ -106,7 +106,7 @@ class AsATestTest {
         val results = run(memory, nearest, counts, subject = Secretive::class, tries = "0.3")
         val result = results.getValue(memory)
         assertEquals(Status.ABORTED, result.status)
-        assertTrue("something is visible, but peakBytes is 0" in result.throwable.get().message.orEmpty())
+        assertTrue("a primitive is visible, but peakBytes is 0" in result.throwable.get().message.orEmpty())
         assertTrue(results.values.none { it.status == Status.FAILED })
     }
 

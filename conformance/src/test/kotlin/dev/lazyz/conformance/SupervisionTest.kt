@@ -38,7 +38,7 @@ class SupervisionTest {
                 files.supervision(name, Duration.ofSeconds(20)).run { files.report.exists() }
             }
             assertEquals("the process ended while no rule was tried: exit code 0", told.message)
-            val words = "The process ends while the renderer is made; no rule is on trial yet"
+            val words = "The process ends while the renderer is created, before the first rule"
             assertEquals(name.startsWith("exits"), words in told.printed) { told.printed }
         }
     }

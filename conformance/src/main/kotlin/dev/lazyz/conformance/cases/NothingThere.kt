@@ -18,8 +18,8 @@ internal class NothingThere(private val raster: Raster) : Primitive {
     override fun spans(y: Int, spans: Spans): Unit = Unit
 
     override fun depth(x: Int, y: Int): Int =
-        throw AssertionError("asked for depth at ($x, $y), where nothing is covered")
+        throw AssertionError("depth was queried at ($x, $y), where nothing is covered")
 
     override fun shade(fragment: Fragment): Unit =
-        throw AssertionError("asked to shade (${fragment.x}, ${fragment.y}), where nothing is covered")
+        throw AssertionError("shade was called at (${fragment.x}, ${fragment.y}), where nothing is covered")
 }

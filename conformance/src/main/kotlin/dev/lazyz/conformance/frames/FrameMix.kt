@@ -93,7 +93,7 @@ public class FrameMix private constructor(
     internal fun frames(): Arbitrary<FrameCase> {
         val onScreen = weights.filter { it.value > 0 && !it.key.isInSpace }
         val inSpace = weights.filter { it.value > 0 && it.key.isInSpace }
-        require(onScreen.isNotEmpty() || inSpace.isNotEmpty()) { "some kind must have a weight above 0: $weights" }
+        require(onScreen.isNotEmpty() || inSpace.isNotEmpty()) { "a kind must have a weight above 0: $weights" }
         val rasters = Frames.rasters(maxWidth, maxHeight)
         val choices = ArrayList<Pair<Int, Arbitrary<FrameCase>>>()
         if (onScreen.isNotEmpty()) choices.add(onScreen.values.sum() to screen(rasters, onScreen))
@@ -192,7 +192,7 @@ public class FrameMix private constructor(
         /** Returns a mix of [kinds], all equally likely. */
         @JvmStatic
         public fun of(vararg kinds: FrameKind): FrameMix {
-            require(kinds.isNotEmpty()) { "there must be a kind" }
+            require(kinds.isNotEmpty()) { "at least one kind is required" }
             return FrameMix(kinds.associateWith { 1 })
         }
     }

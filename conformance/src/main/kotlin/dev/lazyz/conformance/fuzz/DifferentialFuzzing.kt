@@ -119,7 +119,7 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
         if (thrown[0] !=
             thrown[1]
         ) {
-            return "the one threw ${thrown[0] ?: "nothing"}, the other ${thrown[1] ?: "nothing"}"
+            return "the first threw ${thrown[0] ?: "nothing"}, the second ${thrown[1] ?: "nothing"}"
         }
         val images = listOf(one, other).map { it.getOrNull()?.image ?: return null }
         return difference(images[0], images[1])?.toString()

@@ -81,7 +81,7 @@ internal fun refused(renderer: Renderer, case: FrameCase) {
         val index = case.frame.primitives.indexOfFirst { it.isTranslucent }
         val isNamed = Regex("\\b[0-9]+\\b").findAll(e.message.orEmpty()).any { isTranslucent(case, it.value) }
         if (rows == 0 && isNamed) return
-        if (rows > 0) "hands out $rows rows before it refuses" else "does not name primitive $index: ${e.message}"
+        if (rows > 0) "delivers $rows rows before it throws" else "does not name primitive $index: ${e.message}"
     } catch (e: Exception) {
         "throws $e"
     }

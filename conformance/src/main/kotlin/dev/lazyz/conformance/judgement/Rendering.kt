@@ -80,7 +80,7 @@ internal fun Image.differsAt(other: Image, sample: Int): Boolean = argb[sample] 
     depth[sample] != other.depth[sample] || primitive[sample] != other.primitive[sample]
 
 private fun answer(image: Image, sample: Int): String {
-    if (image.depth[sample] == Rendering.MISSING) return "nothing: the row never arrived"
+    if (image.depth[sample] == Rendering.MISSING) return "nothing: the row was not delivered"
     val index = image.primitive[sample]
     val owner = if (index == DepthTest.BACKGROUND) "the background" else "primitive $index"
     return "#%08x".format(image.argb[sample]) + ", depth ${image.depth[sample]}, $owner"

@@ -54,8 +54,8 @@ public class ExactPicture(private val frame: Frame, private val surfaces: List<E
             val primitive = frame.primitives[i]
             val isCovered = hasInSpans(primitive, x, y)
             when (surface?.coverage(x, y) ?: Coverage.UNCOVERED) {
-                Coverage.COVERED -> if (!isCovered) return "primitive $i must cover it, and does not"
-                Coverage.UNCOVERED -> if (isCovered) return "primitive $i covers it, and must not"
+                Coverage.COVERED -> if (!isCovered) return "primitive $i must cover it, but does not"
+                Coverage.UNCOVERED -> if (isCovered) return "primitive $i covers it, but must not"
                 Coverage.OPEN -> Unit
             }
             if (surface == null || !isCovered) continue

@@ -27,7 +27,7 @@ import dev.lazyz.Spans
 public class ReferenceRenderer : Renderer {
     override val id: String get() = "reference"
 
-    override val summary: String get() = "asks every primitive at every sample: the contract's words, for comparison"
+    override val summary: String get() = "queries every primitive at every sample as the contract says; for comparison"
 
     override val capabilities: Set<Capability>
         get() = setOf(

@@ -102,7 +102,7 @@ internal fun failsAsPlanned(renderer: Renderer, case: FrameCase, trap: Trap) {
     val thrown = answer { rendering = Rendering.of(renderer, trap.frame) }
     val expected = if (trap.isSprung) trap.planted else null
     if (thrown !== expected) {
-        val what = "${expected ?: "nothing"} was thrown, the caller got ${thrown ?: "nothing"}"
+        val what = "${expected ?: "nothing"} was thrown, but the caller got ${thrown ?: "nothing"}"
         Judgement(renderer, case).fail(what, thrown)
     }
     val image = rendering?.image ?: return

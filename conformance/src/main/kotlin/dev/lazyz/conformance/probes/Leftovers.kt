@@ -85,8 +85,8 @@ private fun threadsBeyond(before: Set<Thread>): String? {
         val more = threads() - before
         val lasting = threads().filter { !it.isDaemon && it !== Thread.currentThread() }
         val words = when {
-            lasting.isNotEmpty() -> "the thread ${lasting.first().name}, which keeps the process from its end"
-            more.size >= WATCHED -> "threads, one with each rendering, such as ${more.first().name}"
+            lasting.isNotEmpty() -> "the thread ${lasting.first().name}, which keeps the process running"
+            more.size >= WATCHED -> "a thread for each rendering, such as ${more.first().name}"
             else -> return null
         }
         if (System.nanoTime() > end) return words

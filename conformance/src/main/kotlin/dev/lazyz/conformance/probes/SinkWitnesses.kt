@@ -20,8 +20,8 @@ internal class ThreadWitness : RowSink {
         val others = inside.getAndIncrement()
         val thread = Thread.currentThread()
         when {
-            thread !== caller -> complain("the sink gets row $y in ${thread.name}, not in the caller's ${caller.name}")
-            others > 0 -> complain("the sink gets row $y while it has another one")
+            thread !== caller -> complain("row $y is delivered in ${thread.name}, not in the caller's ${caller.name}")
+            others > 0 -> complain("row $y is delivered during another call of the sink")
         }
         inside.decrementAndGet()
     }
@@ -46,7 +46,7 @@ internal class OverwritingSink(private val frame: Frame) : RowSink {
         val copies = arrays.map { it.copyOf(frame.width) }
         if (patience-- > 0) Thread.sleep(1)
         val isSame = arrays.indices.all { i -> (0 until frame.width).all { arrays[i][it] == copies[i][it] } }
-        if (!isSame) complaint = complaint ?: "row $y changes while the sink has it"
+        if (!isSame) complaint = complaint ?: "row $y changes while the sink uses it"
         for ((i, array) in arrays.withIndex()) array.fill(NONSENSE + i, 0, frame.width)
     }
 

@@ -123,7 +123,7 @@ internal class SmallWorld(private val raster: Raster) {
             for (i in 0 until size) {
                 if (!isCovered[i]) continue
                 val error = exact.depthError(i % raster.width, i / raster.width, depth[i])
-                check(error <= 1.0) { "set-up is wrong by $error units at sample $i of ${piece.code(0)}" }
+                check(error <= 1.0) { "the depth of set-up is wrong by $error units at sample $i of ${piece.code(0)}" }
             }
         }
     }

@@ -79,7 +79,7 @@ internal class ReportHtml(private val report: ConformanceReport) {
         appendLine("<dl>")
         if (rule.intent.isNotEmpty()) entry("Why (${rule.level})", escaped(rule.intent))
         if (rule.look.isNotEmpty()) entry("Look at", escaped(rule.look))
-        entry("To see it again", "<code>${escaped(report.commandFor(rule))}</code>")
+        entry("Reproduce with", "<code>${escaped(report.commandFor(rule))}</code>")
         appendLine("</dl>")
         appendLine("</section>")
     }

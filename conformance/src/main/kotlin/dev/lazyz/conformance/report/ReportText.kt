@@ -140,6 +140,6 @@ internal class ReportText(private val report: ConformanceReport) {
         private const val MOST_COLUMNS = 200
 
         /** Why there is no scene file. */
-        const val NO_SCENE_FILE: String = "none: a scene file has no words for all that is in the frame"
+        const val NO_SCENE_FILE: String = "none: a scene file cannot express this frame"
     }
 }

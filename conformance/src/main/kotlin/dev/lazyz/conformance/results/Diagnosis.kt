@@ -76,8 +76,8 @@ internal class Diagnosis private constructor(
             val known = broken.filter { it.symptoms != null }
             val showing = known.count { symptom in it.symptoms.orEmpty() }
             return when {
-                broken.size == 1 -> "it is the only rule that is broken"
-                symptom == null -> "it fails for a reason of its own, or follows from the others"
+                broken.size == 1 -> "it is the only broken rule"
+                symptom == null -> "it fails independently of the others, or as a consequence of them"
                 else -> "in $showing of ${known.size} failures ${symptom.words}"
             }
         }

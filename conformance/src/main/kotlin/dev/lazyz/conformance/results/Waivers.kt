@@ -54,7 +54,7 @@ public class Waivers private constructor(public val all: List<Waiver>) {
             val key = text.substringBefore(':', "").trim()
             val value = text.substringAfter(':').trim()
             if (key !in KEYS) bad(name, line, "expected ${KEYS.joinToString { "'$it:'" }}: $text")
-            if (value.isEmpty()) bad(name, line, "nothing follows '$key:'")
+            if (value.isEmpty()) bad(name, line, "'$key:' has no value")
             if (values.put(key, value) != null) bad(name, line, "'$key:' twice in one block; is an empty line missing?")
             lines[key] = line
         }

@@ -68,7 +68,7 @@ public sealed interface ChangeRules : RulesForOne {
         for (halves in listOf(column, row)) {
             val judgement = Judgement(renderer, halves)
             val actual = judgement.rendering.image.renumbered { it / 2 }
-            difference(whole, actual)?.let { judgement.fail("in halves, numbered as before: $it") }
+            difference(whole, actual)?.let { judgement.fail("with each primitive cut in two: $it") }
         }
     }
 
@@ -144,7 +144,7 @@ public sealed interface ChangeRules : RulesForOne {
             val isSame =
                 a == b && first.depth[sample] == second.depth[sample] && first.argb[sample] == second.argb[sample]
             if (isSame || (a != b && case.frame.isTie(a, b, x, y))) continue
-            reordered.fail("sample ($x, $y) showed primitive $a, shows $b where the order of submission is $order")
+            reordered.fail("sample ($x, $y) shows primitive $a, but $b with the order of submission $order")
         }
     }
 

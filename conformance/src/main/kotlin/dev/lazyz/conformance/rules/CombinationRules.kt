@@ -78,7 +78,7 @@ public sealed interface CombinationRules : RulesForOne {
             return e
         }
         return Violation(
-            "after other frames, or a failure, and not at first: ${found.message}",
+            "wrong only after other frames or a failure, not with a new renderer: ${found.message}",
             case,
             found.expected,
             found.actual,

@@ -40,10 +40,10 @@ public sealed interface CounterRules : RulesForOne {
         val counters = judgement.rendering.counters
         val primitives = case.frame.primitives.size.toLong()
         if (counters.primitives != primitives) {
-            judgement.fail("$primitives primitives are submitted, ${counters.primitives} counted")
+            judgement.fail("$primitives primitives were submitted, but ${counters.primitives} are counted")
         }
         if (counters.shadingCalls != witness.count) {
-            judgement.fail("${witness.count} shading calls are made, ${counters.shadingCalls} counted")
+            judgement.fail("${witness.count} shading calls were made, but ${counters.shadingCalls} are counted")
         }
     }
 
@@ -67,7 +67,7 @@ public sealed interface CounterRules : RulesForOne {
         if (isBlending) countedAtMost(covered, Judgement(renderer, case.glazed(salt)))
         val judgement = Judgement(renderer, case)
         val counted = countedAtMost(covered, judgement)
-        if (counted < visible) judgement.fail("$visible samples show something, $counted fragments counted")
+        if (counted < visible) judgement.fail("$visible samples are visible, but only $counted fragments are counted")
 
         // A single primitive in front of a background that hides nothing cannot be rejected
         val raster = case.frame.raster
@@ -81,7 +81,7 @@ public sealed interface CounterRules : RulesForOne {
             val all = Rendering.of(ReferenceRenderer(), alone.frame).counters.fragments
             val itself = Judgement(renderer, alone)
             val found = itself.rendering.counters.fragments
-            if (found != all) itself.fail("$all samples are covered, $found fragments counted")
+            if (found != all) itself.fail("$all samples are covered, but $found fragments are counted")
         }
     }
 
@@ -96,10 +96,10 @@ public sealed interface CounterRules : RulesForOne {
         val counters = judgement.rendering.counters
         val covered = Rendering.of(ReferenceRenderer(), case.frame).counters.fragments
         if (counters.depthPasses > covered) {
-            judgement.fail("$covered samples are covered, ${counters.depthPasses} passes counted")
+            judgement.fail("$covered samples are covered, but ${counters.depthPasses} depth passes are counted")
         }
         if (counters.depthEvaluations < 0 || (covered == 0L && counters.depthEvaluations != 0L)) {
-            judgement.fail("$covered samples are covered, ${counters.depthEvaluations} depths are computed")
+            judgement.fail("$covered samples are covered, but ${counters.depthEvaluations} depths are computed")
         }
     }
 
@@ -119,13 +119,13 @@ public sealed interface CounterRules : RulesForOne {
             val judgement = Judgement(configured, case.watched(witness.frame), "$coherence")
             val counters = judgement.rendering.counters
             if (counters.shadingStarts != witness.starts || counters.shadingSteps != witness.steps) {
-                judgement.fail("${witness.starts} starts, ${witness.steps} steps are made, the counters are $counters")
+                judgement.fail("${witness.starts} starts, ${witness.steps} steps were made, but the counters are $counters")
             }
             if (coherence == Coherence.DIRECT && witness.steps + counters.longestChain > 0) {
-                judgement.fail("direct shading steps: $counters")
+                judgement.fail("shading steps although it is DIRECT: $counters")
             }
             if (counters.longestChain != witness.longestChain) {
-                judgement.fail("a call needs ${witness.longestChain} steps at most, the counters are $counters")
+                judgement.fail("the longest chain is ${witness.longestChain} steps, but the counters are $counters")
             }
         }
     }
@@ -155,7 +155,7 @@ public sealed interface CounterRules : RulesForOne {
             val right = Rendering.of(ReferenceRenderer(), opaque.frame).image
             val expected = ExpectedSteps.of(opaque.frame, right, coherence)
             if (starts == expected.starts && steps == expected.steps) continue
-            judgement.fail("$expected are needed, $starts starts and $steps steps are made")
+            judgement.fail("$expected are expected, but $starts starts and $steps steps were made")
         }
     }
 
@@ -186,7 +186,7 @@ public sealed interface CounterRules : RulesForOne {
         val judgement = Judgement(renderer(), case)
         val isSeen = judgement.rendering.image.visible > 0
         if (isSeen && judgement.rendering.counters.peakBytes <= 0) {
-            judgement.fail("something is visible, but peakBytes is ${judgement.rendering.counters.peakBytes}")
+            judgement.fail("a primitive is visible, but peakBytes is ${judgement.rendering.counters.peakBytes}")
         }
     }
 
@@ -203,7 +203,7 @@ public sealed interface CounterRules : RulesForOne {
         val judgement = Judgement(renderer, case.watched(witness.frame))
         val visible = judgement.rendering.image.visible.toLong()
         val calls = judgement.rendering.counters.shadingCalls
-        if (calls != visible) judgement.fail("$visible samples are visible, but $calls are shaded")
+        if (calls != visible) judgement.fail("$visible samples are visible, but $calls shading calls are counted")
         if (witness.count > visible) judgement.fail("$visible samples are visible, but ${witness.count} were shaded")
     }
 
@@ -226,15 +226,17 @@ public sealed interface CounterRules : RulesForOne {
             val witness = ShadingWitness(each.frame)
             val judgement = Judgement(renderer, each.watched(witness.frame))
             val calls = judgement.rendering.counters.shadingCalls
-            if (calls != showing) judgement.fail("$showing fragments show, but $calls are shaded")
-            if (witness.count > showing) judgement.fail("$showing fragments show, but ${witness.count} were shaded")
+            if (calls != showing) judgement.fail("$showing fragments show through, but $calls are counted as shaded")
+            if (witness.count > showing) {
+                judgement.fail("$showing fragments show through, but ${witness.count} were shaded")
+            }
         }
     }
 
     /** Returns how many fragments are counted; fails if they are more than the [covered] samples. */
     private fun countedAtMost(covered: Long, judgement: Judgement): Long {
         val counted = judgement.rendering.counters.fragments
-        if (counted > covered) judgement.fail("$covered samples are covered, $counted fragments counted")
+        if (counted > covered) judgement.fail("$covered samples are covered, but $counted fragments are counted")
         return counted
     }
 

@@ -216,7 +216,7 @@ public sealed interface PictureRules : RulesForOne {
         val judgement = Judgement(renderer(), case).equalsReference()
         val counters = judgement.rendering.counters
         if (counters.fragments != 0L || counters.shadingCalls != 0L) {
-            judgement.fail("nothing was submitted, but the counters are $counters")
+            judgement.fail("no primitive was submitted, but the counters are $counters")
         }
     }
 

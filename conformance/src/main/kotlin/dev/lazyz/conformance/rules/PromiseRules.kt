@@ -58,7 +58,7 @@ public sealed interface PromiseRules : RulesForOne {
         val witness = RowWitness(case.frame)
         var early: String? = null
         renderer.render(witness.frame) { y, _, _, _ ->
-            if (witness.last > y) early = early ?: "row $y arrives after questions about row ${witness.last}"
+            if (witness.last > y) early = early ?: "row $y is delivered after queries about row ${witness.last}"
         }
         early?.let { Judgement(renderer, case).fail(it) }
     }
@@ -79,7 +79,7 @@ public sealed interface PromiseRules : RulesForOne {
         val last = Math.floorMod(salt, case.frame.height)
         answer { renderer.render(witness.frame) { y, _, _, _ -> check(y < last) { "enough" } } }
         if (witness.last <= last) return
-        Judgement(renderer, case).fail("rows are taken up to $last, a primitive is asked about row ${witness.last}")
+        Judgement(renderer, case).fail("the sink stops at row $last, a primitive is queried about row ${witness.last}")
     }
 
     /** A selector chooses among all fragments of a sample that pass against the background, nearest first. */
@@ -139,7 +139,7 @@ public sealed interface PromiseRules : RulesForOne {
         val counters = judgements.map { it.rendering.counters.withoutMemory() }
         for (i in 1 until counters.size) {
             if (counters[i] == counters[0]) continue
-            judgements[i].fail("one thread counts ${counters[0]}, several ${counters[i]}")
+            judgements[i].fail("one thread counts ${counters[0]}, but several count ${counters[i]}")
         }
     }
 
@@ -162,7 +162,7 @@ public sealed interface PromiseRules : RulesForOne {
             val empty = Rendering.of(configured, Frame(case.frame.raster, emptyList(), case.frame.region))
             least = minOf(least, empty.counters.peakBytes, judgement.rendering.counters.peakBytes)
             val held = judgement.rendering.counters.peakBytes - least
-            if (held > budget) judgement.fail("$held bytes are held besides the image's, which are at most $least")
+            if (held > budget) judgement.fail("$held bytes are held in addition to the image's, at most $least")
         }
     }
 

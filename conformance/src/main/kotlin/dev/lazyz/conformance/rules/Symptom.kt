@@ -20,16 +20,16 @@ public enum class Symptom(
     ROWS("rows are missing", 0.05),
 
     /** The picture is correct, but something else is not. */
-    COUNTERS("the picture is right, and something besides it is not", 0.1),
+    COUNTERS("the picture is correct, but something else is wrong", 0.1),
 
     /**
      * A primitive is visible where it covers nothing, or the background is visible where a primitive passes the depth
      * test.
      */
-    COVERAGE("it is about which samples are covered", 0.4),
+    COVERAGE("the wrong samples are covered", 0.4),
 
     /** Two primitives cover the sample at different depths, and the wrong one is visible. */
-    ORDER("of two depths that differ the wrong one wins", 0.2),
+    ORDER("the wrong one of two different depths wins", 0.2),
 
     /** At the sample that differs, two primitives have the winning depth. */
     TIE("two primitives have the same depth where the picture is wrong", 0.15),
@@ -38,34 +38,34 @@ public enum class Symptom(
     BACKGROUND("the background's depth decides where the picture is wrong", 0.1),
 
     /** The correct primitive is visible, but its depth is wrong. */
-    DEPTH("the right primitive has a wrong depth", 0.2),
+    DEPTH("the correct primitive has a wrong depth", 0.2),
 
     /** Primitives and depths are correct, but colours are wrong. */
     COLOR("only colours are wrong", 0.15),
 
     /** The raster requests a depth test other than the default one of its convention. */
-    DEPTH_TEST("the depth test is not the usual one", 0.25),
+    DEPTH_TEST("the depth test is not the default one", 0.25),
 
     /** The greatest depth wins. */
-    GREATEST_WINS("the depth test is one by which the greatest depth wins", 0.5),
+    GREATEST_WINS("the greatest depth wins", 0.5),
 
     /** Only a part of the raster is requested. */
-    REGION("only a part of the raster is asked for", 0.1),
+    REGION("only a region of the raster is rendered", 0.1),
 
     /** At least one primitive is translucent. */
-    TRANSLUCENT("some primitive is translucent", 0.1),
+    TRANSLUCENT("a primitive is translucent", 0.1),
 
     /** The frame has custom primitives, with many spans in a row or without a linear form. */
-    OWN_PRIMITIVE("the frame has primitives of one's own", 0.3),
+    OWN_PRIMITIVE("the frame has custom primitives", 0.3),
 
     /** The frame is a 3D scene seen through a camera. */
-    IN_SPACE("the frame is a scene before a camera", 0.25),
+    IN_SPACE("the frame is a 3D scene seen through a camera", 0.25),
 
     /** The frame has no primitives. */
     NO_PRIMITIVES("the frame has no primitives", 0.1),
 
     /** At least one primitive covers nothing. */
-    EMPTY_PRIMITIVE("some primitive covers nothing", 0.45),
+    EMPTY_PRIMITIVE("a primitive covers nothing", 0.45),
 
     /** There are more primitives than a 16-bit index can number. */
     MANY_PRIMITIVES("the frame has tens of thousands of primitives", 0.03),
@@ -77,5 +77,5 @@ public enum class Symptom(
     OPTIONS("the renderer is configured with options", 0.1),
 
     /** The same renderer instance has already rendered another frame in the same try. */
-    AGAIN("the renderer has rendered something before", 0.3),
+    AGAIN("the renderer has rendered another frame before", 0.3),
 }

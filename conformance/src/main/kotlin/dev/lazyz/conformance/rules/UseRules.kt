@@ -124,8 +124,8 @@ public sealed interface UseRules : RulesForOne {
             renderer.render(case.frame) { _, _, _, _ -> if (rows++ >= last) throw planted }
         }
         val judgement = Judgement(renderer, case)
-        if (answer !== planted) judgement.fail("the sink threw $planted, the caller got $answer", answer)
-        if (rows != last + 1) judgement.fail("the sink threw at row number ${last + 1}, and was called $rows times")
+        if (answer !== planted) judgement.fail("the sink threw $planted, but the caller got $answer", answer)
+        if (rows != last + 1) judgement.fail("the sink threw at call number ${last + 1}, but was called $rows times")
         judgement.equalsReference()
     }
 
@@ -158,7 +158,7 @@ public sealed interface UseRules : RulesForOne {
         renderer.render(witness.frame) { _, _, _, _ -> }
         val asked = witness.asked ?: return
         val judgement = Judgement(renderer, part)
-        judgement.fail("primitive $asked lies outside the region, and is asked for more than its bounds")
+        judgement.fail("primitive $asked lies outside the region, but is queried for more than its bounds")
     }
 
     private companion object {

@@ -44,7 +44,7 @@ internal class Effort :
         for (rule in SuiteRule.all) {
             val found = type.getMethod(rule.name, *rule.method.parameterTypes)
             check(found.declaringClass == rule.method.declaringClass) {
-                "${type.name} overrides $rule; a rule that cannot be kept is waived"
+                "${type.name} overrides $rule; to allow a failure, use a waiver"
             }
         }
     }

@@ -21,9 +21,9 @@ internal object KeptFailure {
         val kept = try {
             Files.createDirectories(folder)
             val files = ReportFiles(report, folder).write(failure, folder, failed.rule)
-            if (files.isEmpty()) "" else "kept in $folder: ${files.joinToString()}\n"
+            if (files.isEmpty()) "" else "saved in $folder: ${files.joinToString()}\n"
         } catch (e: IOException) {
-            "nothing kept: $e\n"
+            "not saved: $e\n"
         }
         return "${kept}seed ${report.seed}; again: ${report.commandFor(failed.rule)}"
     }

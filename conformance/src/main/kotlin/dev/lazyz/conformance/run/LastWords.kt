@@ -19,10 +19,10 @@ internal object LastWords {
     private fun tell() {
         val trial = Trial.current
         if (trial == null) {
-            if (isMaking) System.err.println("The process ends while the renderer is made; no rule is on trial yet")
+            if (isMaking) System.err.println("The process ends while the renderer is created, before the first rule")
             return
         }
         val where = trial.underTrial?.let { ", with\n$it" }.orEmpty()
-        System.err.println("The process ends while ${trial.rule} is on trial$where")
+        System.err.println("The process ends while ${trial.rule} is running$where")
     }
 }

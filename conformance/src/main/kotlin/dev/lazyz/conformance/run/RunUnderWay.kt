@@ -38,7 +38,7 @@ internal class RunUnderWay(
     /** Runs the rules and returns their results, in the same order. */
     fun execute(): List<RuleResult> {
         check(active.compareAndSet(null, this)) {
-            "a run of the conformance suite is under way in this process, and there can be one at a time"
+            "a run of the conformance suite is in progress in this process; only one at a time is possible"
         }
         val level = jqwik.level
         jqwik.level = LogLevel.SEVERE
@@ -84,7 +84,7 @@ internal class RunUnderWay(
             result.throwable.ifPresent { causes.add(it) }
         }
 
-        override fun toString(): String = causes.firstOrNull()?.stackTraceToString() ?: "no reason is known"
+        override fun toString(): String = causes.firstOrNull()?.stackTraceToString() ?: "the reason is unknown"
     }
 
     companion object {

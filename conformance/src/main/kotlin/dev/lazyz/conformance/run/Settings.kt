@@ -94,7 +94,7 @@ internal class Tally {
         ) {
             null
         } else {
-            "$MOST_TIME_OUTS rules before it timed out or ended the process"
+            "$MOST_TIME_OUTS earlier rules timed out or ended the process"
         }
 
     fun add(verdict: RuleResult) {

@@ -113,7 +113,7 @@ internal class Trial(
         }
         if (result.isFalsified) {
             firstFailure = failure
-            falsified = Falsified(parameters, failure ?: AssertionError("failed without a word"))
+            falsified = Falsified(parameters, failure ?: AssertionError("failed without a message"))
             shrinkingSince = System.nanoTime()
             if (isTooExpensiveToRepeat(failure)) stepsLeft.set(0)
         } else {
@@ -125,7 +125,7 @@ internal class Trial(
     /** Skips the tries before the one in which the process ended, and reports that one as failed. */
     private fun replay(end: ProcessEnd, parameters: List<Any>): TryExecutionResult {
         if (tries < end.tries) return TryExecutionResult.satisfied()
-        val lead = if (end.isShrinking) "failed, and when smaller frames were tried " else ""
+        val lead = if (end.isShrinking) "failed, and during shrinking " else ""
         val where = casesAmong(parameters).firstOrNull()?.let { "\nin\n$it" }.orEmpty()
         val message = "${lead}ended the process: ${end.words}$where"
         val failure = if (end.outcome == RuleOutcome.TIMED_OUT) TimedOut(message, null) else ProcessEnded(message)
@@ -185,7 +185,7 @@ internal class Trial(
     /** Returns the result of the rule, given jqwik's [result]. */
     fun verdict(result: PropertyExecutionResult, today: LocalDate): RuleResult {
         val failure =
-            falsified?.failure ?: result.throwable().orElse(null) ?: AssertionError("failed without a word")
+            falsified?.failure ?: result.throwable().orElse(null) ?: AssertionError("failed without a message")
         val plain = outcome(result.status(), failure)
         val outcome = when {
             waiver == null || plain == RuleOutcome.NOT_RUN -> plain
@@ -229,7 +229,7 @@ internal class Trial(
         RuleOutcome.NOT_RUN -> notRun.orEmpty()
         RuleOutcome.NOT_SUPPORTED -> (notDeclared ?: failure).message.orEmpty()
         RuleOutcome.WAIVED -> "waived until ${waiver?.expires}: ${waiver?.reason} (${waiver?.link})"
-        RuleOutcome.WAIVED_BUT_PASSES -> "is waived, but ${verb(plain)}: delete its waiver"
+        RuleOutcome.WAIVED_BUT_PASSES -> "has a waiver, but ${verb(plain)}: delete the waiver"
         RuleOutcome.WAIVER_EXPIRED -> "the waiver expired on ${waiver?.expires}, and the rule ${verb(plain)}"
     }
 
@@ -263,7 +263,7 @@ internal class Trial(
         private const val DEADLINES_TO_SHRINK = 3L
 
         private const val NOT_REPRODUCIBLE =
-            "not reproducible: rendered again, the same frame came out right; look for state or races"
+            "not reproducible: the same frame was correct when rendered again; look for state or data races"
 
         /** The current rule; null between rules. There is one at a time in a JVM. */
         var current: Trial?
@@ -285,6 +285,6 @@ internal class Trial(
  * Ends jqwik's search for a smaller frame, which would otherwise visit many thousands of candidates even if none is
  * tried. An error, because jqwik treats an exception as another failure.
  */
-internal class ShrinkingEnds : Error("the smallest frame is known") {
+internal class ShrinkingEnds : Error("shrinking has ended") {
     override fun fillInStackTrace(): Throwable = this
 }

@@ -166,7 +166,7 @@ class ExactPictureTest {
             assertNotNull(picture.fault(wrong))
         }
         val larger = ExactSphere(raster, camera, Sphere(Vector3d(), 1.75))
-        assertEquals("sample (1, 0): primitive 0 must cover it, and does not", shown(frame, larger, right))
+        assertEquals("sample (1, 0): primitive 0 must cover it, but does not", shown(frame, larger, right))
         val nearer = ExactSphere(raster, camera, Sphere(Vector3d(0.0, 0.0, 0.001), 1.0))
         assertTrue("units off" in shown(frame, nearer, right))
     }

@@ -71,7 +71,7 @@ class WaiversTest {
         assertTrue(result.outcome.isFailure)
         val inapplicable = outcome(PlainRenderer(), rule = "rule_8_2_promiseToShadeOnlyTheVisibleIsKept")
         assertEquals(RuleOutcome.WAIVED_BUT_PASSES, inapplicable.outcome)
-        assertEquals("is waived, but is not supported: delete its waiver", inapplicable.message)
+        assertEquals("has a waiver, but is not supported: delete the waiver", inapplicable.message)
     }
 
     @Test

@@ -66,7 +66,7 @@ class RunTest {
         )
         for (make in hanging) {
             val told = assertThrows(NotMadeException::class.java) { of(make).run() }.message.orEmpty()
-            assertTrue(told.startsWith("making the renderer was not over after 0.3 s; it is at"), told)
+            assertTrue(told.startsWith("creating the renderer was not over after 0.3 s; it is at"), told)
             assertTrue("RunGallery.never" in told, told)
         }
     }
@@ -102,7 +102,7 @@ class RunTest {
         val outcomes = run.results.map { it.outcome }
         assertEquals(3, outcomes.count { it == RuleOutcome.TIMED_OUT }) { run.toText() }
         assertTrue(outcomes.takeLast(2).all { it == RuleOutcome.NOT_RUN }, run.toText())
-        assertEquals("3 rules before it timed out or ended the process", run.results.last().message)
+        assertEquals("3 earlier rules timed out or ended the process", run.results.last().message)
         assertEquals(0, run.results.last().tries)
     }
 

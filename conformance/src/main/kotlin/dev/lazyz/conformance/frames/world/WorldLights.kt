@@ -10,9 +10,9 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 import org.joml.Vector3d
 
-/** Generates lights: none, which means the default lights; only ambient light; one or several of any kind. */
+/** Generates lights: none, which means [Light.studio]; only ambient light; one or several of any kind. */
 internal object WorldLights {
-    /** Generates at most four lights. Shrinks to none, which means the default lights. */
+    /** Generates at most four lights. Shrinks to none, which means [Light.studio]. */
     fun any(): Arbitrary<List<Coded<Light>>> = mixed(
         1 to Arbitraries.just(emptyList()),
         4 to mixed(2 to ambient(), 3 to directional(), 4 to point()).list().ofMinSize(1).ofMaxSize(4),

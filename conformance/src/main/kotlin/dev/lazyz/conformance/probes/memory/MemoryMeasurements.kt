@@ -38,7 +38,7 @@ internal fun constantMemory(renderer: Renderer) {
     }
     val growth = { heldForRows(configured, MANY_ROWS) - Heap.less { heldForRows(configured, FEW_ROWS) } }
     Heap.requireAtMost(ROWS_ALLOWANCE, growth) {
-        fail(renderer, "$MANY_ROWS rows of $WIDE samples hold $it bytes more of the heap than $FEW_ROWS rows")
+        fail(renderer, "$MANY_ROWS rows of $WIDE samples hold $it bytes more on the heap than $FEW_ROWS rows")
     }
 }
 
@@ -70,7 +70,7 @@ internal fun constantMemoryInPrimitives(renderer: Renderer) {
                 Heap.less { heldForArrivals(renderer, order, FEW_PRIMITIVES) }
         }
         Heap.requireAtMost(PRIMITIVES_ALLOWANCE, growth) {
-            fail(renderer, "$MANY_PRIMITIVES primitives $order hold $it bytes more of the heap than $FEW_PRIMITIVES")
+            fail(renderer, "$MANY_PRIMITIVES primitives $order hold $it bytes more on the heap than $FEW_PRIMITIVES")
         }
     }
 }
@@ -124,7 +124,7 @@ internal fun budgetOnTheHeap(renderer: Renderer) {
         val configured = renderer.configured(RenderOptions(memoryBudget = budget, threads = 1))
         val held = { heldForColours(configured, speckles) - Heap.less { heldForColours(configured, plain) } }
         Heap.requireAtMost(budget + budget / 4 + BUDGET_ALLOWANCE, held) {
-            fail(renderer, "a budget of $budget bytes is given, and $it of the heap are held besides the image's")
+            fail(renderer, "the budget is $budget bytes, but $it bytes of the heap are held in addition to the image's")
         }
     }
 }
@@ -147,15 +147,15 @@ internal fun keepsNothing(renderer: Renderer) {
         if (Heap.isSoon { left.all { it.get() == null } }) continue
         val kept = left.mapNotNull { it.get() }.first()
         Reference.reachabilityFence(renderer)
-        fail(renderer, "a ${kept.javaClass.simpleName} is kept when the rendering $end")
+        fail(renderer, "a ${kept.javaClass.simpleName} is still held after the rendering $end")
     }
 }
 
 /** How a rendering ends. */
 private enum class End(private val words: String) {
     RETURNED("has returned"),
-    SINK_THREW("has ended since the sink threw"),
-    PRIMITIVE_THREW("has ended since a primitive threw"),
+    SINK_THREW("has failed because the sink threw"),
+    PRIMITIVE_THREW("has failed because a primitive threw"),
     ;
 
     override fun toString(): String = words

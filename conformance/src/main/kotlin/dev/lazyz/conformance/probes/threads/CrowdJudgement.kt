@@ -42,11 +42,11 @@ internal fun countsInACrowd(renderer: Renderer, quiet: FrameCase, crowd: Crowd) 
     val counted = listOf(counters.primitives, counters.fragments, counters.shadingCalls)
     val happened = listOf(Crowd.COUNT.toLong(), Crowd.FRAGMENTS, crowd.shadingCalls)
     val words = "primitives, fragments and shading calls"
-    if (counted != happened) miscounted(renderer, quiet, "$words are $happened, counted are $counted")
+    if (counted != happened) miscounted(renderer, quiet, "$words are $happened, but $counted are counted")
     if (Capability.PARALLEL !in renderer.capabilities) return
     val alone = Rendering.of(renderer.configured(RenderOptions(threads = 1, tileSize = 8)), quiet.frame).counters
     if (counters.withoutMemory() != alone.withoutMemory()) {
-        miscounted(renderer, quiet, "one thread counts $alone, several that meet $counters")
+        miscounted(renderer, quiet, "one thread counts $alone, but several count $counters")
     }
 }
 

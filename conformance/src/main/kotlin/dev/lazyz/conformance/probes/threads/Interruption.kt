@@ -23,8 +23,8 @@ import java.util.concurrent.atomic.AtomicInteger
 /** When the rendering thread is interrupted. */
 internal enum class Interruption(private val words: String) {
     BEFORE("before it renders"),
-    IN_THE_SINK("while the sink has a row"),
-    IN_A_PRIMITIVE("while a primitive is asked"),
+    IN_THE_SINK("while the sink is called"),
+    IN_A_PRIMITIVE("while a primitive is queried"),
     ;
 
     override fun toString(): String = words
@@ -104,11 +104,11 @@ private class InterruptedRendering(
 
     /** Describes how the interrupt was lost, or returns null. */
     fun lostInterrupt(): String? = when {
-        thrown is InterruptedException && !isSent -> "threw InterruptedException, though nobody had interrupted it"
-        thrown is InterruptedException && isSet -> "threw InterruptedException, and left the interrupt status set"
+        thrown is InterruptedException && !isSent -> "threw InterruptedException, although it was not interrupted"
+        thrown is InterruptedException && isSet -> "threw InterruptedException, but left the interrupt status set"
         thrown != null -> null
-        isSent && !isSet -> "returned, and the interrupt status is not set any longer"
-        !isSent && isSet -> "set the interrupt status, though nobody had interrupted it"
+        isSent && !isSet -> "returned, but the interrupt status is no longer set"
+        !isSent && isSet -> "set the interrupt status, although it was not interrupted"
         else -> null
     }
 

@@ -16,7 +16,7 @@ internal fun nobodyAsksAfterTheEnd(renderer: Renderer) {
         if (late == 0) continue
         val what = if (isSinkToFail) "the sink" else "a primitive"
         Judgement(renderer, Workers.quiet(), "$what that throws")
-            .fail("when the rendering had ended, threads of its own asked primitives $late times")
+            .fail("after the rendering had ended, its threads queried primitives $late times")
     }
 }
 

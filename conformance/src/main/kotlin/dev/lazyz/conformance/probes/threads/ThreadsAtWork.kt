@@ -22,7 +22,7 @@ internal fun notTooManyThreads(renderer: Renderer) {
         // A busy machine may wake up a thread late; the second duration is then long enough
         for (pause in listOf(1L, 4L)) {
             val most = mostAtOnce(configured, pause)
-            if (most > allowed) fail(configured, "$most threads asked at the same time, $allowed are allowed")
+            if (most > allowed) fail(configured, "$most threads made queries at the same time, $allowed are allowed")
         }
     }
 }
@@ -63,5 +63,5 @@ internal fun severalThreads(renderer: Renderer) {
         configured.render(Frame(Raster(SIDE, SIDE), listOf(stripe, shaded))) { _, _, _, _ -> }
         if (threads.size > 1) return
     }
-    fail(configured, "one thread asked all questions about a picture of $SIDE x $SIDE samples, though 4 are allowed")
+    fail(configured, "one thread made all queries for a picture of $SIDE x $SIDE samples, although 4 are allowed")
 }

@@ -30,8 +30,8 @@ internal fun passesOnFailuresOfWorkers(renderer: Renderer) {
             val expected = if (isThrown.get()) planted else null
             if (thrown === expected) continue
             throw Violation(
-                "${renderer.id}: ${expected ?: "nothing"} was thrown at a thread of its own by $question, " +
-                    "the caller got ${thrown ?: "nothing"}\nin\n$quiet",
+                "${renderer.id}: ${expected ?: "nothing"} was thrown in one of its threads by the query $question, "  +
+                    "but the caller got ${thrown ?: "nothing"}\nin\n$quiet",
                 quiet,
             )
         }
@@ -51,7 +51,7 @@ internal fun heedsWorkersThoughInterrupted(renderer: Renderer, isBefore: Boolean
     thread.start()
     thread.join(PATIENCE)
     val what = if (thread.isAlive) "hangs" else rendering.complaint(quiet) ?: return
-    val moment = if (isBefore) "before it renders" else "while it waits for others"
+    val moment = if (isBefore) "before it renders" else "while it waits for other threads"
     Judgement(renderer, quiet, "a thread that is interrupted $moment").fail(what, rendering.thrown)
 }
 
@@ -114,11 +114,11 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
     fun complaint(case: FrameCase): String? {
         val image = image
         return when {
-            thrown is InterruptedException && !isSent -> "threw InterruptedException, though nobody had interrupted it"
-            thrown is InterruptedException && isSet -> "threw InterruptedException, and left the interrupt status set"
+            thrown is InterruptedException && !isSent -> "threw InterruptedException, although it was not interrupted"
+            thrown is InterruptedException && isSet -> "threw InterruptedException, but left the interrupt status set"
             thrown is InterruptedException -> null
             image == null -> "threw $thrown"
-            isSent && !isSet -> "returned, and the interrupt status is not set any longer"
+            isSent && !isSet -> "returned, but the interrupt status is no longer set"
             else -> difference(Rendering.of(ReferenceRenderer(), case.frame).image, image)?.toString()
         }
     }
