@@ -107,6 +107,6 @@ public class RecordedReport private constructor(
     }
 }
 
-/** Thrown if a file is not a report or belongs to another version of the suite. The message tells which. */
+/** Thrown if a file is not a report or belongs to another version of the suite. The message has the reason. */
 public class RecordedReportException @JvmOverloads constructor(message: String, cause: Throwable? = null) :
     IllegalArgumentException(message, cause)

@@ -70,7 +70,7 @@ internal class ShadingWitness(frame: Frame) {
 
 /** Records a primitive of [frame] that lies wholly outside its region but is queried for more than its bounds. */
 internal class OutsideWitness(frame: Frame) {
-    private val found = AtomicInteger(NOBODY)
+    private val found = AtomicInteger(NONE)
 
     /** The frame with the observed primitives. */
     val frame: Frame = Frame(
@@ -80,7 +80,7 @@ internal class OutsideWitness(frame: Frame) {
     )
 
     /** Index of a primitive that was queried, or null. */
-    val asked: Int? get() = found.get().takeIf { it != NOBODY }
+    val asked: Int? get() = found.get().takeIf { it != NONE }
 
     private fun isOutside(primitive: Primitive, region: Region): Boolean =
         maxOf(primitive.rowStart, region.rowStart) >= minOf(primitive.rowEnd, region.rowEnd) ||
@@ -114,6 +114,6 @@ internal class OutsideWitness(frame: Frame) {
     }
 
     private companion object {
-        const val NOBODY = -1
+        const val NONE = -1
     }
 }

@@ -50,7 +50,7 @@ public class ConformanceReport internal constructor(
     internal val diagnosis: Diagnosis = Diagnosis.of(results)
 
     /** The results to describe in detail: the likely causes first, then the others, ordered by number. */
-    internal val told: List<RuleResult> = results.filter { it.outcome.isTold }.sortedBy { result ->
+    internal val detailed: List<RuleResult> = results.filter { it.outcome.isDetailed }.sortedBy { result ->
         diagnosis.causes.indexOfFirst { it.rule == result.rule }.let { if (it < 0) Int.MAX_VALUE else it }
     }
 

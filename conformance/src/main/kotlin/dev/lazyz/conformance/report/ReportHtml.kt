@@ -52,18 +52,18 @@ internal class ReportHtml(private val report: ConformanceReport) {
     }
 
     private fun StringBuilder.failures(title: String, isMeant: (RuleOutcome) -> Boolean) {
-        val told = (report.told + report.withOutcome(RuleOutcome.WAIVED)).filter { isMeant(it.outcome) }
+        val detailed = (report.detailed + report.withOutcome(RuleOutcome.WAIVED)).filter { isMeant(it.outcome) }
             .sortedBy { !it.outcome.isFailure }
-        if (told.isEmpty()) return
+        if (detailed.isEmpty()) return
         appendLine("<h2>$title</h2>")
 
         // A table of contents, if there is more than one
-        if (told.size > 1) {
+        if (detailed.size > 1) {
             appendLine("<ul>")
-            for (result in told) appendLine("<li>${link(result)} ${badge(result)}</li>")
+            for (result in detailed) appendLine("<li>${link(result)} ${badge(result)}</li>")
             appendLine("</ul>")
         }
-        for (result in told) failure(result)
+        for (result in detailed) failure(result)
     }
 
     private fun StringBuilder.failure(result: RuleResult) {
@@ -119,7 +119,7 @@ internal class ReportHtml(private val report: ConformanceReport) {
         appendLine("<h2>Rules</h2>")
         table("rule", "level", "outcome", "tries", "ms", "intent") {
             for (it in report.results) {
-                val name = if (isTold(it)) link(it) else escaped(it.rule.name)
+                val name = if (isDetailed(it)) link(it) else escaped(it.rule.name)
                 val numbers = """<td class="number">${it.tries}</td><td class="number">${it.milliseconds}</td>"""
                 appendLine(
                     "<tr><td>$name</td><td>${it.rule.level}</td><td>${badge(it)}</td>$numbers" +
@@ -130,7 +130,7 @@ internal class ReportHtml(private val report: ConformanceReport) {
     }
 
     /** Whether the page has a section about the rule. */
-    private fun isTold(result: RuleResult): Boolean = result.outcome.isFailure || result.failure != null
+    private fun isDetailed(result: RuleResult): Boolean = result.outcome.isFailure || result.failure != null
 
     private fun link(result: RuleResult): String =
         """<a href="#${result.rule.name}">${escaped(result.rule.name)}</a>"""

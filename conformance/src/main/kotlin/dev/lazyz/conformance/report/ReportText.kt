@@ -17,7 +17,7 @@ internal class ReportText(private val report: ConformanceReport) {
         appendLine()
         heading()
         waivers()
-        for (result in report.told.take(MOST_TOLD)) failure(result)
+        for (result in report.detailed.take(MOST_DETAILED)) failure(result)
         appendLine()
         rules()
         appendLine()
@@ -117,8 +117,8 @@ internal class ReportText(private val report: ConformanceReport) {
 
     /** Returns the remark in the line of a rule that is not described in detail elsewhere. */
     private fun note(result: RuleResult): String {
-        val isTold = result.outcome.isTold && result !in report.told.take(MOST_TOLD)
-        if (!isTold && result.outcome != RuleOutcome.NOT_SUPPORTED) return ""
+        val isDetailed = result.outcome.isDetailed && result !in report.detailed.take(MOST_DETAILED)
+        if (!isDetailed && result.outcome != RuleOutcome.NOT_SUPPORTED) return ""
         return "  " + result.message.lineSequence().first().removePrefix("${report.strategy.id}: ").take(MOST_COLUMNS)
     }
 
@@ -133,7 +133,7 @@ internal class ReportText(private val report: ConformanceReport) {
 
     companion object {
         /** Number of failures that are described in detail; the others get one line. */
-        private const val MOST_TOLD = Diagnosis.MOST_CAUSES
+        private const val MOST_DETAILED = Diagnosis.MOST_CAUSES
 
         /** Greatest number of lines and columns of a failure's message. */
         private const val MOST_LINES = 20

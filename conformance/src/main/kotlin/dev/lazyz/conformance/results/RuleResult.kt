@@ -61,7 +61,7 @@ public enum class RuleOutcome(internal val words: String) {
     }
 
     /** Whether reports describe it in detail. */
-    internal val isTold: Boolean get() = isFailure || this == NOT_FOLLOWED
+    internal val isDetailed: Boolean get() = isFailure || this == NOT_FOLLOWED
 }
 
 /**

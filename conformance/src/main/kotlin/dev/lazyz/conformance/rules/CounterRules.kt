@@ -119,7 +119,7 @@ public sealed interface CounterRules : RulesForOne {
             val judgement = Judgement(configured, case.watched(witness.frame), "$coherence")
             val counters = judgement.rendering.counters
             if (counters.shadingStarts != witness.starts || counters.shadingSteps != witness.steps) {
-                judgement.fail("${witness.starts} starts, ${witness.steps} steps were made, but the counters are $counters")
+                judgement.fail("${witness.starts} starts, ${witness.steps} steps are made; the counters are $counters")
             }
             if (coherence == Coherence.DIRECT && witness.steps + counters.longestChain > 0) {
                 judgement.fail("shading steps although it is DIRECT: $counters")

@@ -16,7 +16,7 @@ import dev.lazyz.conformance.probes.threads.Meeting
 import dev.lazyz.conformance.probes.threads.Where
 import dev.lazyz.conformance.probes.threads.atOnce
 import dev.lazyz.conformance.probes.threads.rightInACrowd
-import dev.lazyz.conformance.probes.threads.tellsOfInterrupt
+import dev.lazyz.conformance.probes.threads.reportsInterrupt
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
@@ -78,7 +78,7 @@ public sealed interface ThreadRules : RulesForOne {
     @Property(tries = 15, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_8_interruptIsNotLost(@ForAll(supplier = MixedCases::class) case: FrameCase, @ForAll salt: Long) {
         val renderer = renderer()
-        for (moment in Interruption.entries) tellsOfInterrupt(renderer, case, moment, Random(salt))
+        for (moment in Interruption.entries) reportsInterrupt(renderer, case, moment, Random(salt))
     }
 
     private companion object {

@@ -4,8 +4,8 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.conformance.probes.threads.Crowd
 import dev.lazyz.conformance.probes.threads.Where
 import dev.lazyz.conformance.probes.threads.countsInACrowd
-import dev.lazyz.conformance.probes.threads.heedsWorkersThoughInterrupted
-import dev.lazyz.conformance.probes.threads.nobodyAsksAfterTheEnd
+import dev.lazyz.conformance.probes.threads.completesOrThrowsIfInterrupted
+import dev.lazyz.conformance.probes.threads.makesNoLateQueries
 import dev.lazyz.conformance.probes.threads.passesOnFailuresOfWorkers
 import dev.lazyz.conformance.probes.threads.rightInACrowd
 import dev.lazyz.conformance.probes.threads.whileTheyMeet
@@ -34,7 +34,7 @@ public sealed interface WorkerRules : RulesForOne {
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_nobodyAsksAfterTheEnd() {
-        nobodyAsksAfterTheEnd(renderer().configured(FOUR_THREADS))
+        makesNoLateQueries(renderer().configured(FOUR_THREADS))
     }
 
     /** A caller that is interrupted while the renderer's own threads are working never gets half a picture. */
@@ -47,7 +47,7 @@ public sealed interface WorkerRules : RulesForOne {
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_interruptedCallersGetNoHalfPicture() {
         val renderer = renderer().configured(FOUR_THREADS)
-        for (isBefore in listOf(true, false)) heedsWorkersThoughInterrupted(renderer, isBefore)
+        for (isBefore in listOf(true, false)) completesOrThrowsIfInterrupted(renderer, isBefore)
     }
 
     /** Threads of one rendering that work on the same sample, or query at the same time, lose nothing. */

@@ -35,11 +35,11 @@ internal class Effort :
 
     override fun beforeContainer(context: ContainerLifecycleContext) {
         tally = Tally()
-        context.optionalContainerClass().ifPresent { requireRulesAsTheyAre(it) }
+        context.optionalContainerClass().ifPresent { requireRulesNotOverridden(it) }
     }
 
     /** Checks that no test class overrides a rule. Rules are functions of interfaces, which cannot be final. */
-    private fun requireRulesAsTheyAre(type: Class<*>) {
+    private fun requireRulesNotOverridden(type: Class<*>) {
         if (!AllRules::class.java.isAssignableFrom(type)) return
         for (rule in SuiteRule.all) {
             val found = type.getMethod(rule.name, *rule.method.parameterTypes)

@@ -9,7 +9,7 @@ import java.nio.file.Path
 
 /** Reads a [Journal] while a sequence of processes writes it, and calls [listener] once for each rule. */
 internal class JournalFollower(private val path: Path, private val listener: RuleListener) {
-    private val told = HashSet<String>()
+    private val reported = HashSet<String>()
     private val line = StringBuilder()
     private var position = 0L
     private var since = System.nanoTime()
@@ -38,7 +38,7 @@ internal class JournalFollower(private val path: Path, private val listener: Rul
         val now = System.nanoTime()
         val elapsed = (now - since) / NANOSECONDS
         since = now
-        if (!told.add(name)) return
+        if (!reported.add(name)) return
         val rule = SuiteRule.find(name) ?: return
         listener.ended(rule, RuleOutcome.valueOf(outcome), milliseconds.toLongOrNull() ?: elapsed)
     }

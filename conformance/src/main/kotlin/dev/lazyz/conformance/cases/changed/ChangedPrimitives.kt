@@ -92,7 +92,7 @@ internal class Moved(whole: Primitive, private val height: Int, private val righ
  * A primitive one unit behind the visible surface in [image] at each sample, except where no such depth exists. It must
  * never be visible.
  */
-internal class Backstage(private val raster: Raster, private val image: Image) : Primitive {
+internal class HiddenSurface(private val raster: Raster, private val image: Image) : Primitive {
     private val shader: Shader = Tint(-1)
     override val rowStart: Int get() = 0
     override val rowEnd: Int get() = raster.height
@@ -137,7 +137,7 @@ private const val MANY = 131_070
 
 /** Returns the frame with an additional primitive just behind what is visible in [image]. */
 internal fun FrameCase.backed(image: Image): FrameCase = FrameCase(
-    Frame(frame.raster, frame.primitives + Backstage(frame.raster, image)),
+    Frame(frame.raster, frame.primitives + HiddenSurface(frame.raster, image)),
     "$code // and behind the primitives one more, a unit of depth behind the picture",
 )
 

@@ -16,7 +16,7 @@ import java.lang.ref.WeakReference
 // Memory is measured on the heap, because a renderer's own counters may be wrong. A violation holds several times the
 // allowed memory, and the allowed memory is several times the usual noise.
 
-private val NOBODY = RowSink { _, _, _, _ -> }
+private val DISCARD = RowSink { _, _, _, _ -> }
 
 private const val WIDE = 256
 
@@ -31,8 +31,8 @@ private const val ROWS_ALLOWANCE = (MANY_ROWS - FEW_ROWS) * WIDE / 2L
 internal fun constantMemory(renderer: Renderer) {
     // Several threads may process several blocks of rows at a time, but not more of them for a higher picture
     val configured = renderer.configured(RenderOptions(threads = 2))
-    val few = configured.render(stripes(FEW_ROWS), NOBODY).peakBytes
-    val many = configured.render(stripes(MANY_ROWS), NOBODY).peakBytes
+    val few = configured.render(stripes(FEW_ROWS), DISCARD).peakBytes
+    val many = configured.render(stripes(MANY_ROWS), DISCARD).peakBytes
     if (many > few + few / 8 + Long.SIZE_BYTES) {
         fail(renderer, "peakBytes is $few for $FEW_ROWS rows of $WIDE samples, $many for $MANY_ROWS")
     }
@@ -42,8 +42,8 @@ internal fun constantMemory(renderer: Renderer) {
     }
 }
 
-private fun stripes(rows: Int, heed: (Int) -> Unit = {}) =
-    Frame(Raster(WIDE, rows), listOf(Stripe(0..3, 0..<rows, 1000, heed), Stripe(2..7, 0..<rows, 2000, heed)))
+private fun stripes(rows: Int, onQuery: (Int) -> Unit = {}) =
+    Frame(Raster(WIDE, rows), listOf(Stripe(0..3, 0..<rows, 1000, onQuery), Stripe(2..7, 0..<rows, 2000, onQuery)))
 
 /** Returns the bytes held when the last row is queried, and when the first and the last one are delivered. */
 private fun heldForRows(renderer: Renderer, rows: Int): Long = Heap.most { measure ->
@@ -60,8 +60,8 @@ private const val PRIMITIVES_ALLOWANCE = MANY_PRIMITIVES - FEW_PRIMITIVES.toLong
 /** Fails if many more hidden primitives take more memory, whether they are hidden immediately or later. */
 internal fun constantMemoryInPrimitives(renderer: Renderer) {
     for (order in Order.entries) {
-        val few = renderer.render(arriving(order, FEW_PRIMITIVES), NOBODY).peakBytes
-        val many = renderer.render(arriving(order, MANY_PRIMITIVES), NOBODY).peakBytes
+        val few = renderer.render(arriving(order, FEW_PRIMITIVES), DISCARD).peakBytes
+        val many = renderer.render(arriving(order, MANY_PRIMITIVES), DISCARD).peakBytes
         if (many > few + PRIMITIVES_ALLOWANCE) {
             fail(renderer, "peakBytes is $few for $FEW_PRIMITIVES primitives $order, $many for $MANY_PRIMITIVES")
         }
@@ -88,13 +88,13 @@ private enum class Order(private val words: String) {
  * Returns a frame that does not store primitives: each is created when it is requested, and is garbage unless the
  * renderer keeps it.
  */
-private fun arriving(order: Order, count: Int, heed: (Int) -> Unit = {}): Frame {
+private fun arriving(order: Order, count: Int, onQuery: (Int) -> Unit = {}): Frame {
     val primitives = object : AbstractList<Primitive>() {
         override val size: Int get() = count
 
         override fun get(index: Int): Primitive {
             val depth = 1000 + if (order == Order.HIDDEN_AT_ONCE) index else count - index
-            return Stripe(0..7, 0..1, depth) { heed(index) }
+            return Stripe(0..7, 0..1, depth) { onQuery(index) }
         }
     }
     return Frame(Raster(8, 2), primitives)
@@ -131,10 +131,10 @@ internal fun budgetOnTheHeap(renderer: Renderer) {
 
 /** Returns the bytes held when the last primitive is queried, and when the first row is delivered. */
 private fun heldForColours(renderer: Renderer, places: List<Pair<IntProgression, IntRange>>): Long {
-    var heed: (Int) -> Unit = {}
-    val primitives = places.mapIndexed { index, (columns, rows) -> Stripe(columns, rows, 1000) { heed(index) } }
+    var onQuery: (Int) -> Unit = {}
+    val primitives = places.mapIndexed { index, (columns, rows) -> Stripe(columns, rows, 1000) { onQuery(index) } }
     return Heap.most { measure ->
-        heed = Once(places.lastIndex, measure)
+        onQuery = Once(places.lastIndex, measure)
         renderer.render(Frame(Raster(SIDE, SIDE), primitives)) { y, _, _, _ -> if (y == 0) measure() }
     }
 }

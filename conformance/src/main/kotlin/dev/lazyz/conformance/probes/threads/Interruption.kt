@@ -41,7 +41,7 @@ internal fun endsInterrupted(renderer: Renderer, case: FrameCase): Unit =
  * Fails unless [renderer], if its thread is interrupted at some [moment], also reports that, by the interrupt status or
  * by the exception.
  */
-internal fun tellsOfInterrupt(renderer: Renderer, case: FrameCase, moment: Interruption, random: Random): Unit =
+internal fun reportsInterrupt(renderer: Renderer, case: FrameCase, moment: Interruption, random: Random): Unit =
     interrupt(renderer, case, moment, random) { it.lostInterrupt() ?: it.lostPicture(case) }
 
 private fun interrupt(

@@ -10,7 +10,7 @@ import java.util.concurrent.locks.LockSupport
 /**
  * Fails if [renderer]'s own threads query primitives after a rendering has ended with a failure on the caller's thread.
  */
-internal fun nobodyAsksAfterTheEnd(renderer: Renderer) {
+internal fun makesNoLateQueries(renderer: Renderer) {
     for (isSinkToFail in listOf(false, true)) {
         val late = LateQuestions(renderer, isSinkToFail).count() ?: return
         if (late == 0) continue
@@ -31,16 +31,16 @@ private class LateQuestions(private val renderer: Renderer, private val isSinkTo
 
     /** Returns the number of late queries; null if there are no workers. */
     fun count(): Int? {
-        val workers = Workers(Thread.currentThread(), { if (!isSinkToFail) throw planted }) { beSlow() }
+        val workers = Workers(Thread.currentThread(), { if (!isSinkToFail) throw planted }) { delay() }
         val sink = RowSink { _, _, _, _ -> if (isSinkToFail) throw planted }
         answer { renderer.render(workers.frame, sink) }
         hasEnded = true
-        if (!workers.hasCome) return null
+        if (!workers.hasWorker) return null
         Thread.sleep(PATIENCE)
         return late.get()
     }
 
-    private fun beSlow() {
+    private fun delay() {
         if (hasEnded) late.incrementAndGet()
         if (pauses.getAndIncrement() < MOST_PAUSES) LockSupport.parkNanos(PAUSE)
     }

@@ -26,11 +26,11 @@ internal fun passesOnFailuresOfWorkers(renderer: Renderer) {
             val thrown = answer { Rendering.of(renderer, workers.frame) }
 
             // A renderer without worker threads has nothing to pass on
-            if (!workers.hasCome) return
+            if (!workers.hasWorker) return
             val expected = if (isThrown.get()) planted else null
             if (thrown === expected) continue
             throw Violation(
-                "${renderer.id}: ${expected ?: "nothing"} was thrown in one of its threads by the query $question, "  +
+                "${renderer.id}: ${expected ?: "nothing"} was thrown in one of its threads by the query $question, " +
                     "but the caller got ${thrown ?: "nothing"}\nin\n$quiet",
                 quiet,
             )
@@ -43,7 +43,7 @@ internal fun passesOnFailuresOfWorkers(renderer: Renderer) {
  * Fails unless [renderer], if its caller is interrupted while its own threads still work, returns the whole picture or
  * throws InterruptedException.
  */
-internal fun heedsWorkersThoughInterrupted(renderer: Renderer, isBefore: Boolean) {
+internal fun completesOrThrowsIfInterrupted(renderer: Renderer, isBefore: Boolean) {
     val quiet = Workers.quiet()
     val rendering = InterruptedCaller(renderer, isBefore)
     val thread = Thread(rendering, "lazyz-interrupted")

@@ -27,23 +27,23 @@ internal class Workers(
 
     /** Whether a worker has made a query. */
     @Volatile
-    var hasCome: Boolean = false
+    var hasWorker: Boolean = false
         private set
 
     @Volatile
     private var hasWaited = false
 
-    private fun heed(question: Question) {
+    private fun onQuery(question: Question) {
         if (Thread.currentThread() !== caller) {
-            hasCome = true
+            hasWorker = true
             onWorker(question)
-        } else if (!hasCome && !hasWaited) {
+        } else if (!hasWorker && !hasWaited) {
             // Do not sleep: the caller may have been interrupted, and other threads watch whether it is waiting
             val start = System.nanoTime()
-            while (!hasCome && System.nanoTime() - start < PATIENCE) Thread.yield()
+            while (!hasWorker && System.nanoTime() - start < PATIENCE) Thread.yield()
             hasWaited = true
         }
-        if (hasCome && Thread.currentThread() === caller) onCaller()
+        if (hasWorker && Thread.currentThread() === caller) onCaller()
     }
 
     private inner class Member(private val index: Int) : Primitive {
@@ -53,17 +53,17 @@ internal class Workers(
         override val columnEnd: Int get() = SIDE
 
         override fun spans(y: Int, spans: Spans) {
-            heed(Question.SPANS)
+            onQuery(Question.SPANS)
             spans.add(0, SIDE)
         }
 
         override fun depth(x: Int, y: Int): Int {
-            heed(Question.DEPTH)
+            onQuery(Question.DEPTH)
             return 1 + (x + y + index) % COUNT
         }
 
         override fun shade(fragment: Fragment) {
-            heed(Question.COLOUR)
+            onQuery(Question.COLOUR)
             fragment.setColor(index / COUNT.toFloat(), 0.5f, fragment.x / SIDE.toFloat())
         }
     }
