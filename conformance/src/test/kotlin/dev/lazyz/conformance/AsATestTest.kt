@@ -28,9 +28,9 @@ import org.junit.platform.launcher.TestIdentifier
 import org.junit.platform.launcher.core.LauncherDiscoveryRequestBuilder
 import org.junit.platform.launcher.core.LauncherFactory
 
-/** The suite as a build tool runs it: a class that extends [RendererConformance], and system properties. */
+/** The suite as run by a build tool: a class that extends [RendererConformance], and system properties. */
 class AsATestTest {
-    /** Not found by build tools, as its name does not end in `Test`. */
+    /** Ignored by build tools, because its name does not end in `Test`. */
     class Wrong : RendererConformance() {
         override fun renderer(): Renderer = WrongColors()
     }
@@ -39,12 +39,12 @@ class AsATestTest {
     private val promise = "rule_8_2_promiseToShadeOnlyTheVisibleIsKept"
     private val counts = "rule_8_1_countersCountWhatHappens"
 
-    /** Not found by build tools either. */
+    /** Also ignored by build tools. */
     class Secretive : RendererConformance() {
         override fun renderer(): Renderer = BrokenPromises.keepsMemorySecret()
     }
 
-    /** Runs the rules called [rules], or all. */
+    /** Runs the rules named [rules], or all. */
     private fun run(
         vararg rules: String,
         subject: KClass<out RendererConformance> = Wrong::class,
@@ -93,7 +93,7 @@ class AsATestTest {
             for (file in files) assertTrue(kept.resolve(file).exists(), file)
             assertTrue(kept.resolve("$nearest.kt").exists())
 
-            // The scene file shows what the message tells
+            // The scene file shows the failure that the message describes
             val loaded = Scenes.load(kept.resolve("$scenes.json"))
             val frame = loaded.scene.frame(loaded.raster(loaded.size!!.width, loaded.size!!.height))
             assertNotNull(difference(ReferenceRenderer().render(frame), WrongColors().render(frame)))

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** A report that somebody hands over is run again. */
+/** A recorded report is verified by another run. */
 class RecordedReportTest {
     @TempDir
     lateinit var folder: Path

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** A renderer in a process of its own: there is always a verdict, and never a process that is left behind. */
+/** A renderer in a separate process: there is always a result, and no process remains. */
 class SupervisionTest {
     @TempDir
     lateinit var folder: Path

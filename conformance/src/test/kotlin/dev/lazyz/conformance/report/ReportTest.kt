@@ -37,7 +37,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** A report in its four forms, and on disk. */
+/** A report in its four formats, and on disk. */
 class ReportTest {
     @TempDir
     lateinit var folder: Path
