@@ -15,8 +15,8 @@ import dev.lazyz.conformance.probes.threads.Interruption
 import dev.lazyz.conformance.probes.threads.Meeting
 import dev.lazyz.conformance.probes.threads.Where
 import dev.lazyz.conformance.probes.threads.atOnce
-import dev.lazyz.conformance.probes.threads.rightInACrowd
 import dev.lazyz.conformance.probes.threads.reportsInterrupt
+import dev.lazyz.conformance.probes.threads.rightInACrowd
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll

@@ -3,8 +3,8 @@ package dev.lazyz.conformance.rules
 import dev.lazyz.RenderOptions
 import dev.lazyz.conformance.probes.threads.Crowd
 import dev.lazyz.conformance.probes.threads.Where
-import dev.lazyz.conformance.probes.threads.countsInACrowd
 import dev.lazyz.conformance.probes.threads.completesOrThrowsIfInterrupted
+import dev.lazyz.conformance.probes.threads.countsInACrowd
 import dev.lazyz.conformance.probes.threads.makesNoLateQueries
 import dev.lazyz.conformance.probes.threads.passesOnFailuresOfWorkers
 import dev.lazyz.conformance.probes.threads.rightInACrowd
