@@ -175,7 +175,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
         try {
             thread.call { StrategyInfo(renderer.get()) }
         } catch (late: Late) {
-            throw NotMadeException("creating the renderer ${late.message}")
+            throw NotMadeException("making the renderer ${late.message}")
         } finally {
             LastWords.isMaking = false
         }

@@ -63,7 +63,7 @@ class DifferentialFuzzingTest {
     @Test
     fun exceptionOfOneIsADifference() {
         val report = fuzzing(BrokenRenderers.needsTwoColumns()).run()
-        assertTrue(report.differences.any { "the other java.lang.IllegalStateException" in it }, report.toText())
+        assertTrue(report.differences.any { "the second java.lang.IllegalStateException" in it }, report.toText())
     }
 
     @Test

@@ -27,7 +27,8 @@ class VersionsTest {
         assertTrue(contract.startsWith("# The contract\n\nVersion ${ConformanceVersions.CONTRACT}.\n"))
         val suite = root.resolve("docs/conformance.md").readText().lines().take(3).last()
         assertEquals(
-            "Version ${ConformanceVersions.SUITE} of the suite, for version ${ConformanceVersions.CONTRACT} of the contract.",
+            "Version ${ConformanceVersions.SUITE} of the suite, " +
+                "for version ${ConformanceVersions.CONTRACT} of the contract.",
             suite,
         )
     }

@@ -66,7 +66,7 @@ class RunTest {
         )
         for (make in hanging) {
             val told = assertThrows(NotMadeException::class.java) { of(make).run() }.message.orEmpty()
-            assertTrue(told.startsWith("creating the renderer was not over after 0.3 s; it is at"), told)
+            assertTrue(told.startsWith("making the renderer was not over after 0.3 s; it is at"), told)
             assertTrue("RunGallery.never" in told, told)
         }
     }
