@@ -55,7 +55,7 @@ public sealed interface ThreadRules : RulesForOne {
     /** A row does not change while the sink uses it, and what the sink writes into it does not affect later rows. */
     @Rule(
         intent = "During the call the row belongs to the sink: the renderer must not write to it, but the sink may.",
-        look = "Write every element of each row anew, or keep what later rows need in separate arrays.",
+        look = "Overwrite every element of each row, or keep what later rows need in separate arrays.",
     )
     @Property(tries = 30, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_8_sinkMayOverwriteItsRows(@ForAll(supplier = MixedCases::class) case: FrameCase) {
