@@ -23,18 +23,19 @@ import java.util.function.Supplier
 /**
  * Runs the conformance suite in this process and returns a report.
  *
- * Use it to judge a renderer from a program of one's own; as a test of a build, extend [RendererConformance]. What is
- * not said is as the suite's system properties have it, or usual. Kotlin:
+ * Use this class to test a renderer from a program. For a test in a build, extend [RendererConformance] instead.
+ * Options that are not set come from the suite's system properties, or else have default values. Kotlin:
  *
  * ```
  * val report = Conformance { MyRenderer() }.tries(0.1).output(Path.of("report")).run()
  * check(report.isConformant) { report.toText() }
  * ```
  *
- * The same options give the same report but for times. There can be one run at a time in a process; nothing is printed.
- * Not thread safe. Cost: a few seconds a run.
+ * The same options give the same report, except for times. Only one run at a time is possible in a process. Nothing is
+ * printed. Not thread safe. Cost: a few seconds per run.
  *
- * @param renderer makes the renderer to judge, a new one or always the same; called once for each try of each rule
+ * @param renderer returns the renderer to test: either a new instance or always the same one; called once for each try
+ *   of each rule
  */
 public class Conformance(private val renderer: Supplier<out Renderer>) {
     private var subject: Class<out RendererConformance> = SubjectOfRun::class.java
@@ -50,16 +51,16 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     private var journal: Path? = null
     private var listener = RuleListener { _, _, _ -> }
 
-    /** Chooses other frames than the usual. */
+    /** Sets the seed of the frames. Another seed gives other frames than the default one. */
     public fun seed(seed: Long): Conformance = apply { this.seed = seed }
 
-    /** Chooses frames that nobody has seen, by a random seed that the report tells. */
+    /** Chooses new frames by a random seed. The report contains the seed. */
     public fun explore(): Conformance = seed(ThreadLocalRandom.current().nextLong(0, Int.MAX_VALUE.toLong()))
 
     /**
-     * Tries [factor] times as many frames as usual.
+     * Multiplies the default number of frames by [factor].
      *
-     * @throws IllegalArgumentException if it is not positive and finite
+     * @throws IllegalArgumentException if [factor] is not positive and finite
      */
     public fun tries(factor: Double): Conformance = apply {
         require(factor > 0.0 && factor.isFinite()) { "tries must be a positive number: $factor" }
@@ -67,10 +68,10 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     }
 
     /**
-     * Gives each rendering so much time, by default 20 seconds. A rule of which one takes longer has timed out; when three
-     * have, no others are tried.
+     * Sets the deadline of each rendering, by default 20 seconds. A rule with a rendering that takes longer has timed
+     * out; after three such rules, the remaining rules are not run.
      *
-     * @throws IllegalArgumentException if it is not positive
+     * @throws IllegalArgumentException if [deadline] is not positive
      */
     public fun deadline(deadline: Duration): Conformance = apply {
         require(deadline > Duration.ZERO) { "the deadline must be positive: $deadline" }
@@ -78,7 +79,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     }
 
     /**
-     * Runs this rule, and no others but those that are named too.
+     * Runs this rule. Only rules added by this function are run; if none is added, all are.
      *
      * @param nameOrNumber a [SuiteRule.name], or a [SuiteRule.number] for all rules of that number
      * @throws IllegalArgumentException if there is no such rule
@@ -90,56 +91,57 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     }
 
     /**
-     * Waives what the file at [path] says, see [Waivers].
+     * Uses the waivers in the file at [path], see [Waivers].
      *
-     * @throws WaiversException if it cannot be read or is not what it should be
+     * @throws WaiversException if the file cannot be read or is not valid
      */
     public fun waivers(path: Path): Conformance = waivers(Waivers.read(path))
 
-    /** Waives these rules. */
+    /** Uses these waivers. */
     public fun waivers(waivers: Waivers): Conformance = apply { this.waivers = waivers }
 
     /**
-     * Tries the scene files and meshes in [folder] too, by the rule `rule_7_1_framesOfOnesOwnAreRight`, each as a whole and
-     * in part, and adds to the folder, which is made if it is not there, each frame that a rule fails on, as a scene file
-     * where there are words for it. That rule is tried before all others. Files that are no scenes are left alone.
+     * Also tests the scene files and meshes in [folder], with the rule `rule_7_1_framesOfOnesOwnAreRight`, each as a
+     * whole and in part. This rule is run before all others. Each frame on which a rule fails is added to the folder as
+     * a scene file, if the scene file format can express it. The folder is created if it does not exist. Files that are
+     * not scenes are ignored.
      */
     public fun frames(folder: Path): Conformance = apply { frames = folder }
 
-    /** Writes the report to [folder] too, as [ConformanceReport.writeTo] does. */
+    /** Also writes the report to [folder], see [ConformanceReport.writeTo]. */
     public fun output(folder: Path): Conformance = apply { output = folder }
 
     /**
-     * Keeps a journal in the file at [path], by which a process that runs the suite again, with the same options, takes
-     * up a run whose process has ended: it tells that the rule on trial has crashed or timed out, and tries the others.
-     * [Supervision] starts such processes.
+     * Keeps a journal in the file at [path]. If the process ends during the run, another process with the same options
+     * and journal can continue it: it reports the rule that was running as crashed or timed out, and runs the other
+     * rules. [Supervision] starts such processes.
      */
     public fun journal(path: Path): Conformance = apply { journal = path }
 
     /**
-     * Says how a reader of the report repeats the run: [words] for a shell, to which seed, tries and rule are added.
-     * By default `zcli conformance` with the renderer's id, and the class path that its class comes from.
+     * Sets the shell command with which a reader of the report repeats the run. Seed, tries and rule are appended to
+     * [words]. By default, it is `zcli conformance` with the renderer's id and the class path of its class.
      */
     public fun command(words: String): Conformance = apply { command = words }
 
-    /** Tells [listener] what came of each rule as soon as it has been tried. */
+    /** Sets a listener that is called with the outcome of each rule as soon as the rule has ended. */
     public fun listener(listener: RuleListener): Conformance = apply { this.listener = listener }
 
-    /** Judges by this class, which says itself which renderer. */
+    /** Uses this test class, which supplies its own renderer. */
     internal fun subject(subject: Class<out RendererConformance>): Conformance = apply { this.subject = subject }
 
-    /** Leaves frames that fail as they are. */
+    /** Disables shrinking: frames that fail are reported unchanged. */
     internal fun withoutShrinking(): Conformance = apply { shrinking = Shrinking.OFF }
 
     /**
-     * Runs the suite and returns what came of it. A renderer that breaks rules, or throws when it is made or renders in
-     * a try, is told in the report. What is thrown when the first is made or asked what it is, before any try, reaches
-     * the caller as it is.
+     * Runs the suite and returns the results. If a renderer breaks rules, or throws when it is created or renders in a
+     * try, the report contains the failure. Exceptions thrown while the first renderer is created or queried, before
+     * any try, are passed to the caller unchanged.
      *
-     * @throws IllegalStateException if a run is under way in this process, or the suite itself fails
-     * @throws IllegalArgumentException if a system property of the suite is not what it should be
-     * @throws NotMadeException if the first renderer is not made, and has not said what it is, within the deadline
-     * @throws FramesException if there is a folder of frames, and it or a file in it cannot be read
+     * @throws IllegalStateException if a run is in progress in this process, or the suite itself fails
+     * @throws IllegalArgumentException if a system property of the suite is not valid
+     * @throws NotMadeException if the first renderer cannot be created and queried within the deadline
+     * @throws FramesException if there is a folder of frames, and the folder or a file in it cannot be read
      * @throws java.io.IOException if there is an output folder, and it cannot be written
      */
     public fun run(): ConformanceReport {
@@ -154,7 +156,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
 
         Supervisor.follow()
 
-        // A file that cannot be read is told before any rule is tried
+        // Read the user's frames now, so that an unreadable file is reported before any rule is run
         settings.frames?.cases
         val chosen = SuiteRule.all.filter { rules.isEmpty() || it in rules }
         val judged = judged(settings.deadline)
@@ -166,7 +168,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
         return report
     }
 
-    /** Makes the first renderer and asks it what it is. Who ends the process there, or hangs, is told of. */
+    /** Creates the first renderer and queries its properties. If it ends the process or hangs, that is reported. */
     private fun judged(deadline: Duration): StrategyInfo = TryThread(deadline).use { thread ->
         LastWords.keep()
         LastWords.isMaking = true

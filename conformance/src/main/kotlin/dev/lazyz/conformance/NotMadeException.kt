@@ -1,4 +1,7 @@
 package dev.lazyz.conformance
 
-/** The renderer to judge hangs when it is made or asked what it is, before any rule is tried; the message says where. */
+/**
+ * Thrown if the renderer hangs when it is created or queried, before any rule is run. The message contains stack
+ * traces.
+ */
 public class NotMadeException internal constructor(message: String) : RuntimeException(message)

@@ -6,15 +6,15 @@ import dev.lazyz.Image
 import dev.lazyz.conformance.judgement.differenceInWords
 
 /**
- * Fails unless [actual] is the same picture as [expected], as contract rule 7.1 has it: the same region, and at every
- * sample the same colour, depth and primitive, with no tolerance. Counters are not compared. Cost: one pass over the
- * samples.
+ * Fails unless [actual] is the same picture as [expected], as defined by contract rule 7.1: the same region, and at
+ * every sample the same colour, depth and primitive, without tolerance. Counters are not compared. Cost: one pass over
+ * the samples.
  *
  * Kotlin: `assertSamePicture(expected, actual)`; Java: `PictureAssertions.assertSamePicture(expected, actual)`.
  *
- * @param code what makes the frame, for the message; nothing if it is empty
- * @throws AssertionError which names the first sample that differs, in rows from the top, with both answers, and how many
- *   samples differ; or both regions, if those differ
+ * @param code code that creates the frame, to be appended to the message; ignored if empty
+ * @throws AssertionError if the pictures differ; the message has the first sample that differs, in rows from the top,
+ *   with both values, and the number of samples that differ; or both regions, if those differ
  */
 @JvmOverloads
 public fun assertSamePicture(expected: Image, actual: Image, code: String = "") {

@@ -19,13 +19,13 @@ import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 
 /**
- * What a `report.json` says of a run, to do it again and compare: whoever gets a report need not believe it. Immutable
- * and thread safe.
+ * The contents of a `report.json` that are needed to repeat the run and compare the outcomes, so that a report can be
+ * verified. Immutable and thread safe.
  *
- * @property strategy id of the renderer that was judged
- * @property seed the seed of the frames
- * @property tries how many times the usual frames were tried
- * @property outcomes what came of each rule, by its name: a key of the report's `outcomes`, such as `passed`
+ * @property strategy id of the renderer that was tested
+ * @property seed seed of the frames
+ * @property tries factor of the default number of frames
+ * @property outcomes outcome of each rule by the rule's name: a key of the report's `outcomes`, such as `passed`
  */
 public class RecordedReport private constructor(
     public val strategy: String,
@@ -41,7 +41,9 @@ public class RecordedReport private constructor(
         return conformance
     }
 
-    /** Returns a line for each rule whose outcome in [report] is another, by number; empty if all are the same. */
+    /**
+     * Returns a line for each rule that has a different outcome in [report], ordered by number; empty if there is none.
+     */
     public fun differences(report: ConformanceReport): List<String> = report.results.mapNotNull { result ->
         val recorded = outcomes[result.rule.name]
         val actual = ReportJson.key(result.outcome)
@@ -54,7 +56,8 @@ public class RecordedReport private constructor(
         /**
          * Reads the file at [path].
          *
-         * @throws RecordedReportException if it cannot be read, is no report, or is of another version of the suite
+         * @throws RecordedReportException if the file cannot be read, is not a report, or belongs to another version of
+         *   the suite
          */
         @JvmStatic
         public fun read(path: Path): RecordedReport {
@@ -68,7 +71,7 @@ public class RecordedReport private constructor(
             } catch (e: RecordedReportException) {
                 throw e
             } catch (e: RuntimeException) {
-                // Broken JSON, a key that is missing, a value of another kind
+                // Broken JSON, a missing key, or a value of another type
                 throw RecordedReportException("$path is no report.json of the conformance suite", e)
             }
         }
@@ -77,8 +80,8 @@ public class RecordedReport private constructor(
             val suite = json.text("suite")
             if (suite != ConformanceVersions.SUITE) {
                 throw RecordedReportException(
-                    "$path is of version $suite of the suite, and this is ${ConformanceVersions.SUITE}: " +
-                        "verify it with that version",
+                    "$path is for version $suite of the suite, but this is version ${ConformanceVersions.SUITE}: " +
+                        "verify it with version $suite",
                 )
             }
             val rules = json.getValue("rules").jsonArray.map { it.jsonObject }
@@ -104,6 +107,6 @@ public class RecordedReport private constructor(
     }
 }
 
-/** A file that is no report, or of another version of the suite; the message says which. */
+/** Thrown if a file is not a report or belongs to another version of the suite. The message has the reason. */
 public class RecordedReportException @JvmOverloads constructor(message: String, cause: Throwable? = null) :
     IllegalArgumentException(message, cause)

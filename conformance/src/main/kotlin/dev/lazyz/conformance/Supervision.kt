@@ -16,17 +16,18 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
 /**
- * Keeps a run of the suite going in a process of its own, whatever the renderer does to that process: if it exits, halts,
- * crashes or hangs, the rule that was on trial has crashed or timed out, and another process goes on with the rules that
- * come after. After three such ends the remaining rules are not run.
+ * Runs the suite in a separate process, so that a run survives whatever the renderer does to that process. If the
+ * process exits, halts, crashes or hangs, the rule that was running has crashed or timed out, and a new process
+ * continues with the rules that follow. After three such ends the remaining rules are not run.
  *
- * The process is any program that runs [Conformance] with [Conformance.journal]. What it prints is its own business; a
- * report is best written to a file. It ends when this process does, killed or not. Not thread safe.
+ * The process is any program that runs [Conformance] with [Conformance.journal]. Its output is kept but not
+ * interpreted, so it should write the report to a file. It ends when this process ends, even if this process is killed.
+ * Not thread safe.
  *
- * @param command starts the process: a program, and its arguments
- * @param journal the file that the process is told to keep its journal in; it is deleted first
- * @param deadline that of a try, see [Conformance.deadline]; a process that is silent for two deadlines and half a minute
- *   is ended
+ * @param command the command that starts the process: a program and its arguments
+ * @param journal the journal file of the process; deleted before the run
+ * @param deadline the deadline of a rendering, see [Conformance.deadline]; a process without progress for two deadlines
+ *   plus 30 seconds is ended
  */
 public class Supervision @JvmOverloads constructor(
     private val command: List<String>,
@@ -36,14 +37,14 @@ public class Supervision @JvmOverloads constructor(
     private val patience = deadline.multipliedBy(2) + GRACE
     private var listener = RuleListener { _, _, _ -> }
 
-    /** Tells [listener] what came of each rule, some moments after it has ended. */
+    /** Sets a listener that is called with the outcome of each rule, shortly after the rule has ended. */
     public fun listener(listener: RuleListener): Supervision = apply { this.listener = listener }
 
     /**
-     * Runs processes until one has come to its end by itself: until [isDone] says so after a process has ended.
+     * Runs processes until one completes the run, that is, until [isDone] returns true after a process has ended.
      *
-     * @return the last process's exit code, and what all of them wrote to standard output and standard error
-     * @throws EndedEarlyException if a process ended and no rule was on trial
+     * @return the last process's exit code, and what all processes wrote to standard output and standard error
+     * @throws EndedEarlyException if a process ended while no rule was running
      */
     public fun run(isDone: () -> Boolean): Outcome {
         Files.deleteIfExists(journal)
@@ -64,7 +65,7 @@ public class Supervision @JvmOverloads constructor(
             follower.goOn()
             if (isDone()) return Outcome(code, text)
             val silence = TryThread.seconds(patience)
-            val words = if (isInTime) "exit code $code" else "the process did not answer for $silence"
+            val words = if (isInTime) "exit code $code" else "the process made no progress for $silence"
             val outcome = if (isInTime) RuleOutcome.CRASHED else RuleOutcome.TIMED_OUT
             if (!Journal.ended(journal, words, outcome)) throw EndedEarlyException(words, text)
             follower.goOn()
@@ -77,7 +78,9 @@ public class Supervision @JvmOverloads constructor(
         return builder.start()
     }
 
-    /** Whether the process ends by itself: it may be slow, as long as its journal changes. */
+    /**
+     * Waits for the process to end. Returns false if its journal does not change for too long; a slow process is fine.
+     */
     private fun awaitEnd(process: Process, follower: JournalFollower): Boolean {
         var state: Pair<Long, FileTime>? = null
         var since = System.nanoTime()
@@ -91,7 +94,7 @@ public class Supervision @JvmOverloads constructor(
         return true
     }
 
-    /** Keeps the first part of what is printed, and reads the rest, so that nobody waits. */
+    /** Keeps the first part of the output, and reads and discards the rest, so that the process does not block. */
     private fun keep(stream: InputStream, to: StringBuilder) {
         val reader = stream.reader()
         val buffer = CharArray(BUFFER)
@@ -106,8 +109,8 @@ public class Supervision @JvmOverloads constructor(
      * How a process ended.
      *
      * @property code its exit code
-     * @property printed what it and those before it wrote to standard output and standard error, at most some 60,000
-     *   characters
+     * @property printed what this process and the earlier ones wrote to standard output and standard error, at most
+     *   about 60,000 characters
      */
     public class Outcome internal constructor(public val code: Int, public val printed: String)
 
@@ -120,9 +123,9 @@ public class Supervision @JvmOverloads constructor(
 }
 
 /**
- * A process ended before the first rule was tried, or after the last: there is no rule to blame.
+ * Thrown if a process ended before the first rule or after the last, so that no rule can be blamed.
  *
- * @property printed what it wrote to standard output and standard error
+ * @property printed what the process wrote to standard output and standard error
  */
 public class EndedEarlyException internal constructor(words: String, public val printed: String) :
     RuntimeException("the process ended while no rule was tried: $words")

@@ -3,7 +3,7 @@ package dev.lazyz.conformance;
 import dev.lazyz.Renderer;
 import dev.lazyz.strategies.zbuffer.ZBuffer;
 
-/** How the suite is used from Java; docs/conformance.md shows it. */
+/** Use of the suite from Java, as shown in docs/conformance.md. */
 class FromJava extends RendererConformance {
     @Override
     public Renderer renderer() {

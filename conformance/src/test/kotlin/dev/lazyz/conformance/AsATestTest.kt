@@ -28,9 +28,9 @@ import org.junit.platform.launcher.TestIdentifier
 import org.junit.platform.launcher.core.LauncherDiscoveryRequestBuilder
 import org.junit.platform.launcher.core.LauncherFactory
 
-/** The suite as a build tool runs it: a class that extends [RendererConformance], and system properties. */
+/** The suite as run by a build tool: a class that extends [RendererConformance], and system properties. */
 class AsATestTest {
-    /** Not found by build tools, as its name does not end in `Test`. */
+    /** Ignored by build tools, because its name does not end in `Test`. */
     class Wrong : RendererConformance() {
         override fun renderer(): Renderer = WrongColors()
     }
@@ -39,12 +39,12 @@ class AsATestTest {
     private val promise = "rule_8_2_promiseToShadeOnlyTheVisibleIsKept"
     private val counts = "rule_8_1_countersCountWhatHappens"
 
-    /** Not found by build tools either. */
+    /** Also ignored by build tools. */
     class Secretive : RendererConformance() {
         override fun renderer(): Renderer = BrokenPromises.keepsMemorySecret()
     }
 
-    /** Runs the rules called [rules], or all. */
+    /** Runs the rules named [rules], or all. */
     private fun run(
         vararg rules: String,
         subject: KClass<out RendererConformance> = Wrong::class,
@@ -88,12 +88,12 @@ class AsATestTest {
             val message = run(nearest, scenes).getValue(scenes).throwable.get().message.orEmpty()
             val kept = folder.resolve("Wrong")
             val files = listOf(".kt", ".json", "-expected.png", "-actual.png", "-difference.png").map { scenes + it }
-            val words = "\nkept in $kept: ${files.joinToString()}\nseed 1995; again: zcli conformance "
+            val words = "\nsaved in $kept: ${files.joinToString()}\nseed 1995; again: zcli conformance "
             assertTrue(words in message, message)
             for (file in files) assertTrue(kept.resolve(file).exists(), file)
             assertTrue(kept.resolve("$nearest.kt").exists())
 
-            // The scene file shows what the message tells
+            // The scene file shows the failure that the message describes
             val loaded = Scenes.load(kept.resolve("$scenes.json"))
             val frame = loaded.scene.frame(loaded.raster(loaded.size!!.width, loaded.size!!.height))
             assertNotNull(difference(ReferenceRenderer().render(frame), WrongColors().render(frame)))
@@ -106,7 +106,7 @@ class AsATestTest {
         val results = run(memory, nearest, counts, subject = Secretive::class, tries = "0.3")
         val result = results.getValue(memory)
         assertEquals(Status.ABORTED, result.status)
-        assertTrue("something is visible, but peakBytes is 0" in result.throwable.get().message.orEmpty())
+        assertTrue("a primitive is visible, but peakBytes is 0" in result.throwable.get().message.orEmpty())
         assertTrue(results.values.none { it.status == Status.FAILED })
     }
 

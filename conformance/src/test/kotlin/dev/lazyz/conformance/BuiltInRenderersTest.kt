@@ -17,8 +17,8 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestFactory
 
 /**
- * Runs the suite on every renderer of the library, whichever there are, and on the oracle: the usual build on one half of them,
- * see [TestEffort]. On `zbuffer` [ZBufferConformanceTest] does.
+ * Runs the suite on every built-in renderer and on the oracle. The default build tests half of them, see [TestEffort].
+ * [ZBufferConformanceTest] tests `zbuffer`.
  */
 class BuiltInRenderersTest {
     @TestFactory
@@ -30,7 +30,7 @@ class BuiltInRenderersTest {
     private fun assertPasses(renderer: Renderer) {
         val run = SuiteRun.of(tries = if (TestEffort.isFull || renderer is Lists) 1.0 else 0.2) { renderer }
 
-        // The oracle asks everyone everything, whatever it costs
+        // The oracle queries every primitive at every sample, whatever the cost
         val excused = if (renderer is ReferenceRenderer) setOf(RuleNames.outside) else emptySet()
         assertTrue(run.failures.keys.containsAll(excused))
         val failures = run.failures - excused
@@ -39,7 +39,7 @@ class BuiltInRenderersTest {
         if (renderer is Lists) assertMeetsAllPairs(run.report.distribution)
     }
 
-    /** A renderer that blends and selects is tried on frames with any two traits that go together. */
+    /** A renderer that blends and supports selectors must be tested with every compatible pair of traits. */
     private fun assertMeetsAllPairs(met: Distribution) {
         val missing = PairsOfTraits.expected.filter { (one, other) -> met.count(one, other) == 0L }
         assertEquals(emptyList<Pair<FrameTrait, FrameTrait>>(), missing)

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** Each piece of code that docs/conformance.md shows is one of the lines of a test, in this order. */
+/** Each code block in docs/conformance.md consists of lines of a test, in the same order. */
 class ConformancePageTest {
     private val root = listOf(".", "..").map { Path.of(it) }.first { Files.isDirectory(it.resolve("docs")) }
 

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** The suite as a library: what one asks for, and what the report says. */
+/** The suite as a library: its options and its report. */
 class ConformanceTest {
     private val nearest = "rule_5_1_nearestFragmentIsVisible"
     private val promise = "rule_8_2_promiseToShadeOnlyTheVisibleIsKept"

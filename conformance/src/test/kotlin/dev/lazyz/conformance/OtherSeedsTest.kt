@@ -13,13 +13,14 @@ import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.TestFactory
 
 /**
- * Right renderers pass on other frames, however they work. `-Dlazyz.seeds=20` tries all of them, those of strangers too, on as
- * many seeds and at the usual effort; the build tries some of them (see [TestEffort]), on one seed and a tenth of the frames.
+ * Correct renderers pass with other frames, however they work. `-Dlazyz.seeds=20` tests all of them, including
+ * third-party ones, with this number of seeds and the default effort. The build tests some of them (see [TestEffort])
+ * with one seed and a tenth of the frames.
  */
 class OtherSeedsTest {
     private val seeds: Int? = Integer.getInteger("lazyz.seeds")
 
-    /** In the usual build [BuiltInRenderersTest] is enough. */
+    /** In the default build [BuiltInRenderersTest] is enough. */
     @TestFactory
     fun builtInRenderersPass(): List<DynamicTest> {
         val all = if (seeds == null) emptyList() else Renderers.builtIn

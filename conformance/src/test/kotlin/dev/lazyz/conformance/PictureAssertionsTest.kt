@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Test
 
-/** Pictures are compared bit for bit, and what differs is told. */
+/** Pictures are compared bit for bit, and differences are reported. */
 class PictureAssertionsTest {
     private fun image(region: Region, depth: (Int) -> Int = { 7 }): Image {
         val size = region.size.toInt()

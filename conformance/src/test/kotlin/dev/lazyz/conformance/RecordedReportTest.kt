@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** A report that somebody hands over is run again. */
+/** A recorded report is verified by another run. */
 class RecordedReportTest {
     @TempDir
     lateinit var folder: Path
@@ -52,7 +52,7 @@ class RecordedReportTest {
         val path = recorded()
         val text = path.readText()
         path.writeText(text.replace("\"suite\": \"${ConformanceVersions.SUITE}\"", "\"suite\": \"0.0\""))
-        assertTrue("is of version 0.0 of the suite, and this is ${ConformanceVersions.SUITE}" in message(path))
+        assertTrue("is for version 0.0 of the suite, but this is version ${ConformanceVersions.SUITE}" in message(path))
         path.writeText(text.replace(RuleNames.ties, "rule_5_2_unheardOf"))
         assertTrue("rules that are not in the suite: [rule_5_2_unheardOf]" in message(path), message(path))
         for (other in listOf("", "[]", "{}", "{\"suite\": {}}", text.take(300))) {

@@ -12,8 +12,8 @@ import org.junit.jupiter.api.TestFactory
 import org.junit.jupiter.api.io.TempDir
 
 /**
- * The same run gives the same report but for times, whether in the same process or in another. The usual build tries this on a
- * wrong renderer and few rules.
+ * The same run gives the same report except for times, in the same process or in another. The default build tests this
+ * with a wrong renderer and few rules.
  */
 class SameReportTest {
     @TempDir

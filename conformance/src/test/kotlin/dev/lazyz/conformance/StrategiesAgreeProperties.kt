@@ -29,10 +29,10 @@ import net.jqwik.api.statistics.Statistics
 import org.junit.jupiter.api.Assertions.assertTrue
 
 /**
- * The library's one sentence: all its renderers give the same bits, on more than 10,000 frames, with random options and
- * in random regions.
+ * The main promise of the library: all built-in renderers give the same bits, on more than 10,000 frames, with random
+ * options and in random regions.
  *
- * [RendererConformance] compares each with the oracle, on fewer frames; here they are compared with each other.
+ * [RendererConformance] compares each with the oracle, on fewer frames. This test compares them with each other.
  */
 class StrategiesAgreeProperties {
     @Property(tries = 4000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
@@ -49,7 +49,7 @@ class StrategiesAgreeProperties {
     @Property(tries = 3500, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_inScenes(@ForAll(supplier = WorldCases::class) case: FrameCase, @ForAll salt: Long) = agree(case, salt)
 
-    /** Rasters of several tiles and subdivisions, and primitives enough to hide each other. */
+    /** Rasters of several tiles and subdivisions, and enough primitives to hide each other. */
     @Property(tries = 500, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_onLargerFrames(@ForAll(supplier = LargerCases::class) case: FrameCase, @ForAll salt: Long) =
         agree(case, salt)
@@ -74,7 +74,7 @@ class StrategiesAgreeProperties {
         count(part.frame, expected, renderers)
     }
 
-    /** Says how many frames were worth looking at: a run of empty pictures would prove nothing. */
+    /** Collects statistics of the frames, because a run of empty pictures would prove nothing. */
     private fun count(frame: Frame, image: Image, renderers: List<Renderer>) {
         assertTrue(renderers.isNotEmpty())
         val visible = image.primitive.distinct().count { it >= 0 }

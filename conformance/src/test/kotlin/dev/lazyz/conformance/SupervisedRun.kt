@@ -11,7 +11,9 @@ import kotlin.io.path.exists
 import kotlin.io.path.writeText
 import kotlin.system.exitProcess
 
-/** A program that judges a renderer of a name: in a file it keeps a journal, in another it leaves its report. */
+/**
+ * A program that tests the renderer with a given name. It keeps a journal in one file and writes its report to another.
+ */
 internal object SupervisedRun {
     private val makers: Map<String, () -> Renderer> = mapOf(
         "right" to { PlainRenderer() },
@@ -27,14 +29,14 @@ internal object SupervisedRun {
         "never made" to { RunGallery.never() },
     )
 
-    /** A run that is soon over, and whose outcome does not depend on how busy the machine is. */
+    /** A short run whose outcome does not depend on how busy the machine is. */
     fun conformance(name: String): Conformance {
         val conformance = Conformance(makers.getValue(name)).tries(0.01).deadline(Duration.ofMinutes(2))
         for (rule in rules(name)) conformance.rule(rule)
         return conformance
     }
 
-    /** Returns by which rules the renderer called [name] is judged; none stands for all. */
+    /** Returns the rules to run for the renderer [name]; empty for all. */
     private fun rules(name: String): List<String> = when (name) {
         "right", "wrong" -> emptyList()
         "wrong by few rules" -> listOf("2.5", "5.1", "5.2", "7.4")
@@ -47,7 +49,7 @@ internal object SupervisedRun {
         Path.of(report).writeText(conformance(name).journal(Path.of(journal)).run().toJson())
     }
 
-    /** One that has primitives to draw, and one that has none. */
+    /** A rule with primitives to draw, and a rule without. */
     val RULES: List<String> = listOf(RuleNames.ties, "rule_9_6_framesWithoutPrimitivesAreOrdinary")
 }
 
@@ -63,7 +65,7 @@ internal class SupervisedFiles(folder: Path) {
         Supervision(command(renderer), journal, deadline)
 }
 
-/** A program that supervises a [SupervisedRun] in the folder that it is given. */
+/** A program that supervises a [SupervisedRun] in the given folder. */
 internal object Supervising {
     @JvmStatic
     fun main(args: Array<String>) {

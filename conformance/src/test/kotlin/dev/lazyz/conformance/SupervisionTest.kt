@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** A renderer in a process of its own: there is always a verdict, and never a process that is left behind. */
+/** A renderer in a separate process: there is always a result, and no process remains. */
 class SupervisionTest {
     @TempDir
     lateinit var folder: Path
@@ -38,7 +38,7 @@ class SupervisionTest {
                 files.supervision(name, Duration.ofSeconds(20)).run { files.report.exists() }
             }
             assertEquals("the process ended while no rule was tried: exit code 0", told.message)
-            val words = "The process ends while the renderer is made; no rule is on trial yet"
+            val words = "The process ends while the renderer is created, before the first rule"
             assertEquals(name.startsWith("exits"), words in told.printed) { told.printed }
         }
     }

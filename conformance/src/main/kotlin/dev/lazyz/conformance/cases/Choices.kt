@@ -5,18 +5,18 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.RandomDistribution
 import net.jqwik.api.Tuple
 
-/** Integers [from]..[to], all equally likely. */
+/** Generates integers [from]..[to], all equally likely. */
 internal fun ints(from: Int, to: Int): Arbitrary<Int> =
     Arbitraries.integers().between(from, to).withDistribution(RandomDistribution.uniform())
 
-/** One of [values], all equally likely; shrinks to the first. */
+/** Generates one of [values], all equally likely. Shrinks to the first. */
 internal fun <T : Any> oneOf(vararg values: T): Arbitrary<T> = ints(0, values.size - 1).map { values[it] }
 
-/** Whatever one of [choices] generates, each as often as the number before it says. */
+/** Generates values of one of [choices]. The number of each pair is its weight. */
 internal fun <T : Any> mixed(vararg choices: Pair<Int, Arbitrary<out T>>): Arbitrary<T> =
     Arbitraries.frequencyOf(*choices.map { Tuple.of<Int, Arbitrary<out T>>(it.first, it.second) }.toTypedArray())
 
-/** Lists of at most [max] elements, seldom none, all other lengths equally likely. */
+/** Generates lists of at most [max] elements, rarely empty, all other lengths equally likely. */
 internal fun <T : Any> listsOf(elements: Arbitrary<T>, max: Int): Arbitrary<List<T>> {
     val none = Arbitraries.just(emptyList<T>())
     if (max == 0) return none

@@ -4,7 +4,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import org.joml.Vector3dc
 
-/** A value and the Kotlin expression for it. */
+/** A value and its Kotlin expression. */
 internal class Coded<out T>(val value: T, val code: String)
 
 /** Returns [value] as a Kotlin expression. */
@@ -32,7 +32,7 @@ internal fun code(v: Vector3dc): String = "Vector3d(${code(v.x())}, ${code(v.y()
 /** Returns [value] as a Kotlin expression. */
 internal fun code(value: Long): String = if (value == Long.MIN_VALUE) "Long.MIN_VALUE" else "${value}L"
 
-/** Returns [color] as a Kotlin expression; its components are finite. */
+/** Returns [color] as a Kotlin expression. Its components must be finite. */
 internal fun code(color: Rgba): String = when (color) {
     Rgba.WHITE -> "Rgba.WHITE"
     else -> "Rgba(${color.red}f, ${color.green}f, ${color.blue}f, ${color.alpha}f)"

@@ -9,18 +9,17 @@ import dev.lazyz.Spans
 import dev.lazyz.scenes.Tint
 
 /**
- * A primitive without any coherence: which samples it covers, how deep it is and what colour it has are hashes of the
- * sample.
+ * A primitive without any coherence: coverage, depth and colour of a sample are hashes of the sample.
  *
- * It is legal (contract rule 2.8) and the opposite of a polygon: many spans a row, bounds looser than its coverage,
- * depth that no line follows, ties at random. A renderer that is right about confetti relies on nothing but what the
- * contract promises. Immutable and thread safe.
+ * It is valid (contract rule 2.8) and the opposite of a polygon: many spans in a row, loose bounds, depth without a
+ * linear form, ties at random. A renderer that renders confetti correctly relies only on what the contract guarantees.
+ * Immutable and thread safe.
  *
- * @param seed another one gives other samples, depths and colours
- * @param levels how many different depths there are, spread evenly over 0..2^31-1, both ends included; a single one is
- *   in the middle. 1..2^20
- * @param depthForm depth instead of the levels, or null. Samples at which its integer part is negative are not covered;
- *   so it may be as steep as one likes, and wrap around in between
+ * @param seed seed of the samples, depths and colours
+ * @param levels number of different depths, spread evenly over 0..2^31-1, including both ends; a single depth is in the
+ *   middle. 1..2^20
+ * @param depthForm depth that replaces the levels, or null. Samples at which its integer part is negative are not
+ *   covered. It may therefore be arbitrarily steep, and may wrap around in between
  * @throws IllegalArgumentException if [levels] is out of range
  */
 public class Confetti @JvmOverloads constructor(
@@ -38,7 +37,7 @@ public class Confetti @JvmOverloads constructor(
         require(levels in 1..MAX_LEVELS) { "levels must be in 1..$MAX_LEVELS: $levels" }
     }
 
-    /** With one depth the bounds are as close as can be: that depth. */
+    /** With a single depth, the bounds are as tight as possible: that depth. */
     override val leastDepth: Int get() = if (isLevel) depth(columnStart, rowStart) else 0
     override val greatestDepth: Int get() = if (isLevel) depth(columnStart, rowStart) else Int.MAX_VALUE
 
@@ -61,7 +60,7 @@ public class Confetti @JvmOverloads constructor(
 
     override fun shade(fragment: Fragment): Unit = shader.shade(fragment)
 
-    /** Steps by counting columns: whoever makes one step too many gets another colour. */
+    /** Steps by counting columns, so that a renderer that makes one step too many gets another colour. */
     override fun shadingCursor(x: Int, y: Int): ShadingCursor = object : ShadingCursor {
         private var column = x
 

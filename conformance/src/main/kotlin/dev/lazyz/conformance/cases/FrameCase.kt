@@ -11,17 +11,16 @@ import dev.lazyz.world.Scene
 import dev.lazyz.world.Surface
 
 /**
- * A frame to try a renderer on, that prints itself as the Kotlin code that makes it.
+ * A frame for testing a renderer. Its text is the Kotlin code that creates it.
  *
- * `Frames` generates them; a test may also make its own. Immutable and thread safe if the frame is.
+ * `Frames` generates such frames; a test may also create its own. Immutable and thread safe if the frame is.
  *
- * @property frame what to render
- * @property code a Kotlin expression whose value is a frame equal to [frame], given imports of `dev.lazyz.*`,
- *   `dev.lazyz.conformance.cases.*`, `dev.lazyz.conformance.frames.*`, `dev.lazyz.world.*` and
- *   `org.joml.Vector3d`
+ * @property frame the frame to render
+ * @property code a Kotlin expression whose value is a frame equal to [frame], with imports of `dev.lazyz.*`,
+ *   `dev.lazyz.conformance.cases.*`, `dev.lazyz.conformance.frames.*`, `dev.lazyz.world.*` and `org.joml.Vector3d`
  */
 public class FrameCase(public val frame: Frame, public val code: String) {
-    /** The scene that is set up to [frame], or to what [frame] is a region of; null if there is none. */
+    /** The scene from which [frame], or the whole frame of which it is a region, is set up; null if there is none. */
     internal var scene: Scene? = null
         private set
 
@@ -30,9 +29,9 @@ public class FrameCase(public val frame: Frame, public val code: String) {
     }
 
     /**
-     * Returns the frame as the text of a scene file ([SceneFile]), which is set up to the same pixels, depths and
-     * primitives; null where a scene file has no words for it, as for primitives of one's own. Of a frame that is a
-     * region it has the whole raster.
+     * Returns the frame as the text of a scene file ([SceneFile]) that gives the same pixels, depths and primitives.
+     * Returns null if a scene file cannot express the frame, for example because of custom primitives. If the frame is
+     * a region, the file has the whole raster.
      */
     public fun sceneFile(): String? {
         val raster = frame.raster
@@ -40,7 +39,10 @@ public class FrameCase(public val frame: Frame, public val code: String) {
         return SceneFile.format(scene, ImageSize(raster.width, raster.height), DepthRules.of(raster))
     }
 
-    /** The scene with other surfaces; null if there is none, or not one surface for each primitive. */
+    /**
+     * Returns the scene with changed surfaces; null if there is none, or the surfaces do not correspond to the
+     * primitives one to one.
+     */
     internal fun sceneOf(change: (List<Surface>) -> List<Surface>?): Scene? {
         val scene = scene ?: return null
         if (scene.surfaces.size != frame.primitives.size || scene.surfaces.any { it.isOfMany }) return null
@@ -48,12 +50,12 @@ public class FrameCase(public val frame: Frame, public val code: String) {
         return Scene(surfaces, scene.lights, scene.viewpoint, scene.background)
     }
 
-    /** Whether a surface may be any number of primitives. */
+    /** Whether the number of primitives of the surface may be other than one. */
     private val Surface.isOfMany: Boolean get() = this is Mesh || this is Points || this is Lines
 
     override fun toString(): String = code
 }
 
-/** The frames among the [parameters] of a rule. */
+/** Returns the frames among the [parameters] of a rule. */
 internal fun casesAmong(parameters: List<Any?>): List<FrameCase> =
     parameters.flatMap { if (it is List<*>) it else listOf(it) }.filterIsInstance<FrameCase>()

@@ -8,11 +8,11 @@ import dev.lazyz.world.Polygon
 import dev.lazyz.world.Surface
 
 /**
- * A primitive made translucent: everything is as in [whole], and its colours' alpha counts (contract rule 5.5).
+ * A translucent version of [whole]: unchanged except that the alpha of its colours is used (contract rule 5.5).
  *
  * The colours of `Frames.tint` have any alpha from 0 to 1. Immutable and thread safe if [whole] is.
  *
- * @param layers alpha is divided by this, so that about as many layers show through each other; at least 1
+ * @param layers divisor of alpha, so that about this number of layers show through each other; at least 1
  */
 public class Glass @JvmOverloads constructor(private val whole: Primitive, private val layers: Int = 1) :
     Primitive by whole.recoloured({ it.setColor(it.red, it.green, it.blue, it.alpha / layers) }) {
@@ -25,21 +25,26 @@ public class Glass @JvmOverloads constructor(private val whole: Primitive, priva
     override fun toString(): String = "Glass($whole, $layers)"
 }
 
-/** The same frame, each primitive [Glass] of so many [layers]. */
+/** Returns this frame with each primitive as [Glass] for the given number of [layers]. */
 internal fun FrameCase.thin(layers: Int): FrameCase = FrameCase(
     Frame(frame.raster, frame.primitives.map { Glass(it, layers) }, frame.region),
     "$code\n    .let { frame -> Frame(frame.raster, frame.primitives.map { Glass(it, $layers) }) }",
 )
 
-/** The same frame, with [Glass] for each primitive whose number, modulo 16, is that of a bit set in [choice]. */
+/**
+ * Returns this frame with [Glass] for each primitive whose index, modulo 16, is the number of a bit set in [choice].
+ */
 public fun Frame.glazed(choice: Int): Frame =
     Frame(raster, primitives.mapIndexed { i, it -> if (choice shr i % 16 and 1 == 1) Glass(it) else it }, region)
 
-/** The same frame, with [Glass] as [choice] says. */
+/** Returns this frame with [Glass] for the primitives that [choice] selects. */
 internal fun FrameCase.glazed(choice: Int): FrameCase =
     FrameCase(frame.glazed(choice), "$code\n    .glazed($choice)", sceneOf { glazed(it, choice) })
 
-/** The surfaces, blended as [choice] says; null if one of those has alpha 1 anyway, or covers nothing. */
+/**
+ * Returns the surfaces with the selected ones blended; null if one of these is not a polygon with a shader, or covers
+ * nothing.
+ */
 private fun FrameCase.glazed(surfaces: List<Surface>, choice: Int): List<Surface>? {
     val chosen = surfaces.indices.filter { choice shr it % 16 and 1 == 1 }
     val blended = chosen.associateWith { i ->

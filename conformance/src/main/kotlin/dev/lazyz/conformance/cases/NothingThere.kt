@@ -5,7 +5,10 @@ import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Spans
 
-/** Covers nothing, though its bounds say that it may cover everything; must not be asked for anything else. */
+/**
+ * A primitive that covers nothing, although its bounds are the whole raster. Throws when its depth or colour is
+ * queried.
+ */
 internal class NothingThere(private val raster: Raster) : Primitive {
     override val rowStart: Int get() = 0
     override val rowEnd: Int get() = raster.height
@@ -15,8 +18,8 @@ internal class NothingThere(private val raster: Raster) : Primitive {
     override fun spans(y: Int, spans: Spans): Unit = Unit
 
     override fun depth(x: Int, y: Int): Int =
-        throw AssertionError("asked for depth at ($x, $y), where nothing is covered")
+        throw AssertionError("depth was queried at ($x, $y), where nothing is covered")
 
     override fun shade(fragment: Fragment): Unit =
-        throw AssertionError("asked to shade (${fragment.x}, ${fragment.y}), where nothing is covered")
+        throw AssertionError("shade was called at (${fragment.x}, ${fragment.y}), where nothing is covered")
 }

@@ -9,9 +9,12 @@ import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 
-/** Generates rasters, and knows what a background is before and behind. */
+/** Generates rasters. */
 internal object Rasters {
-    /** Returns rasters of any shape, background, convention, depth test and background depth, mostly the usual. */
+    /**
+     * Generates rasters of any shape, background, convention, depth test and background depth, with defaults in most
+     * cases.
+     */
     fun any(maxWidth: Int, maxHeight: Int): Arbitrary<Raster> {
         val backgrounds = oneOf(Rgba.WHITE, Rgba.TRANSPARENT, Rgba(0.25f, 0.5f, 0.125f, 0.75f))
         val conventions = oneOf(DepthConvention.SMALLER_IS_NEARER, DepthConvention.LARGER_IS_NEARER)
@@ -26,15 +29,15 @@ internal object Rasters {
             }
     }
 
-    /** The depth that everything passes [test] against: the usual one of a background. */
+    /** Returns the depth against which all fragments pass [test]: the default depth of a background. */
     fun behindAll(test: DepthTest): Int = when (test) {
         DepthTest.LESS, DepthTest.LESS_OR_EQUAL -> Int.MAX_VALUE
         DepthTest.GREATER, DepthTest.GREATER_OR_EQUAL -> 0
     }
 
     /**
-     * How far before the usual depth of a background another may lie, in units: mostly in the middle, where it hides
-     * something; at the far plane; and where it hides nearly everything or everything.
+     * Distances of a background from its default depth, in units: mostly in the middle, where it hides some primitives;
+     * at the far plane; and where it hides nearly everything or everything.
      */
     private val BACKGROUND_DEPTHS =
         List(4) { listOf(Int.MAX_VALUE / 2, Int.MAX_VALUE / 2 + 1, Int.MAX_VALUE / 4 + it) }.flatten() +

@@ -4,7 +4,7 @@ import dev.lazyz.Fragment
 import dev.lazyz.Primitive
 import dev.lazyz.ShadingCursor
 
-/** Returns this primitive with each colour as [change] leaves it: it is given the fragment after it has been shaded. */
+/** Returns this primitive with changed colours. [change] is applied to each fragment after shading. */
 internal fun Primitive.recoloured(change: (Fragment) -> Unit): Primitive = Recoloured(this, change)
 
 private class Recoloured(private val whole: Primitive, private val change: (Fragment) -> Unit) : Primitive by whole {

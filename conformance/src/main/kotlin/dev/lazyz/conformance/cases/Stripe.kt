@@ -6,14 +6,14 @@ import dev.lazyz.Spans
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * The samples of [columns] in [rows], at [depth], red. Calls [heed] with the row before it answers about spans, and
- * before it shades its first column.
+ * A red primitive that covers the samples of [columns] in [rows] at [depth]. Calls [onQuery] with the row before it
+ * adds spans, and before it shades its first column.
  */
 internal class Stripe(
     private val columns: IntProgression,
     private val rows: IntRange,
     private val depth: Int,
-    private val heed: (y: Int) -> Unit = {},
+    private val onQuery: (y: Int) -> Unit = {},
 ) : Primitive {
     override val rowStart: Int get() = rows.first
     override val rowEnd: Int get() = rows.last + 1
@@ -23,23 +23,23 @@ internal class Stripe(
     override val greatestDepth: Int get() = depth
 
     override fun spans(y: Int, spans: Spans) {
-        heed(y)
+        onQuery(y)
         if (y in rows) for (x in columns) spans.add(x, x + 1)
     }
 
     override fun depth(x: Int, y: Int): Int = depth
 
     override fun shade(fragment: Fragment) {
-        if (fragment.x == columnStart) heed(fragment.y)
+        if (fragment.x == columnStart) onQuery(fragment.y)
         fragment.setColor(1f, 0f, 0f)
     }
 }
 
-/** Calls [action] the first time that it is told [key]. Thread safe. */
+/** Calls [action] the first time that it is called with [key]. Thread safe. */
 internal class Once(private val key: Int, private val action: () -> Unit) : (Int) -> Unit {
     private val isOver = AtomicBoolean()
 
-    override fun invoke(told: Int) {
-        if (told == key && isOver.compareAndSet(false, true)) action()
+    override fun invoke(value: Int) {
+        if (value == key && isOver.compareAndSet(false, true)) action()
     }
 }

@@ -5,22 +5,22 @@ import dev.lazyz.world.Scene
 import java.util.Collections
 import java.util.IdentityHashMap
 
-/** Counts the frames that a rule is tried on by their traits. Thread safe: a rule may try frames in several threads. */
+/** Counts the frames of a rule by their traits. Thread safe, because a rule may render frames in several threads. */
 internal class Census {
     private val pairs = TraitPairs()
     private val seen = Collections.newSetFromMap(IdentityHashMap<Frame, Boolean>())
     private var frames = 0L
     private var unexamined = 0L
 
-    /** From here on a frame counts anew. */
+    /** Starts a new try: each frame is counted once per try. */
     @Synchronized
     fun nextTry() = seen.clear()
 
     /**
-     * Counts [frame], unless this try had it before.
+     * Counts [frame], unless it was already counted in this try.
      *
-     * @param scene what it was set up from, or null
-     * @param how what is special about the renderer, or nothing
+     * @param scene the scene of the frame, or null
+     * @param how how the renderer differs from the default; empty if it does not
      */
     @Synchronized
     fun add(frame: Frame, scene: Scene? = null, how: String = "") {
@@ -29,7 +29,7 @@ internal class Census {
         val traits = try {
             if (frame.width.toLong() * frame.primitives.size > MOST_IN_A_ROW) null else traits(frame, scene, how)
         } catch (_: Exception) {
-            // Primitives may be as wild as they like; a census must not be what fails
+            // Custom primitives may throw anything; the census itself must not fail
             null
         }
         if (traits == null) unexamined++ else pairs.add(traits)
@@ -39,10 +39,13 @@ internal class Census {
     fun distribution(): Distribution = Distribution(frames, unexamined, TraitPairs() + pairs)
 
     companion object {
-        /** Columns times primitives; larger frames are few, and would take longer to look at than to render. */
+        /**
+         * Greatest product of columns and primitives. Larger frames are few, and examining them would take longer than
+         * rendering them.
+         */
         private const val MOST_IN_A_ROW = 100_000L
 
-        /** Returns what [frame] has; see [add]. Time: samples x primitives, for large frames less. */
+        /** Returns the traits of [frame]; see [add]. Time: samples x primitives, less for large frames. */
         fun traits(frame: Frame, scene: Scene? = null, how: String = ""): Set<FrameTrait> {
             val traits = rasterTraits(frame.raster)
             if (frame.primitives.isEmpty()) traits.add(FrameTrait.NO_PRIMITIVES)

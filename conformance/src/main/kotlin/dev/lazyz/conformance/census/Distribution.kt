@@ -1,10 +1,13 @@
 package dev.lazyz.conformance.census
 
-/** Counts sets of traits by the pairs that are in them; a trait by itself is a pair with itself. Not thread safe. */
+/**
+ * Counts sets of traits by the pairs that they contain. A single trait is counted as a pair with itself. Not thread
+ * safe.
+ */
 internal class TraitPairs {
     private val counts = LongArray(SIZE * SIZE)
 
-    /** Counts a frame that has [traits]. */
+    /** Counts a frame with the given [traits]. */
     fun add(traits: Set<FrameTrait>) {
         for (a in traits) for (b in traits) counts[a.ordinal * SIZE + b.ordinal]++
     }
@@ -27,14 +30,15 @@ internal class TraitPairs {
 }
 
 /**
- * How many of the frames that rules were tried on have which trait, or two of them: a run that never met a tie proves
- * nothing about ties, and one that never met a tie in a region nothing about those. Immutable and thread safe.
+ * The number of tested frames by trait and by pair of traits. A run without a tie does not test ties, and a run without
+ * a tie in a region does not test ties in regions. Immutable and thread safe.
  *
- * A frame that a rule renders in several ways counts once a try, as the first way has it. Of large frames some rows are
- * looked at, so a trait that only few samples have may be missed; those too large for that count as frames only.
+ * A frame that a rule renders in several ways counts once per try, with the traits of the first way. Of large frames
+ * only some rows are examined, so that a trait of few samples may be missed. Frames that are too large for that count
+ * as frames without traits.
  *
  * @property frames number of frames
- * @property unexamined of them, number of those that were not looked at
+ * @property unexamined number of frames that were not examined
  */
 public class Distribution internal constructor(
     public val frames: Long,

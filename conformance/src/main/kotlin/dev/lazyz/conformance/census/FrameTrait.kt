@@ -1,6 +1,6 @@
 package dev.lazyz.conformance.census
 
-/** What a frame may have that makes it worth trying, for [Distribution]. */
+/** A property of a frame that is relevant for testing, see [Distribution]. */
 public enum class FrameTrait(internal val words: String) {
     /** There are no primitives. */
     NO_PRIMITIVES("no primitives"),
@@ -8,19 +8,19 @@ public enum class FrameTrait(internal val words: String) {
     /** Every sample shows the background. */
     NOTHING_VISIBLE("nothing is visible"),
 
-    /** Two primitives or more are visible. */
+    /** At least two primitives are visible. */
     SEVERAL_VISIBLE("several primitives are visible"),
 
-    /** At some sample two primitives have the same, winning depth. */
+    /** At some sample two primitives have the same depth, which is the winning one. */
     TIE("a tie at the winning depth"),
 
     /** At some sample a primitive is hidden by another or by the background. */
     HIDDEN("something is hidden"),
 
-    /** Of two primitives each is before the other somewhere. */
+    /** Each of two primitives is in front of the other at some sample. */
     CROSSING("two primitives cross"),
 
-    /** In some row a primitive begins where another ends, as on a shared edge. */
+    /** In some row a primitive begins where another one ends, for example at a shared edge. */
     MEETING("two primitives meet"),
 
     /** Some sample is covered by more than eight primitives. */
@@ -29,16 +29,16 @@ public enum class FrameTrait(internal val words: String) {
     /** Some primitive has more than six spans in a row. */
     MANY_SPANS("more than 6 spans in a row"),
 
-    /** Only a part of the raster is asked for. */
+    /** Only a part of the raster is requested. */
     REGION("a region"),
 
-    /** More than 64 columns or rows are asked for. */
+    /** More than 64 columns or rows are requested. */
     SEVERAL_TILES("more than 64 columns or rows"),
 
-    /** Some primitive is translucent. */
+    /** At least one primitive is translucent. */
     TRANSLUCENT("translucency"),
 
-    /** Some primitive's depth is no linear form. */
+    /** The depth of some primitive is not a linear form. */
     FORMLESS("depth without a linear form"),
 
     /** The raster has one row or one column. */
@@ -65,24 +65,24 @@ public enum class FrameTrait(internal val words: String) {
     /** The background is not behind everything. */
     BACKGROUND_DEPTH("a background that is not behind everything"),
 
-    /** A mesh of a scene. */
+    /** The scene has a mesh. */
     MESH("a mesh"),
 
-    /** A sphere of a scene. */
+    /** The scene has a sphere. */
     SPHERE("a sphere"),
 
-    /** A scene with lights of its own. */
+    /** The scene has lights. */
     LIT("lights"),
 
-    /** A texture on a surface of a scene. */
+    /** A surface of the scene has a texture. */
     TEXTURED("a texture"),
 
-    /** A mask on a surface of a scene. */
+    /** A surface of the scene has a mask. */
     MASKED("a mask"),
 
-    /** A polygon or triangle of a scene has vertices on both sides of the near plane. */
+    /** A polygon or triangle of the scene has vertices on both sides of the near plane. */
     NEAR_PLANE("something across the near plane"),
 
-    /** The renderer has been given options or a selector, or is used in another special way. */
+    /** The renderer is configured with options or a selector, or is used in another special way. */
     CONFIGURED("a renderer with options"),
 }

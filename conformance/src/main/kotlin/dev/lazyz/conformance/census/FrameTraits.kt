@@ -17,7 +17,7 @@ import dev.lazyz.world.Surface
 import java.util.EnumSet
 import org.joml.Vector3d
 
-/** What a raster brings to its frames. */
+/** Returns the traits that a raster gives to its frames. */
 internal fun rasterTraits(raster: Raster): EnumSet<FrameTrait> {
     val test = when (raster.depthTest) {
         DepthTest.LESS -> FrameTrait.LESS
@@ -35,7 +35,7 @@ internal fun rasterTraits(raster: Raster): EnumSet<FrameTrait> {
     return traits
 }
 
-/** Adds what a scene brings to its frames; one on the screen brings nothing. */
+/** Adds the traits that a scene gives to its frames; scenes in screen space have none. */
 internal fun addSceneTraits(scene: Scene, traits: MutableSet<FrameTrait>) {
     val camera = scene.viewpoint as? Camera ?: return
     if (camera.projection == Projection.Screen) return
@@ -74,18 +74,18 @@ private fun reachesAcrossNearPlane(surface: Surface, camera: Camera): Boolean {
     return distances.any { part -> part.any { it < camera.near } && part.any { it > camera.near } }
 }
 
-/** What the samples of [frame] show: of large frames, those of some rows. */
+/** The traits that depend on the samples of [frame]. Of large frames, only some rows are examined. */
 internal class SampleTraits(private val frame: Frame) {
     private val test = frame.raster.depthTest
     private val background = test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND)
     private val firstColumn = frame.region.columnStart
 
-    // The nearest two of each sample, background included, and how many there are
+    // The two nearest fragments of each sample, including the background, and the number of fragments
     private val nearest = LongArray(frame.width)
     private val second = LongArray(frame.width)
     private val layers = IntArray(frame.width)
 
-    // Where spans begin and end: both in one place means that two primitives meet there
+    // Columns where spans begin and end: if both occur in one column, two primitives meet there
     private val starts = BooleanArray(frame.width + 1)
     private val ends = BooleanArray(frame.width + 1)
 

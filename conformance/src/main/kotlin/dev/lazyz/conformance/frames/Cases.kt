@@ -6,9 +6,9 @@ import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.ArbitrarySupplier
 
-// What the rules are tried on.
+// The generators of the rules' frames.
 
-/** Frames given on the screen. */
+/** Frames in screen space. */
 internal class ScreenCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> = Frames.screen()
 }
@@ -18,33 +18,33 @@ internal class TiedCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> = Frames.tied()
 }
 
-/** Frames of eight primitives in two rows at most. */
+/** Frames of eight primitives and at most two rows. */
 internal class TwoRowsCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> =
         Frames.of(FrameMix.of(FrameKind.CONFETTI, FrameKind.COPLANAR).sized(9, 2).counted(8, 8))
 }
 
-/** Frames of primitives of one's own. */
+/** Frames of custom primitives. */
 internal class ConfettiCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> = Frames.confetti()
 }
 
-/** Frames of scenes. */
+/** Frames of 3D scenes. */
 internal class WorldCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> = Frames.world()
 }
 
-/** Frames of scenes with rows of dozens of samples. */
+/** Frames of 3D scenes with rows of dozens of samples. */
 internal class LongRowCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> = Frames.world(maxSide = 90, maxSurfaces = 4)
 }
 
-/** Frames of scenes whose faces are seen from both sides, with rows of dozens of samples. */
+/** Frames of 3D scenes with faces seen from both sides, with rows of dozens of samples. */
 internal class BackFaceCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> = WorldFrames.turned(WorldFrames.rasters(64)).withoutEdgeCases()
 }
 
-/** Frames of scenes whose materials blend. */
+/** Frames of 3D scenes with blended materials. */
 internal class BlendedCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> = Frames.blended(maxSide = 40, maxSurfaces = 4)
 }
@@ -59,7 +59,7 @@ internal class LineCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> = WorldFrames.lined(WorldFrames.rasters(40)).withoutEdgeCases()
 }
 
-/** Frames of points and lines whose materials blend. */
+/** Frames of points and lines with blended materials. */
 internal class BlendedPointCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> = WorldFrames.blendedDots(WorldFrames.rasters(24)).withoutEdgeCases()
 }
@@ -70,7 +70,7 @@ internal class MixedCases : ArbitrarySupplier<FrameCase> {
         Arbitraries.oneOf(listOf(Frames.screen(), Frames.tied(), Frames.confetti(), Frames.world())).withoutEdgeCases()
 }
 
-/** Frames of which some primitives are translucent. */
+/** Frames with some translucent primitives. */
 internal class TranslucentCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> = Frames.translucent()
 }

@@ -3,69 +3,74 @@ package dev.lazyz.conformance.frames
 import dev.lazyz.conformance.cases.Confetti
 
 /**
- * A difficulty that frames may have, for [FrameMix].
+ * A kind of frames that are difficult to render, see [FrameMix].
  *
- * @property isInSpace whether such frames are scenes before a camera; the others are given on the screen
+ * @property isInSpace whether such frames are 3D scenes seen through a camera; the others are in screen space
  */
 public enum class FrameKind(public val isInSpace: Boolean = false) {
-    /** Three to six vertices anywhere on the 1/256 pixel grid, on and around the raster; any depths, so seldom flat. */
+    /**
+     * Three to six vertices anywhere on the 1/256 pixel grid, on and around the raster, with any depths, so rarely
+     * flat.
+     */
     SCATTERED,
 
-    /** Vertices exactly on samples, and so many samples exactly on edges. */
+    /** Vertices exactly on samples, so that many samples are exactly on edges. */
     ON_SAMPLES,
 
     /** Vertices exactly on the corners of pixels. */
     ON_CORNERS,
 
-    /** Triangles a few grid steps wide and any length, often steep. */
+    /** Triangles a few grid steps wide and of any length, often steep. */
     SLIVERS,
 
-    /** Polygons that cover a sample or two, or none. */
+    /** Polygons that cover one or two samples, or none. */
     TINY,
 
     /** Flat polygons with a notch. */
     CONCAVE,
 
-    /** Flat polygons with a hole, or an island in the hole, by either fill rule. */
+    /** Flat polygons with a hole, or an island in the hole, with either fill rule. */
     HOLES,
 
-    /** Flat polygons with up to eighty teeth: as many spans in a row, where the raster is wide enough. */
+    /** Flat polygons with up to eighty teeth, and as many spans in a row, if the raster is wide enough. */
     COMBS,
 
-    /** Flat polygons whose contour crosses itself: bow ties and pentagrams. */
+    /** Flat polygons whose contour intersects itself: bow ties and pentagrams. */
     SELF_CROSSING,
 
     /** The same polygon two or three times: ties at all its samples. */
     COINCIDENT,
 
-    /** Polygons of one of five depths, parallel to the screen: ties where they overlap. */
+    /** Polygons at one of five depths, parallel to the screen: ties where they overlap. */
     COPLANAR,
 
-    /** Triangles around a common corner, each of which shares an edge with the next. */
+    /** Triangles around a common vertex, each of which shares an edge with the next. */
     SHARED_EDGES,
 
-    /** Two flat polygons over each other that change places somewhere in the middle. */
+    /** Two flat polygons that intersect somewhere in the middle. */
     INTERPENETRATING,
 
-    /** Two or three large polygons that a few units of depth part, and that cross. */
+    /** Two or three large polygons whose depths differ by a few units, and that intersect. */
     NEARLY_COPLANAR,
 
-    /** A slope, and levels at its nearest or farthest depth, or a unit before or behind it. */
+    /**
+     * A slope, and polygons of constant depth at its nearest or farthest depth, or one unit in front of or behind it.
+     */
     TOUCHING,
 
-    /** Two to five polygons, each of which covers the whole raster. */
+    /** Two to five polygons that cover the whole raster. */
     LAYERED,
 
-    /** Vertices up to the end of the guard band, 2^19 pixels away. */
+    /** Vertices up to the limit of the guard band, 2^19 pixels away. */
     GIANT,
 
-    /** What covers nothing: too few vertices, no area, numbers that are none. */
+    /** Polygons that cover nothing: too few vertices, no area, NaN or infinite numbers. */
     DEGENERATE,
 
-    /** [Confetti]: primitives of one's own, with many spans a row and no coherence. */
+    /** [Confetti]: custom primitives, with many spans in a row and no coherence. */
     CONFETTI,
 
-    /** Polygons of three to five vertices in space, flat squares with holes among them. */
+    /** Polygons of three to five vertices in world space, and flat squares with holes. */
     POLYGONS_IN_SPACE(true),
 
     /** Meshes of up to six triangles. */
@@ -74,6 +79,6 @@ public enum class FrameKind(public val isInSpace: Boolean = false) {
     /** Spheres of any size, some around the camera. */
     SPHERES(true),
 
-    /** Triangles from before the camera to behind it. */
+    /** Triangles that extend from in front of the camera to behind it. */
     NEAR_PLANE(true),
 }

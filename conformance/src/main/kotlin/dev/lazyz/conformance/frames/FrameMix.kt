@@ -26,9 +26,9 @@ import net.jqwik.api.Combinators
  * Frames.of(FrameMix.of(FrameKind.HOLES, FrameKind.SLIVERS).sized(40, 30).counted(5, 50).layered(3))
  * ```
  *
- * Frames hold kinds at random, each group of primitives by the weights; kinds in space and kinds on the screen are
- * never in one frame. All frames shrink: to fewer primitives, a smaller raster, rounder numbers. Immutable and thread
- * safe.
+ * The kind of each group of primitives in a frame is random, with probabilities in proportion to the weights. Kinds in
+ * world space and kinds in screen space never occur in the same frame. All frames shrink: to fewer primitives, a
+ * smaller raster, rounder numbers. Immutable and thread safe.
  */
 public class FrameMix private constructor(
     private val weights: Map<FrameKind, Int>,
@@ -40,13 +40,15 @@ public class FrameMix private constructor(
     private val levels: Int = 0,
     private val translucentPercent: Int = 0,
 ) {
-    /** Returns a mix in which [kind] has [weight], 0 or more; groups are chosen in proportion. */
+    /**
+     * Returns a mix in which [kind] has the given [weight], at least 0. Groups are chosen in proportion to the weights.
+     */
     public fun with(kind: FrameKind, weight: Int): FrameMix {
         require(weight >= 0) { "weight must not be negative: $weight" }
         return copy(weights = weights + (kind to weight))
     }
 
-    /** Returns a mix of frames of at most that many columns and rows, 1..[Raster.MAX_SIDE]. */
+    /** Returns a mix of frames with at most this number of columns and rows, 1..[Raster.MAX_SIDE]. */
     public fun sized(maxWidth: Int, maxHeight: Int): FrameMix {
         require(maxWidth in 1..Raster.MAX_SIDE && maxHeight in 1..Raster.MAX_SIDE) {
             "sides must be in 1..${Raster.MAX_SIDE}: $maxWidth, $maxHeight"
@@ -55,8 +57,8 @@ public class FrameMix private constructor(
     }
 
     /**
-     * Returns a mix of frames of [min] to [max] primitives on the screen, layers not counted, or surfaces in space.
-     * With [min] 0, one frame in sixteen has none at all.
+     * Returns a mix of frames with [min] to [max] primitives in screen space, not counting layers, or surfaces in world
+     * space. If [min] is 0, one frame in sixteen is empty.
      */
     public fun counted(min: Int, max: Int): FrameMix {
         require(min in 0..max) { "counts must be 0 <= min <= max: $min, $max" }
@@ -64,8 +66,8 @@ public class FrameMix private constructor(
     }
 
     /**
-     * Returns a mix whose frames on the screen have [layers] more polygons, among the others, each of which covers the
-     * whole raster: the least depth complexity of every sample.
+     * Returns a mix whose frames in screen space have [layers] additional polygons, among the others, that cover the
+     * whole raster. This is the minimum depth complexity of every sample.
      */
     public fun layered(layers: Int): FrameMix {
         require(layers >= 0) { "layers must not be negative: $layers" }
@@ -73,8 +75,8 @@ public class FrameMix private constructor(
     }
 
     /**
-     * Returns a mix whose polygons on the screen have vertices at [levels] depths only, spread evenly from near to far:
-     * the fewer, the more ties. 0 leaves depths as they are.
+     * Returns a mix whose polygons in screen space have vertices at only [levels] different depths, spread evenly from
+     * near to far. Fewer levels give more ties. 0 leaves depths unchanged.
      */
     public fun levels(levels: Int): FrameMix {
         require(levels >= 0) { "levels must not be negative: $levels" }
@@ -87,11 +89,11 @@ public class FrameMix private constructor(
         return copy(translucentPercent = percent)
     }
 
-    /** The frames; see [Frames.of]. */
+    /** Generates the frames; see [Frames.of]. */
     internal fun frames(): Arbitrary<FrameCase> {
         val onScreen = weights.filter { it.value > 0 && !it.key.isInSpace }
         val inSpace = weights.filter { it.value > 0 && it.key.isInSpace }
-        require(onScreen.isNotEmpty() || inSpace.isNotEmpty()) { "some kind must have a weight above 0: $weights" }
+        require(onScreen.isNotEmpty() || inSpace.isNotEmpty()) { "a kind must have a weight above 0: $weights" }
         val rasters = Frames.rasters(maxWidth, maxHeight)
         val choices = ArrayList<Pair<Int, Arbitrary<FrameCase>>>()
         if (onScreen.isNotEmpty()) choices.add(onScreen.values.sum() to screen(rasters, onScreen))
@@ -105,7 +107,7 @@ public class FrameMix private constructor(
         val whole = pieces.layers(layers, layers)
         return Combinators.combine(rasters, counted(groups), whole, Arbitraries.integers())
             .`as` { raster, list, covers, salt ->
-                // Cut to the greatest count, and put the layers anywhere between
+                // Limit the number of primitives, and insert the layers at random positions
                 val order = if (salt and 1 == 0) PieceOrder.TOGETHER else PieceOrder.APART
                 val all = order.of(list.map { it.broughtTo(raster) }).take(maxPrimitives).toMutableList()
                 for (cover in covers) all.add(Math.floorMod(salt, all.size + 1), cover)
@@ -171,7 +173,10 @@ public class FrameMix private constructor(
         "$minPrimitives..$maxPrimitives primitives, $layers layers, $levels levels, $translucentPercent% translucent)"
 
     public companion object {
-        /** Returns a mix of all kinds; more of what ties, crosses or curves, and less of what covers nothing. */
+        /**
+         * Returns a mix of all kinds, with greater weights for ties, intersections and curved depth, and smaller ones
+         * for primitives that cover little or nothing.
+         */
         @JvmStatic
         public fun usual(): FrameMix = FrameMix(
             FrameKind.entries.associateWith {
@@ -187,7 +192,7 @@ public class FrameMix private constructor(
         /** Returns a mix of [kinds], all equally likely. */
         @JvmStatic
         public fun of(vararg kinds: FrameKind): FrameMix {
-            require(kinds.isNotEmpty()) { "there must be a kind" }
+            require(kinds.isNotEmpty()) { "at least one kind is required" }
             return FrameMix(kinds.associateWith { 1 })
         }
     }

@@ -16,28 +16,31 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 
 /**
- * Generators of awkward frames, for jqwik's `@ForAll` and `@Provide`.
+ * Generators of frames that are difficult to render, for jqwik's `@ForAll` and `@Provide`.
  *
- * All shrink: to fewer primitives, smaller rasters and rounder numbers. Sizes are upper bounds, in samples and in
- * primitives; frames without primitives and rasters of one sample are among the results. Thread safe.
+ * All frames shrink: to fewer primitives, smaller rasters and rounder numbers. Sizes are upper bounds, in samples and
+ * in primitives. Results include frames without primitives and rasters of one sample. Thread safe.
  */
 public object Frames {
-    /** Sides of rasters, in samples, where none are given. */
+    /** Default limit of a raster's sides, in samples. */
     public const val DEFAULT_SIDE: Int = 20
 
-    /** Most primitives of a frame, where none are given. */
+    /** Default limit of the number of primitives of a frame. */
     public const val DEFAULT_PRIMITIVES: Int = 8
 
-    /** Returns rasters of any shape, background, convention, depth test and background depth, mostly the usual. */
+    /**
+     * Returns rasters of any shape, background, convention, depth test and background depth, with defaults in most
+     * cases.
+     */
     @JvmStatic
     @JvmOverloads
     public fun rasters(maxWidth: Int = DEFAULT_SIDE, maxHeight: Int = DEFAULT_SIDE): Arbitrary<Raster> =
         Rasters.any(maxWidth, maxHeight)
 
     /**
-     * Returns frames of polygons given on the screen, with some [Confetti] among them: tiny to huge, slivers, concave,
-     * self-crossing, with holes, coincident, coplanar, interpenetrating, with shared edges, with vertices exactly on
-     * samples and on pixel corners, off the raster, degenerate, not finite.
+     * Returns frames of polygons in screen space, with some [Confetti] among them: tiny to huge, slivers, concave,
+     * self-intersecting, with holes, coincident, coplanar, interpenetrating, with shared edges, with vertices exactly
+     * on samples and on pixel corners, outside the raster, degenerate, not finite.
      */
     @JvmStatic
     @JvmOverloads
@@ -48,21 +51,24 @@ public object Frames {
     ): Arbitrary<FrameCase> =
         ScreenFrames(maxWidth, maxHeight).cases(rasters(maxWidth, maxHeight), maxPrimitives).withoutEdgeCases()
 
-    /** Returns frames on the screen in which a depth often occurs twice at a sample, so that the order decides. */
+    /**
+     * Returns frames in screen space in which two primitives often have the same depth at a sample, so that the order
+     * decides.
+     */
     @JvmStatic
     @JvmOverloads
     public fun tied(maxSide: Int = DEFAULT_SIDE, maxPrimitives: Int = DEFAULT_PRIMITIVES): Arbitrary<FrameCase> =
         ScreenFrames(maxSide, maxSide).tiedCases(rasters(maxSide, maxSide), maxPrimitives).withoutEdgeCases()
 
-    /** Returns frames of [Confetti] alone: primitives of one's own, most without a linear form. */
+    /** Returns frames of [Confetti] alone: custom primitives, most without a linear form. */
     @JvmStatic
     @JvmOverloads
     public fun confetti(maxSide: Int = DEFAULT_SIDE, maxPrimitives: Int = DEFAULT_PRIMITIVES): Arbitrary<FrameCase> =
         ScreenFrames(maxSide, maxSide).confettiCases(rasters(maxSide, maxSide), maxPrimitives).withoutEdgeCases()
 
     /**
-     * Returns frames of all kinds in which some primitives, most or none are [Glass]: contract rule 5.5 decides what a
-     * sample shows, and renderers that do not blend refuse them (rule 5.6).
+     * Returns frames of all kinds in which any number of primitives are [Glass]. Contract rule 5.5 decides what a
+     * sample shows, and renderers that do not blend reject such frames (rule 5.6).
      */
     @JvmStatic
     @JvmOverloads
@@ -80,14 +86,14 @@ public object Frames {
     }
 
     /**
-     * Returns frames of scenes: polygons with and without holes, meshes of one to dozens of triangles, spheres, in
-     * front of the camera, behind it, and across its near and far planes, with and without perspective. Vertices have
-     * normals, texture coordinates and colours or not; materials have every [dev.lazyz.world.Shading], highlights, emission,
-     * textures, masks, one side or two; lights are of every kind. None is translucent.
+     * Returns frames of 3D scenes: polygons with and without holes, meshes of one to dozens of triangles, spheres, in
+     * front of the camera, behind it, and across its near and far planes, with and without perspective. Vertices may
+     * have normals, texture coordinates and colours. Materials have every [dev.lazyz.world.Shading], highlights,
+     * emission, textures, masks, one side or two. Lights are of every kind. No primitive is translucent.
      *
-     * The camera looks at the surfaces, so that few frames are blank, and most samples are covered more than once.
+     * The camera is directed at the surfaces, so that few frames are empty and most samples are covered more than once.
      *
-     * @param maxSurfaces most surfaces of a scene; a mesh is one
+     * @param maxSurfaces greatest number of surfaces of a scene; a mesh counts as one
      */
     @JvmStatic
     @JvmOverloads
@@ -95,21 +101,21 @@ public object Frames {
         WorldFrames.cases(WorldFrames.rasters(maxSide), maxSurfaces).withoutEdgeCases()
 
     /**
-     * Returns frames of scenes as [world] does, in which most materials blend ([dev.lazyz.world.AlphaMode.BLEND]): with the
-     * alpha of the material, of its texture, of vertex colours. Renderers that do not blend refuse most of them.
+     * Returns frames of 3D scenes like [world], in which most materials blend ([dev.lazyz.world.AlphaMode.BLEND]), with
+     * the alpha of the material, its texture or vertex colours. Renderers that do not blend reject most of them.
      */
     @JvmStatic
     @JvmOverloads
     public fun blended(maxSide: Int = DEFAULT_SIDE, maxSurfaces: Int = DEFAULT_PRIMITIVES): Arbitrary<FrameCase> =
         WorldFrames.blended(WorldFrames.rasters(maxSide), maxSurfaces).withoutEdgeCases()
 
-    /** Returns frames as [mix] says: kinds, weights, sizes, counts, depth complexity, translucency. */
+    /** Returns frames as defined by [mix]: kinds, weights, sizes, counts, depth complexity, translucency. */
     @JvmStatic
     public fun of(mix: FrameMix): Arbitrary<FrameCase> = mix.frames()
 
     /**
      * Returns a shader whose colour and opacity depend on [number], on the sample and on the fragment's interpolated
-     * depth: hardly ever the same for two primitives, or at two samples.
+     * depth. Two primitives or two samples hardly ever have the same colour.
      */
     @JvmStatic
     public fun tint(number: Int): Shader = Tint(number)

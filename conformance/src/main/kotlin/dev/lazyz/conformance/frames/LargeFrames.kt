@@ -19,9 +19,9 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.ArbitrarySupplier
 import net.jqwik.api.Combinators
 
-// Frames that are larger than the others in one respect, and cost milliseconds all the same.
+// Frames that are larger than the others in one respect, but still take only milliseconds to render.
 
-/** Frames on rasters of several tiles and bands of any plausible size, 8 to 256; most sides are odd. */
+/** Frames on rasters of several tiles and bands, for tile sizes of 8 to 256. Most sides are odd. */
 internal class SeveralTilesCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> {
         val sides = oneOf(65, 67, 127, 129, 131, 128, 257, 263, 293, 521)
@@ -36,7 +36,7 @@ internal class SeveralTilesCases : ArbitrarySupplier<FrameCase> {
     }
 }
 
-/** Frames whose columns or rows, or both, have numbers that 16 bits cannot hold. */
+/** Frames whose column or row numbers, or both, do not fit into 16 bits. */
 internal class FarAwayCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> {
         val across = LargeArea(Raster.MAX_SIDE, Raster.MAX_SIDE, Region(65_500, 65_499, 65_590, 65_570))
@@ -51,7 +51,7 @@ internal class FarAwayCases : ArbitrarySupplier<FrameCase> {
     }
 }
 
-/** A raster and the part of it to render. */
+/** A raster and the region of it to render. */
 internal class LargeArea(val width: Int, val height: Int, val region: Region = Region(0, 0, width, height))
 
 private const val GROUP_WIDTH = 293
@@ -88,20 +88,20 @@ private fun largeCases(areas: Arbitrary<LargeArea>): Arbitrary<FrameCase> {
 private const val MOST_GROUPS = 6
 private const val MOST_PIECES = 9
 
-/** Where a group goes along a side: to its start, its middle or its end. */
+/** Returns the position of a group along a side: at its start, its middle or its end. */
 private fun Region.placed(random: Random, axis: Int): Int {
     val start = if (axis == 0) columnStart else rowStart
     val room = if (axis == 0) width - GROUP_WIDTH else height - GROUP_HEIGHT
     return start + maxOf(room, 0) / 2 * random.nextInt(3)
 }
 
-/** Frames of up to eighty spans a row. */
+/** Frames with up to eighty spans in a row. */
 internal class ManySpansCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> =
         Frames.of(FrameMix.of(FrameKind.COMBS, FrameKind.CONFETTI).with(FrameKind.COMBS, 3).sized(300, 9).counted(1, 6))
 }
 
-/** Frames of dozens of primitives at most samples. */
+/** Frames with dozens of primitives at most samples. */
 internal class DozensOfLayersCases : ArbitrarySupplier<FrameCase> {
     override fun get(): Arbitrary<FrameCase> {
         val kinds = FrameMix.of(
@@ -112,9 +112,9 @@ internal class DozensOfLayersCases : ArbitrarySupplier<FrameCase> {
     }
 }
 
-/** Frames of up to nine thousand primitives, all of which cover most of the few samples. */
+/** Frames of up to nine thousand primitives, each of which covers most of the few samples. */
 internal class ThousandsOfLayersCases : ArbitrarySupplier<FrameCase> {
-    /** Most are more than 12 bits can number. */
+    /** Mostly more than 12 bits can number. */
     private val counts = mixed(1 to ints(1, 3000), 2 to ints(4200, 9000))
 
     override fun get(): Arbitrary<FrameCase> =

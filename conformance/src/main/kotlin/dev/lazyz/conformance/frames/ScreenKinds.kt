@@ -13,12 +13,13 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 
 /**
- * Generates the pieces of each [FrameKind] on the screen, around a raster of at most [maxWidth] x [maxHeight] samples.
+ * Generates the pieces of each [FrameKind] in screen space, around a raster of at most [maxWidth] x [maxHeight]
+ * samples.
  */
 internal class ScreenKinds(private val maxWidth: Int, private val maxHeight: Int) {
     private val polygons = ScreenPolygons(maxWidth, maxHeight)
 
-    /** One or more pieces that belong together. */
+    /** Generates one or more pieces that belong together. */
     fun of(kind: FrameKind): Arbitrary<List<Piece>> = when (kind) {
         FrameKind.SCATTERED -> mixed(2 to outlines(polygons.near), 1 to one(polygons.polygon(polygons.wide())))
         FrameKind.ON_SAMPLES -> outlines(lattice(0.5))
@@ -49,7 +50,7 @@ internal class ScreenKinds(private val maxWidth: Int, private val maxHeight: Int
         else -> throw IllegalArgumentException("$kind is not on the screen")
     }
 
-    /** That many plates, each of which covers any raster wholly. */
+    /** Generates [min] to [max] plates that cover the whole raster. */
     fun layers(min: Int, max: Int): Arbitrary<List<Piece>> = Combinators.combine(depths, depths)
         .`as` { left, right -> Plate(-1.0, -1.0, maxWidth + 1.0, maxHeight + 1.0, left, right).piece() }
         .list().ofMinSize(min).ofMaxSize(max).map { it }
@@ -87,7 +88,7 @@ internal class ScreenKinds(private val maxWidth: Int, private val maxHeight: Int
     private fun outlines(points: Arbitrary<DoubleArray>): Arbitrary<List<Piece>> =
         one(polygons.polygon(polygons.contour(points, 3, 6).map { listOf(it) }))
 
-    /** Points at whole pixels, moved by [offset] to the right and down. */
+    /** Generates points at whole pixels, moved by [offset] to the right and down. */
     private fun lattice(offset: Double): Arbitrary<DoubleArray> = Combinators
         .combine(ints(-1, maxWidth), ints(-1, maxHeight), depths)
         .`as` { x, y, depth -> doubleArrayOf(x + offset, y + offset, depth) }
@@ -97,12 +98,12 @@ internal class ScreenKinds(private val maxWidth: Int, private val maxHeight: Int
         return Combinators.combine(any, ints(2, 3)).`as` { group, times -> List(times) { group }.flatten() }
     }
 
-    /** Rectangles of two pixels or more on and around the raster. */
+    /** Rectangles of at least two pixels on and around the raster. */
     private val plates: Arbitrary<Plate> = Combinators
         .combine(side(maxWidth), side(maxHeight), depths, depths)
         .`as` { x, y, left, right -> Plate(x.first / 2.0, y.first / 2.0, x.last / 2.0, y.last / 2.0, left, right) }
 
-    /** From and to, in half pixels. */
+    /** Generates start and end, in half pixels. */
     private fun side(max: Int): Arbitrary<IntRange> = Combinators
         .combine(ints(-2, 2 * max - 2), ints(4, 2 * max + 4))
         .`as` { from, length -> from..from + length }
@@ -115,10 +116,10 @@ internal class ScreenKinds(private val maxWidth: Int, private val maxHeight: Int
     companion object {
         private const val MOST_TEETH = 80
 
-        /** So many units of depth, as a part of the way from near to far. */
+        /** Converts units of depth to a fraction of the distance from near to far. */
         private fun units(count: Int): Double = count / (Depth.FAR.toDouble() - Depth.NEAR)
 
-        /** Depths that are not at the ends of the range, so that a slope has room. */
+        /** Depths that are not at the ends of the range, to leave room for a slope. */
         val depths: Arbitrary<Double> = ints(1, 63).map { it / 64.0 }
     }
 }
@@ -134,7 +135,10 @@ internal class Plate(
 ) {
     fun piece(): PolygonPiece = PolygonPiece(listOf(outline(0.0 to 0.0, 1.0 to 0.0, 1.0 to 1.0, 0.0 to 1.0)), NON_ZERO)
 
-    /** The same rectangle, as deep in the middle, the other way round; a slope where this one has none. */
+    /**
+     * Returns the same rectangle with the opposite slope and the same depth in the middle; sloped if this one has a
+     * constant depth.
+     */
     fun crossing(): Plate {
         if (left != right) return Plate(x0, y0, x1, y1, right, left)
         val room = minOf(left, 1.0 - left)
@@ -143,7 +147,10 @@ internal class Plate(
 
     fun notched(): DoubleArray = outline(0.0 to 0.0, 1.0 to 0.0, 1.0 to 1.0, 0.5 to 0.25, 0.0 to 1.0)
 
-    /** As high as this rectangle, and as long as [teeth] and the gaps between them, each half of [pitch] pixels. */
+    /**
+     * Returns a comb as high as this rectangle, with [teeth] teeth. Each tooth and each gap is half of [pitch] pixels
+     * wide.
+     */
     fun comb(teeth: Int, pitch: Double): DoubleArray {
         val back = y0 + (y1 - y0) / 4
         val points = arrayListOf(x0 to y0, x0 + teeth * pitch to y0)
@@ -156,7 +163,7 @@ internal class Plate(
         return points.flatMap { (x, y) -> listOf(x, y, left + (x - x0) / length * (right - left)) }.toDoubleArray()
     }
 
-    /** A frame around a hole; and in it an island. */
+    /** Returns a frame around a hole, and an island in the hole. */
     fun rings(): List<DoubleArray> = listOf(0.0, 0.25, 0.375).mapIndexed { i, inset ->
         val rest = 1.0 - inset
         if (i == 1) {
@@ -170,7 +177,7 @@ internal class Plate(
 
     fun star(): DoubleArray = outline(0.5 to 0.0, 0.8125 to 1.0, 0.0 to 0.375, 1.0 to 0.375, 0.1875 to 1.0)
 
-    /** Points given as fractions of the way from the upper left to the lower right corner. */
+    /** Converts points from fractions of the way from the upper left to the lower right corner. */
     private fun outline(vararg fractions: Pair<Double, Double>): DoubleArray = fractions.flatMap { (x, y) ->
         listOf(x0 + x * (x1 - x0), y0 + y * (y1 - y0), left + x * (right - left))
     }.toDoubleArray()

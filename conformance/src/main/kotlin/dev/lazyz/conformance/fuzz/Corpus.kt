@@ -7,15 +7,15 @@ import java.nio.file.StandardOpenOption.APPEND
 import java.nio.file.StandardOpenOption.CREATE
 
 /**
- * A folder of what fuzzing found: `recipes.txt`, a line for each frame that had a pair of traits that none had before,
- * and a folder `differences` with the frames that two renderers rendered differently.
+ * A folder with the results of fuzzing: `recipes.txt` has a line for each frame with a new pair of traits, and the
+ * subfolder `differences` has the frames that two renderers rendered differently.
  *
- * @param folder made when there is something to write; null keeps nothing
+ * @param folder created when something is written; if null, nothing is saved
  */
 internal class Corpus(private val folder: Path?) {
     private val file = folder?.resolve("recipes.txt")
 
-    /** Reads the recipes; lines of other versions are left alone. */
+    /** Reads the recipes. Lines of other versions are ignored. */
     fun read(): List<Recipe> =
         if (file == null || !Files.exists(file)) emptyList() else Files.readAllLines(file).mapNotNull(Recipe::parse)
 
@@ -26,7 +26,10 @@ internal class Corpus(private val folder: Path?) {
         Files.writeString(file, "$recipe\n", CREATE, APPEND)
     }
 
-    /** Keeps a frame that is rendered differently, as [message] says; as a scene file too, if there are words for it. */
+    /**
+     * Saves a frame that is rendered differently, with the [message], and as a scene file if that format can express
+     * it.
+     */
     fun addDifference(recipe: Recipe, case: FrameCase, message: String) {
         val differences = folder?.resolve("differences") ?: return
         Files.createDirectories(differences)

@@ -15,17 +15,17 @@ import net.jqwik.api.Shrinkable
 import net.jqwik.api.sessions.JqwikSession
 
 /**
- * Looks for frames that two renderers render differently, without an oracle: on frames of any size, for as long as one
- * likes.
+ * Searches for frames that two renderers render differently, without an oracle, so that frames of any size and runs of
+ * any duration are possible.
  *
- * A census of the traits of frames guides it: frames with a pair of traits that no frame had before are kept, in a
- * corpus on disk if there is one, and changed a little to make others. Where one of the renderers does not blend,
- * translucent frames are rendered as opaque ones. Frames that differ are made smaller.
+ * The search is guided by the traits of frames: frames with a new pair of traits are kept, in a corpus on disk if there
+ * is one, and are varied to create others. If one of the renderers does not blend, translucent frames are rendered as
+ * opaque ones. Frames that differ are shrunk.
  *
- * Not thread safe. Uses jqwik's generators, so there is no other use of jqwik in this thread meanwhile.
+ * Not thread safe. Uses jqwik's generators, so do not use jqwik otherwise in this thread during a run.
  *
- * @param expected the one that is believed to be right
- * @param actual the other
+ * @param expected the renderer that is assumed to be correct
+ * @param actual the other renderer
  */
 public class DifferentialFuzzing(private val expected: Renderer, private val actual: Renderer) {
     private var time: Duration = Duration.ofMinutes(1)
@@ -35,16 +35,16 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
     private val pairs = TraitPairs()
     private val pool = ArrayList<Known>()
 
-    /** Ends after [time]; by default a minute. */
+    /** Sets the duration of the run; by default a minute. */
     public fun time(time: Duration): DifferentialFuzzing = apply { this.time = time }
 
-    /** Ends after [frames] frames, if that is sooner. */
+    /** Ends the run after [frames] frames, unless the time is over sooner. */
     public fun frames(frames: Long): DifferentialFuzzing = apply { mostFrames = frames }
 
-    /** Keeps what it finds in [folder], and begins with what an earlier run found. */
+    /** Saves results in [folder], and begins with the results of earlier runs. */
     public fun corpus(folder: Path): DifferentialFuzzing = apply { corpus = Corpus(folder) }
 
-    /** Chooses other frames. */
+    /** Sets the seed, to choose other frames. */
     public fun seed(seed: Long): DifferentialFuzzing = apply { random = Random(seed) }
 
     /**
@@ -72,7 +72,7 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
         )
     }
 
-    /** A change of one that is rare, or something new. */
+    /** Returns a variation of a rare recipe, or a new one. */
     private fun next(): Recipe {
         while (true) {
             val recipe = if (pool.isEmpty() || random.nextInt(NEW) == 0) Recipe.any(random) else rare().changed(random)
@@ -80,11 +80,14 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
         }
     }
 
-    /** Of some recipes that are known, the one whose traits are the rarest. */
+    /** Returns the recipe with the rarest traits among some known ones. */
     private fun rare(): Recipe =
         List(CANDIDATES) { pool[random.nextInt(pool.size)] }.maxBy { pairs.rarity(it.traits) }.recipe
 
-    /** Tries the frame of [recipe]; returns how the smallest like it differs, or null if it does not. */
+    /**
+     * Renders the frame of [recipe]. If the renderers differ, returns the difference for the smallest such frame that
+     * was found; otherwise null.
+     */
     private fun difference(recipe: Recipe, isNew: Boolean): String? {
         val frame = recipe.frame()
         val traits = traits(recipe, frame.value())
@@ -106,7 +109,7 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
         return if (isSmall) chosen + Census.traits(case.frame).map { it.name } else chosen
     }
 
-    /** How the two renderers disagree on [whole], or null if they do not. */
+    /** Describes how the two renderers differ for [whole]; null if they do not. */
     private fun disagreement(recipe: Recipe, whole: FrameCase): String? {
         val case = rendered(recipe, whole)
         val (one, other) = listOf(expected, actual).map { renderer ->
@@ -116,7 +119,7 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
         if (thrown[0] !=
             thrown[1]
         ) {
-            return "the one threw ${thrown[0] ?: "nothing"}, the other ${thrown[1] ?: "nothing"}"
+            return "the first threw ${thrown[0] ?: "nothing"}, the second ${thrown[1] ?: "nothing"}"
         }
         val images = listOf(one, other).map { it.getOrNull()?.image ?: return null }
         return difference(images[0], images[1])?.toString()
@@ -128,7 +131,7 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
         return if (blend || !case.frame.hasTranslucency) case else case.asOpaque()
     }
 
-    /** Returns the smallest frame on which they disagree that is found in some steps, and how they disagree. */
+    /** Returns the smallest frame found in a limited number of steps for which they differ, and the difference. */
     private fun smaller(recipe: Recipe, frame: Shrinkable<FrameCase>, first: String): Pair<FrameCase, String> {
         var best = frame
         var disagreement = first
@@ -148,25 +151,28 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
     private class Known(val recipe: Recipe, val traits: Set<String>)
 
     public companion object {
-        /** After as many frames that differ, a run ends. */
+        /** Number of frames that differ after which a run ends. */
         public const val MOST_DIFFERENCES: Int = 10
 
         private const val FIXED_SEED = 1995L
         private const val NANOSECONDS = 1_000_000L
 
-        /** One frame in so many is no change of another. */
+        /** One in this number of frames is new instead of a variation. */
         private const val NEW = 4
 
-        /** Of so many recipes the rarest is changed. */
+        /** Number of recipes among which the rarest is varied. */
         private const val CANDIDATES = 8
 
-        /** Larger frames would take seconds with the slowest renderers. */
+        /** Greatest cost of a frame. Larger ones would take seconds with the slowest renderers. */
         private const val MOST_SAMPLES = 3_000_000L
 
-        /** Larger frames take longer to examine than to render. */
+        /**
+         * Greatest number of samples times primitives to examine. Examining larger frames takes longer than rendering
+         * them.
+         */
         private const val MOST_EXAMINED = 300_000L
 
-        /** Most renderings of smaller frames, for a frame that differs. */
+        /** Greatest number of smaller frames to render when shrinking a frame. */
         private const val MOST_STEPS = 300
     }
 }

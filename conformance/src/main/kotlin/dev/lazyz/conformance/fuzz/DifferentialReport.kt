@@ -3,15 +3,15 @@ package dev.lazyz.conformance.fuzz
 import java.util.Locale
 
 /**
- * What came of comparing two renderers on many frames. Immutable and thread safe.
+ * The result of comparing two renderers on many frames. Immutable and thread safe.
  *
- * @property expected id of the one that is believed to be right
- * @property actual id of the other
+ * @property expected id of the renderer that is assumed to be correct
+ * @property actual id of the other renderer
  * @property frames number of frames that both rendered
- * @property remembered of them, number of those from the corpus
+ * @property remembered number of frames from the corpus among them
  * @property pairs number of pairs of traits that occurred
- * @property differences for each frame that differs: the first sample, both answers, the frame as code, its recipe
- * @property milliseconds how long it took
+ * @property differences for each frame that differs: the first sample, both values, the frame as code, its recipe
+ * @property milliseconds duration
  */
 public class DifferentialReport internal constructor(
     public val expected: String,
@@ -22,7 +22,7 @@ public class DifferentialReport internal constructor(
     public val differences: List<String>,
     public val milliseconds: Long,
 ) {
-    /** Whether all pictures were the same. */
+    /** Whether all pictures are equal. */
     public val isEqual: Boolean get() = differences.isEmpty()
 
     /** Returns a summary for people. */

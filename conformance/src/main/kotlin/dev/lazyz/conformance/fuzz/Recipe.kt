@@ -11,22 +11,22 @@ import java.util.Random
 import net.jqwik.api.Shrinkable
 
 /**
- * A frame and the options to render it with, as a line of text from which both are made again. Immutable.
+ * A frame and the options to render it with, as a line of text from which both can be created again. Immutable.
  *
- * @property seed what is random in the frame
+ * @property seed seed of the frame's random parts
  */
 internal class Recipe private constructor(private val chosen: Map<Ingredient, String>, val seed: Long) {
-    /** What was chosen of [ingredient]. */
+    /** Returns the value of [ingredient]. */
     operator fun get(ingredient: Ingredient): String = chosen.getValue(ingredient)
 
     private fun number(ingredient: Ingredient): Int = get(ingredient).toInt()
 
-    /** Upper bound of the samples to look at, of all primitives together. */
+    /** Upper bound of the number of samples times primitives. */
     val cost: Long
         get() = 1L * number(Ingredient.WIDTH) * number(Ingredient.HEIGHT) *
             (number(Ingredient.PRIMITIVES) + number(Ingredient.LAYERS))
 
-    /** Returns a recipe in which one ingredient, or only the seed, is another. */
+    /** Returns a recipe with another seed and, in most cases, another value of one ingredient. */
     fun changed(random: Random): Recipe {
         val seed = random.nextLong()
         if (random.nextInt(SEED_ONLY) == 0) return Recipe(chosen, seed)
@@ -34,7 +34,7 @@ internal class Recipe private constructor(private val chosen: Map<Ingredient, St
         return Recipe(chosen + (ingredient to any(ingredient, random)), seed)
     }
 
-    /** The options that it says. */
+    /** Returns the options of this recipe. */
     fun options(): RenderOptions = RenderOptions(
         Coherence.valueOf(get(Ingredient.COHERENCE)),
         get(Ingredient.MEMORY_BUDGET).toLongOrNull(),
@@ -42,7 +42,7 @@ internal class Recipe private constructor(private val chosen: Map<Ingredient, St
         number(Ingredient.TILE_SIZE),
     )
 
-    /** The frame, which can be made smaller; [finish] makes what is rendered of it. */
+    /** Returns the frame, which can be shrunk. Apply [finish] before rendering. */
     fun frame(): Shrinkable<FrameCase> {
         val kinds = listOf(Ingredient.KIND, Ingredient.SECOND_KIND).map { FrameKind.valueOf(get(it)) }
         val mix = FrameMix.of(*kinds.distinct().toTypedArray())
@@ -54,10 +54,10 @@ internal class Recipe private constructor(private val chosen: Map<Ingredient, St
         return Frames.of(mix).generator(GENERATOR_SIZE).next(Random(seed))
     }
 
-    /** The part of [case] that is rendered. */
+    /** Returns the part of [case] to render. */
     fun finish(case: FrameCase): FrameCase = if (get(Ingredient.PART) == "WHOLE") case else case.withinAny(Random(seed))
 
-    /** The line of text. */
+    /** Returns the line of text. */
     override fun toString(): String = chosen.entries.joinToString(" ") { "${it.key}=${it.value}" } + " SEED=$seed"
 
     override fun equals(other: Any?): Boolean = other is Recipe && chosen == other.chosen && seed == other.seed
@@ -65,19 +65,19 @@ internal class Recipe private constructor(private val chosen: Map<Ingredient, St
     override fun hashCode(): Int = toString().hashCode()
 
     companion object {
-        /** One change in so many is of the seed alone. */
+        /** One in this number of changes affects only the seed. */
         private const val SEED_ONLY = 3
 
         private const val GENERATOR_SIZE = 1000
 
-        /** Returns a recipe of which everything is left to chance. */
+        /** Returns a random recipe. */
         fun any(random: Random): Recipe =
             Recipe(Ingredient.entries.associateWith { any(it, random) }, random.nextLong())
 
         private fun any(ingredient: Ingredient, random: Random): String =
             ingredient.choices[random.nextInt(ingredient.choices.size)]
 
-        /** Returns what [line] says, or null if it is no recipe of this version. */
+        /** Parses [line]; returns null if it is not a recipe of this version. */
         fun parse(line: String): Recipe? {
             val words = line.trim().split(' ').associate { it.substringBefore('=') to it.substringAfter('=', "") }
             val seed = words["SEED"]?.toLongOrNull() ?: return null

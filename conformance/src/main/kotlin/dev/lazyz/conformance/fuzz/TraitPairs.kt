@@ -1,14 +1,14 @@
 package dev.lazyz.conformance.fuzz
 
 /**
- * How often two traits met in a frame: what guides fuzzing to frames unlike those before.
+ * Counts how often two traits occurred in the same frame, to guide fuzzing to new kinds of frames.
  *
  * A trait is a word, such as `TIE` or `WIDTH=65`. Not thread safe.
  */
 internal class TraitPairs {
     private val counts = HashMap<Pair<String, String>, Int>()
 
-    /** Number of pairs that occurred. */
+    /** Number of different pairs that occurred. */
     val size: Int get() = counts.size
 
     /** Counts the pairs of a frame's [traits], and returns how many of them are new. */
@@ -18,7 +18,7 @@ internal class TraitPairs {
         return new
     }
 
-    /** Returns how rare the pairs of [traits] are: the sum of one over each pair's count. */
+    /** Returns how rare the pairs of [traits] are: the sum of the reciprocals of their counts. */
     fun rarity(traits: Set<String>): Double {
         var sum = 0.0
         forEach(traits) { pair -> sum += 1.0 / counts.getOrDefault(pair, 1) }

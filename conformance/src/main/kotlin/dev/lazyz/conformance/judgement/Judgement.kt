@@ -8,9 +8,10 @@ import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 
 /**
- * What [renderer] makes of [case]. A failure says who did what, and how to make the frame.
+ * Renders [case] with [renderer] and checks the result. Failure messages name the renderer and contain the code of the
+ * frame.
  *
- * @param how what is special about this renderer, or nothing
+ * @param how how the renderer differs from the default, for messages; empty if it does not
  */
 internal class Judgement(private val renderer: Renderer, private val case: FrameCase, private val how: String = "") {
     init {
@@ -22,35 +23,35 @@ internal class Judgement(private val renderer: Renderer, private val case: Frame
     /** The frame, rendered row by row. */
     val rendering: Rendering = attempt { Rendering.of(renderer, case.frame) }
 
-    /** Fails unless the frame came out as the oracle says, bit for bit. */
+    /** Fails unless the picture equals the reference renderer's picture, bit for bit. */
     fun equalsReference(): Judgement = equalsPictureOf(ReferenceRenderer())
 
-    /** Fails unless the frame came out as [oracle] has it, bit for bit. */
+    /** Fails unless the picture equals that of [oracle], bit for bit. */
     fun equalsPictureOf(oracle: Renderer): Judgement = apply {
         val expected = Rendering.of(oracle, case.frame).image
         difference(expected, rendering.image)?.let { fail("", it) }
     }
 
-    /** Fails unless the frame comes out the same when it is rendered into memory. */
+    /** Fails unless rendering the frame into memory gives the same picture. */
     fun equalsItsImage(): Judgement = apply {
         val image = attempt { renderer.render(case.frame) }
         if (image.region != rendering.image.region) fail("into memory: ${differenceInWords(rendering.image, image)}")
         difference(rendering.image, image)?.let { fail("into memory: ", it) }
     }
 
-    /** Fails unless the rows of the frame's region arrived from the top to the bottom, each once. */
+    /** Fails unless the rows of the frame's region were delivered from top to bottom, each once. */
     fun rowsInOrder(): Judgement = apply {
         val expected = (case.frame.region.rowStart until case.frame.region.rowEnd).toList()
         if (rendering.rows != expected) fail("rows arrived as ${rendering.rows}, not as $expected")
     }
 
-    /** Fails because of [what]. */
+    /** Fails with the message [what]. */
     fun fail(what: String, cause: Throwable? = null): Nothing {
         val expected = Rendering.of(ReferenceRenderer(), case.frame).image
         throw violation(what, expected, rendering.image, cause)
     }
 
-    /** Fails because of a [difference]; [lead] says what of. */
+    /** Fails because of a [difference]; [lead] is put before its description. */
     fun fail(lead: String, difference: Difference): Nothing =
         throw violation("$lead$difference", difference.expected, difference.actual, null)
 
@@ -67,7 +68,10 @@ internal class Judgement(private val renderer: Renderer, private val case: Frame
     }
 }
 
-/** Fails unless [renderer] refuses [case], naming a translucent primitive by its index, before it hands out a row. */
+/**
+ * Fails unless [renderer] rejects [case] before it delivers a row, with a message that has the index of a translucent
+ * primitive.
+ */
 internal fun refused(renderer: Renderer, case: FrameCase) {
     var rows = 0
     val answer = try {
@@ -77,7 +81,7 @@ internal fun refused(renderer: Renderer, case: FrameCase) {
         val index = case.frame.primitives.indexOfFirst { it.isTranslucent }
         val isNamed = Regex("\\b[0-9]+\\b").findAll(e.message.orEmpty()).any { isTranslucent(case, it.value) }
         if (rows == 0 && isNamed) return
-        if (rows > 0) "hands out $rows rows before it refuses" else "does not name primitive $index: ${e.message}"
+        if (rows > 0) "delivers $rows rows before it throws" else "does not name primitive $index: ${e.message}"
     } catch (e: Exception) {
         "throws $e"
     }
@@ -87,7 +91,7 @@ internal fun refused(renderer: Renderer, case: FrameCase) {
 private fun isTranslucent(case: FrameCase, index: String): Boolean =
     case.frame.primitives.getOrNull(index.toIntOrNull() ?: -1)?.isTranslucent == true
 
-/** Whether the primitives [a] and [b] both cover column [x] of row [y], at the same depth. */
+/** Returns whether the primitives [a] and [b] both cover column [x] of row [y], at the same depth. */
 internal fun Frame.isTie(a: Int, b: Int, x: Int, y: Int): Boolean =
     covers(a, x, y) && covers(b, x, y) && primitives[a].depth(x, y) == primitives[b].depth(x, y)
 

@@ -8,13 +8,13 @@ import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 
-/** What came of rendering a frame: the image, the counters, and the rows in the order in which they arrived. */
+/** The result of rendering a frame: the image, the counters, and the rows in the order of delivery. */
 internal class Rendering private constructor(val image: Image, val counters: Counters, val rows: List<Int>) {
     companion object {
-        /** Stands for the depth of samples whose row has not arrived. */
+        /** Depth of samples whose row was not delivered. */
         const val MISSING: Int = -1
 
-        /** Renders [frame] row by row; whatever the renderer throws is thrown. */
+        /** Renders [frame] row by row. Exceptions of the renderer are passed on. */
         fun of(renderer: Renderer, frame: Frame): Rendering {
             TryUnderWay.current?.goesOn()
             val recorder = Recorder(frame)
@@ -23,7 +23,7 @@ internal class Rendering private constructor(val image: Image, val counters: Cou
         }
     }
 
-    /** Keeps rows by their number, and forgives everything; the rules judge. */
+    /** Stores rows by their number and accepts everything, even invalid rows. The rules check them later. */
     private class Recorder(private val frame: Frame) : RowSink {
         private val region = frame.region
         private val size = region.size.toInt()
@@ -48,12 +48,15 @@ internal class Rendering private constructor(val image: Image, val counters: Cou
     }
 }
 
-/** Where [actual] is not [expected]: the first sample, column [x] and row [y] of the raster, of [count] that differ. */
+/**
+ * A difference between [expected] and [actual]: the first of [count] differing samples, at column [x] and row [y] of
+ * the raster.
+ */
 internal class Difference(val expected: Image, val actual: Image, val x: Int, val y: Int, val count: Int) {
-    /** What the sample should show, in words. */
+    /** The correct values of the sample, in words. */
     val expectedAnswer: String get() = answer(expected, sample)
 
-    /** What it shows, in words. */
+    /** The actual values of the sample, in words. */
     val actualAnswer: String get() = answer(actual, sample)
 
     private val sample get() = (y - expected.region.rowStart) * expected.width + x - expected.region.columnStart
@@ -63,7 +66,7 @@ internal class Difference(val expected: Image, val actual: Image, val x: Int, va
         "    but was  $actualAnswer"
 }
 
-/** Returns the first sample, in rows from the top, at which [actual] differs, with both answers; null if none does. */
+/** Returns the first sample, in rows from the top, at which [actual] differs from [expected]; null if there is none. */
 internal fun difference(expected: Image, actual: Image): Difference? {
     val samples = expected.argb.indices.filter { expected.differsAt(actual, it) }
     val first = samples.firstOrNull() ?: return null
@@ -72,21 +75,21 @@ internal fun difference(expected: Image, actual: Image): Difference? {
     return Difference(expected, actual, x, y, samples.size)
 }
 
-/** Whether [other], a picture of the same region, has another colour, depth or primitive at index [sample]. */
+/** Returns whether [other], a picture of the same region, has another colour, depth or primitive at index [sample]. */
 internal fun Image.differsAt(other: Image, sample: Int): Boolean = argb[sample] != other.argb[sample] ||
     depth[sample] != other.depth[sample] || primitive[sample] != other.primitive[sample]
 
 private fun answer(image: Image, sample: Int): String {
-    if (image.depth[sample] == Rendering.MISSING) return "nothing: the row never arrived"
+    if (image.depth[sample] == Rendering.MISSING) return "nothing: the row was not delivered"
     val index = image.primitive[sample]
     val owner = if (index == DepthTest.BACKGROUND) "the background" else "primitive $index"
     return "#%08x".format(image.argb[sample]) + ", depth ${image.depth[sample]}, $owner"
 }
 
-/** A counter's text without the memory, which threads multiply. */
+/** Returns the counters as text without peak memory, which grows with the number of threads. */
 internal fun Counters.withoutMemory(): String = toString().substringBefore(", peakBytes")
 
-/** Returns where and how [actual] is not [expected], or null if it is. */
+/** Describes the difference between [actual] and [expected], or returns null if they are equal. */
 internal fun differenceInWords(expected: Image, actual: Image): String? =
     if (expected.region != actual.region) {
         "expected ${inWords(expected.region)}, but was ${inWords(actual.region)}"

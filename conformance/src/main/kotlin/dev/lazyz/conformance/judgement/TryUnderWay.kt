@@ -3,25 +3,28 @@ package dev.lazyz.conformance.judgement
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.FrameCase
 
-/** The try of a rule that is under way, as what renders for the rule knows it. */
+/** The current try of a rule, as seen by the code that renders for the rule. */
 internal interface TryUnderWay {
-    /** Frames of the user's own. */
+    /** The user's own frames. */
     val ownCases: List<FrameCase>
 
-    /** A rule renders [case]; [how] says what is special about the renderer, or nothing. */
+    /**
+     * Called before a rule renders [case]. [how] describes how the renderer differs from the default; empty if it does
+     * not.
+     */
     fun saw(case: FrameCase, how: String = "")
 
     /**
-     * Whether this try has asked [renderer] for a picture before. Of several threads that ask at the same time none does so
-     * again, whichever is first.
+     * Returns whether this try has already used [renderer]. Always false in threads other than the try's own, because
+     * there the order is not defined.
      */
     fun isAgain(renderer: Renderer): Boolean
 
-    /** Another rendering begins: each has its deadline. */
+    /** Called when another rendering begins: each has its own deadline. */
     fun goesOn()
 
     companion object {
-        /** Null between rules. There is one at a time in a JVM. */
+        /** The current try; null between rules. There is one at a time in a JVM. */
         @Volatile
         var current: TryUnderWay? = null
     }

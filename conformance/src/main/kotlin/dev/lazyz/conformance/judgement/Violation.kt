@@ -6,10 +6,10 @@ import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.FrameCase
 
 /**
- * A renderer breaks a rule on [case], with what a report shows of it.
+ * Thrown when a renderer breaks a rule for [case]. Contains what reports show.
  *
- * @param expected what the oracle makes of the frame, or null if that is not to the point
- * @param actual what the renderer made of it, or null if it made nothing
+ * @param expected the oracle's picture, or null if it is not relevant
+ * @param actual the renderer's picture, or null if there is none
  * @param isConfigured whether the renderer was configured with options
  * @param isAgain whether the same renderer had rendered another frame before, in the same try
  */
@@ -23,22 +23,22 @@ internal class Violation(
     val isAgain: Boolean = false,
 ) : AssertionError(message, cause)
 
-/** A try was not over at its deadline; [case] is what it was rendering, if that is a frame. */
+/** Thrown when a try did not end before its deadline. [case] is the frame that was being rendered, if any. */
 internal class TimedOut(message: String, val case: FrameCase?) : AssertionError(message)
 
-/** A process that an earlier part of the run was made in ended during a try. */
+/** A process of an earlier part of the run ended during a try. */
 internal class ProcessEnded(message: String) : AssertionError(message)
 
-/** Ends a rule that does not apply, for this [reason]. Reports say so; it is no failure. */
+/** Ends a rule that does not apply, for this [reason]. Reported, but not a failure. */
 internal class NotDeclared(reason: String) : RuntimeException(reason)
 
-/** The rule applies to those that declare [capability]: it ends here if [renderer] does not. */
+/** Ends the rule, as not applicable, if [renderer] does not declare [capability]. */
 internal fun requireDeclared(renderer: Renderer, capability: Capability) {
     if (capability !in renderer.capabilities) throw NotDeclared("$capability is not declared")
 }
 
-/** The rule does not apply: this JVM cannot measure what it is about, for this [reason]. */
+/** Ends the rule, as not applicable, because this JVM cannot make the required measurement, for this [reason]. */
 internal fun notMeasured(reason: String): Nothing = throw NotDeclared("not measured: $reason")
 
-/** Fails because of [what], where there is no frame to show. */
+/** Fails with the message [what], for rules without a frame to show. */
 internal fun fail(renderer: Renderer, what: String): Nothing = throw AssertionError("${renderer.id}: $what")

@@ -6,13 +6,13 @@ import java.math.BigInteger
 import java.math.MathContext
 
 /**
- * A line on the 1/256 pixel grid whose coverage and depth are those of contract rules 2.10 and 4.6 in exact rational
+ * A line on the 1/256 pixel grid with the coverage and depth of contract rules 2.10 and 4.6 in exact rational
  * arithmetic: the oracle for lines.
  *
- * Written from the rules, and independent of set-up: every sample is decided by itself. Immutable and thread safe.
+ * Implements the rules independently of set-up: every sample is decided on its own. Immutable and thread safe.
  *
  * @param ends x, y, depth of both ends: x and y in grid steps within 2^27 of the origin, depth in 0..2^31-1
- * @param width across the line, pixels
+ * @param width width of the line in pixels
  * @throws IllegalArgumentException if there are not six numbers
  */
 public class ExactLine(ends: IntArray, width: Double) : ExactSurface {

@@ -8,22 +8,23 @@ import dev.lazyz.Primitive
 import dev.lazyz.Spans
 
 /**
- * The picture of a frame of opaque primitives as exact surfaces say it should be: the oracle of the whole path from
+ * The correct picture of a frame of opaque primitives, according to exact surfaces: an oracle for the whole path from
  * vertices to pixels.
  *
- * Three things are decided here, each by the contract's words. Which primitives cover a sample: exactly, by
- * [surfaces]; spans that say otherwise are a fault, and are believed only where a surface is [Coverage.OPEN]. How deep
- * they are: a primitive's own integer, because ties are decided on that, but only after it has been found within rule
- * 4.4's unit of the exact depth.
- * Who is visible: by comparing all of them (rule 5). So what remains on trust is the colour alone, which is what the
- * visible primitive says it is (rule 6.1). [ReferenceRenderer] on the other hand trusts primitives, and is fast enough
- * for every rule; it is held to this class, and renderers to it. Immutable and thread safe.
+ * It decides three things, each according to the contract. Which primitives cover a sample: exactly, by [surfaces];
+ * different spans are a fault, and are trusted only where a surface is [Coverage.OPEN]. How deep they are: by the
+ * primitive's own integer, because ties are decided with that, but only after checking that it is within one unit of
+ * the exact depth (rule 4.4). Which one is visible: by comparing all of them (rule 5). Only the colour is trusted: it
+ * is the one that the visible primitive computes (rule 6.1). In contrast, [ReferenceRenderer] trusts primitives and is
+ * fast enough for every rule; it is tested against this class, and other renderers are tested against it. Immutable and
+ * thread safe.
  *
  * Cost: samples x primitives, in arbitrary precision.
  *
- * @param frame what was set up
- * @param surfaces for each primitive of [frame] what it should be, null for what covers nothing (rules 9.4 and 9.5)
- * @throws IllegalArgumentException if there are not as many surfaces as primitives, or one is translucent
+ * @param frame the frame after set-up
+ * @param surfaces the exact surface of each primitive of [frame], null for a primitive that must cover nothing (rules
+ *   9.4 and 9.5)
+ * @throws IllegalArgumentException if the numbers of surfaces and primitives differ, or a primitive is translucent
  */
 public class ExactPicture(private val frame: Frame, private val surfaces: List<ExactSurface?>) {
     init {
@@ -34,7 +35,7 @@ public class ExactPicture(private val frame: Frame, private val surfaces: List<E
     }
 
     /**
-     * Returns what is wrong with [image], a picture of the whole frame, at its first wrong sample; null if nothing is.
+     * Describes the fault at the first wrong sample of [image], a picture of the whole frame; null if there is none.
      */
     public fun fault(image: Image): String? {
         for (y in frame.region.rowStart until frame.region.rowEnd) {
@@ -53,8 +54,8 @@ public class ExactPicture(private val frame: Frame, private val surfaces: List<E
             val primitive = frame.primitives[i]
             val isCovered = hasInSpans(primitive, x, y)
             when (surface?.coverage(x, y) ?: Coverage.UNCOVERED) {
-                Coverage.COVERED -> if (!isCovered) return "primitive $i must cover it, and does not"
-                Coverage.UNCOVERED -> if (isCovered) return "primitive $i covers it, and must not"
+                Coverage.COVERED -> if (!isCovered) return "primitive $i must cover it, but does not"
+                Coverage.UNCOVERED -> if (isCovered) return "primitive $i covers it, but must not"
                 Coverage.OPEN -> Unit
             }
             if (surface == null || !isCovered) continue
@@ -79,7 +80,9 @@ public class ExactPicture(private val frame: Frame, private val surfaces: List<E
         return fragment.toArgb()
     }
 
-    /** Rules 5.1 to 5.3: less or greater depth; if equal, who came first or last; the background came before all. */
+    /**
+     * Rules 5.1 to 5.3: less or greater depth; at equal depth, the first or last index; the background counts as first.
+     */
     private fun isBetter(depth: Int, index: Int, thanDepth: Int, thanIndex: Int): Boolean {
         val test = frame.raster.depthTest
         val isLess = test == DepthTest.LESS || test == DepthTest.LESS_OR_EQUAL

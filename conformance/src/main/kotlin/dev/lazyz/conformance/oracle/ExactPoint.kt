@@ -1,14 +1,14 @@
 package dev.lazyz.conformance.oracle
 
 /**
- * A point on the 1/256 pixel grid whose coverage is that of contract rule 2.9: the oracle for points.
+ * A point on the 1/256 pixel grid with the coverage of contract rule 2.9: the oracle for points.
  *
- * Written from the rule, and independent of set-up. Immutable and thread safe.
+ * Implements the rule independently of set-up. Immutable and thread safe.
  *
- * @param x column of the vertex, grid steps
- * @param y row of the vertex, grid steps
+ * @param x column of the vertex in grid steps
+ * @param y row of the vertex in grid steps
  * @param depth depth of the vertex
- * @param size side of the square, pixels
+ * @param size side of the square in pixels
  */
 public class ExactPoint(private val x: Int, private val y: Int, private val depth: Int, size: Double) : ExactSurface {
     private val half = halfSize(size)
@@ -23,7 +23,7 @@ public class ExactPoint(private val x: Int, private val y: Int, private val dept
     override fun toString(): String = "ExactPoint($x, $y, $depth, $half)"
 
     internal companion object {
-        /** Half of a size in pixels, grid steps. */
+        /** Returns half of a size in pixels, in grid steps. */
         fun halfSize(pixels: Double): Long = maxOf(StrictMath.floor(128.0 * pixels + 0.5).toLong(), 128L)
     }
 }

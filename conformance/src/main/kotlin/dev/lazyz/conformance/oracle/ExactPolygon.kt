@@ -6,17 +6,17 @@ import java.math.BigInteger
 import java.math.MathContext
 
 /**
- * A polygon on the 1/256 pixel grid whose coverage and depth are exact rational arithmetic: the oracle for set-up.
+ * A polygon on the 1/256 pixel grid with coverage and depth in exact rational arithmetic: the oracle for set-up.
  *
- * Written from contract rules 2 and 3 and independent of set-up: every sample is decided by itself, with every edge,
- * and nothing is rounded. Use it to judge primitives, not to render. Immutable and thread safe.
+ * Implements contract rules 2 and 3 independently of set-up: every sample is decided on its own, with every edge, and
+ * nothing is rounded. Use it to check primitives, not to render. Immutable and thread safe.
  *
  * Cost: linear in the number of vertices for each call.
  *
  * @param contours for each closed contour x, y, depth triples: x and y in grid steps within 2^27 of the origin, depth
- *   in 0..2^31-1; empty contours are passed over
- * @param fillRule what is inside
- * @throws IllegalArgumentException if a contour is not made of triples, or there are fewer than three vertices
+ *   in 0..2^31-1; empty contours are ignored
+ * @param fillRule which parts are inside
+ * @throws IllegalArgumentException if a contour does not consist of triples, or there are fewer than three vertices
  */
 public class ExactPolygon(contours: List<IntArray>, private val fillRule: FillRule) : ExactSurface {
     private val contours = contours.filter { it.isNotEmpty() }.map { it.copyOf() }
@@ -32,7 +32,10 @@ public class ExactPolygon(contours: List<IntArray>, private val fillRule: FillRu
         reference = referenceTriangle()
     }
 
-    /** Whether the sample of column [x] and row [y] is inside, by the top-left rule (contract rules 2.1 to 2.4). */
+    /**
+     * Returns whether the sample of column [x] and row [y] is inside, with the top-left rule (contract rules 2.1 to
+     * 2.4).
+     */
     public fun covers(x: Int, y: Int): Boolean {
         val sampleX = sample(x)
         val sampleY = sample(y)
@@ -58,10 +61,10 @@ public class ExactPolygon(contours: List<IntArray>, private val fillRule: FillRu
     override fun coverage(x: Int, y: Int): Coverage = if (covers(x, y)) Coverage.COVERED else Coverage.UNCOVERED
 
     /**
-     * Returns how many units [depth] differs from the exact one at column [x] and row [y], 0 or more.
+     * Returns the absolute difference of [depth] from the exact depth at column [x] and row [y], in units.
      *
-     * Exact is the plane through the reference triangle (rule 3.5), or, where rule 3.4 says so, the depth of the first
-     * vertex. The contract allows less than 1.
+     * The exact depth is the plane through the reference triangle (rule 3.5) or, in the cases of rule 3.4, the depth of
+     * the first vertex. The contract requires a difference of less than 1.
      */
     override fun depthError(x: Int, y: Int, depth: Int): Double {
         val plane = plane()
@@ -70,7 +73,10 @@ public class ExactPolygon(contours: List<IntArray>, private val fillRule: FillRu
         return BigDecimal(difference).divide(BigDecimal(plane.area), MathContext.DECIMAL64).abs().toDouble()
     }
 
-    /** Rule 3.4: too steep, without area, or a polygon of more vertices so warped that its plane leaves the range. */
+    /**
+     * Rule 3.4: too steep, without area, or a polygon with more than three vertices so warped that its plane leaves the
+     * range.
+     */
     private fun isConstant(plane: Plane): Boolean {
         if (plane.area.signum() == 0) return true
         val steep = plane.area.abs() * big(STEEP)
@@ -91,14 +97,14 @@ public class ExactPolygon(contours: List<IntArray>, private val fillRule: FillRu
         return Plane(dx1 * dy2 - dx2 * dy1, dv1 * dy2 - dv2 * dy1, dv2 * dx1 - dv1 * dx2)
     }
 
-    /** Twice the reference triangle's area, and the depth's change a grid step, each times that area. */
+    /** Twice the area of the reference triangle, and the change of depth per grid step, multiplied by [area]. */
     private inner class Plane(val area: BigInteger, val slopeX: BigInteger, val slopeY: BigInteger) {
-        /** The plane's depth at a grid point, times the area. */
+        /** The plane's depth at a grid point, multiplied by [area]. */
         fun timesArea(x: Long, y: Long): BigInteger = big(reference[0].depth) * area +
             slopeX * big(x - reference[0].x) + slopeY * big(y - reference[0].y)
     }
 
-    /** Rule 3.5: the first vertex, the one furthest from it, and the one furthest from the line through both. */
+    /** Rule 3.5: the first vertex, the one farthest from it, and the one farthest from the line through both. */
     private fun referenceTriangle(): List<Corner> {
         if (vertices.size == 3) return vertices
         val first = vertices[0]

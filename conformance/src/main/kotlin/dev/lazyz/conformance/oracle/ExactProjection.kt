@@ -12,23 +12,24 @@ import org.joml.Matrix4dc
 import org.joml.Vector3dc
 
 /**
- * Polygons, points and lines in space as [ExactPolygon]s, [ExactPoint]s and [ExactLine]s on a raster: rules 1.3, 4.2
- * and 9.1 in 60 decimal digits.
+ * Projects polygons, points and lines in world space to [ExactPolygon]s, [ExactPoint]s and [ExactLine]s on a raster:
+ * contract rules 1.3, 4.2 and 9.1 in 60 decimal digits.
  *
- * Vertices are transformed by the camera's matrices, as they are; cut at the near and the far plane; projected; and
- * snapped. The contract does not say in which order a vertex's coordinates are computed in double precision: where a
- * coordinate lies too close to the border between two grid points (or depths), both are permitted, and there is more
- * than one right polygon. Written from the rules, and independent of set-up. Immutable and thread safe.
+ * Vertices are transformed by the unmodified matrices of the camera, clipped at the near and the far plane, projected,
+ * and snapped. The contract does not define the order in which a vertex's coordinates are computed in double precision.
+ * Where a coordinate is too close to the border between two grid points (or depths), both are permitted, and there is
+ * more than one correct polygon. Implements the rules independently of set-up. Immutable and thread safe.
  */
 public class ExactProjection(private val raster: Raster, private val camera: Camera) {
     private val projection = camera.projectionMatrix(raster.width.toDouble() / raster.height)
     private val view = camera.viewMatrix()
 
     /**
-     * Returns all polygons that the contract permits for [contours], world space; null among them covers nothing.
+     * Returns all polygons that the contract permits for [contours] in world space; null stands for a polygon that
+     * covers nothing.
      *
-     * Empty where the contract leaves too much open to judge: vertices that are huge, on a plane, or in the guard
-     * band's reach; a plane that cuts a contour more than twice (rule 9.2); more than 64 polygons.
+     * Empty where the contract permits too much for a check: vertices that are huge, on a plane, or beyond the guard
+     * band; a plane that cuts a contour more than twice (rule 9.2); more than 64 polygons.
      */
     public fun polygons(contours: List<List<Vector3dc>>, fillRule: FillRule): List<ExactPolygon?> {
         val all = contours.flatten()
@@ -45,7 +46,7 @@ public class ExactProjection(private val raster: Raster, private val camera: Cam
         return snapped(pieces, fillRule)
     }
 
-    /** As [polygons], for a point of so many pixels. */
+    /** Like [polygons], for a point with a [size] in pixels. */
     public fun points(position: Vector3dc, size: Double): List<ExactPoint?> {
         if (!position.isFinite) return listOf(null)
         if (isHuge(position)) return emptyList()
@@ -57,7 +58,7 @@ public class ExactProjection(private val raster: Raster, private val camera: Cam
         return snaps(listOf(corner)).map { (x, y, depth) -> ExactPoint(x, y, depth, size) }
     }
 
-    /** As [polygons], for a line of so many pixels between two points. */
+    /** Like [polygons], for a line between two points with a [width] in pixels. */
     public fun lines(from: Vector3dc, to: Vector3dc, width: Double): List<ExactLine?> {
         if (!from.isFinite || !to.isFinite) return listOf(null)
         if (isHuge(from) || isHuge(to)) return emptyList()
@@ -81,7 +82,7 @@ public class ExactProjection(private val raster: Raster, private val camera: Cam
 
         fun toFar(): BigDecimal = w - z
 
-        /** The point a fraction [t] of the way to [other]. */
+        /** Interpolates linearly between this point ([t] = 0) and [other] ([t] = 1). */
         fun toward(other: Corner, t: BigDecimal) = Corner(
             x + t * (other.x - x),
             y + t * (other.y - y),
@@ -104,7 +105,10 @@ public class ExactProjection(private val raster: Raster, private val camera: Cam
         plane(contour[it]).signum() != plane(contour[(it + 1) % contour.size]).signum()
     }
 
-    /** What is left inside of a plane: for each vertex the cut on the way to it, if there is one, and then itself. */
+    /**
+     * Returns the part inside of a plane: for each vertex the intersection on the edge to it, if any, then the vertex
+     * itself.
+     */
     private fun cut(contour: List<Corner>, plane: (Corner) -> BigDecimal): List<Corner> {
         val left = ArrayList<Corner>()
         for ((i, to) in contour.withIndex()) {
@@ -126,7 +130,7 @@ public class ExactProjection(private val raster: Raster, private val camera: Cam
             ExactPolygon(snapped, fillRule)
         }
 
-    /** Every way to snap vertices: x, y and depth of each; none where that leaves too much open. */
+    /** Returns every way to snap the vertices, as x, y and depth of each; empty where there are too many ways. */
     private fun snaps(corners: List<Corner>): List<List<Int>> {
         val numbers = corners.flatMap { corner ->
             val x = (corner.x / corner.w + BigDecimal.ONE) / TWO * big(raster.width.toDouble())
@@ -155,10 +159,13 @@ public class ExactProjection(private val raster: Raster, private val camera: Cam
         val HALF: BigDecimal = BigDecimal("0.5")
         val GUARD: BigDecimal = BigDecimal.valueOf(1L shl 18)
 
-        /** How close to the border between two integers double precision decides, in grid steps or units. */
+        /**
+         * Distance from the border between two integers within which rounding in double precision decides, in grid
+         * steps or units.
+         */
         val BORDER: BigDecimal = BigDecimal("1e-4")
 
-        /** How close to a plane double precision decides on which side a vertex is, world units. */
+        /** Distance from a plane within which double precision decides on which side a vertex is, in world units. */
         val CLOSE: BigDecimal = BigDecimal("1e-9")
 
         const val LARGEST = 1e4
@@ -166,7 +173,10 @@ public class ExactProjection(private val raster: Raster, private val camera: Cam
 
         fun big(value: Double) = BigDecimal(value, digits)
 
-        /** The integers that [value] may be rounded to: nearest, half up, and both next to a half. */
+        /**
+         * Returns the integers to which [value] may be rounded: the nearest, half up, or both neighbours if it is close
+         * to a half.
+         */
         fun near(value: BigDecimal): List<Int> = listOf(value - BORDER, value + BORDER)
             .map { (it + HALF).setScale(0, RoundingMode.FLOOR).toInt() }.distinct()
 

@@ -12,11 +12,11 @@ import java.math.BigDecimal
 import java.math.MathContext
 
 /**
- * A sphere before a camera whose coverage and depth are those of rules 2.6 and 4.5 in 40 decimal digits.
+ * A sphere seen through a camera with the coverage and depth of contract rules 2.6 and 4.5 in 40 decimal digits.
  *
- * The rules compute in double precision. So a sample whose discriminant, or whose distance from a plane, is too close
- * to zero for double precision is [Coverage.OPEN]; all others have one right answer. Written from the rules, and
- * independent of set-up; of the camera it takes its matrices, as they are. Immutable and thread safe.
+ * The rules are defined in double precision. A sample whose discriminant, or whose distance from a plane, is too close
+ * to zero for double precision is therefore [Coverage.OPEN]; all others have one correct answer. Implements the rules
+ * independently of set-up, except for the camera's matrices. Immutable and thread safe.
  *
  * @throws IllegalArgumentException if the sphere's material has a mask
  */
@@ -26,7 +26,7 @@ public class ExactSphere(raster: Raster, private val camera: Camera, private val
     private val near = big(camera.near)
     private val far = big(camera.far)
 
-    /** Whether rule 9.5 or 9.4 leave anything of it. */
+    /** Whether the sphere covers anything according to rules 9.4 and 9.5. */
     private val isSphere = sphere.radius > 0.0 && sphere.radius.isFinite() && sphere.center.isFinite
     private val radius = if (isSphere) big(sphere.radius) else BigDecimal.ZERO
     private val center = if (isSphere) center() else emptyList()
@@ -76,7 +76,7 @@ public class ExactSphere(raster: Raster, private val camera: Camera, private val
         )
     }
 
-    /** The ray through a sample, and the distances along the line of sight at which it cuts the sphere. */
+    /** The ray through a sample, and the distances along the viewing direction at which it intersects the sphere. */
     private inner class Ray(x: Int, y: Int) {
         private val px = (big(2.0 * x + 1.0) / big(columns.toDouble()) - one) * halfHeight *
             big(columns.toDouble()) / big(rows.toDouble())
@@ -96,7 +96,7 @@ public class ExactSphere(raster: Raster, private val camera: Camera, private val
             radius * radius - (px - center[0]) * (px - center[0]) - (py - center[1]) * (py - center[1])
         }
 
-        /** What double precision may be wrong by, with room to spare. */
+        /** Upper bound of the error of double precision, with a margin. */
         val uncertainty: BigDecimal = (square + px * px + py * py) * (radius * radius + toCenter + one) * ROOM
 
         private val half = discriminant.max(BigDecimal.ZERO).sqrt(digits)
@@ -104,7 +104,7 @@ public class ExactSphere(raster: Raster, private val camera: Camera, private val
         val first: BigDecimal = (middle - half) / square
         val second: BigDecimal = (middle + half) / square
 
-        /** Whether double precision might put [t] on the other side of [plane]. */
+        /** Returns whether double precision may put [t] on the other side of [plane]. */
         fun isOpen(plane: BigDecimal, t: BigDecimal): Boolean =
             (t - plane).abs() * square <= uncertainty / half.max(ROOM) + (toCenter + one) * ROOM
     }

@@ -6,15 +6,15 @@ import dev.lazyz.Frame
 import dev.lazyz.Image
 
 /**
- * How shading gets from sample to sample that goes along each row once, as a [Coherence] says: counted from the picture
- * and the primitives alone.
+ * The expected starts and steps of shading when each row is visited once, for a given [Coherence]. Counted from the
+ * picture and the primitives alone.
  */
 internal class ExpectedSteps private constructor(private val coherence: Coherence) {
-    /** Colours whose attributes are evaluated at the sample. */
+    /** Number of colours whose attributes are evaluated at the sample. */
     var starts = 0L
         private set
 
-    /** Steps from one sample to the next. */
+    /** Number of steps from one sample to the next. */
     var steps = 0L
         private set
 
@@ -41,7 +41,7 @@ internal class ExpectedSteps private constructor(private val coherence: Coherenc
     }
 
     companion object {
-        /** Counts for [image], the right picture of [frame], whose primitives are opaque. */
+        /** Counts for [image], the correct picture of [frame]. All primitives must be opaque. */
         fun of(frame: Frame, image: Image, coherence: Coherence): ExpectedSteps {
             val expected = ExpectedSteps(coherence)
             for (y in frame.region.rowStart until frame.region.rowEnd) expected.addRow(frame, image, y)

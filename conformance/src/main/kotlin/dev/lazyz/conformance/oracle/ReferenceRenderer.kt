@@ -11,23 +11,23 @@ import dev.lazyz.RowSink
 import dev.lazyz.Spans
 
 /**
- * The oracle: asks every primitive at every sample and compares by the words of contract rule 5, nothing else.
+ * The oracle: queries every primitive at every sample and compares as contract rule 5 defines, nothing else.
  *
- * It shares no code with the strategies: no cursor, no linear form, no [DepthTest.key], no bounds; a primitive is asked
- * on every row of the raster. Use it to judge a renderer, not to render. Thread safe; no state between calls.
+ * It shares no code with the strategies: no cursors, no linear forms, no [DepthTest.key], no bounds. Each primitive is
+ * queried on every row of the raster. Use it to check a renderer, not to render. Thread safe; no state between calls.
  *
- * It trusts primitives: their spans, depths and colours are what they say. What ties primitives to the contract is
- * exact arithmetic: [ExactPolygon], [ExactProjection] and [ExactSphere] decide coverage and depth from vertices,
- * without set-up's code, and [ExactPicture] the visible primitive. This renderer is held to those by tests, and all
- * others to this one by the suite, so a mistake in set-up that all strategies share does not go unseen.
+ * It trusts the spans, depths and colours of primitives. Tests with exact arithmetic check primitives against the
+ * contract: [ExactPolygon], [ExactProjection] and [ExactSphere] compute coverage and depth from vertices, without the
+ * code of set-up, and [ExactPicture] the visible primitive. This renderer is tested against those, and all others are
+ * tested against this one by the suite. So a mistake in set-up that all strategies share is also found.
  *
  * Time: samples x primitives. Memory: one row. Shading calls: exactly the visible samples, and where a translucent
- * primitive is visible those of the fragments that show through.
+ * primitive is visible, the fragments that show through.
  */
 public class ReferenceRenderer : Renderer {
     override val id: String get() = "reference"
 
-    override val summary: String get() = "asks every primitive at every sample: the contract's words, for comparison"
+    override val summary: String get() = "queries every primitive at every sample as the contract says; for comparison"
 
     override val capabilities: Set<Capability>
         get() = setOf(
@@ -62,14 +62,14 @@ public class ReferenceRenderer : Renderer {
             peakBytes = 12L * frame.width
         }
 
-        /** Before the first primitive every sample has the background's colour, depth and no primitive (rule 4.3). */
+        /** Sets every sample to the background's colour, depth and index (rule 4.3). */
         fun clear() {
             argb.fill(raster.background.toArgb())
             depth.fill(raster.backgroundDepth)
             primitive.fill(DepthTest.BACKGROUND)
         }
 
-        /** Lets the primitive with this submission index compete for the samples of row [y] that it covers. */
+        /** Compares the primitive with this submission index at the samples of row [y] that it covers. */
         fun compare(index: Int, y: Int) {
             spans.clear()
             frame.primitives[index].spans(y, spans)
@@ -89,7 +89,7 @@ public class ReferenceRenderer : Renderer {
 
         private fun isCovered(x: Int): Boolean = (0 until spans.count).any { x >= spans.start(it) && x < spans.end(it) }
 
-        /** Gives every sample of row [y] the colour of its visible primitive. */
+        /** Sets every sample of row [y] to the colour of its visible primitive. */
         fun shade(y: Int) {
             for (i in 0 until frame.width) {
                 if (primitive[i] == DepthTest.BACKGROUND || frame.primitives[primitive[i]].isTranslucent) continue
@@ -104,7 +104,7 @@ public class ReferenceRenderer : Renderer {
             frame.primitives[index].shade(fragment)
         }
 
-        /** Blends where a translucent primitive is visible: rule 5.5, in its words. */
+        /** Blends where a translucent primitive is visible, as rule 5.5 defines. */
         fun blend(y: Int) {
             for (i in 0 until frame.width) {
                 if (primitive[i] == DepthTest.BACKGROUND || !frame.primitives[primitive[i]].isTranslucent) continue
@@ -112,7 +112,7 @@ public class ReferenceRenderer : Renderer {
             }
         }
 
-        /** The indices of all primitives that cover a sample and pass against the background, nearest first. */
+        /** Returns the indices of all primitives that cover a sample and pass against the background, nearest first. */
         private fun fragments(x: Int, y: Int): List<Int> {
             val passing = frame.primitives.indices.filter { index ->
                 spans.clear()
@@ -161,7 +161,7 @@ public class ReferenceRenderer : Renderer {
     }
 
     private companion object {
-        /** Whether the fragment ([depth], [index]) hides the other: rules 5.1 to 5.3, in their words. */
+        /** Returns whether the fragment ([depth], [index]) hides the other one, as rules 5.1 to 5.3 define. */
         fun DepthTest.prefers(depth: Int, index: Int, otherDepth: Int, otherIndex: Int): Boolean = when (this) {
             DepthTest.LESS -> depth < otherDepth || (depth == otherDepth && index < otherIndex)
             DepthTest.LESS_OR_EQUAL -> depth < otherDepth || (depth == otherDepth && index > otherIndex)

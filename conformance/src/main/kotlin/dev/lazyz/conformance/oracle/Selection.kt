@@ -10,10 +10,10 @@ import dev.lazyz.Selector
 import dev.lazyz.Spans
 
 /**
- * The oracle of selectors: lists the fragments of each sample by the words of contract rule 5, and picks one.
+ * The oracle of selectors: lists the fragments of each sample as contract rule 5 defines, and chooses one.
  *
- * @property selector what a renderer is given
- * @param shown what it has to show, given a sample's fragments, nearest first: the one whose depth and primitive are
+ * @property selector the selector that the renderer gets
+ * @param shown the expected result for a sample's fragments, nearest first: the fragment whose depth and primitive are
  *   shown and its colour, or null for the background
  */
 internal class Selection(val selector: Selector, private val shown: (List<Seen>) -> Pair<Seen, Int>?) {
@@ -30,7 +30,7 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
         }
     }
 
-    /** Returns the picture that a renderer with [selector] has to make of [frame]. */
+    /** Returns the expected picture of [frame] with [selector]. */
     fun of(frame: Frame): Image {
         val region = frame.region
         val size = region.size.toInt()
@@ -67,7 +67,7 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
     companion object {
         private const val LAYER = 2
 
-        /** The colours of [Selector.count], as its documentation lists them, for 1, 2, 3, 4, 5 to 8 ... fragments. */
+        /** The colours of [Selector.count], as documented there, for 1, 2, 3, 4, 5 to 8 ... fragments. */
         private val ramp =
             listOf(0x440154, 0x46327E, 0x365C8D, 0x277F8E, 0x1FA187, 0x4AC16D, 0xA0DA39, 0xFDE725).map { it or OPAQUE }
 
@@ -76,7 +76,7 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
         private fun heat(count: Int): Int =
             ramp[listOf(1, 2, 3, 4, 8, 16, 32).indexOfFirst { count <= it }.let { if (it < 0) 7 else it }]
 
-        /** Selectors by name: those of the library, and some of one's own. */
+        /** Selectors by name: built-in and custom ones. */
         val all: Map<String, Selection> = mapOf(
             "nearest" to Selection(Selector.nearest()) { it.first().plain() },
             "farthest" to Selection(Selector.farthest()) { it.last().plain() },
@@ -91,7 +91,7 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
 
         private fun Seen.plain() = this to color.toArgb()
 
-        /** Looks at a colour before it decides, and shows nothing where a sample has one fragment only. */
+        /** Evaluates a colour before it decides, and shows the background where a sample has only one fragment. */
         private fun lastIfRed() = Selection(
             { cell ->
                 val last = cell.size - 1
@@ -107,7 +107,7 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
             }
         }
 
-        /** Asks the cell where it is, and for depth and primitive of whichever fragment. */
+        /** Uses the position of the cell, and the depth and primitive of another fragment. */
         private fun byPlace() = Selection(
             { cell ->
                 val i = (cell.x + 3 * cell.y) % cell.size
@@ -120,7 +120,7 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
             seen[i] to Rgba(other.depth % 256 / 255f, other.index % 8 / 7f, 0f, 1f).toArgb()
         }
 
-        /** Shows one fragment after the other, also in colours, and at last the one in the middle. */
+        /** Calls `show` for several fragments, with and without colours, and finally for the one in the middle. */
         private fun lastCall() = Selection(
             { cell ->
                 for (i in 0 until cell.size) if (i % 2 == 0) cell.show(i) else cell.show(i, 1f, 0f, 1f, 1f)
@@ -128,7 +128,7 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
             },
         ) { seen -> seen[seen.size / 2].plain() }
 
-        /** Shows the fragments from the back, and at last the nearest in green. */
+        /** Calls `show` for all fragments from the back, and finally for the nearest in green. */
         private fun lastCallInColor() = Selection(
             { cell ->
                 for (i in cell.size - 1 downTo 0) cell.show(i)
@@ -136,7 +136,7 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
             },
         ) { seen -> seen.first() to Rgba(0f, 1f, 0f, 0.5f).toArgb() }
 
-        /** Mixes colours of several fragments, and shows the depth of the farthest. */
+        /** Mixes the colours of several fragments, and shows the depth of the farthest. */
         private fun mean() = Selection(
             { cell ->
                 var red = 0f

@@ -18,8 +18,9 @@ import java.util.concurrent.CancellationException
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * What code of the caller's may throw: what renderers catch for reasons of their own, such as the end of an array or of a
- * coroutine; and checked exceptions, too, since Kotlin and lambdas let them pass.
+ * Exceptions that the caller's code may throw. Includes those that renderers may catch for other reasons, such as the
+ * end of an array or the cancellation of a coroutine, and a checked exception, because Kotlin and lambdas can throw
+ * them.
  */
 internal enum class Planted(private val throwable: (String) -> Throwable) {
     EXCEPTION({ IllegalStateException(it) }),
@@ -31,17 +32,17 @@ internal enum class Planted(private val throwable: (String) -> Throwable) {
     CHECKED({ IOException(it) }),
     ;
 
-    /** Returns a new one. */
+    /** Returns a new instance. */
     fun make(): Throwable = throwable("planted")
 }
 
-/** What a renderer asks a primitive. */
+/** A kind of query that a renderer makes to a primitive. */
 internal enum class Question { SPANS, DEPTH, COLOUR }
 
 /**
- * The primitives of [frame], which throw when they have answered a question [patience] times, all together.
+ * A copy of [frame] whose primitives throw after they have answered a total of [patience] queries of one kind.
  *
- * @property planted what is thrown: always the same
+ * @property planted the exception, always the same instance
  */
 internal class Trap(
     frame: Frame,
@@ -54,7 +55,7 @@ internal class Trap(
     /** The frame whose primitives throw. */
     val frame: Frame = Frame(frame.raster, frame.primitives.map { Trapped(it) }, frame.region)
 
-    /** Whether it has been thrown. */
+    /** Whether the exception has been thrown. */
     val isSprung: Boolean get() = left.get() < 0
 
     private fun step(question: Question) {
@@ -65,7 +66,7 @@ internal class Trap(
     }
 
     private inner class Trapped(whole: Primitive) : Recovered(whole) {
-        /** Depth is asked for, not stepped, if that is what throws. */
+        /** Without a linear form, the renderer must call [depth], which may throw. */
         override val depthForm: LinearForm? get() = if (question == Question.DEPTH) null else whole.depthForm
 
         override fun spans(y: Int, spans: Spans) {
@@ -95,13 +96,13 @@ internal fun answer(block: () -> Unit): Throwable? = try {
     e
 }
 
-/** Fails unless [renderer] passes on what [trap] throws, or never runs into it and renders right. */
+/** Fails unless [renderer] passes on what [trap] throws, or never triggers it and renders correctly. */
 internal fun failsAsPlanned(renderer: Renderer, case: FrameCase, trap: Trap) {
     var rendering: Rendering? = null
     val thrown = answer { rendering = Rendering.of(renderer, trap.frame) }
     val expected = if (trap.isSprung) trap.planted else null
     if (thrown !== expected) {
-        val what = "${expected ?: "nothing"} was thrown, the caller got ${thrown ?: "nothing"}"
+        val what = "${expected ?: "nothing"} was thrown, but the caller got ${thrown ?: "nothing"}"
         Judgement(renderer, case).fail(what, thrown)
     }
     val image = rendering?.image ?: return

@@ -19,16 +19,17 @@ import dev.lazyz.conformance.oracle.Selection
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.ArbitrarySupplier
 
-/** How the renderings of a [Combination] follow each other. */
+/** Whether the renderings of a [Combination] run one after the other or at the same time. */
 internal enum class Turns { ONE_BY_ONE, AT_ONCE }
 
 /**
- * Several renderings by one renderer, and all that is not as usual about them.
+ * Several renderings by one renderer, with settings that may differ from the default.
  *
- * @param choices [Choices.COUNT] numbers that say what: 0 is always the usual, so failures shrink to what matters
+ * @param choices [Choices.COUNT] numbers that determine the settings; 0 is always the default, so that shrinking a
+ *   failure keeps only the relevant settings
  */
 internal class Combination(cases: List<FrameCase>, private val choices: List<Int>) {
-    /** What the renderer is given, but for the selector. */
+    /** The options of the renderer, without the selector. */
     val options: RenderOptions = RenderOptions(
         Coherence.entries.chosen(0),
         listOf(null, null, null, 0L, 1_000L, 100_000L).chosen(1),
@@ -43,18 +44,21 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
 
     private fun <T> List<T>.chosen(number: Int): T = this[choices[number] % size]
 
-    /** One rendering: a frame, and what is asked for besides; its choices begin with number [first]. */
+    /** One rendering: a frame and its settings. Its choices begin with number [first]. */
     inner class Shot(private val case: FrameCase, private val first: Int) {
-        /** What throws in a rendering just before this one, or null for no such rendering. */
+        /** The query that throws in an extra rendering just before this one, or null for no such rendering. */
         val accident: Question? = (List<Question?>(USUAL) { null } + Question.entries).chosen(first)
 
-        /** How many questions are answered before it throws. */
+        /** Number of queries that are answered before one throws. */
         val patience: Int = choices[first + 1]
 
-        /** The selector's name, or null for the usual. */
+        /** The selector's name, or null for none. */
         val selection: String? = (List<String?>(USUAL) { null } + Selection.all.keys).chosen(first + 2)
 
-        /** The frame on a raster whose background is behind everything, in the middle, or before everything. */
+        /**
+         * Returns the frame on a raster whose background is behind everything, in the middle, or in front of
+         * everything.
+         */
         private fun onItsBackground(): FrameCase {
             val before = Int.MAX_VALUE - Rasters.behindAll(case.frame.raster.depthTest)
             val depth = (List<Int?>(USUAL) { null } + Int.MAX_VALUE / 2 + before).chosen(first + 8) ?: return case
@@ -63,11 +67,11 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
             )
         }
 
-        /** The frame for a renderer that has these [capabilities]. */
+        /** Returns the frame for a renderer with these [capabilities]. */
         fun caseFor(capabilities: Set<Capability>): FrameCase {
             val case = onItsBackground()
 
-            // Bits of glass: none, all, or a mixture
+            // Which primitives become glass, as bits: none, all, or a mixture
             val glaze = listOf(0, 0, 0xFFFF, choices[first + 3] * 657).chosen(first + 3)
             val glazed = if (glaze != 0 && Capability.TRANSPARENCY in capabilities) case.glazed(glaze) else case
             val raster = case.frame.raster
@@ -77,7 +81,10 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
             return if (region == raster.region) glazed else glazed.within(region)
         }
 
-        /** The selector; null for the usual, where the renderer has none, and where the oracle would take long. */
+        /**
+         * Returns the selector; null if none is chosen, if the renderer does not support selectors, or if the oracle
+         * would take too long.
+         */
         fun selectionFor(capabilities: Set<Capability>): Selection? {
             if (selection == null || Capability.SELECTION !in capabilities) return null
             val frame = caseFor(capabilities).frame
@@ -86,7 +93,10 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
             }
         }
 
-        /** From and until, by the choices [number] and the next: small ones leave a side whole. */
+        /**
+         * Returns start and end of the region in one dimension, from the choices [number] and the next. Small ones
+         * select the whole side.
+         */
         private fun part(side: Int, number: Int): Pair<Int, Int> {
             val start = side * maxOf(0, choices[number] - Choices.MOST / 2) / Choices.MOST
             return start to side - (side - start - 1) * maxOf(0, choices[number + 1] - Choices.MOST / 2) / Choices.MOST
@@ -94,18 +104,18 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
     }
 
     companion object {
-        /** Most frames of a combination. */
+        /** Greatest number of frames in a combination. */
         const val MOST_FRAMES: Int = 3
 
         private const val OPTIONS = 5
         private const val SHOT = 9
 
-        /** How many usual ones there are for each that is not. */
+        /** Number of default values per other value in a list of choices. */
         private const val USUAL = 8
         private const val FEW_FRAGMENTS = 5_000L
     }
 
-    /** Numbers for a [Combination]. */
+    /** Generates the numbers of a [Combination]. */
     internal class Choices : ArbitrarySupplier<List<Int>> {
         override fun get(): Arbitrary<List<Int>> = ints(0, MOST).list().ofSize(COUNT).withoutEdgeCases()
 
@@ -115,7 +125,7 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
         }
     }
 
-    /** One to three frames of all kinds, most of them larger than those of other rules. */
+    /** Generates one to three frames of all kinds, most of them larger than those of other rules. */
     internal class Cases : ArbitrarySupplier<List<FrameCase>> {
         override fun get(): Arbitrary<List<FrameCase>> {
             val all = FrameMix.usual()

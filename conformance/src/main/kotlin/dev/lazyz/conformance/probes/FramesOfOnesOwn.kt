@@ -11,7 +11,7 @@ import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.strategies.lists.Lists
 
-/** Fails unless [renderer] gives the right picture of [own], and of its inner part, row by row and into memory. */
+/** Fails unless [renderer] renders [own] and its inner part correctly, both row by row and into memory. */
 internal fun framesAreRight(renderer: Renderer, own: FrameCase) {
     val case = if (Capability.TRANSPARENCY in renderer.capabilities) own else own.opaque()
     for (part in listOf(case, case.within(inner(case.frame)))) {
@@ -21,14 +21,14 @@ internal fun framesAreRight(renderer: Renderer, own: FrameCase) {
 
 private fun FrameCase.opaque(): FrameCase = if (frame.hasTranslucency) asOpaque() else this
 
-/** The region without a quarter on each side, a sample at least. */
+/** Returns the region without a quarter on each side, but at least one sample. */
 private fun inner(frame: Frame): Region = with(frame.region) {
     val column = columnStart + width / 4
     val row = rowStart + height / 4
     Region(column, row, column + (width + 1) / 2, row + (height + 1) / 2)
 }
 
-/** The reference, or, where that would take minutes, a renderer that is held to it. */
+/** Returns the reference renderer or, if that would take minutes, a renderer that is tested against it. */
 private fun oracle(frame: Frame): Renderer =
     if (frame.region.size * frame.primitives.size <= MOST_FRAGMENTS) ReferenceRenderer() else Lists()
 

@@ -19,10 +19,10 @@ import java.util.Properties
 import java.util.TimeZone
 import java.util.concurrent.ConcurrentLinkedQueue
 
-// What a rendering leaves behind. Other threads of the process may print, and other processes make files: what is told
-// is what the renderer's own threads print, and files that come with each rendering.
+// Checks for side effects of renderings. Other threads of the process may print, and other processes may create files.
+// Therefore only output of the renderer's own threads counts, and only files that appear with each rendering.
 
-/** Fails if renderings of a few frames, of which one has many layers, leave output, changed global state, threads or files. */
+/** Fails if rendering a few frames, one with many layers, leaves output, changed global state, threads or files. */
 internal fun leavesNothingBehind(renderer: Renderer) {
     val isParallel = Capability.PARALLEL in renderer.capabilities
     val configured = if (isParallel) renderer.configured(RenderOptions(threads = 2, tileSize = 8)) else renderer
@@ -33,7 +33,7 @@ internal fun leavesNothingBehind(renderer: Renderer) {
         if (words != null) throw AssertionError("${renderer.id} leaves behind $words")
     }
 
-    // Once, for what is seen at once
+    // Render once: some side effects show immediately
     val here = names(Path.of(""))
     val before = GlobalState()
     val printed = printedBy { failIf(propertySetBy { render() }) }
@@ -42,7 +42,7 @@ internal fun leavesNothingBehind(renderer: Renderer) {
     failIf(threadsBeyond(threads()))
     failIf((names(Path.of("")) - here).firstOrNull()?.let { "the file $it" })
 
-    // Again and again, since a pool of threads is filled after some time, and files of others come now and then
+    // Render many times: a thread pool fills up only after a while, and other processes create files occasionally
     repeat(ENOUGH * Runtime.getRuntime().availableProcessors()) { render() }
     val threads = threads()
     val temporary = Path.of(System.getProperty("java.io.tmpdir"))
@@ -57,7 +57,7 @@ private const val ENOUGH = 16
 private const val WATCHED = 10
 private const val MOST_PRINTED = 80
 
-/** Two polygons; many primitives at each sample; and none at all. */
+/** Two polygons; many primitives at each sample; no primitives. */
 private val frames: List<Frame> = listOf(
     FrameBuilder(Raster(24, 16))
         .polygon(Frames.tint(0), FillRule.NON_ZERO, doubleArrayOf(1.0, 1.0, 0.5, 23.0, 2.0, 0.5, 4.0, 15.0, 0.5))
@@ -71,22 +71,22 @@ private fun names(folder: Path): Set<String> = Files.newDirectoryStream(folder).
     paths.mapTo(HashSet()) { "${it.fileName}" }
 }
 
-/** The threads of the group that renders, and of the groups in it. */
+/** Returns the threads of the current thread's group and its subgroups. */
 private fun threads(): Set<Thread> {
     val group = Thread.currentThread().threadGroup
     val threads = arrayOfNulls<Thread>(2 * group.activeCount() + WATCHED)
     return threads.take(group.enumerate(threads)).filterNotNullTo(HashSet())
 }
 
-/** Says which threads have come besides those of [before] and stay; null if they are few, as threads of a pool are. */
+/** Describes threads that were started since [before] and do not end; null if they are few, as in a thread pool. */
 private fun threadsBeyond(before: Set<Thread>): String? {
     val end = System.nanoTime() + PATIENCE_NANOSECONDS
     while (true) {
         val more = threads() - before
         val lasting = threads().filter { !it.isDaemon && it !== Thread.currentThread() }
         val words = when {
-            lasting.isNotEmpty() -> "the thread ${lasting.first().name}, which keeps the process from its end"
-            more.size >= WATCHED -> "threads, one with each rendering, such as ${more.first().name}"
+            lasting.isNotEmpty() -> "the thread ${lasting.first().name}, which keeps the process running"
+            more.size >= WATCHED -> "a thread for each rendering, such as ${more.first().name}"
             else -> return null
         }
         if (System.nanoTime() > end) return words
@@ -96,7 +96,7 @@ private fun threadsBeyond(before: Set<Thread>): String? {
 
 private const val PATIENCE_NANOSECONDS = 300_000_000L
 
-/** What is the same for the whole process. */
+/** State that is shared by the whole process. */
 private class GlobalState {
     private val parts: Map<String, Any?> = mapOf(
         "locale" to Locale.getDefault(),
@@ -111,7 +111,10 @@ private class GlobalState {
         (parts.keys + after.parts.keys).firstOrNull { parts[it] != after.parts[it] }?.let { "another $it" }
 }
 
-/** Returns which system property this thread's group sets while [block] runs, be it to what it was; null if none. */
+/**
+ * Returns the name of a system property that this thread's group sets while [block] runs, even to its old value; null
+ * if there is none.
+ */
 private fun propertySetBy(block: () -> Unit): String? {
     val group = Thread.currentThread().threadGroup
     val usual = System.getProperties()

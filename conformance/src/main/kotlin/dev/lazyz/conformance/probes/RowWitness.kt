@@ -8,14 +8,14 @@ import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
 import java.util.concurrent.atomic.AtomicInteger
 
-/** Notes how far down the primitives of [frame] have been asked for spans, depths or colours. */
+/** Records the lowest row for which the primitives of [frame] were queried for spans, depths or colours. */
 internal class RowWitness(frame: Frame) {
     private val deepest = AtomicInteger(-1)
 
-    /** The frame whose primitives are watched. */
+    /** The frame with the observed primitives. */
     val frame: Frame = Frame(frame.raster, frame.primitives.map { Watched(it) }, frame.region)
 
-    /** The lowest row that a primitive was asked about, or -1. */
+    /** The lowest row that was queried, or -1. */
     val last: Int get() = deepest.get()
 
     private fun note(y: Int) {

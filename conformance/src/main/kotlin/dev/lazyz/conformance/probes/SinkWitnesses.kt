@@ -6,12 +6,12 @@ import dev.lazyz.Image
 import dev.lazyz.RowSink
 import java.util.concurrent.atomic.AtomicInteger
 
-/** A sink that notes who calls it: made by the thread that should. */
+/** A sink that checks which thread calls it. Must be created by the expected thread. */
 internal class ThreadWitness : RowSink {
     private val caller = Thread.currentThread()
     private val inside = AtomicInteger()
 
-    /** What was wrong first, or null. */
+    /** The first violation, or null. */
     @Volatile
     var complaint: String? = null
         private set
@@ -20,8 +20,8 @@ internal class ThreadWitness : RowSink {
         val others = inside.getAndIncrement()
         val thread = Thread.currentThread()
         when {
-            thread !== caller -> complain("the sink gets row $y in ${thread.name}, not in the caller's ${caller.name}")
-            others > 0 -> complain("the sink gets row $y while it has another one")
+            thread !== caller -> complain("row $y is delivered in ${thread.name}, not in the caller's ${caller.name}")
+            others > 0 -> complain("row $y is delivered during another call of the sink")
         }
         inside.decrementAndGet()
     }
@@ -31,12 +31,12 @@ internal class ThreadWitness : RowSink {
     }
 }
 
-/** A sink that copies its rows, looks whether they hold still for a while, and then writes nonsense into them. */
+/** A sink that copies its rows, checks that they do not change for a while, and then overwrites them. */
 internal class OverwritingSink(private val frame: Frame) : RowSink {
     private val collector = Image.Collector(frame.region)
     private var patience = PATIENT_ROWS
 
-    /** What was wrong first, or null. */
+    /** The first violation, or null. */
     var complaint: String? = null
         private set
 
@@ -46,15 +46,15 @@ internal class OverwritingSink(private val frame: Frame) : RowSink {
         val copies = arrays.map { it.copyOf(frame.width) }
         if (patience-- > 0) Thread.sleep(1)
         val isSame = arrays.indices.all { i -> (0 until frame.width).all { arrays[i][it] == copies[i][it] } }
-        if (!isSame) complaint = complaint ?: "row $y changes while the sink has it"
+        if (!isSame) complaint = complaint ?: "row $y changes while the sink uses it"
         for ((i, array) in arrays.withIndex()) array.fill(NONSENSE + i, 0, frame.width)
     }
 
-    /** The picture as it arrived. */
+    /** Returns the delivered picture. */
     fun image(counters: Counters): Image = collector.toImage(counters)
 
     private companion object {
-        /** Rows that are looked at for a millisecond each. */
+        /** Number of rows that are observed for a millisecond each. */
         const val PATIENT_ROWS = 2
         const val NONSENSE = 0x5A5A5A5A
     }

@@ -18,13 +18,13 @@ import dev.lazyz.conformance.oracle.ExactPolygon
 import dev.lazyz.world.FrameBuilder
 
 /**
- * Tries [renderer] on every ordered pair of a few dozen shapes, on a raster of 3 x 2 samples, under all four depth
- * tests and both conventions: some ten thousand pictures, complete within their bound.
+ * Tests [renderer] with every ordered pair of a few dozen shapes on a raster of 3 x 2 samples, with all four depth
+ * tests and both conventions: about ten thousand pictures, all combinations of these shapes.
  *
- * Each ordered pair, a shape with itself included, of: rectangles on a half-pixel lattice, triangles both ways round, a
- * concave shape, a hole; at two levels of depth and on slopes that cross them and each other at samples, between
- * samples, and nowhere. Which samples a shape covers is [ExactPolygon]'s answer, and not the primitive's; its depth is
- * the primitive's, within a unit of the exact one.
+ * The pairs include a shape with itself. The shapes are rectangles on a half-pixel lattice, triangles of both
+ * orientations, a concave shape and a hole, at two constant depths and on slopes that intersect them and each other at
+ * samples, between samples, and nowhere. [ExactPolygon] decides which samples a shape covers, not the primitive. The
+ * depth is the primitive's, after a check that it is within one unit of the exact one.
  *
  * @throws AssertionError for the first picture that is wrong
  */
@@ -42,11 +42,12 @@ internal class SmallWorld(private val raster: Raster) {
     private val size = raster.width * raster.height
     private val shapes = pieces.map { Shape(it) }
 
-    /** How many pictures there are. */
+    /** Number of pictures. */
     val pictures: Int get() = shapes.size * shapes.size
 
     /**
-     * How many pictures have a sample at which the pair's depths are equal, and in how many the pair changes places.
+     * Returns in how many pictures the depths of the two shapes are equal at a sample, and in how many their order
+     * changes.
      */
     fun ties(): Pair<Int, Int> {
         val pairs = shapes.flatMap { a -> shapes.map { b -> signs(a, b) } }
@@ -56,7 +57,7 @@ internal class SmallWorld(private val raster: Raster) {
     private fun signs(a: Shape, b: Shape): Set<Int> =
         (0 until size).filter { a.isCovered[it] && b.isCovered[it] }.map { a.depth[it].compareTo(b.depth[it]) }.toSet()
 
-    /** Fails at the first picture that [renderer] gets wrong. */
+    /** Fails at the first picture that [renderer] renders incorrectly. */
     fun judge(renderer: Renderer) {
         for (first in shapes) {
             for (second in shapes) {
@@ -86,7 +87,7 @@ internal class SmallWorld(private val raster: Raster) {
         return -1
     }
 
-    /** Rules 5.1 to 5.3, for two. */
+    /** Rules 5.1 to 5.3, for two primitives. */
     private fun winner(sample: Int, first: Shape, second: Shape): Int {
         if (!first.isCovered[sample]) return if (second.isCovered[sample]) 1 else DepthTest.BACKGROUND
         if (!second.isCovered[sample]) return 0
@@ -106,12 +107,12 @@ internal class SmallWorld(private val raster: Raster) {
     private fun fail(renderer: Renderer, first: Shape, second: Shape, what: String, cause: Throwable?): Nothing {
         val case = screenCase(raster, listOf(first.piece, second.piece))
 
-        // The usual comparison says it best; but it trusts primitives
+        // Prefer the message of the usual comparison. It may find no difference, because it trusts primitives
         Judgement(renderer, case).equalsReference()
         throw AssertionError("${renderer.id}: $what\nin\n$case", cause)
     }
 
-    /** A shape, with everything known about it on this raster. */
+    /** A shape with its exact coverage and depth on this raster. */
     private inner class Shape(val piece: PolygonPiece) {
         val primitive: Primitive = FrameBuilder(raster).also { piece.addTo(it, 0) }.build().primitives[0]
         private val exact = piece.exact(raster)
@@ -122,13 +123,13 @@ internal class SmallWorld(private val raster: Raster) {
             for (i in 0 until size) {
                 if (!isCovered[i]) continue
                 val error = exact.depthError(i % raster.width, i / raster.width, depth[i])
-                check(error <= 1.0) { "set-up is wrong by $error units at sample $i of ${piece.code(0)}" }
+                check(error <= 1.0) { "the depth of set-up is wrong by $error units at sample $i of ${piece.code(0)}" }
             }
         }
     }
 
     internal companion object {
-        /** Depth at the left and at the right border of the raster: levels, and slopes that cross them. */
+        /** Depth at the left and the right border of the raster: constant depths, and slopes that intersect them. */
         private val slopes = listOf(0.5 to 0.5, 0.25 to 0.25, 0.25 to 0.75, 0.75 to 0.25, 0.5 to 0.75)
 
         /** Outlines on a half-pixel lattice, so that most have samples on their edges: x, y pairs. */
@@ -159,7 +160,8 @@ internal class SmallWorld(private val raster: Raster) {
 }
 
 /**
- * This polygon, snapped by rules 1.3 and 4.2, without set-up; its numbers are finite and exact multiples of the grid.
+ * Returns this polygon snapped by rules 1.3 and 4.2, without set-up. Its numbers must be finite exact multiples of the
+ * grid.
  */
 internal fun PolygonPiece.exact(raster: Raster): ExactPolygon {
     val isMirrored = raster.convention == DepthConvention.LARGER_IS_NEARER

@@ -10,7 +10,7 @@ import dev.lazyz.Spans
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicLong
 
-/** Counts how often the primitives of [frame] are shaded, whoever asks. */
+/** Counts the shading calls of the primitives of [frame] in all threads. */
 internal class ShadingWitness(frame: Frame) {
     private val calls = AtomicLong()
     private val direct = AtomicLong()
@@ -18,19 +18,22 @@ internal class ShadingWitness(frame: Frame) {
     private val stepped = AtomicLong()
     private val longest = AtomicLong()
 
-    /** The frame whose primitives are watched. */
+    /** The frame with the observed primitives. */
     val frame: Frame = Frame(frame.raster, frame.primitives.map { Watched(it) }, frame.region)
 
-    /** Colours computed so far, by [Primitive.shade] or by [ShadingCursor.shade]. */
+    /** Number of colours computed so far, by [Primitive.shade] or by [ShadingCursor.shade]. */
     val count: Long get() = calls.get()
 
-    /** Colours whose attributes were evaluated at the sample so far: by [Primitive.shade], or first of a cursor. */
+    /**
+     * Number of colours so far whose attributes were evaluated at the sample: by [Primitive.shade], or the first of a
+     * cursor.
+     */
     val starts: Long get() = direct.get() + cursors.get()
 
-    /** Steps of cursors so far. */
+    /** Number of cursor steps so far. */
     val steps: Long get() = stepped.get()
 
-    /** Most steps from one colour of a cursor to the next so far, or to the first. */
+    /** Greatest number of steps so far to a cursor's first colour or between two of its colours. */
     val longestChain: Long get() = longest.get()
 
     private inner class Watched(private val primitive: Primitive) : Primitive by primitive {
@@ -65,19 +68,19 @@ internal class ShadingWitness(frame: Frame) {
     }
 }
 
-/** Notes which primitives of [frame] that lie wholly outside its region are asked for more than their bounds. */
+/** Records a primitive of [frame] that lies wholly outside its region but is queried for more than its bounds. */
 internal class OutsideWitness(frame: Frame) {
-    private val found = AtomicInteger(NOBODY)
+    private val found = AtomicInteger(NONE)
 
-    /** The frame whose primitives are watched. */
+    /** The frame with the observed primitives. */
     val frame: Frame = Frame(
         frame.raster,
         frame.primitives.mapIndexed { index, it -> if (isOutside(it, frame.region)) Watched(it, index) else it },
         frame.region,
     )
 
-    /** Number of a primitive that was asked, or null. */
-    val asked: Int? get() = found.get().takeIf { it != NOBODY }
+    /** Index of a primitive that was queried, or null. */
+    val asked: Int? get() = found.get().takeIf { it != NONE }
 
     private fun isOutside(primitive: Primitive, region: Region): Boolean =
         maxOf(primitive.rowStart, region.rowStart) >= minOf(primitive.rowEnd, region.rowEnd) ||
@@ -111,6 +114,6 @@ internal class OutsideWitness(frame: Frame) {
     }
 
     private companion object {
-        const val NOBODY = -1
+        const val NONE = -1
     }
 }

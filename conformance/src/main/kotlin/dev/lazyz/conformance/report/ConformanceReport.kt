@@ -14,16 +14,16 @@ import java.io.File
 import java.nio.file.Path
 
 /**
- * What came of a run of the suite: everything one hands over to show that a renderer conforms, or why it does not.
+ * The result of a run of the suite: evidence that a renderer conforms, or the reasons why it does not.
  *
- * Two runs with the same options differ in times only. Immutable and thread safe.
+ * Two runs with the same options differ only in times. Immutable and thread safe.
  *
- * @property strategy which renderer was judged
- * @property seed the seed of all rules' frames
- * @property tries how many times the usual frames were tried
- * @property waivers the waivers that were given, those of rules that were not run included
- * @property results what came of each rule that was run, by number
- * @property milliseconds how long it took
+ * @property strategy the renderer that was tested
+ * @property seed the suite's seed, from which the seeds of all rules are computed
+ * @property tries factor of the default number of frames
+ * @property waivers all given waivers, including those of rules that were not run
+ * @property results the result of each rule that was run, ordered by number
+ * @property milliseconds duration of the run
  */
 public class ConformanceReport internal constructor(
     public val strategy: StrategyInfo,
@@ -37,20 +37,20 @@ public class ConformanceReport internal constructor(
     /** The suite's version, see [ConformanceVersions]. */
     public val suiteVersion: String get() = ConformanceVersions.SUITE
 
-    /** Java's version and the name of its machine. */
+    /** Version of Java and name of the virtual machine. */
     public val jvm: String = "${System.getProperty("java.version")}, ${System.getProperty("java.vm.name")}"
 
-    /** The operating system and the kind of processor. */
+    /** The operating system and the processor architecture. */
     public val os: String = "${System.getProperty("os.name")} ${System.getProperty("os.arch")}"
 
-    /** What the frames of all rules were like. */
+    /** Traits of the frames of all rules. */
     public val distribution: Distribution = results.fold(Distribution.NONE) { sum, it -> sum + it.distribution }
 
-    /** Which of the rules that are broken are most likely about the mistake. */
+    /** The broken rules that are most likely related to the mistake. */
     internal val diagnosis: Diagnosis = Diagnosis.of(results)
 
-    /** The likely causes first, then the others, by number. */
-    internal val told: List<RuleResult> = results.filter { it.outcome.isTold }.sortedBy { result ->
+    /** The results to describe in detail: the likely causes first, then the others, ordered by number. */
+    internal val detailed: List<RuleResult> = results.filter { it.outcome.isDetailed }.sortedBy { result ->
         diagnosis.causes.indexOfFirst { it.rule == result.rule }.let { if (it < 0) Int.MAX_VALUE else it }
     }
 
@@ -60,33 +60,36 @@ public class ConformanceReport internal constructor(
     /** Returns the results with the given [outcome]. */
     public fun withOutcome(outcome: RuleOutcome): List<RuleResult> = results.filter { it.outcome == outcome }
 
-    /** Returns a line for a shell that repeats [rule] as it was tried here. */
+    /** Returns a shell command that repeats [rule] as in this run. */
     public fun commandFor(rule: SuiteRule): String {
         val words = command ?: ("zcli conformance --strategy ${strategy.id}" + strategy.classPath())
         return "$words --seed $seed --tries ${plain(tries)} --rule ${rule.name}"
     }
 
     /**
-     * Returns a summary for people: the verdict, the likely cause, the first failures with the beginning of their
-     * messages, a line a rule, and the verdict again. Some 150 lines at most, however many rules are broken.
+     * Returns a summary for people: the verdict, the likely causes, the first failures with the beginning of their
+     * messages, a line per rule, and the verdict again. At most about 150 lines, however many rules are broken.
      */
     public fun toText(): String = ReportText(this).text()
 
-    /** Returns all of it but the pictures as JSON; `docs/conformance.md` describes the keys. */
+    /** Returns the whole report except pictures as JSON. `docs/conformance.md` describes the keys. */
     public fun toJson(): String = ReportJson(this).text()
 
-    /** Returns it in the form that build servers read: one test case a rule. */
+    /** Returns the report in the XML format that build servers read, with one test case per rule. */
     public fun toJUnitXml(): String = ReportJUnit(this).text()
 
-    /** Returns one page, with the pictures of failures in it, that needs no other file and no script. */
+    /**
+     * Returns the report as one HTML page that contains the pictures of failures. It needs no other files and no
+     * scripts.
+     */
     public fun toHtml(): String = ReportHtml(this).text()
 
     /**
-     * Writes `report.txt`, `report.json`, `report.html` and `TEST-lazyz-conformance.xml` to [folder], which is made if
-     * it is not there; and to its folder `failures`, for each rule that is broken, the frame as `RULE.kt`, pictures as
-     * `RULE-expected.png`, `-actual.png` and `-difference.png`, and `RULE.json`, the frame as a scene file, unless a
-     * scene file has no words for it. What an earlier run left of these is replaced or removed. Each file is written
-     * whole or not at all.
+     * Writes `report.txt`, `report.json`, `report.html` and `TEST-lazyz-conformance.xml` to [folder], which is created
+     * if it does not exist. For each broken rule, the subfolder `failures` gets the frame as `RULE.kt`, pictures as
+     * `RULE-expected.png`, `-actual.png` and `-difference.png`, and the frame as a scene file `RULE.json`, if that
+     * format can express it. Such files of an earlier run are replaced or removed. Each file is written completely or
+     * not at all.
      *
      * @throws java.io.IOException if a file cannot be written
      */
@@ -97,19 +100,19 @@ public class ConformanceReport internal constructor(
     internal companion object {
         fun versionOf(type: Class<*>): String = type.`package`?.implementationVersion ?: "unknown"
 
-        /** A number as one would type it. */
+        /** Formats a number without an unnecessary fraction. */
         fun plain(number: Double): String =
             if (number % 1.0 == 0.0 && number < 1e15) number.toLong().toString() else number.toString()
     }
 }
 
 /**
- * Which renderer a report is about. Immutable and thread safe.
+ * The renderer of a report. Immutable and thread safe.
  *
  * @property id its id
- * @property className the class that implements it
- * @property version that of the jar it comes from, by its manifest, or `unknown`
- * @property capabilities what it declares, in the order of [Capability]
+ * @property className its class
+ * @property version version of its jar, according to the manifest, or `unknown`
+ * @property capabilities the capabilities that it declares, in the order of [Capability]
  */
 public class StrategyInfo private constructor(
     public val id: String,
@@ -126,13 +129,13 @@ public class StrategyInfo private constructor(
         placeOf(renderer.javaClass),
     )
 
-    /** The options by which `zcli` finds the class, with a blank before; empty for the library's own. */
+    /** Returns the options with which `zcli` finds the class, with a leading blank; empty for built-in renderers. */
     internal fun classPath(): String = if (place == null) "" else " --classpath ${quoted(place)}"
 
     override fun toString(): String = "$id ($className, version $version)"
 
     private companion object {
-        /** A renderer that cannot say what it is has the rules to tell so. */
+        /** If a renderer throws here, uses a default; the rules report the failure. */
         fun <T> answer(otherwise: T, question: () -> T): T = try {
             question()
         } catch (_: Throwable) {

@@ -1,6 +1,9 @@
 package dev.lazyz.conformance.report
 
-/** Returns [text] as content or attribute value of XML and HTML; what XML has no way to say becomes `U+FFFD`. */
+/**
+ * Returns [text] escaped as content or attribute value of XML and HTML. Characters that XML does not allow become
+ * `U+FFFD`.
+ */
 internal fun escaped(text: String): String = buildString {
     for (point in text.codePoints()) {
         when (point) {

@@ -8,9 +8,9 @@ import dev.lazyz.scenes.writers.PngSink
 import dev.lazyz.scenes.writers.sendTo
 import java.io.ByteArrayOutputStream
 
-/** The pictures of a failure, as PNG, each sample as many pixels wide and high that a person can see it. */
+/** The pictures of a failure as PNG, magnified so that single samples can be seen. */
 internal class Pictures private constructor(private val expected: Image, private val actual: Image) {
-    /** PNG files by what they show: `expected`, `actual` and, unless they are the same, `difference`. */
+    /** PNG files by content: `expected`, `actual` and, unless they are equal, `difference`. */
     fun png(): Map<String, ByteArray> {
         val isDifferent = difference(expected, actual) != null
         return listOfNotNull(
@@ -20,7 +20,7 @@ internal class Pictures private constructor(private val expected: Image, private
         ).toMap()
     }
 
-    /** White where the pictures are equal; red where colours differ, blue where only depth or primitive does. */
+    /** White where the pictures are equal, red where colours differ, blue where only depth or primitive differs. */
     private fun marked(): Image {
         val argb = IntArray(expected.argb.size) { i ->
             when {

@@ -10,27 +10,27 @@ import java.nio.file.Path
 import java.nio.file.StandardCopyOption.REPLACE_EXISTING
 import java.util.UUID
 
-/** A report on disk. */
+/** Writes a report to disk. */
 internal class ReportFiles(private val report: ConformanceReport, private val folder: Path) {
     fun write() {
         val failures = folder.resolve("failures")
         Files.createDirectories(failures)
 
-        // Take away what an earlier run left, so that nothing is taken for a failure of this one
+        // Delete the files of earlier runs, so that they are not mistaken for failures of this one
         for (rule in SuiteRule.all) {
             for (ending in ENDINGS) Files.deleteIfExists(failures.resolve(rule.name + ending))
         }
         for (result in report.results) result.failure?.let { write(it, failures, result.rule) }
         if (Files.list(failures).use { it.findAny().isEmpty }) Files.delete(failures)
 
-        // The summaries last: they are the sign that all is there
+        // Write the summaries last: they show that the report is complete
         write(folder.resolve("report.txt"), report.toText())
         write(folder.resolve("report.json"), report.toJson())
         write(folder.resolve("TEST-lazyz-conformance.xml"), report.toJUnitXml())
         write(folder.resolve("report.html"), report.toHtml())
     }
 
-    /** Writes the files of one [failure] of [rule] into [failures], and returns their names. */
+    /** Writes the files of one [failure] of [rule] to [failures], and returns their names. */
     fun write(failure: RuleFailure, failures: Path, rule: SuiteRule): List<String> {
         val files = LinkedHashMap<String, ByteArray>()
         failure.case?.let { files["$rule.kt"] = snippet(it, rule, failure).toByteArray() }
@@ -41,7 +41,7 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
         return files.keys.toList()
     }
 
-    /** A file that compiles, given the library and the suite. */
+    /** Returns a file that compiles with the library and the suite. */
     private fun snippet(case: FrameCase, rule: SuiteRule, failure: RuleFailure): String = buildString {
         appendLine("// ${report.strategy.id} breaks $rule on this frame:")
         for (line in failure.message.substringBefore("\nin\n").lines()) appendLine("// $line".trimEnd())
@@ -61,7 +61,7 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
         appendLine(case.code.prependIndent("    "))
     }
 
-    /** The command that draws the frame. */
+    /** Returns the command that renders the frame. */
     private fun drawing(case: FrameCase, rule: SuiteRule): String {
         val part = case.frame.region
         val isWhole = part == case.frame.raster.region
@@ -83,7 +83,7 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
     }
 
     private companion object {
-        /** What the code of frames names, see [FrameCase.code]. */
+        /** The imports of a frame's code, see [FrameCase.code]. */
         val IMPORTS = listOf(
             "dev.lazyz.*", "dev.lazyz.conformance.cases.*", "dev.lazyz.conformance.frames.*", "dev.lazyz.world.*",
             "org.joml.Vector3d",

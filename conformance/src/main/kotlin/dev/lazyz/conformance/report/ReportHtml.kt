@@ -7,7 +7,7 @@ import dev.lazyz.conformance.results.RuleResult
 import dev.lazyz.conformance.rules.ConformanceVersions
 import java.util.Base64
 
-/** A report as one page, pictures included, without scripts. */
+/** A report as one HTML page, including pictures, without scripts. */
 internal class ReportHtml(private val report: ConformanceReport) {
     fun text(): String = buildString {
         val title = escaped("${report.strategy.id}: Lazy Z conformance")
@@ -52,18 +52,18 @@ internal class ReportHtml(private val report: ConformanceReport) {
     }
 
     private fun StringBuilder.failures(title: String, isMeant: (RuleOutcome) -> Boolean) {
-        val told = (report.told + report.withOutcome(RuleOutcome.WAIVED)).filter { isMeant(it.outcome) }
+        val detailed = (report.detailed + report.withOutcome(RuleOutcome.WAIVED)).filter { isMeant(it.outcome) }
             .sortedBy { !it.outcome.isFailure }
-        if (told.isEmpty()) return
+        if (detailed.isEmpty()) return
         appendLine("<h2>$title</h2>")
 
-        // Where to find which, if there is more than one
-        if (told.size > 1) {
+        // A table of contents, if there is more than one
+        if (detailed.size > 1) {
             appendLine("<ul>")
-            for (result in told) appendLine("<li>${link(result)} ${badge(result)}</li>")
+            for (result in detailed) appendLine("<li>${link(result)} ${badge(result)}</li>")
             appendLine("</ul>")
         }
-        for (result in told) failure(result)
+        for (result in detailed) failure(result)
     }
 
     private fun StringBuilder.failure(result: RuleResult) {
@@ -79,7 +79,7 @@ internal class ReportHtml(private val report: ConformanceReport) {
         appendLine("<dl>")
         if (rule.intent.isNotEmpty()) entry("Why (${rule.level})", escaped(rule.intent))
         if (rule.look.isNotEmpty()) entry("Look at", escaped(rule.look))
-        entry("To see it again", "<code>${escaped(report.commandFor(rule))}</code>")
+        entry("Reproduce with", "<code>${escaped(report.commandFor(rule))}</code>")
         appendLine("</dl>")
         appendLine("</section>")
     }
@@ -119,7 +119,7 @@ internal class ReportHtml(private val report: ConformanceReport) {
         appendLine("<h2>Rules</h2>")
         table("rule", "level", "outcome", "tries", "ms", "intent") {
             for (it in report.results) {
-                val name = if (isTold(it)) link(it) else escaped(it.rule.name)
+                val name = if (isDetailed(it)) link(it) else escaped(it.rule.name)
                 val numbers = """<td class="number">${it.tries}</td><td class="number">${it.milliseconds}</td>"""
                 appendLine(
                     "<tr><td>$name</td><td>${it.rule.level}</td><td>${badge(it)}</td>$numbers" +
@@ -129,8 +129,8 @@ internal class ReportHtml(private val report: ConformanceReport) {
         }
     }
 
-    /** Whether there is a section about it. */
-    private fun isTold(result: RuleResult): Boolean = result.outcome.isFailure || result.failure != null
+    /** Whether the page has a section about the rule. */
+    private fun isDetailed(result: RuleResult): Boolean = result.outcome.isFailure || result.failure != null
 
     private fun link(result: RuleResult): String =
         """<a href="#${result.rule.name}">${escaped(result.rule.name)}</a>"""

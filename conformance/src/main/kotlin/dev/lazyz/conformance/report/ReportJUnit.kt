@@ -5,7 +5,7 @@ import dev.lazyz.conformance.results.RuleResult
 import dev.lazyz.conformance.rules.ConformanceVersions
 import java.util.Locale
 
-/** A report as the XML that build servers read: a suite, with a test case for each rule. */
+/** A report as the XML that build servers read: a test suite with a test case for each rule. */
 internal class ReportJUnit(private val report: ConformanceReport) {
     fun text(): String = buildString {
         val failures = report.results.count { it.outcome.isFailure }

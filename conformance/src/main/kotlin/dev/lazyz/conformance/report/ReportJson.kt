@@ -20,7 +20,7 @@ import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonArray
 import kotlinx.serialization.json.putJsonObject
 
-/** A report for programs. The keys are an interface: they stay, and new ones may be added. */
+/** A report as JSON. The keys are an interface: keys may be added, but existing ones do not change. */
 internal class ReportJson(private val report: ConformanceReport) {
     fun text(): String = format.encodeToString(JsonObject.serializer(), report()) + "\n"
 
@@ -105,10 +105,10 @@ internal class ReportJson(private val report: ConformanceReport) {
     companion object {
         private val format = Json { prettyPrint = true }
 
-        /** What reports call an [outcome]. */
+        /** Returns the key of an [outcome]. */
         fun key(outcome: RuleOutcome): String = camelCase(outcome.name)
 
-        /** `SEVERAL_VISIBLE` becomes `severalVisible`. */
+        /** Converts `SEVERAL_VISIBLE` to `severalVisible`. */
         private fun camelCase(name: String): String {
             val words = name.lowercase().split('_')
             return words.first() + words.drop(1).joinToString("") { it.replaceFirstChar(Char::uppercase) }

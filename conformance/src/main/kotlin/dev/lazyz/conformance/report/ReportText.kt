@@ -17,7 +17,7 @@ internal class ReportText(private val report: ConformanceReport) {
         appendLine()
         heading()
         waivers()
-        for (result in report.told.take(MOST_TOLD)) failure(result)
+        for (result in report.detailed.take(MOST_DETAILED)) failure(result)
         appendLine()
         rules()
         appendLine()
@@ -26,7 +26,7 @@ internal class ReportText(private val report: ConformanceReport) {
         appendLine(verdict())
     }
 
-    /** The last line: numbers of outcomes, and what follows from them. */
+    /** The last line: the number of rules per outcome, and whether the renderer conforms. */
     fun verdict(): String {
         val counts = RuleOutcome.entries.associateWith { report.withOutcome(it).size }.filterValues { it > 0 }
         val verdict = if (report.isConformant) "conforms" else "does NOT conform"
@@ -80,7 +80,7 @@ internal class ReportText(private val report: ConformanceReport) {
         appendLine("  reproduce   ${report.commandFor(result.rule)}")
     }
 
-    /** The beginning of [message], if it is long. */
+    /** Appends [message], shortened if it is long. */
     private fun StringBuilder.message(message: String, rule: SuiteRule) {
         val lines = message.lines()
         for (line in lines.take(MOST_LINES)) appendLine("    ${shortened(line)}")
@@ -115,10 +115,10 @@ internal class ReportText(private val report: ConformanceReport) {
         }
     }
 
-    /** What a line says of a rule that is told nowhere else. */
+    /** Returns the remark in the line of a rule that is not described in detail elsewhere. */
     private fun note(result: RuleResult): String {
-        val isTold = result.outcome.isTold && result !in report.told.take(MOST_TOLD)
-        if (!isTold && result.outcome != RuleOutcome.NOT_SUPPORTED) return ""
+        val isDetailed = result.outcome.isDetailed && result !in report.detailed.take(MOST_DETAILED)
+        if (!isDetailed && result.outcome != RuleOutcome.NOT_SUPPORTED) return ""
         return "  " + result.message.lineSequence().first().removePrefix("${report.strategy.id}: ").take(MOST_COLUMNS)
     }
 
@@ -132,14 +132,14 @@ internal class ReportText(private val report: ConformanceReport) {
     private fun counted(number: Long, thing: String): String = if (number == 1L) "1 $thing" else "$number ${thing}s"
 
     companion object {
-        /** Failures with a paragraph of their own; of the others there is a line. */
-        private const val MOST_TOLD = Diagnosis.MOST_CAUSES
+        /** Number of failures that are described in detail; the others get one line. */
+        private const val MOST_DETAILED = Diagnosis.MOST_CAUSES
 
-        /** Lines and columns of a failure's message. */
+        /** Greatest number of lines and columns of a failure's message. */
         private const val MOST_LINES = 20
         private const val MOST_COLUMNS = 200
 
-        /** Why there is none. */
-        const val NO_SCENE_FILE: String = "none: a scene file has no words for all that is in the frame"
+        /** Why there is no scene file. */
+        const val NO_SCENE_FILE: String = "none: a scene file cannot express this frame"
     }
 }

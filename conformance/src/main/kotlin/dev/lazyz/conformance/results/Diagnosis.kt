@@ -5,28 +5,31 @@ import dev.lazyz.conformance.rules.Symptom
 import kotlin.math.ln
 
 /**
- * Which of the rules that a renderer breaks are most likely about its mistake.
+ * Finds the broken rules that are most likely related to the renderer's mistake.
  *
- * One mistake breaks many rules, since most of them compare pictures. Each failure shows [Symptom]s, and each rule says
- * which it is about. A rule is likely to be the cause if the failures of all rules show its symptoms, the more so the
- * less they are to be expected by chance: the ratio of both probabilities, multiplied over the failures, is a naive
- * Bayes classifier. A symptom that a rule makes itself, as a rule about regions makes regions, says nothing when that
- * rule shows it. A rule about no symptom explains its own failure, and no others.
+ * One mistake breaks many rules, since most of them compare pictures. Each failure shows [Symptom]s, and each rule
+ * declares the symptoms that it tests for. A rule is a likely cause if the failures of all rules show its symptoms, and
+ * the more so the rarer these symptoms are by chance. The score is the ratio of both probabilities, multiplied over the
+ * failures: a naive Bayes classifier. A symptom that a rule produces itself, as a rule about regions produces regions,
+ * has no weight in that rule's own failure. A rule without symptoms explains only its own failure.
  *
  * Immutable and thread safe.
  */
 internal class Diagnosis private constructor(
-    /** The likely rules, best first; empty if no rule is broken. */
+    /** The likely causes, best first; empty if no rule is broken. */
     val causes: List<Cause>,
 ) {
-    /** One rule that may be about the mistake, and [why], a sentence. */
+    /** A rule that is likely related to the mistake, and the reason [why], a clause. */
     class Cause(val rule: SuiteRule, val why: String) {
         override fun toString(): String = "$rule: $why"
     }
 
-    /** A rule that is broken, and what its failure shows; null if that is unknown. */
+    /** A broken rule and the symptoms of its failure; null if those are unknown. */
     class Broken(val rule: SuiteRule, val symptoms: Set<Symptom>?) {
-        /** How much it supports that the mistake is about [symptom]: a logarithm, positive if it does. */
+        /**
+         * How strongly this failure supports a mistake related to [symptom]: a log-likelihood ratio, positive if it
+         * does.
+         */
         fun support(symptom: Symptom): Double = when {
             symptoms == null -> 0.0
             symptom !in symptoms -> ln(MISSED / (1 - symptom.rate))
@@ -36,22 +39,22 @@ internal class Diagnosis private constructor(
     }
 
     companion object {
-        /** As many causes are named. */
+        /** Greatest number of causes. */
         const val MOST_CAUSES: Int = 3
 
         /** The probability that a failure does not show the symptom of its cause. */
         private const val MISSED = 0.1
 
-        /** How much another rule's failure speaks against one that explains none but its own. */
+        /** Weight of another rule's failure against a rule that explains only its own failure. */
         private val UNEXPLAINED = ln(MISSED)
 
-        /** Diagnoses [results], but for what is waived. */
+        /** Diagnoses [results], except waived ones. */
         fun of(results: List<RuleResult>): Diagnosis = ofBroken(
             results.filter { it.outcome != RuleOutcome.WAIVED }
                 .mapNotNull { result -> result.failure?.let { Broken(result.rule, it.symptoms) } },
         )
 
-        /** Diagnoses rules that are [broken]. */
+        /** Diagnoses the [broken] rules. */
         fun ofBroken(broken: List<Broken>): Diagnosis {
             val scored = broken.map { it to score(it.rule, broken) }
             val best = scored.sortedByDescending { (_, score) -> score }.take(MOST_CAUSES)
@@ -64,7 +67,7 @@ internal class Diagnosis private constructor(
             return chance + broken.sumOf { it.support(symptom) }
         }
 
-        /** Of the symptoms that [rule] is about the one that the failures support most. */
+        /** Returns the symptom of [rule] that the failures support most. */
         private fun symptom(rule: SuiteRule, broken: List<Broken>): Symptom? =
             rule.about.maxByOrNull { symptom -> broken.sumOf { it.support(symptom) } }
 
@@ -73,8 +76,8 @@ internal class Diagnosis private constructor(
             val known = broken.filter { it.symptoms != null }
             val showing = known.count { symptom in it.symptoms.orEmpty() }
             return when {
-                broken.size == 1 -> "it is the only rule that is broken"
-                symptom == null -> "it fails for a reason of its own, or follows from the others"
+                broken.size == 1 -> "it is the only broken rule"
+                symptom == null -> "it fails independently of the others, or as a consequence of them"
                 else -> "in $showing of ${known.size} failures ${symptom.words}"
             }
         }

@@ -1,12 +1,12 @@
 package dev.lazyz.conformance.results
 
-/** Learns what came of each rule as soon as it has been tried: of `Conformance` or `Supervision`. */
+/** Receives the outcome of each rule as soon as the rule has ended, from `Conformance` or `Supervision`. */
 public fun interface RuleListener {
     /**
-     * [rule] has come to its end. Called once for each rule, in the thread that runs the suite or waits for it. Throws
-     * nothing.
+     * Called when [rule] has ended. Called once for each rule, in the thread that runs or supervises the suite. Must
+     * not throw.
      *
-     * @param milliseconds how long it took
+     * @param milliseconds duration of the rule
      */
     public fun ended(rule: SuiteRule, outcome: RuleOutcome, milliseconds: Long)
 }

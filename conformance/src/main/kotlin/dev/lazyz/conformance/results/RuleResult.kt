@@ -9,39 +9,42 @@ import dev.lazyz.conformance.judgement.Violation
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.rules.Symptom
 
-/** What came of a rule. */
+/** The outcome of a rule. */
 public enum class RuleOutcome(internal val words: String) {
-    /** The renderer keeps the rule, as far as it was tried. */
+    /** No try broke the rule. */
     PASSED("passed"),
 
-    /** The renderer breaks the rule: a wrong answer, or an exception. */
+    /** The renderer breaks the rule: a wrong result, or an exception. */
     FAILED("failed"),
 
-    /** The renderer threw an [Error], or ended the process, while the rule was tried: a failure. */
+    /** The renderer threw an [Error], or ended the process, during the rule: a failure. */
     CRASHED("crashed"),
 
-    /** A try of the rule was not over at its deadline: a failure. */
+    /** A rendering did not end before its deadline: a failure. */
     TIMED_OUT("timed out"),
 
-    /** The renderer broke the rule, and did not when it was tried on the same frame again: a failure. */
+    /** The renderer broke the rule, but not when the same frame was rendered again: a failure. */
     FLAKY("flaky"),
 
-    /** The rule was not tried, since too many others had timed out or the process was ended: a failure. */
+    /** The rule was not run, because too many others timed out or ended the process: a failure. */
     NOT_RUN("not run"),
 
-    /** The renderer does not do what it SHOULD: reported, but no failure. */
+    /** The renderer breaks a rule of level SHOULD: reported, but not a failure. */
     NOT_FOLLOWED("not followed"),
 
-    /** The renderer breaks the rule, which a waiver allows. */
+    /** The renderer breaks the rule, but a waiver allows it. */
     WAIVED("waived"),
 
-    /** A waiver allows the renderer to break the rule, which it does not: a failure, as the waiver must go. */
+    /**
+     * A waiver allows the renderer to break the rule, but the rule passes: a failure, because the waiver must be
+     * deleted.
+     */
     WAIVED_BUT_PASSES("waived but passes"),
 
-    /** A waiver's day has passed: a failure, whether the rule is broken or not. */
+    /** The waiver has expired: a failure, whether the rule is broken or not. */
     WAIVER_EXPIRED("waiver expired"),
 
-    /** The rule is for renderers with a capability that this one does not declare. */
+    /** The rule applies only to renderers with a capability that this one does not declare. */
     NOT_SUPPORTED("not supported"),
     ;
 
@@ -51,26 +54,26 @@ public enum class RuleOutcome(internal val words: String) {
         FAILED, CRASHED, TIMED_OUT, FLAKY, NOT_RUN, WAIVED_BUT_PASSES, WAIVER_EXPIRED -> true
     }
 
-    /** Whether the renderer broke the rule, whatever its level. */
+    /** Whether the renderer broke the rule, whatever the rule's level. */
     internal val isBroken: Boolean get() = when (this) {
         FAILED, CRASHED, TIMED_OUT, FLAKY, NOT_FOLLOWED -> true
         PASSED, NOT_RUN, WAIVED, WAIVED_BUT_PASSES, WAIVER_EXPIRED, NOT_SUPPORTED -> false
     }
 
-    /** Whether reports tell it at length. */
-    internal val isTold: Boolean get() = isFailure || this == NOT_FOLLOWED
+    /** Whether reports describe it in detail. */
+    internal val isDetailed: Boolean get() = isFailure || this == NOT_FOLLOWED
 }
 
 /**
- * What came of one rule. Immutable and thread safe.
+ * The result of one rule. Immutable and thread safe.
  *
  * @property rule the rule
- * @property outcome what came of it
+ * @property outcome its outcome
  * @property message why it failed, is not followed, is waived, was not run or is not supported; empty if it passed
- * @property tries how often it was tried, frames that were made smaller after a failure not included
- * @property milliseconds how long that took
- * @property distribution what the frames were like
- * @property failure how the renderer breaks the rule, be it waived or not; null if it does not
+ * @property tries number of tries, without those that shrink a frame after a failure
+ * @property milliseconds duration of the rule
+ * @property distribution traits of the frames
+ * @property failure how the renderer breaks the rule, even if it is waived; null if it does not
  */
 public class RuleResult internal constructor(
     public val rule: SuiteRule,
@@ -85,15 +88,15 @@ public class RuleResult internal constructor(
 }
 
 /**
- * How a renderer breaks a rule, on the smallest frame that was found. Immutable and thread safe, if the pictures are
- * left alone.
+ * How a renderer breaks a rule, for the smallest failing frame that was found. Immutable and thread safe, if the images
+ * are not modified.
  *
- * @property message what is wrong, in words, with the frame
+ * @property message description of the failure, with the frame
  * @property code the frame as a Kotlin expression, see [FrameCase.code]; null if the rule is not about a frame
- * @property expected the right picture; null if there is none to show
+ * @property expected the correct picture; null if there is none to show
  * @property actual the renderer's picture, of the same region; null if there is none to show
- * @property cause what was thrown
- * @property before what was rendered before it, the last few frames, if the failure is not reproducible; else empty
+ * @property cause the exception
+ * @property before the last few frames that were rendered before, if the failure is not reproducible; otherwise empty
  */
 public class RuleFailure private constructor(
     public val message: String,
@@ -105,17 +108,17 @@ public class RuleFailure private constructor(
     private val first: Throwable?,
     public val before: List<FrameCase>,
 ) {
-    /** What it looks like, before and after the frame was made smaller; null if it does not tell enough to say. */
+    /** The symptoms that the failure showed both before and after shrinking; null if they cannot be determined. */
     internal val symptoms: Set<Symptom>? by lazy {
         val last = Symptoms.of(cause)
         val before = first?.takeIf { it !== cause }?.let { Symptoms.of(it) }
         if (before == null || last == null) last else last intersect before
     }
 
-    /** The frame as the text of a scene file, see [FrameCase.sceneFile]; null if there are no words for it. */
+    /** The frame as the text of a scene file, see [FrameCase.sceneFile]; null if that format cannot express it. */
     public val sceneFile: String? get() = case?.sceneFile()
 
-    /** The first sample that differs, in rows from the top; null if none does or there is nothing to compare. */
+    /** The first sample that differs, in rows from the top; null if none differs or there is nothing to compare. */
     public val sample: DifferingSample? = if (expected == null || actual == null) {
         null
     } else {
@@ -125,12 +128,12 @@ public class RuleFailure private constructor(
     override fun toString(): String = message
 
     internal companion object {
-        /** How many frames before a failure that is not reproducible are kept. */
+        /** Number of frames that are kept from before a failure that is not reproducible. */
         const val MOST_BEFORE: Int = 5
 
         /**
-         * Tells of what was [thrown] when a rule was tried with [parameters], and what at [first], if that is known.
-         * [before] are frames that were rendered before.
+         * Describes the exception [thrown] when a rule was tried with [parameters]. [first] is the exception before
+         * shrinking, if known, and [before] are frames that were rendered earlier.
          */
         fun of(
             thrown: Throwable,
@@ -159,9 +162,9 @@ public class RuleFailure private constructor(
  *
  * @property x column of the raster
  * @property y row of the raster
- * @property expected what it should show, in words: colour, depth and primitive
- * @property actual what it shows, in words
- * @property count how many samples of the picture differ
+ * @property expected the correct colour, depth and primitive, in words
+ * @property actual the actual colour, depth and primitive, in words
+ * @property count number of samples of the picture that differ
  */
 public class DifferingSample internal constructor(
     public val x: Int,

@@ -8,12 +8,12 @@ import java.lang.reflect.Method
 import net.jqwik.api.Property
 
 /**
- * A rule of the suite, as reports tell it. Immutable and thread safe.
+ * A rule of the suite, for use in reports. Immutable and thread safe.
  *
- * @property name the method's name, such as `rule_5_2_tiesGoToTheFirstSubmitted`: unique, and what waivers say
- * @property level how binding it is
- * @property intent why there is such a rule, one sentence; empty where none is given
- * @property look what to look at in one's renderer when it fails, one sentence; empty where none is given
+ * @property name the method's name, such as `rule_5_2_tiesGoToTheFirstSubmitted`: unique, and used in waivers
+ * @property level how binding the rule is
+ * @property intent why the rule exists, in one sentence; empty if not given
+ * @property look where to look in the renderer when the rule fails, in one sentence; empty if not given
  */
 public class SuiteRule private constructor(internal val method: Method) {
     private val rule: Rule? = method.getAnnotation(Rule::class.java)
@@ -26,15 +26,16 @@ public class SuiteRule private constructor(internal val method: Method) {
 
     public val look: String get() = rule?.look.orEmpty()
 
-    /** Symptoms of mistakes that the rule is about, see [Rule.about]. */
+    /** Symptoms of the mistakes that the rule tests for, see [Rule.about]. */
     internal val about: Set<Symptom> get() = rule?.about.orEmpty().toSet()
 
-    /** The rule's number in `docs/contract.md`, such as `5.2`. Several tests may be of one rule. */
+    /** The rule's number in `docs/contract.md`, such as `5.2`. Several tests may have the same number. */
     public val number: String get() = numbers().joinToString(".")
 
     /**
-     * The seed of this rule's frames, given the [suite]'s: FNV-1a, 64 bits, over the characters of [name], begun at
-     * [suite]. So each rule has frames of its own, and has the same ones whichever other rules there are.
+     * Returns the seed of this rule's frames for the [suite]'s seed: a 64-bit FNV-1a hash over the characters of
+     * [name], with [suite] as its initial value. So each rule has its own frames, which do not depend on the other
+     * rules.
      */
     internal fun seed(suite: Long): Long = name.fold(suite) { hash, char -> (hash xor char.code.toLong()) * FNV_PRIME }
 
@@ -47,7 +48,7 @@ public class SuiteRule private constructor(internal val method: Method) {
         private const val PREFIX = "rule_"
         private const val FNV_PRIME = 0x100000001B3L
 
-        /** All rules of the suite, by number and then by name. */
+        /** All rules of the suite, ordered by number and then by name. */
         @JvmStatic
         public val all: List<SuiteRule> = AllRules::class.java.methods
             .filter { it.isAnnotationPresent(Property::class.java) && it.name.startsWith(PREFIX) }
@@ -58,12 +59,12 @@ public class SuiteRule private constructor(internal val method: Method) {
         @JvmStatic
         public fun find(name: String): SuiteRule? = all.firstOrNull { it.name == name }
 
-        /** Returns the rule of that name, or all of that number (`5.2`); none if [nameOrNumber] means nothing. */
+        /** Returns the rule with that name, or all rules with that number (`5.2`); empty if there is none. */
         @JvmStatic
         public fun matching(nameOrNumber: String): List<SuiteRule> =
             all.filter { it.name == nameOrNumber || it.number == nameOrNumber }
 
-        /** The suite's seed where nobody says another. */
+        /** The suite's default seed. */
         internal val fixedSeed: Long =
             all.first { it.method.parameterCount > 0 }.method.getAnnotation(Property::class.java).seed.toLong()
     }

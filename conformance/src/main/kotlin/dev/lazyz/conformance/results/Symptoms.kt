@@ -17,18 +17,18 @@ import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import java.util.EnumSet
 
-/** Reads the [Symptom]s of a failure off its frame and its pictures. */
+/** Determines the [Symptom]s of a failure from its frame and its pictures. */
 internal object Symptoms {
     /** More primitives than a short can number. */
     private const val MANY = 1 shl 15
 
-    /** Returns the symptoms of what was [thrown], or null if it does not tell enough to say which. */
+    /** Returns the symptoms of the exception [thrown], or null if they cannot be determined. */
     fun of(thrown: Throwable): Set<Symptom>? {
         val violation = thrown as? Violation ?: return null
         return try {
             found(violation)
         } catch (_: Exception) {
-            // Primitives may be as wild as they like; a diagnosis must not be what fails
+            // Custom primitives may throw anything; the diagnosis itself must not fail
             null
         }
     }
@@ -76,7 +76,7 @@ internal object Symptoms {
     private fun isInSpace(scene: Scene?): Boolean =
         (scene?.viewpoint as? Camera)?.let { it.projection != Projection.Screen } ?: false
 
-    /** What kind of mistake the first sample that differs shows. */
+    /** Adds the symptoms that the first differing sample shows. */
     private fun ofSample(frame: Frame, difference: Difference, symptoms: MutableSet<Symptom>) {
         val x = difference.x
         val y = difference.y

@@ -7,12 +7,12 @@ import java.time.DateTimeException
 import java.time.LocalDate
 
 /**
- * A rule that a renderer is known to break, for a while. Immutable and thread safe.
+ * Allows a renderer to break a rule until a date. Immutable and thread safe.
  *
  * @property rule the rule's name
- * @property reason why it is broken, for whoever reads the report
- * @property link where the matter is followed up
- * @property expires the last day on which the waiver holds
+ * @property reason why the rule is broken, for readers of the report
+ * @property link where the problem is tracked
+ * @property expires the last day on which the waiver is valid
  */
 public class Waiver(
     public val rule: String,
@@ -24,7 +24,8 @@ public class Waiver(
 }
 
 /**
- * A waivers file: blocks of four lines, in any order, with empty lines between the blocks and `#` before comments.
+ * A waivers file: blocks of four lines, in any order, with empty lines between the blocks. Lines that begin with `#`
+ * are comments.
  *
  * ```
  * rule: rule_5_2_tiesGoToTheFirstSubmitted
@@ -33,13 +34,13 @@ public class Waiver(
  * expires: 2027-01-31
  * ```
  *
- * A waived rule that fails is told and does no harm. One that passes is a failure, and so is a waiver whose day has
- * passed: a list of waivers can only get shorter. Immutable and thread safe.
+ * A waived rule that fails is reported but is not a failure. A waived rule that passes is a failure, and so is an
+ * expired waiver, so that outdated waivers are removed. Immutable and thread safe.
  *
- * @property all the waivers in the order of the file
+ * @property all all waivers in the order of the file
  */
 public class Waivers private constructor(public val all: List<Waiver>) {
-    /** Returns the waiver of the rule called [rule], or null if it has none. */
+    /** Returns the waiver of the rule with the name [rule], or null if it has none. */
     public fun of(rule: String): Waiver? = all.firstOrNull { it.rule == rule }
 
     override fun toString(): String = "Waivers(${all.joinToString { it.rule }})"
@@ -53,7 +54,7 @@ public class Waivers private constructor(public val all: List<Waiver>) {
             val key = text.substringBefore(':', "").trim()
             val value = text.substringAfter(':').trim()
             if (key !in KEYS) bad(name, line, "expected ${KEYS.joinToString { "'$it:'" }}: $text")
-            if (value.isEmpty()) bad(name, line, "nothing follows '$key:'")
+            if (value.isEmpty()) bad(name, line, "'$key:' has no value")
             if (values.put(key, value) != null) bad(name, line, "'$key:' twice in one block; is an empty line missing?")
             lines[key] = line
         }
@@ -72,7 +73,7 @@ public class Waivers private constructor(public val all: List<Waiver>) {
     }
 
     public companion object {
-        /** System property: the waivers file of a suite that is run as a test. */
+        /** System property: the waivers file for a suite that runs as a test. */
         public const val PROPERTY: String = "lazyz.conformance.waivers"
 
         private val KEYS = listOf("rule", "reason", "link", "expires")
@@ -86,7 +87,7 @@ public class Waivers private constructor(public val all: List<Waiver>) {
         /**
          * Reads a waivers file.
          *
-         * @throws WaiversException if it cannot be read or is not what it should be; the message has file and line
+         * @throws WaiversException if the file cannot be read or is not valid; the message has file and line
          */
         @JvmStatic
         public fun read(path: Path): Waivers = try {
@@ -96,7 +97,7 @@ public class Waivers private constructor(public val all: List<Waiver>) {
         }
 
         /**
-         * Reads waivers from [text], which messages call [name].
+         * Parses waivers from [text]; messages use [name] as the name of the source.
          *
          * @throws WaiversException as [read] does
          */
@@ -123,7 +124,7 @@ public class Waivers private constructor(public val all: List<Waiver>) {
 
         private fun bad(name: String, line: Int, what: String): Nothing = throw WaiversException("$name:$line: $what")
 
-        /** Returns `; did you mean ...?` for the rules of the same number. */
+        /** Returns `; did you mean ...?` with the rules of the same number. */
         private fun nearestRule(name: String): String {
             val number = name.removePrefix("rule_").split('_').takeWhile { it.toIntOrNull() != null }.joinToString(".")
             val near = SuiteRule.matching(number).map { it.name }
@@ -132,6 +133,6 @@ public class Waivers private constructor(public val all: List<Waiver>) {
     }
 }
 
-/** A waivers file that cannot be read or is not what it should be; the message says where and why. */
+/** Thrown if a waivers file cannot be read or is not valid. The message has the place and the reason. */
 public class WaiversException @JvmOverloads constructor(message: String, cause: Throwable? = null) :
     IllegalArgumentException(message, cause)

@@ -1,9 +1,9 @@
 package dev.lazyz.conformance.rules
 
 /**
- * All rules of the suite, part by part. Extend `RendererConformance` to try them, not this class.
+ * All rules of the suite, grouped into parts. Extend `RendererConformance` to run them, not this class.
  *
- * A new part is one more name in this list; no part knows another.
+ * To add a part, add its name to this list. Parts do not depend on each other.
  */
 public abstract class AllRules internal constructor() :
     PictureRules,

@@ -29,10 +29,10 @@ import net.jqwik.api.Property
 /** Rules about frames that are changed in a way whose effect on the picture is known. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
 public sealed interface ChangeRules : RulesForOne {
-    /** A frame whose primitives all move by whole pixels shows the same picture in another place. */
+    /** Moving all primitives by whole pixels moves the picture and changes nothing else. */
     @Rule(
-        intent = "A move by whole pixels changes the place and nothing else.",
-        look = "Look for results that depend on x or y themselves: blocks, tiles, and forms in floating point.",
+        intent = "A move by whole pixels moves the picture and changes nothing else.",
+        look = "Look for results that depend on absolute x or y: blocks, tiles, and linear forms in floating point.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_1_3_movingByWholePixelsMovesThePicture(
@@ -49,10 +49,10 @@ public sealed interface ChangeRules : RulesForOne {
         difference(expected, after.rendering.image)?.let { after.fail("moved: $it") }
     }
 
-    /** Each primitive cut in two along a column or a row leaves colours and depths as they are. */
+    /** Cutting each primitive in two along a column or a row does not change colours or depths. */
     @Rule(
-        intent = "Coverage in parts is coverage: no crack, no sample drawn twice, the same depth on both sides.",
-        look = "Look at the first and the last column of a span, and at state that is carried from a span to the next.",
+        intent = "Two parts of a primitive cover what the whole covers: no gap, no sample drawn twice, the same depth.",
+        look = "Look at the first and last column of a span, and at state that is carried from one span to the next.",
         about = [Symptom.COVERAGE],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -68,14 +68,14 @@ public sealed interface ChangeRules : RulesForOne {
         for (halves in listOf(column, row)) {
             val judgement = Judgement(renderer, halves)
             val actual = judgement.rendering.image.renumbered { it / 2 }
-            difference(whole, actual)?.let { judgement.fail("in halves, numbered as before: $it") }
+            difference(whole, actual)?.let { judgement.fail("with each primitive cut in two: $it") }
         }
     }
 
-    /** One more surface behind all that is visible changes nothing. */
+    /** Adding a surface behind everything visible changes nothing. */
     @Rule(
-        intent = "What is hidden has no influence: the minimum does not see what is greater.",
-        look = "Look at rejection by bounds: a surface with loose bounds one unit behind the picture loses everywhere.",
+        intent = "Hidden surfaces have no effect on the picture.",
+        look = "Look at rejection by bounds: the hidden surface has loose bounds and lies one unit behind the picture.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_1_hiddenSurfacesChangeNothing(@ForAll(supplier = MixedCases::class) case: FrameCase) {
@@ -88,10 +88,10 @@ public sealed interface ChangeRules : RulesForOne {
         if (more != 0L) backed.fail("a hidden surface is shaded, $more times")
     }
 
-    /** The pictures of two halves of the primitives, merged, are the picture of all. */
+    /** Merging the pictures of two halves of the primitives gives the picture of all primitives. */
     @Rule(
-        intent = "Any number of threads, tiles and machines may merge their results in any order.",
-        look = "Primitives that Frame.keeping left out must keep their places in the numbering.",
+        intent = "Threads, tiles and machines can render parts of a frame and merge the results in any order.",
+        look = "Primitives that Frame.keeping leaves out must keep their indices.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_1_partsMergeIntoTheWhole(@ForAll(supplier = MixedCases::class) case: FrameCase) {
@@ -102,10 +102,11 @@ public sealed interface ChangeRules : RulesForOne {
         difference(Image.merge(even, odd, case.frame.raster), whole.rendering.image)?.let { whole.fail("merged: $it") }
     }
 
-    /** All primitives submitted a second time change nothing, but for the numbers where a tie goes to the last. */
+    /** Submitting all primitives a second time changes nothing, except the indices where a tie goes to the last. */
     @Rule(
-        intent = "The minimum is idempotent: what is submitted twice is seen once.",
-        look = "Look at ties between a primitive and its copy, and at tables keyed by the primitive, not its index.",
+        intent = "A primitive that is submitted twice looks as if it were submitted once.",
+        look = "Look at ties between a primitive and its copy, and at tables keyed by the primitive instead of its " +
+            "index.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_2_duplicatesChangeNothing(@ForAll(supplier = MixedCases::class) case: FrameCase) {
@@ -118,10 +119,11 @@ public sealed interface ChangeRules : RulesForOne {
         difference(expected, doubled.rendering.image)?.let { doubled.fail("with all primitives twice: $it") }
     }
 
-    /** In another order the same is visible, except where two primitives have the same, winning depth. */
+    /** Another order of submission shows the same picture, except where two primitives have the same winning depth. */
     @Rule(
-        intent = "Without ties, the order of submission changes nothing but the indices.",
-        look = "Look for results that depend on who came first: early rejection, sorting that is not total, state.",
+        intent = "Without ties, the order of submission changes only the indices.",
+        look = "Look for results that depend on the order of arrival: early rejection, sorting without a total " +
+            "order, state.",
         about = [Symptom.ORDER],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -142,14 +144,15 @@ public sealed interface ChangeRules : RulesForOne {
             val isSame =
                 a == b && first.depth[sample] == second.depth[sample] && first.argb[sample] == second.argb[sample]
             if (isSame || (a != b && case.frame.isTie(a, b, x, y))) continue
-            reordered.fail("sample ($x, $y) showed primitive $a, shows $b where the order of submission is $order")
+            reordered.fail("sample ($x, $y) shows primitive $a, but $b with the order of submission $order")
         }
     }
 
-    /** Part of a raster is rendered as that part of the whole picture, and nothing else is. */
+    /** A region is rendered exactly as that part of the whole picture, and nothing outside it is rendered. */
     @Rule(
-        intent = "The picture of a region is that rectangle of the whole picture.",
-        look = "Columns and rows of primitives are the raster's; only the row's arrays begin at the region.",
+        intent = "The picture of a region equals that rectangle of the whole picture.",
+        look = "Primitives use columns and rows of the raster; only the arrays of a row begin at the region's left " +
+            "edge.",
         about = [Symptom.REGION],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -160,10 +163,10 @@ public sealed interface ChangeRules : RulesForOne {
         Judgement(renderer(), case.withinAny(Random(salt))).equalsReference().equalsItsImage().rowsInOrder()
     }
 
-    /** Options change what a rendering costs, and never its picture. */
+    /** Options change the cost of a rendering, never its picture. */
     @Rule(
-        intent = "Coherence, memory budget, threads and tile size are about cost, never about the picture.",
-        look = "The message names the options: compare stepped colours, or the tiles' edges, with direct ones.",
+        intent = "Coherence, memory budget, threads and tile size change the cost, never the picture.",
+        look = "The message names the options: compare stepped colours with direct ones, and check the edges of tiles.",
         about = [Symptom.OPTIONS],
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -178,7 +181,7 @@ public sealed interface ChangeRules : RulesForOne {
     }
 
     private companion object {
-        /** Pictures move by fewer columns and rows: across the edges of small tiles. */
+        /** Exclusive limit of the moves, in columns and rows. Large enough to cross the edges of small tiles. */
         const val MOST_PIXELS = 12
     }
 }

@@ -16,13 +16,15 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** The rule about everything together. Part of `RendererConformance`. */
+/** The rule that combines everything. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
 public sealed interface CombinationRules : RulesForOne {
-    /** Larger frames of all kinds, by parts, with options, glass, selectors, accidents and threads. */
+    /** Renders larger frames of all kinds, whole or in parts, with options, glass, selectors, failures and threads. */
     @Rule(
-        intent = "What works alone works together: parts, options, depth tests, blending, selectors, reuse, threads.",
-        look = "The message names all that is not as usual; the smaller the frame has become, the more of it matters.",
+        intent = "Features that work alone work together: regions, options, depth tests, blending, selectors, reuse, " +
+            "threads.",
+        look = "The message lists all settings that are not the default; the more the frame was reduced, the more " +
+            "they matter.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_combinationsAreRight(
@@ -44,7 +46,7 @@ public sealed interface CombinationRules : RulesForOne {
         }
     }
 
-    /** Takes [shot] by [usual], which has been given [options], or by one like it that has a selector, too. */
+    /** Renders [shot] with [usual], which is configured with [options], or with a renderer that also has a selector. */
     private fun taken(renderer: Renderer, usual: Renderer, options: RenderOptions, shot: Combination.Shot) {
         val case = shot.caseFor(renderer.capabilities)
         val selection = shot.selectionFor(renderer.capabilities)
@@ -65,7 +67,10 @@ public sealed interface CombinationRules : RulesForOne {
         counts(judgement, case, renderer.capabilities, options)
     }
 
-    /** What a new renderer says of [case] if it is wrong, too; otherwise [found], which is then about use. */
+    /**
+     * Returns the violation that a new renderer shows for [case], or, if a new renderer is correct, [found] with a
+     * message that says that the failure comes from the renderer's earlier use.
+     */
     private fun explained(found: Violation, options: RenderOptions, case: FrameCase): Violation {
         try {
             Judgement(renderer().configured(options), case, "$options").equalsReference()
@@ -73,7 +78,7 @@ public sealed interface CombinationRules : RulesForOne {
             return e
         }
         return Violation(
-            "after other frames, or a failure, and not at first: ${found.message}",
+            "wrong only after other frames or a failure, not with a new renderer: ${found.message}",
             case,
             found.expected,
             found.actual,

@@ -21,13 +21,16 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** Rules about counters: they count what happens, and mean the same for all. Part of `RendererConformance`. */
+/**
+ * Rules about counters: they count what happens, and have the same meaning for all renderers. Part of
+ * `RendererConformance`.
+ */
 @Suppress("ktlint:standard:function-naming")
 public sealed interface CounterRules : RulesForOne {
-    /** Primitives are counted whether they cover anything or not, and shading calls are the calls that happen. */
+    /** All submitted primitives are counted, even those that cover nothing, and all shading calls made are counted. */
     @Rule(
-        intent = "Primitives and shading calls are counted as they are submitted and made.",
-        look = "Count where Primitive.shade is called, nowhere else, and add up the counters of all threads.",
+        intent = "The counters equal the number of primitives submitted and the number of shading calls made.",
+        look = "Count exactly where Primitive.shade is called, and add up the counters of all threads.",
         about = [Symptom.COUNTERS],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -37,17 +40,17 @@ public sealed interface CounterRules : RulesForOne {
         val counters = judgement.rendering.counters
         val primitives = case.frame.primitives.size.toLong()
         if (counters.primitives != primitives) {
-            judgement.fail("$primitives primitives are submitted, ${counters.primitives} counted")
+            judgement.fail("$primitives primitives were submitted, but ${counters.primitives} are counted")
         }
         if (counters.shadingCalls != witness.count) {
-            judgement.fail("${witness.count} shading calls are made, ${counters.shadingCalls} counted")
+            judgement.fail("${witness.count} shading calls were made, but ${counters.shadingCalls} are counted")
         }
     }
 
-    /** Fragments are the covered samples, but for what is hidden and rejected before its samples are looked for. */
+    /** Fragments are the covered samples, except hidden ones that are rejected before their samples are determined. */
     @Rule(
-        intent = "Fragments are covered samples, counted for each primitive; of what is hidden some may be missing.",
-        look = "Count where spans are read. What is not in the region, and whole rows or tiles, are easily lost.",
+        intent = "Fragments are the covered samples of each primitive, summed; only hidden ones may be missing.",
+        look = "Count where spans are read. Parts outside the region, and whole rows or tiles, are easily missed.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_fragmentsAreTheCoveredSamples(
@@ -59,14 +62,14 @@ public sealed interface CounterRules : RulesForOne {
         val visible = reference.image.visible
         val renderer = renderer()
 
-        // Who blends counts each fragment once, however many layers it looks for
+        // Renderers that blend count each fragment once, however many layers they search for
         val isBlending = Capability.TRANSPARENCY in renderer.capabilities
         if (isBlending) countedAtMost(covered, Judgement(renderer, case.glazed(salt)))
         val judgement = Judgement(renderer, case)
         val counted = countedAtMost(covered, judgement)
-        if (counted < visible) judgement.fail("$visible samples show something, $counted fragments counted")
+        if (counted < visible) judgement.fail("$visible samples are visible, but only $counted fragments are counted")
 
-        // A primitive by itself, before a background that hides nothing, has nothing to be rejected for
+        // A single primitive in front of a background that hides nothing cannot be rejected
         val raster = case.frame.raster
         if (raster.depthTest != raster.convention.nearest ||
             raster.backgroundDepth != raster.convention.farthest
@@ -78,14 +81,14 @@ public sealed interface CounterRules : RulesForOne {
             val all = Rendering.of(ReferenceRenderer(), alone.frame).counters.fragments
             val itself = Judgement(renderer, alone)
             val found = itself.rendering.counters.fragments
-            if (found != all) itself.fail("$all samples are covered, $found fragments counted")
+            if (found != all) itself.fail("$all samples are covered, but $found fragments are counted")
         }
     }
 
-    /** Of the fragments no more pass than there are, and where there are none nothing is computed. */
+    /** At most all fragments pass, and where nothing is covered no depth is computed. */
     @Rule(
         intent = "A fragment passes at most once, and where nothing is covered there is no depth to compute.",
-        look = "Count a pass where a fragment is the visible one when it is compared, not where it is looked up.",
+        look = "Count a pass where a fragment wins the depth comparison, not where it is looked up later.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_passesAreAmongTheFragments(@ForAll(supplier = MixedCases::class) case: FrameCase) {
@@ -93,18 +96,18 @@ public sealed interface CounterRules : RulesForOne {
         val counters = judgement.rendering.counters
         val covered = Rendering.of(ReferenceRenderer(), case.frame).counters.fragments
         if (counters.depthPasses > covered) {
-            judgement.fail("$covered samples are covered, ${counters.depthPasses} passes counted")
+            judgement.fail("$covered samples are covered, but ${counters.depthPasses} depth passes are counted")
         }
         if (counters.depthEvaluations < 0 || (covered == 0L && counters.depthEvaluations != 0L)) {
-            judgement.fail("$covered samples are covered, ${counters.depthEvaluations} depths are computed")
+            judgement.fail("$covered samples are covered, but ${counters.depthEvaluations} depths are computed")
         }
     }
 
-    /** Starts and steps are counted as they happen, and direct shading never steps. */
+    /** Starts and steps are counted when they happen, and direct shading never steps. */
     @Rule(
-        intent = "Who shades late says how often it starts and how often it steps; DIRECT never steps.",
-        look = "A start is Primitive.shade or a new ShadingCursor; each ShadingCursor.step is a step, over gaps too. " +
-            "The longest chain is the most steps from one call of a cursor to its next.",
+        intent = "A renderer with COHERENCE counts its starts and steps; with DIRECT it never steps.",
+        look = "A start is a call of Primitive.shade or a new ShadingCursor. Each ShadingCursor.step is a step, also " +
+            "across gaps. The longest chain is the greatest number of steps between two calls of a cursor.",
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_startsAndStepsAreCounted(@ForAll(supplier = MixedCases::class) case: FrameCase) {
@@ -116,23 +119,23 @@ public sealed interface CounterRules : RulesForOne {
             val judgement = Judgement(configured, case.watched(witness.frame), "$coherence")
             val counters = judgement.rendering.counters
             if (counters.shadingStarts != witness.starts || counters.shadingSteps != witness.steps) {
-                judgement.fail("${witness.starts} starts, ${witness.steps} steps are made, the counters are $counters")
+                judgement.fail("${witness.starts} starts, ${witness.steps} steps are made; the counters are $counters")
             }
             if (coherence == Coherence.DIRECT && witness.steps + counters.longestChain > 0) {
-                judgement.fail("direct shading steps: $counters")
+                judgement.fail("shading steps although it is DIRECT: $counters")
             }
             if (counters.longestChain != witness.longestChain) {
-                judgement.fail("a call needs ${witness.longestChain} steps at most, the counters are $counters")
+                judgement.fail("the longest chain is ${witness.longestChain} steps, but the counters are $counters")
             }
         }
     }
 
-    /** Shading steps from sample to sample where the options say so, and nowhere else. */
+    /** Shading steps from sample to sample exactly where the options request it. */
     @Rule(
         intent =
-        "Who promises COHERENCE steps along rows as the options say, the latest ones: INCREMENTAL over all gaps, " +
-            "ADAPTIVE over those of at most shadingStartCost columns.",
-        look = "Compare gaps with shadingStartCost, equal ones are stepped over; look at what configured() keeps.",
+        "A renderer with COHERENCE steps along rows as its latest options request: INCREMENTAL across all gaps, " +
+            "ADAPTIVE across gaps of at most shadingStartCost columns.",
+        look = "A gap equal to shadingStartCost is stepped across; check also which options configured() keeps.",
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_shadingStepsAsTheOptionsSay(@ForAll(supplier = MixedCases::class) case: FrameCase) {
@@ -142,7 +145,7 @@ public sealed interface CounterRules : RulesForOne {
         val opaque = case.asOpaque()
         var last = renderer
         for (coherence in listOf(Coherence.INCREMENTAL, Coherence.ADAPTIVE, Coherence.DIRECT)) {
-            // Each is configured from the one before, whose options must not be left
+            // Each renderer is configured from the previous one, whose options must not remain
             val configured = last.configured(RenderOptions(coherence, threads = 1, tileSize = 512))
             last = configured
             val witness = ShadingWitness(opaque.frame)
@@ -152,14 +155,15 @@ public sealed interface CounterRules : RulesForOne {
             val right = Rendering.of(ReferenceRenderer(), opaque.frame).image
             val expected = ExpectedSteps.of(opaque.frame, right, coherence)
             if (starts == expected.starts && steps == expected.steps) continue
-            judgement.fail("$expected are needed, $starts starts and $steps steps are made")
+            judgement.fail("$expected are expected, but $starts starts and $steps steps were made")
         }
     }
 
-    /** Whatever is visible has passed and been shaded at least once, by the counters. */
+    /** According to the counters, each visible sample has passed and been shaded at least once. */
     @Rule(
-        intent = "Shading calls and passes are at least the visible samples.",
-        look = "Look for samples that are decided without being counted: whole blocks, runs, the last fragment left.",
+        intent = "Shading calls and depth passes are at least the number of visible samples.",
+        look = "Look for samples that are decided without being counted: whole blocks, runs, the last remaining " +
+            "fragment.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_2_visibleSamplesArePassedAndShaded(@ForAll(supplier = MixedCases::class) case: FrameCase) {
@@ -171,10 +175,10 @@ public sealed interface CounterRules : RulesForOne {
         }
     }
 
-    /** Who shows something says how much memory that took. */
+    /** A renderer that shows something reports how much memory it used. */
     @Rule(
         level = Level.SHOULD,
-        intent = "Users choose a renderer by what it costs, so it tells its working memory.",
+        intent = "Users choose a renderer by its cost, so a renderer reports its working memory.",
         look = "Add up the arrays that are held at the same time, and set Counters.peakBytes to the greatest sum.",
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -182,14 +186,14 @@ public sealed interface CounterRules : RulesForOne {
         val judgement = Judgement(renderer(), case)
         val isSeen = judgement.rendering.image.visible > 0
         if (isSeen && judgement.rendering.counters.peakBytes <= 0) {
-            judgement.fail("something is visible, but peakBytes is ${judgement.rendering.counters.peakBytes}")
+            judgement.fail("a primitive is visible, but peakBytes is ${judgement.rendering.counters.peakBytes}")
         }
     }
 
-    /** A renderer that promises to shade only what is visible does so. */
+    /** A renderer that declares `SHADES_ONLY_VISIBLE` shades only visible samples. */
     @Rule(
-        intent = "Who promises SHADES_ONLY_VISIBLE shades each visible sample once, and nothing else.",
-        look = "Shade when all fragments of a sample have been compared; look for samples that are shaded twice.",
+        intent = "A renderer with SHADES_ONLY_VISIBLE shades each visible sample once, and nothing else.",
+        look = "Shade after all fragments of a sample have been compared; look for samples that are shaded twice.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_2_promiseToShadeOnlyTheVisibleIsKept(@ForAll(supplier = MixedCases::class) case: FrameCase) {
@@ -199,14 +203,15 @@ public sealed interface CounterRules : RulesForOne {
         val judgement = Judgement(renderer, case.watched(witness.frame))
         val visible = judgement.rendering.image.visible.toLong()
         val calls = judgement.rendering.counters.shadingCalls
-        if (calls != visible) judgement.fail("$visible samples are visible, but $calls are shaded")
+        if (calls != visible) judgement.fail("$visible samples are visible, but $calls shading calls are counted")
         if (witness.count > visible) judgement.fail("$visible samples are visible, but ${witness.count} were shaded")
     }
 
-    /** Where something is blended, a renderer with the promise shades what shows through, and nothing else. */
+    /** Where something is blended, a renderer with the capability shades only the fragments that show through. */
     @Rule(
-        intent = "Who promises SHADES_ONLY_VISIBLE shades, of what it blends, the fragments that show through.",
-        look = "Stop at the first opaque fragment and at transmittance 0, and shade a fragment when it is its turn.",
+        intent = "When it blends, a renderer with SHADES_ONLY_VISIBLE shades only the fragments that show through.",
+        look = "Stop at the first opaque fragment and at transmittance 0, and shade a fragment only when it is " +
+            "blended.",
         about = [Symptom.COUNTERS],
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -221,20 +226,22 @@ public sealed interface CounterRules : RulesForOne {
             val witness = ShadingWitness(each.frame)
             val judgement = Judgement(renderer, each.watched(witness.frame))
             val calls = judgement.rendering.counters.shadingCalls
-            if (calls != showing) judgement.fail("$showing fragments show, but $calls are shaded")
-            if (witness.count > showing) judgement.fail("$showing fragments show, but ${witness.count} were shaded")
+            if (calls != showing) judgement.fail("$showing fragments show through, but $calls are counted as shaded")
+            if (witness.count > showing) {
+                judgement.fail("$showing fragments show through, but ${witness.count} were shaded")
+            }
         }
     }
 
-    /** Returns how many fragments are counted, which are no more than the [covered] samples. */
+    /** Returns how many fragments are counted; fails if they are more than the [covered] samples. */
     private fun countedAtMost(covered: Long, judgement: Judgement): Long {
         val counted = judgement.rendering.counters.fragments
-        if (counted > covered) judgement.fail("$covered samples are covered, $counted fragments counted")
+        if (counted > covered) judgement.fail("$covered samples are covered, but $counted fragments are counted")
         return counted
     }
 
     private companion object {
-        /** Primitives of a frame that are also rendered by themselves. */
+        /** Greatest number of primitives of a frame that are also rendered alone. */
         const val MOST_ALONE = 4
     }
 }

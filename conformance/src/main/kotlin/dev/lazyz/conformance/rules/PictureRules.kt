@@ -34,13 +34,13 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** Rules about the picture: it is the oracle's, bit for bit. Part of `RendererConformance`. */
+/** Rules about the picture: it equals the oracle's picture, bit for bit. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
 public sealed interface PictureRules : RulesForOne {
-    /** Frames of [Confetti]: many spans a row, loose bounds, and depth that is no linear form. */
+    /** Frames of [Confetti]: many spans in a row, loose bounds, and depth without a linear form. */
     @Rule(
-        intent = "Primitives of one's own cover what they say: many spans a row, loose bounds, depth without a form.",
-        look = "Look for places that assume one span a row, close bounds, or a depthForm that is not null.",
+        intent = "Custom primitives cover their spans: many spans in a row, loose bounds, depth without a linear form.",
+        look = "Look for code that assumes one span per row, tight bounds, or a depthForm that is not null.",
         about = [Symptom.OWN_PRIMITIVE],
     )
     @Property(tries = 200, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -48,15 +48,17 @@ public sealed interface PictureRules : RulesForOne {
         Judgement(renderer(), case).equalsReference()
     }
 
-    /** The background competes with its own depth, wherever that lies, and keeps its colour where it wins. */
+    /**
+     * The background takes part in the depth test with its own depth, at any depth, and keeps its colour where it wins.
+     */
     @Rule(
-        intent = "The background competes with its own depth, wherever that lies, as if it were submitted first.",
-        look = "Initialise each sample with Raster.backgroundDepth, and compare with it as with any other fragment.",
+        intent = "The background takes part in the depth test with its own depth, as if it were submitted first.",
+        look = "Initialise each sample with Raster.backgroundDepth, and compare it like any other fragment.",
         about = [Symptom.BACKGROUND],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_4_3_backgroundIsWhereNothingPasses(@ForAll(supplier = ScreenCases::class) case: FrameCase) {
-        // Put the background before everything, behind everything, and where something is
+        // Put the background in front of everything, behind everything, and at the depth of a visible sample
         val visible = Rendering.of(ReferenceRenderer(), case.frame).image.depth
         for (depth in listOf(0, Int.MAX_VALUE, visible[visible.size / 2])) {
             val raster = with(case.frame.raster) { Raster(width, height, background, convention, depthTest, depth) }
@@ -64,10 +66,10 @@ public sealed interface PictureRules : RulesForOne {
         }
     }
 
-    /** Colours, depths and primitives of frames on the screen are the oracle's. */
+    /** Colours, depths and primitives of frames in screen space equal those of the oracle. */
     @Rule(
-        intent = "The visible fragment of a sample is the least by (depth, submission index), exactly.",
-        look = "Follow the sample that differs: is it covered, is its depth exact, is it compared with all others?",
+        intent = "The visible fragment of a sample is the minimum by (depth, submission index), exactly.",
+        look = "Check the sample that differs: is it covered, is its depth exact, is it compared with all others?",
         about = [Symptom.PICTURE],
     )
     @Property(tries = 500, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -75,10 +77,10 @@ public sealed interface PictureRules : RulesForOne {
         Judgement(renderer(), case).equalsReference()
     }
 
-    /** Colours, depths and primitives of scenes are the oracle's. */
+    /** Colours, depths and primitives of 3D scenes equal those of the oracle. */
     @Rule(
-        intent = "Meshes, polygons and spheres before a camera, clipped and masked, show what is nearest.",
-        look = "If frames on the screen pass, look at spheres (no depthForm), masks (many spans) and clipped polygons.",
+        intent = "Meshes, polygons and spheres seen through a camera, clipped and masked, show the nearest surface.",
+        look = "If frames in screen space pass, check spheres (no depthForm), masks (many spans) and clipped polygons.",
         about = [Symptom.IN_SPACE],
     )
     @Property(tries = 250, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -88,8 +90,8 @@ public sealed interface PictureRules : RulesForOne {
 
     /** Where depths are equal, the order of submission decides. */
     @Rule(
-        intent = "Equal depths are decided by the order of submission, whatever the order of evaluation.",
-        look = "Compare DepthTest.key or the pair (depth, index); a strict or lax comparison of depths is not enough.",
+        intent = "Equal depths are decided by the order of submission, regardless of the order of evaluation.",
+        look = "Compare DepthTest.key or the pair (depth, index); comparing only depths with < or <= is not enough.",
         about = [Symptom.TIE],
     )
     @Property(tries = 200, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -98,10 +100,10 @@ public sealed interface PictureRules : RulesForOne {
         Judgement(renderer(), case.on(usual)).equalsReference()
     }
 
-    /** All depth tests, under both conventions, decide as they are defined, ties included. */
+    /** All depth tests work as defined under both conventions, including ties. */
     @Rule(
         intent = "All four depth tests are total orders, under either convention.",
-        look = "Take the order from Raster.depthTest alone: neither the convention nor the usual test says it.",
+        look = "Take the order from Raster.depthTest alone, not from the convention or from its default test.",
         about = [Symptom.DEPTH_TEST, Symptom.GREATEST_WINS],
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -115,20 +117,21 @@ public sealed interface PictureRules : RulesForOne {
         }
     }
 
-    /** On a raster of 3 x 2 samples, every ordered pair of forty shapes is right, under every test and convention. */
+    /** On a raster of 3 x 2 samples, every ordered pair of forty shapes is correct, with every test and convention. */
     @Rule(
-        intent = "Within a small bound nothing is left to chance: all ties, crossings and coincidences are tried.",
-        look = "The two primitives of the printed frame: which is nearer, or, at equal depth, which comes first.",
+        intent = "On a tiny raster, all combinations are tested: every tie, crossing and coincidence.",
+        look = "Look at the two primitives of the printed frame: which is nearer, or, at equal depth, which comes " +
+            "first?",
     )
     @Property(tries = 1)
     public fun rule_5_3_everyPairInASmallWorldIsRight() {
         smallWorlds(renderer())
     }
 
-    /** A renderer that promises transparency blends in exact order of depth. */
+    /** A renderer that declares transparency blends in exact order of depth. */
     @Rule(
-        intent = "Who promises TRANSPARENCY blends in exact order of depth, with one order of sums.",
-        look = "Sort a sample's fragments by key, stop at the first opaque one, and add up as rule 5.5 says.",
+        intent = "A renderer with TRANSPARENCY blends in exact order of depth, with a fixed order of summation.",
+        look = "Sort a sample's fragments by key, stop at the first opaque one, and sum up as rule 5.5 defines.",
         about = [Symptom.TRANSLUCENT],
     )
     @Property(tries = 200, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -140,10 +143,11 @@ public sealed interface PictureRules : RulesForOne {
         Judgement(renderer, case).equalsReference().rowsInOrder()
     }
 
-    /** A renderer that does not promise transparency refuses a translucent primitive before it hands out a row. */
+    /** A renderer without transparency rejects a translucent primitive before it delivers a row. */
     @Rule(
-        intent = "A wrong picture without a word would be worse than none.",
-        look = "Ask Frame.hasTranslucency before the first row, and throw an IllegalArgumentException that says so.",
+        intent = "An error is better than a wrong picture without notice.",
+        look = "Check Frame.hasTranslucency before the first row, and throw an IllegalArgumentException that names " +
+            "the reason.",
         about = [Symptom.TRANSLUCENT],
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -153,10 +157,10 @@ public sealed interface PictureRules : RulesForOne {
         Judgement(renderer, case.asOpaque()).equalsReference()
     }
 
-    /** A translucent primitive is refused whether anything of it can be seen or not. */
+    /** A translucent primitive is rejected whether it is visible or not. */
     @Rule(
-        intent = "Which frames a renderer takes does not depend on the region, nor on what hides what.",
-        look = "Ask all primitives of the frame, before those are left out that the region or others hide.",
+        intent = "Which frames a renderer accepts depends neither on the region nor on what is hidden.",
+        look = "Check all primitives of the frame, including those outside the region and those hidden by others.",
         about = [Symptom.TRANSLUCENT],
     )
     @Property(tries = 20, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -170,10 +174,10 @@ public sealed interface PictureRules : RulesForOne {
         for (hiding in case.withinAny(random).withHiddenGlass(random)) refused(renderer, hiding)
     }
 
-    /** Primitives that cover nothing, submitted between the others, change indices and nothing else. */
+    /** Primitives that cover nothing, submitted between the others, change only the indices. */
     @Rule(
-        intent = "Numbering does not depend on what can be seen, so parts of a frame can be merged.",
-        look = "Number primitives by their place in Frame.primitives, before any of them is thrown away.",
+        intent = "Indices do not depend on visibility, so that parts of a frame can be merged.",
+        look = "Number primitives by their position in Frame.primitives, before discarding any of them.",
         about = [Symptom.EMPTY_PRIMITIVE],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -183,10 +187,10 @@ public sealed interface PictureRules : RulesForOne {
         Judgement(renderer(), case.padded()).equalsReference()
     }
 
-    /** Behind more primitives than 16 bits can number, and before them, indices are still right. */
+    /** Indices are correct behind and in front of more primitives than 16 bits can number. */
     @Rule(
-        intent = "Indices have 31 bits: a frame may have more primitives than a short, or a float, can number.",
-        look = "Look at the width of the index within a packed key, and at every cast on its way to the row.",
+        intent = "Indices have 31 bits: a frame may have more primitives than a short or a float can represent.",
+        look = "Look at the width of the index in a packed key, and at every cast on its way to the row.",
         about = [Symptom.MANY_PRIMITIVES],
     )
     @Property(tries = 8, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -195,16 +199,16 @@ public sealed interface PictureRules : RulesForOne {
         val many = case.behindMany()
         Judgement(renderer, many).equalsReference()
 
-        // Who blends may keep translucent fragments in another way
+        // Renderers that blend may store translucent fragments differently
         if (Capability.TRANSPARENCY in renderer.capabilities) {
             Judgement(renderer, many.glazed(0xFFFF)).equalsReference()
         }
     }
 
-    /** Frames without primitives show the background, and cost nothing. */
+    /** Frames without primitives show the background and cost nothing. */
     @Rule(
-        intent = "An empty frame is a frame: all background, nothing counted.",
-        look = "Look for a first(), a minimum or a division that wants at least one primitive.",
+        intent = "An empty frame is valid: it shows the background, and nothing is counted.",
+        look = "Look for a first(), a minimum or a division that needs at least one primitive.",
         about = [Symptom.NO_PRIMITIVES],
     )
     @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -212,14 +216,14 @@ public sealed interface PictureRules : RulesForOne {
         val judgement = Judgement(renderer(), case).equalsReference()
         val counters = judgement.rendering.counters
         if (counters.fragments != 0L || counters.shadingCalls != 0L) {
-            judgement.fail("nothing was submitted, but the counters are $counters")
+            judgement.fail("no primitive was submitted, but the counters are $counters")
         }
     }
 
     /** Rasters of one sample, one row or one column are rendered like others. */
     @Rule(
-        intent = "Rasters of one sample, one row or one column are ordinary.",
-        look = "Look at sizes that are rounded to blocks, at differences to a next row, at loops that begin with 1.",
+        intent = "Rasters of one sample, one row or one column are valid.",
+        look = "Look at sizes that are rounded up to blocks, at differences to the next row, at loops that start at 1.",
         about = [Symptom.NARROW],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)

@@ -14,10 +14,10 @@ import net.jqwik.api.Property
 /** Rules about points and lines, which have a size in pixels. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
 public sealed interface PointRules : RulesForOne {
-    /** Clouds of points, most of which cover a sample or a few. */
+    /** Clouds of points, most of which cover one or a few samples. */
     @Rule(
-        intent = "A point is a primitive of its own: one sample or a square of them, at one depth.",
-        look = "Look for primitives of one sample or of one row that are lost, and for colours taken from a neighbour.",
+        intent = "A point is a primitive that covers one sample or a square of samples, at one depth.",
+        look = "Look for primitives of one sample or one row that are lost, and for colours taken from a neighbour.",
         about = [Symptom.IN_SPACE],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -27,8 +27,8 @@ public sealed interface PointRules : RulesForOne {
 
     /** Lines of any width, most of them thin. */
     @Rule(
-        intent = "A line is a primitive of its own: one span a row, and depth that is no linear form.",
-        look = "Ask Primitive.depth where depthForm is null, and expect rows of a single sample.",
+        intent = "A line is a primitive with one span per row and a depth that is not a linear form.",
+        look = "Call Primitive.depth where depthForm is null, and expect rows of a single sample.",
         about = [Symptom.IN_SPACE],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -36,10 +36,10 @@ public sealed interface PointRules : RulesForOne {
         Judgement(renderer(), case).equalsReference()
     }
 
-    /** Points and lines that let through what is behind them. */
+    /** Translucent points and lines. */
     @Rule(
         intent = "Translucent points and lines blend as polygons do.",
-        look = "Sort a sample's fragments by their keys, whatever kind of primitive they are of.",
+        look = "Sort a sample's fragments by their keys, regardless of the kind of primitive.",
         about = [Symptom.TRANSLUCENT],
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)

@@ -26,13 +26,16 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** Rules about [Capability]s: who declares one is held to it, nobody else is. Part of `RendererConformance`. */
+/**
+ * Rules about [Capability]s. They apply only to renderers that declare the capability. Part of `RendererConformance`.
+ */
 @Suppress("ktlint:standard:function-naming")
 public sealed interface PromiseRules : RulesForOne {
-    /** Working memory is the same for few and for many rows, by the counters and by the heap. */
+    /** Working memory is the same for few and for many rows, according to the counters and to the heap. */
     @Rule(
-        intent = "Who promises CONSTANT_MEMORY can render pictures larger than memory.",
-        look = "Look for arrays by the height of the region, and for rows that are kept after they are handed out.",
+        intent = "A renderer with CONSTANT_MEMORY can render pictures larger than memory.",
+        look = "Look for arrays sized by the height of the region, and for rows that are kept after they are " +
+            "delivered.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_3_promiseOfConstantMemoryIsKept() {
@@ -41,10 +44,12 @@ public sealed interface PromiseRules : RulesForOne {
         constantMemory(renderer)
     }
 
-    /** When a row arrives, no primitive has been asked about a row further down. */
+    /** When a row is delivered, no primitive has been queried about a lower row. */
     @Rule(
-        intent = "Who promises STREAMS_ROWS hands out a row before later rows are begun, so the first one comes soon.",
-        look = "Hand a row out at the end of its turn; ask a primitive for spans when its row has come, not before.",
+        intent = "A renderer with STREAMS_ROWS delivers a row before it starts later rows, so that the first one " +
+            "arrives soon.",
+        look = "Deliver a row as soon as it is finished; query a primitive's spans for a row when that row is " +
+            "rendered.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_3_promiseToStreamRowsIsKept(@ForAll(supplier = MixedCases::class) case: FrameCase) {
@@ -53,15 +58,15 @@ public sealed interface PromiseRules : RulesForOne {
         val witness = RowWitness(case.frame)
         var early: String? = null
         renderer.render(witness.frame) { y, _, _, _ ->
-            if (witness.last > y) early = early ?: "row $y arrives after questions about row ${witness.last}"
+            if (witness.last > y) early = early ?: "row $y is delivered after queries about row ${witness.last}"
         }
         early?.let { Judgement(renderer, case).fail(it) }
     }
 
-    /** Whoever stops after some rows has not paid for those below. */
+    /** Stopping after some rows avoids the cost of the rows below. */
     @Rule(
-        intent = "Who promises STREAMS_ROWS does the work of the rows that are taken, and no more.",
-        look = "When the sink throws, let it pass at once: no row is finished, begun or fetched in a finally block.",
+        intent = "A renderer with STREAMS_ROWS does the work of the rows that the sink accepts, and no more.",
+        look = "When the sink throws, rethrow at once: do not finish, start or fetch a row in a finally block.",
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_3_rowsThatAreNotPulledCostNothing(
@@ -74,14 +79,14 @@ public sealed interface PromiseRules : RulesForOne {
         val last = Math.floorMod(salt, case.frame.height)
         answer { renderer.render(witness.frame) { y, _, _, _ -> check(y < last) { "enough" } } }
         if (witness.last <= last) return
-        Judgement(renderer, case).fail("rows are taken up to $last, a primitive is asked about row ${witness.last}")
+        Judgement(renderer, case).fail("the sink stops at row $last, a primitive is queried about row ${witness.last}")
     }
 
     /** A selector chooses among all fragments of a sample that pass against the background, nearest first. */
     @Rule(
         intent =
-        "Who promises SELECTION shows what the caller's selector chooses among all fragments of a sample, and the " +
-            "usual without one.",
+        "A renderer with SELECTION shows what the caller's selector chooses among all fragments of a sample; " +
+            "without a selector it shows the usual picture.",
         look = "A cell has every fragment that passes against the background, in the order of the depth test.",
     )
     @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -105,10 +110,10 @@ public sealed interface PromiseRules : RulesForOne {
         }
     }
 
-    /** Several threads are at work on a picture that is large enough. */
+    /** Several threads work on a picture that is large enough. */
     @Rule(
-        intent = "Who promises PARALLEL uses the threads it is given, and no more of them at the same time.",
-        look = "Several threads must ask primitives or shade; count those that work, the caller included.",
+        intent = "A renderer with PARALLEL uses the threads that it is given, and never more of them at the same time.",
+        look = "Several threads must query primitives or shade; count those that work, including the caller.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_promiseToWorkInParallelIsKept() {
@@ -118,10 +123,10 @@ public sealed interface PromiseRules : RulesForOne {
         notTooManyThreads(renderer)
     }
 
-    /** Counters are the same for any number of threads, but for the peak of memory. */
+    /** Counters are the same for any number of threads, except peak memory. */
     @Rule(
-        intent = "Who promises PARALLEL does the same work with any number of threads, so counters compare.",
-        look = "Look for work that depends on which thread was first, and for counters that threads share.",
+        intent = "A renderer with PARALLEL does the same work with any number of threads, so counters are comparable.",
+        look = "Look for work that depends on which thread comes first, and for counters that threads share.",
     )
     @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_countersDoNotDependOnThreads(@ForAll(supplier = MixedCases::class) case: FrameCase) {
@@ -134,14 +139,14 @@ public sealed interface PromiseRules : RulesForOne {
         val counters = judgements.map { it.rendering.counters.withoutMemory() }
         for (i in 1 until counters.size) {
             if (counters[i] == counters[0]) continue
-            judgements[i].fail("one thread counts ${counters[0]}, several ${counters[i]}")
+            judgements[i].fail("one thread counts ${counters[0]}, but several count ${counters[i]}")
         }
     }
 
-    /** Suspensions take no more memory than the budget allows, and any budget gives the same picture. */
+    /** Suspended shading takes no more memory than the budget allows, and every budget gives the same picture. */
     @Rule(
-        intent = "Who promises MEMORY_BUDGET keeps to it: working memory besides the image's is within the budget.",
-        look = "Free before you allocate, count what is about to be held, and do without where nothing fits.",
+        intent = "A renderer with MEMORY_BUDGET holds no more than the budget, in addition to the image's memory.",
+        look = "Free before you allocate, count memory before you hold it, and do without it where nothing fits.",
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_promiseToKeepToTheBudgetIsKept(@ForAll(supplier = MixedCases::class) case: FrameCase) {
@@ -152,18 +157,20 @@ public sealed interface PromiseRules : RulesForOne {
             val configured = renderer.configured(RenderOptions(memoryBudget = budget, threads = 1))
             val judgement = Judgement(configured, case, "a budget of $budget").equalsReference()
 
-            // The image is no more than what a frame without primitives takes, nor than what is held without a budget
+            // The image's memory is at most what a frame without primitives takes, and at most what is held with any
+            // budget
             val empty = Rendering.of(configured, Frame(case.frame.raster, emptyList(), case.frame.region))
             least = minOf(least, empty.counters.peakBytes, judgement.rendering.counters.peakBytes)
             val held = judgement.rendering.counters.peakBytes - least
-            if (held > budget) judgement.fail("$held bytes are held besides the image's, which are at most $least")
+            if (held > budget) judgement.fail("$held bytes are held in addition to the image's, at most $least")
         }
     }
 
-    /** What the garbage collector leaves is within the budget, too. */
+    /** The memory that remains after garbage collection is within the budget, too. */
     @Rule(
-        intent = "Who promises MEMORY_BUDGET keeps to it on the heap, not only by its own count.",
-        look = "Look for what is held and not counted: objects, lists of suspended colours, arrays that only grow.",
+        intent = "A renderer with MEMORY_BUDGET keeps to the budget on the heap, not only according to its counters.",
+        look = "Look for memory that is held but not counted: objects, lists of suspended colours, arrays that only " +
+            "grow.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_heapKeepsToTheBudget() {
@@ -172,10 +179,11 @@ public sealed interface PromiseRules : RulesForOne {
         budgetOnTheHeap(renderer)
     }
 
-    /** Hidden primitives, however many, take no memory. */
+    /** Hidden primitives take no memory, however many there are. */
     @Rule(
-        intent = "Who promises STREAMS_PRIMITIVES does not keep them: memory does not grow with their number.",
-        look = "Look for lists, bins or arrays of all primitives, and for records of those that are hidden.",
+        intent = "A renderer with STREAMS_PRIMITIVES does not store primitives: memory does not grow with their " +
+            "number.",
+        look = "Look for lists, bins or arrays of all primitives, and for records of hidden ones.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_promiseToStreamPrimitivesIsKept() {

@@ -2,21 +2,20 @@ package dev.lazyz.conformance.rules
 
 /** How binding a rule is, as in RFC 2119. */
 public enum class Level {
-    /** Who breaks it is no renderer: pictures, memory or promises are wrong. */
+    /** A renderer that breaks the rule does not conform: pictures, memory or declared capabilities are wrong. */
     MUST,
 
-    /** Who breaks it gives right pictures, at a cost or in a way that users do not expect. */
+    /** A renderer that breaks the rule renders correct pictures, but at a cost or in a way that users do not expect. */
     SHOULD,
 }
 
 /**
- * A rule of the contract as a test of the suite. The method's name begins with the rule's number, `rule_5_2_`.
- *
- * @property level how binding it is
- * @property intent why there is such a rule, one sentence
- * @property look what to look at in one's renderer when it fails, one sentence
- * @property about symptoms of mistakes that the rule is about, in failures of whichever rule; none if such a mistake shows
- *   only by what this rule does, as when it calls a renderer from several threads
+ * Marks a test of the suite as a rule of the contract. The method's name begins with the rule's number, `rule_5_2_`.
+ * @property level how binding the rule is
+ * @property intent why the rule exists, in one sentence
+ * @property look where to look in the renderer when the rule fails, in one sentence
+ * @property about symptoms of the mistakes that this rule tests for, as seen in failures of any rule; empty if such a
+ *   mistake shows only in what this rule does, for example when it calls a renderer from several threads
  */
 @Target(AnnotationTarget.FUNCTION)
 @Retention(AnnotationRetention.RUNTIME)

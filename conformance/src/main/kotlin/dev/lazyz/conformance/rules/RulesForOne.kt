@@ -3,14 +3,17 @@ package dev.lazyz.conformance.rules
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.FrameCase
 
-/** The suite's seed, unless a run names another; each rule's own seed is made of it and of the rule's name. */
+/** The suite's default seed. Each rule's own seed is computed from this seed and the rule's name. */
 internal const val FIXED: String = "1995"
 
-/** A part of the suite's rules, and the one renderer that they are about. All parts together are [AllRules]. */
+/** A part of the suite's rules for one renderer. [AllRules] combines all parts. */
 public sealed interface RulesForOne {
-    /** Returns the renderer to judge, a new one or always the same. Called once for each try of each rule. */
+    /**
+     * Returns the renderer to test: either a new instance or always the same one. Called once for each try of each
+     * rule.
+     */
     public fun renderer(): Renderer
 
-    /** Returns frames of the user's own, besides those of the suite. */
+    /** Returns the user's own frames, in addition to those of the suite. */
     public fun frames(): List<FrameCase>
 }

@@ -19,10 +19,11 @@ import net.jqwik.api.Property
 /** Rules about colours: scenes with light, normals, textures and blended materials. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
 public sealed interface ShadingRules : RulesForOne {
-    /** Materials that blend show what lies behind; made opaque, they are materials like any other. */
+    /** Blended materials show what is behind them; made opaque, they are like any other material. */
     @Rule(
-        intent = "Alpha of materials, of textures and of vertex colours blends, whichever side of a face is seen.",
-        look = "Sort a sample's fragments by key and blend as rule 5.5 says; else render Frame.asOpaque() as it is.",
+        intent = "Alpha of materials, textures and vertex colours blends, for both sides of a face.",
+        look = "Sort a sample's fragments by key and blend as rule 5.5 defines; otherwise render Frame.asOpaque() " +
+            "unchanged.",
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_translucentMaterialsBlendInOrderOfDepth(
@@ -33,10 +34,12 @@ public sealed interface ShadingRules : RulesForOne {
         Judgement(renderer, if (isBlending) case else case.asOpaque()).equalsReference()
     }
 
-    /** Alpha of exactly 0 and exactly 1, and light without bounds, blend as they are defined. */
+    /** Alpha of exactly 0 or 1, and light without limits, blend as defined. */
     @Rule(
-        intent = "What has alpha 0 is passed over, whatever its light; where all has, the backdrop is shown as it is.",
-        look = "Skip alpha 0 before multiplying, stop at transmittance 0, and do not divide by a sum of weights of 0.",
+        intent = "Fragments with alpha 0 are skipped, whatever their light; where all have alpha 0, the backdrop is " +
+            "unchanged.",
+        look = "Skip alpha 0 before multiplying, stop at transmittance 0, and do not divide by a sum of weights that " +
+            "is 0.",
         about = [Symptom.TRANSLUCENT],
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -46,10 +49,11 @@ public sealed interface ShadingRules : RulesForOne {
         Judgement(renderer, case.dazzling()).equalsReference()
     }
 
-    /** What has nearly the same colour everywhere is shaded sample by sample, with a shading cursor or without. */
+    /** Surfaces with nearly the same colour everywhere are shaded at every sample, with or without a shading cursor. */
     @Rule(
-        intent = "A colour belongs to its sample: that neighbours have another, or the same, says nothing about it.",
-        look = "Look for a colour found once for a run, a row or a primitive, and for runs filled between equal ends.",
+        intent = "Each sample has its own colour, even where all its neighbours have the same colour.",
+        look = "Look for one colour used for a run, a row or a primitive, and for runs filled because both ends are " +
+            "equal.",
         about = [Symptom.COLOR],
     )
     @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -57,10 +61,10 @@ public sealed interface ShadingRules : RulesForOne {
         Judgement(renderer(), case.flecked()).equalsReference()
     }
 
-    /** Light that is infinite, negative or no number is packed as any other. */
+    /** Infinite, negative or NaN light is packed as defined. */
     @Rule(
-        intent = "A component is clamped to 0..1 and NaN is 0, whatever a shader computes.",
-        look = "Pack by Fragment.toArgb, or compare so that NaN fails: neither casts nor tables know what it is.",
+        intent = "A component is clamped to 0..1 and NaN becomes 0, whatever a shader computes.",
+        look = "Pack with Fragment.toArgb, or compare so that NaN fails; casts and tables do not handle NaN.",
         about = [Symptom.COLOR],
     )
     @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -68,10 +72,11 @@ public sealed interface ShadingRules : RulesForOne {
         Judgement(renderer(), case.dazzling()).equalsReference()
     }
 
-    /** Faces seen from behind are lit as the viewer sees them: shading of back faces. */
+    /** Faces seen from behind are lit as the viewer sees them (shading of back faces). */
     @Rule(
-        intent = "Shading of back faces: normals are turned to the viewer, be they equal at the vertices or not.",
-        look = "Look for a shortcut, for equal normals or for long rows of samples, that forgets to turn the normal.",
+        intent = "Shading of back faces: normals are turned to the viewer, whether or not they are equal at all " +
+            "vertices.",
+        look = "Look for a fast path, for equal normals or for long rows of samples, that does not turn the normal.",
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_6_5_normalsOfBackFacesAreTurnedToTheViewer(
@@ -80,9 +85,9 @@ public sealed interface ShadingRules : RulesForOne {
         Judgement(renderer(), case).equalsReference()
     }
 
-    /** Light, highlights, emission, vertex colours and textures are right at every sample of long rows. */
+    /** Light, highlights, emission, vertex colours and textures are correct at every sample of long rows. */
     @Rule(
-        intent = "A sample's light, texture and vertex colours are the same however many are shaded at once.",
+        intent = "A sample's light, texture and vertex colours do not depend on how many samples are shaded at once.",
         look = "Compare the attributes of the sample that differs with Primitive.shade: weights, normal, u and v.",
         about = [Symptom.COLOR],
     )

@@ -19,13 +19,15 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** Rules about frames that are large in one respect: sides, spans, layers, indices. Part of `RendererConformance`. */
+/** Rules about frames that are large in one respect: sides, spans, layers or indices. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
 public sealed interface SizeRules : RulesForOne {
-    /** Rasters of several tiles and bands, whatever their size, most with odd sides. */
+    /** Rasters of several tiles and bands, of any size; most have odd sides. */
     @Rule(
-        intent = "A picture of many tiles is right in each of them, and in what is left over at the right and below.",
-        look = "Look at the last column and row of a tile or band, at the last tile, and at what crosses tiles.",
+        intent = "A picture of many tiles is correct in each tile, including the partial tiles at the right and the " +
+            "bottom.",
+        look = "Look at the last column and row of a tile or band, at the last tile, and at primitives that cross " +
+            "tiles.",
     )
     @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_1_1_rastersOfSeveralTilesAreOrdinary(
@@ -34,29 +36,29 @@ public sealed interface SizeRules : RulesForOne {
         Judgement(renderer(), case).equalsReference().rowsInOrder()
     }
 
-    /** Columns and rows beyond 65,536, on long rasters and in parts of large ones. */
+    /** Columns and rows beyond 65,536, on long rasters and in regions of large ones. */
     @Rule(
-        intent = "A side has up to 262,144 samples: columns and rows need 18 bits, and a raster's size needs 36.",
-        look = "Look for columns and rows in 16 bits, and for row times width in 32; keep what the region needs.",
+        intent = "A side has up to 262,144 samples: columns and rows need 18 bits, and the size of a raster needs 36.",
+        look = "Look for columns and rows in 16 bits, and for row times width in 32; allocate only for the region.",
     )
     @Property(tries = 12, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_1_1_columnsAndRowsAreNotCut(@ForAll(supplier = FarAwayCases::class) case: FrameCase) {
         Judgement(renderer(), case).equalsReference().rowsInOrder()
     }
 
-    /** Dozens of spans in a row of one primitive. */
+    /** Dozens of spans in one row of a primitive. */
     @Rule(
-        intent = "A primitive covers any number of spans in a row.",
-        look = "Look for arrays of a fixed number of spans or edges, and for what happens when they are full.",
+        intent = "A primitive can have any number of spans in a row.",
+        look = "Look for arrays with a fixed number of spans or edges, and for what happens when they are full.",
     )
     @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_2_3_manySpansInARowAreOrdinary(@ForAll(supplier = ManySpansCases::class) case: FrameCase) {
         Judgement(renderer(), case).equalsReference()
     }
 
-    /** Dozens of primitives at a sample; blended, too, by renderers that blend. */
+    /** Dozens of primitives at one sample. Also blended, by renderers that blend. */
     @Rule(
-        intent = "The minimum is the minimum of any number of fragments, in whatever order they come.",
+        intent = "The visible fragment is the minimum of any number of fragments, in any order.",
         look = "Look for lists of fragments, bins or active primitives of a fixed length.",
     )
     @Property(tries = 12, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -66,7 +68,7 @@ public sealed interface SizeRules : RulesForOne {
 
     /** Thousands of primitives at each of a few samples. */
     @Rule(
-        intent = "The minimum is the minimum of thousands of fragments, too, and finding it takes no stack.",
+        intent = "The minimum is also correct for thousands of fragments, without deep recursion.",
         look = "Look for recursion from primitive to primitive, and for counts of fragments in a byte or a short.",
     )
     @Property(tries = 6, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -76,10 +78,10 @@ public sealed interface SizeRules : RulesForOne {
         Judgement(renderer(), case).equalsReference()
     }
 
-    /** Dozens of layers that each let through nearly all of what is behind. */
+    /** Dozens of layers, each nearly transparent. */
     @Rule(
-        intent = "Blending takes every fragment that shows through, however many there are.",
-        look = "Look for a greatest number of layers, and for fragments that are merged or dropped to save memory.",
+        intent = "Blending includes every fragment that shows through, however many there are.",
+        look = "Look for a limit on the number of layers, and for fragments that are merged or dropped to save memory.",
     )
     @Property(tries = 12, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_dozensOfThinLayersBlend(@ForAll(supplier = DozensOfLayersCases::class) case: FrameCase) {
@@ -88,10 +90,10 @@ public sealed interface SizeRules : RulesForOne {
         Judgement(renderer, case.thin(case.frame.primitives.size)).equalsReference()
     }
 
-    /** Indices that a float cannot hold, behind more than 2^24 primitives that cover nothing. */
+    /** Indices that a float cannot represent, behind more than 2^24 primitives that cover nothing. */
     @Rule(
-        intent = "Indices have 31 bits: those above 2^24 are neither rounded by a float nor cut to 24 bits.",
-        look = "Look at keys that are packed with less than 31 bits of index, and at indices in floating point.",
+        intent = "Indices have 31 bits: those above 2^24 are neither rounded to a float nor cut to 24 bits.",
+        look = "Look at keys that pack fewer than 31 bits of index, and at indices in floating point.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_9_4_indicesAboveTwoToThe24AreExact(@ForAll(supplier = TwoRowsCases::class) case: FrameCase) {

@@ -15,20 +15,20 @@ import dev.lazyz.conformance.probes.threads.Interruption
 import dev.lazyz.conformance.probes.threads.Meeting
 import dev.lazyz.conformance.probes.threads.Where
 import dev.lazyz.conformance.probes.threads.atOnce
+import dev.lazyz.conformance.probes.threads.reportsInterrupt
 import dev.lazyz.conformance.probes.threads.rightInACrowd
-import dev.lazyz.conformance.probes.threads.tellsOfInterrupt
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** Rules about threads, and what the sink may rely on. Part of `RendererConformance`. */
+/** Rules about threads, and about what the sink can rely on. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
 public sealed interface ThreadRules : RulesForOne {
-    /** Renderings of several threads that ask for spans and colours at the same time do not disturb each other. */
+    /** Renderings in several threads that query spans and colours at the same time do not disturb each other. */
     @Rule(
-        intent = "A renderer may be used by several threads at once, at any moment of their renderings.",
-        look = "Look for fragments, spans and rows in fields of the renderer, or where all renderings share them.",
+        intent = "Several threads may use a renderer at once, at any moment of their renderings.",
+        look = "Look for fragments, spans and rows in fields of the renderer, or in state shared by all renderings.",
     )
     @Property(tries = 4, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_renderingsThatMeetDoNotDisturbEachOther(@ForAll salt: Long) {
@@ -39,10 +39,10 @@ public sealed interface ThreadRules : RulesForOne {
         }
     }
 
-    /** The sink is called on the thread that called the renderer, and never while it is at work. */
+    /** The sink is called on the thread that called the renderer, and never by two calls at the same time. */
     @Rule(
         intent = "A sink needs no locks: it is called on the caller's thread, one row at a time.",
-        look = "Hand rows out where render was called; other threads leave finished rows to that one.",
+        look = "Deliver rows on the thread that called render; other threads pass their finished rows to that thread.",
     )
     @Property(tries = 20, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_8_sinkIsCalledOnTheCallersThread(@ForAll(supplier = MixedCases::class) case: FrameCase) {
@@ -52,10 +52,10 @@ public sealed interface ThreadRules : RulesForOne {
         sink.complaint?.let { Judgement(renderer, case).fail(it) }
     }
 
-    /** Rows hold still while the sink has them, and what it writes into them changes nothing in later rows. */
+    /** A row does not change while the sink uses it, and what the sink writes into it does not affect later rows. */
     @Rule(
-        intent = "A row is the sink's during the call: nobody else writes there, and the sink may.",
-        look = "Fill every element of a row anew, or keep what later rows build on in arrays of your own.",
+        intent = "During the call the row belongs to the sink: the renderer must not write to it, but the sink may.",
+        look = "Overwrite every element of each row, or keep what later rows need in separate arrays.",
     )
     @Property(tries = 30, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_8_sinkMayOverwriteItsRows(@ForAll(supplier = MixedCases::class) case: FrameCase) {
@@ -68,15 +68,17 @@ public sealed interface ThreadRules : RulesForOne {
         Judgement(renderer, case, "a sink that overwrites its rows").fail("", difference)
     }
 
-    /** Who is interrupted gets the picture with the interrupt status still set, or an exception with it cleared. */
+    /**
+     * After an interrupt, the caller gets the picture with the interrupt status set, or an exception with it cleared.
+     */
     @Rule(
-        intent = "An interrupt is never lost: the caller learns of it by the status or by the exception.",
-        look = "Where InterruptedException is caught or Thread.interrupted() called: throw it on, or set the status.",
+        intent = "An interrupt is never lost: the caller sees it in the interrupt status or as an exception.",
+        look = "Where you catch InterruptedException or call Thread.interrupted(), rethrow it or set the status again.",
     )
     @Property(tries = 15, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_8_interruptIsNotLost(@ForAll(supplier = MixedCases::class) case: FrameCase, @ForAll salt: Long) {
         val renderer = renderer()
-        for (moment in Interruption.entries) tellsOfInterrupt(renderer, case, moment, Random(salt))
+        for (moment in Interruption.entries) reportsInterrupt(renderer, case, moment, Random(salt))
     }
 
     private companion object {

@@ -22,13 +22,16 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** Rules about use: again, at once, interrupted, by callers that fail. Part of `RendererConformance`. */
+/**
+ * Rules about how a renderer is used: again, by several threads, interrupted, by callers that fail. Part of
+ * `RendererConformance`.
+ */
 @Suppress("ktlint:standard:function-naming")
 public sealed interface UseRules : RulesForOne {
-    /** A renderer that renders a frame again after others, or another part of it, gives the same bits. */
+    /** A renderer that renders a frame again, after other frames or another part of it, gives the same bits. */
     @Rule(
-        intent = "A renderer has no memory: the same frame gives the same bits, whatever came in between.",
-        look = "Look for buffers that are kept in the renderer, and are not cleared, or not as large as this frame.",
+        intent = "A renderer has no memory of earlier calls: the same frame always gives the same bits.",
+        look = "Look for buffers that the renderer keeps without clearing them, or that are too small for this frame.",
         about = [Symptom.AGAIN],
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -38,10 +41,11 @@ public sealed interface UseRules : RulesForOne {
         for (case in cases + parts + cases) Judgement(renderer, case).equalsReference().equalsItsImage()
     }
 
-    /** Frames that rules have failed on before, and those of the user's own, are right. */
+    /** Frames on which rules have failed before, and the user's own frames, are correct. */
     @Rule(
-        intent = "What was wrong once stays right, and a user's own frames and meshes are as good as the suite's.",
-        look = "The message names the file: it says what the frame is like that the suite's own do not have.",
+        intent = "Past failures stay fixed, and the user's own frames and meshes are rendered as correctly as the " +
+            "suite's.",
+        look = "The message names the file: find out how that frame differs from the suite's frames.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_framesOfOnesOwnAreRight() {
@@ -50,8 +54,8 @@ public sealed interface UseRules : RulesForOne {
 
     /** A renderer that several threads use at once, each for another frame, gives the same bits. */
     @Rule(
-        intent = "A renderer may be used from several threads at once, each with a frame of its own.",
-        look = "Look for fields of the renderer that a rendering writes: state belongs to the call.",
+        intent = "Several threads may use a renderer at once, each with its own frame.",
+        look = "Look for fields of the renderer that a rendering writes; keep such state local to the call.",
     )
     @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_sameBitsFromSeveralThreads(@ForAll(supplier = SeveralCases::class) cases: List<FrameCase>) {
@@ -59,9 +63,9 @@ public sealed interface UseRules : RulesForOne {
         atOnce(cases) { case -> repeat(3) { Judgement(renderer, case).equalsReference() } }
     }
 
-    /** A frame that has been rendered, and its sink, can be collected as garbage though the renderer is in use. */
+    /** A rendered frame and its sink can be garbage collected while the renderer is still in use. */
     @Rule(
-        intent = "A renderer keeps nothing between calls: who lets go of a frame gets its memory back.",
+        intent = "A renderer keeps nothing between calls, so that the memory of a released frame can be reclaimed.",
         look = "Look for fields, caches and thread locals that hold the last frame, its primitives or its sink.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -69,10 +73,10 @@ public sealed interface UseRules : RulesForOne {
         keepsNothing(renderer())
     }
 
-    /** What a primitive throws reaches the caller, as it is, and does no harm to later renderings. */
+    /** An exception thrown by a primitive reaches the caller unchanged, and does not affect later renderings. */
     @Rule(
-        intent = "A failure of the caller's code is the caller's to see, as it is, and leaves no trace.",
-        look = "Look for catch blocks, for threads whose failures nobody asks for, and for state after a failure.",
+        intent = "A failure of the caller's code reaches the caller unchanged, and leaves no trace in the renderer.",
+        look = "Look for catch blocks, for threads whose failures are never checked, and for state after a failure.",
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_exceptionsOfPrimitivesReachTheCaller(
@@ -89,10 +93,10 @@ public sealed interface UseRules : RulesForOne {
         Judgement(renderer, case).equalsReference()
     }
 
-    /** A thread that is interrupted gets the whole picture or an InterruptedException, soon. */
+    /** An interrupted thread soon gets the whole picture or an InterruptedException. */
     @Rule(
-        intent = "Interrupting the calling thread never hangs and never gives a wrong picture.",
-        look = "Look for waiting that is repeated when it is interrupted, and for rows that are handed out half done.",
+        intent = "Interrupting the calling thread causes neither a hang nor a wrong picture.",
+        look = "Look for waits that are repeated after an interrupt, and for rows that are delivered half finished.",
     )
     @Property(tries = 10, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_interruptedThreadsEnd(@ForAll(supplier = MixedCases::class) case: FrameCase) {
@@ -101,10 +105,10 @@ public sealed interface UseRules : RulesForOne {
         Judgement(renderer, case).equalsReference()
     }
 
-    /** What the sink throws reaches the caller, as it is, and the sink gets no further row. */
+    /** An exception thrown by the sink reaches the caller unchanged, and the sink gets no further row. */
     @Rule(
-        intent = "Who takes the rows may stop by throwing: nothing is swallowed, and no row comes after.",
-        look = "Call the sink outside of try blocks, on the calling thread, and end all threads before passing it on.",
+        intent = "A sink may stop the rendering by throwing: the exception is not swallowed, and no row follows.",
+        look = "Call the sink outside of try blocks, on the calling thread, and end all threads before you rethrow.",
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_3_exceptionsOfTheSinkReachTheCaller(
@@ -120,15 +124,16 @@ public sealed interface UseRules : RulesForOne {
             renderer.render(case.frame) { _, _, _, _ -> if (rows++ >= last) throw planted }
         }
         val judgement = Judgement(renderer, case)
-        if (answer !== planted) judgement.fail("the sink threw $planted, the caller got $answer", answer)
-        if (rows != last + 1) judgement.fail("the sink threw at row number ${last + 1}, and was called $rows times")
+        if (answer !== planted) judgement.fail("the sink threw $planted, but the caller got $answer", answer)
+        if (rows != last + 1) judgement.fail("the sink threw at call number ${last + 1}, but was called $rows times")
         judgement.equalsReference()
     }
 
-    /** Rows arrive from the top to the bottom, each once. */
+    /** Rows are delivered from top to bottom, each once. */
     @Rule(
-        intent = "Sinks write files and feed encoders: each row once, from the top.",
-        look = "Look at the order in which blocks, tiles or threads finish, and at the last rows, which fill no block.",
+        intent = "Sinks write files and feed encoders, so each row is delivered once, from the top.",
+        look = "Look at the order in which blocks, tiles or threads finish, and at the last rows, which do not fill " +
+            "a block.",
         about = [Symptom.ROWS],
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -136,11 +141,11 @@ public sealed interface UseRules : RulesForOne {
         Judgement(renderer(), case).rowsInOrder()
     }
 
-    /** What lies wholly outside the region is asked for its bounds, and for nothing else. */
+    /** A primitive wholly outside the region is asked for its bounds, and for nothing else. */
     @Rule(
         level = Level.SHOULD,
-        intent = "The picture of a region costs what is in the region: what lies outside is left alone.",
-        look = "Compare a primitive's bounds with the region before it is asked for spans, a cursor or a depth.",
+        intent = "The cost of rendering a region depends on what is in the region, not on what is outside.",
+        look = "Compare a primitive's bounds with the region before you ask it for spans, a cursor or a depth.",
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_7_whatIsOutsideTheRegionIsLeftAlone(
@@ -153,11 +158,11 @@ public sealed interface UseRules : RulesForOne {
         renderer.render(witness.frame) { _, _, _, _ -> }
         val asked = witness.asked ?: return
         val judgement = Judgement(renderer, part)
-        judgement.fail("primitive $asked lies outside the region, and is asked for more than its bounds")
+        judgement.fail("primitive $asked lies outside the region, but is queried for more than its bounds")
     }
 
     private companion object {
-        /** A primitive throws before it has answered as many questions. */
+        /** Exclusive limit of the number of calls that a primitive answers before it throws. */
         const val MOST_CALLS = 20
     }
 }

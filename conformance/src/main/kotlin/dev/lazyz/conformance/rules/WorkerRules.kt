@@ -3,9 +3,9 @@ package dev.lazyz.conformance.rules
 import dev.lazyz.RenderOptions
 import dev.lazyz.conformance.probes.threads.Crowd
 import dev.lazyz.conformance.probes.threads.Where
+import dev.lazyz.conformance.probes.threads.completesOrThrowsIfInterrupted
 import dev.lazyz.conformance.probes.threads.countsInACrowd
-import dev.lazyz.conformance.probes.threads.heedsWorkersThoughInterrupted
-import dev.lazyz.conformance.probes.threads.nobodyAsksAfterTheEnd
+import dev.lazyz.conformance.probes.threads.makesNoLateQueries
 import dev.lazyz.conformance.probes.threads.passesOnFailuresOfWorkers
 import dev.lazyz.conformance.probes.threads.rightInACrowd
 import dev.lazyz.conformance.probes.threads.whileTheyMeet
@@ -13,43 +13,46 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
-/** Rules about threads of the renderer's own, and what becomes of their work. Part of `RendererConformance`. */
+/** Rules about the renderer's own threads and the results of their work. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
 public sealed interface WorkerRules : RulesForOne {
-    /** What a primitive throws in a thread of the renderer's own reaches the caller: exceptions and errors. */
+    /** What a primitive throws in one of the renderer's own threads reaches the caller: exceptions and errors. */
     @Rule(
-        intent = "A failure is the caller's to see, whichever thread ran into it, errors included.",
-        look = "Catch Throwable in each thread, pass the first on in the caller's, and draw nothing that is half done.",
+        intent = "A failure in any thread reaches the caller, including errors.",
+        look = "Catch Throwable in each thread, rethrow the first in the caller's thread, and deliver no " +
+            "half-finished row.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_failuresOfItsThreadsReachTheCaller() {
         passesOnFailuresOfWorkers(renderer().configured(FOUR_THREADS))
     }
 
-    /** When a rendering has failed, its threads ask nothing more. */
+    /** After a rendering has failed, its threads make no more calls. */
     @Rule(
-        intent = "When a rendering has ended its frame is the caller's again, who may close what is behind it.",
-        look = "Wait for all threads before you pass on a failure of the caller's own part, or of the sink.",
+        intent = "When a rendering has ended, the caller may close the resources that its frame uses.",
+        look = "Wait for all threads before you rethrow a failure of the caller's own part or of the sink.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_nobodyAsksAfterTheEnd() {
-        nobodyAsksAfterTheEnd(renderer().configured(FOUR_THREADS))
+        makesNoLateQueries(renderer().configured(FOUR_THREADS))
     }
 
-    /** A caller that is interrupted while the renderer's own threads are at work gets no half of a picture. */
+    /** A caller that is interrupted while the renderer's own threads are working never gets half a picture. */
     @Rule(
-        intent = "Who is interrupted while it waits for its threads waits on, or throws: half a picture is none.",
-        look = "Look at each join, get, await and acquire: after InterruptedException the others' work is not done.",
+        intent = "A caller interrupted while it waits for worker threads keeps waiting or throws: half a picture is " +
+            "wrong.",
+        look = "Look at each join, get, await and acquire: after InterruptedException the other threads are not " +
+            "finished.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_interruptedCallersGetNoHalfPicture() {
         val renderer = renderer().configured(FOUR_THREADS)
-        for (isBefore in listOf(true, false)) heedsWorkersThoughInterrupted(renderer, isBefore)
+        for (isBefore in listOf(true, false)) completesOrThrowsIfInterrupted(renderer, isBefore)
     }
 
-    /** Threads of one rendering that work on the same sample, or ask at the same time, lose nothing. */
+    /** Threads of one rendering that work on the same sample, or query at the same time, lose nothing. */
     @Rule(
-        intent = "Any number of threads gives the same bits, at whatever moment they meet.",
+        intent = "Any number of threads gives the same bits, however their work is interleaved.",
         look = "Look for keys that are read, compared and written without a lock, and for rows, spans and fragments " +
             "that threads share.",
     )
@@ -66,7 +69,7 @@ public sealed interface WorkerRules : RulesForOne {
     /** Threads of one rendering that count at the same time count everything. */
     @Rule(
         intent = "Counters are exact, however many threads count.",
-        look = "Give each thread counters of its own and add them up at the end; an increment is a read and a write.",
+        look = "Give each thread its own counters and add them up at the end; an increment is a read and a write.",
         about = [Symptom.COUNTERS],
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)

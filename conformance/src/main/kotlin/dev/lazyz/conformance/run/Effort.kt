@@ -20,31 +20,36 @@ import net.jqwik.api.lifecycle.TryExecutor
 import net.jqwik.api.lifecycle.TryLifecycleContext
 import org.opentest4j.TestAbortedException
 
-/** Sets tries and seed of the suite's rules, by a run of `Conformance` or by system properties, and judges. */
+/**
+ * jqwik hook: sets tries and seed of the suite's rules, from a run of `Conformance` or from system properties, and
+ * determines their outcomes.
+ */
 internal class Effort :
     AroundContainerHook,
     AroundPropertyHook,
     AroundTryHook {
-    /** Of the class whose rules are tried; jqwik makes one hook for all, and runs one class after the other. */
+    /**
+     * The tally of the current test class. jqwik creates one hook for all classes, and runs one class after the other.
+     */
     private var tally = Tally()
 
     override fun beforeContainer(context: ContainerLifecycleContext) {
         tally = Tally()
-        context.optionalContainerClass().ifPresent { requireRulesAsTheyAre(it) }
+        context.optionalContainerClass().ifPresent { requireRulesNotOverridden(it) }
     }
 
-    /** Rules are functions of interfaces, which cannot be final: this is what keeps test classes from overriding them. */
-    private fun requireRulesAsTheyAre(type: Class<*>) {
+    /** Checks that no test class overrides a rule. Rules are functions of interfaces, which cannot be final. */
+    private fun requireRulesNotOverridden(type: Class<*>) {
         if (!AllRules::class.java.isAssignableFrom(type)) return
         for (rule in SuiteRule.all) {
             val found = type.getMethod(rule.name, *rule.method.parameterTypes)
             check(found.declaringClass == rule.method.declaringClass) {
-                "${type.name} overrides $rule; a rule that cannot be kept is waived"
+                "${type.name} overrides $rule; to allow a failure, use a waiver"
             }
         }
     }
 
-    /** Leaves alone what a subclass adds. */
+    /** Ignores tests that a subclass adds. */
     override fun appliesTo(element: Optional<AnnotatedElement>): Boolean =
         element.map {
             it !is Method || it.declaringClass.isAssignableFrom(AllRules::class.java)
@@ -58,13 +63,13 @@ internal class Effort :
         val run = RunUnderWay.current
         val settings = run?.settings ?: Settings.ofProperties()
 
-        // Make the effort that is asked for
+        // Set the number of tries, the seed and the shrinking mode
         val attributes = context.attributes()
         attributes.setTries((attributes.tries().orElse(1) * settings.tries).toInt().coerceAtLeast(1))
         attributes.setSeed(rule.seed(settings.seed ?: SuiteRule.fixedSeed).toString())
         if (run != null) attributes.setShrinking(settings.shrinking.mode)
 
-        // Try the rule, and judge
+        // Run the rule and determine its outcome
         val journal = run?.journal
         journal?.begins(rule)
         val (result, verdict) = Trial(rule, settings.waivers.of(rule.name), settings.deadline, tally.steps, journal)
@@ -109,12 +114,12 @@ internal class Effort :
     ): TryExecutionResult {
         val rule = SuiteRule.find(context.targetMethod().name) ?: return attempt.execute(parameters)
 
-        // Where a build tool has jqwik shrink for some seconds, its search goes on when the rule is over
+        // jqwik may bound shrinking by time and then continue the search after the rule has ended
         val trial = Trial.current?.takeIf { it.rule == rule } ?: throw ShrinkingEnds()
         return trial.attempt(parameters) { attempt.execute(parameters) }
     }
 
-    /** What jqwik tells whoever runs it. */
+    /** Returns the result that jqwik reports to its caller. */
     private fun translated(result: PropertyExecutionResult, verdict: RuleResult): PropertyExecutionResult =
         when (verdict.outcome) {
             RuleOutcome.PASSED, RuleOutcome.FAILED, RuleOutcome.CRASHED, RuleOutcome.TIMED_OUT, RuleOutcome.FLAKY ->

@@ -12,15 +12,15 @@ import kotlin.io.path.readLines
 import kotlin.io.path.readText
 
 /**
- * A file that tells at every moment how far a run of the suite has come, so that one whose process has ended can be
- * taken up by another process. Each rule has a line: its name, a dot for each try, a comma for each step to a smaller
- * frame, the outcome, and how many milliseconds it took. A line without an outcome is of the rule that was on trial
- * when the process ended; who notices writes the reason there, by [ended]. Lines are added and never changed. Thread safe.
+ * A file that records the progress of a run of the suite, so that another process can continue a run whose process has
+ * ended. Each rule has a line: its name, a dot for each try, a comma for each shrinking step, the outcome, and the
+ * duration in milliseconds. A line without an outcome belongs to the rule that was running when the process ended; the
+ * supervising process then appends the reason with [ended]. Lines are appended and never changed. Thread safe.
  *
- * @property path the file; if it is there, its run is taken up
+ * @property path the file; if it exists, its run is continued
  */
 internal class Journal(private val path: Path) {
-    /** What ended the processes of earlier runs, by the name of the rule that was on trial. */
+    /** How the processes of earlier runs ended, by the name of the rule that was running. */
     private val ends: Map<String, ProcessEnd> = (if (Files.exists(path)) path.readLines() else listOf())
         .mapNotNull { ProcessEnd.of(it) }.associateBy { it.rule }
 
@@ -28,12 +28,12 @@ internal class Journal(private val path: Path) {
     private var touched = 0L
 
     init {
-        // All lines stay: who follows the file reads on from where it was
+        // Keep all lines, because a follower continues reading where it stopped
         val isUnfinished = Files.exists(path) && path.readText().let { it.isNotEmpty() && !it.endsWith("\n") }
         append(if (isUnfinished) "\n" else "")
     }
 
-    /** Returns how an earlier run ended when [rule] was on trial, or null if none did. */
+    /** Returns how an earlier process ended during [rule], or null if none did. */
     fun endAt(rule: SuiteRule): ProcessEnd? = ends[rule.name]
 
     fun begins(rule: SuiteRule): Unit = append("$rule ")
@@ -44,7 +44,7 @@ internal class Journal(private val path: Path) {
 
     fun ends(result: RuleResult): Unit = append(" ${result.outcome} ${result.milliseconds}\n")
 
-    /** The try under way is not stuck: the file's time says so, once a second at most. */
+    /** Shows progress of the current try by updating the file's time, at most once a second. */
     fun goesOn() {
         val now = System.currentTimeMillis()
         if (now - touched < SECOND) return
@@ -62,7 +62,7 @@ internal class Journal(private val path: Path) {
         const val STEP: String = ","
         private const val SECOND = 1000L
 
-        /** Writes to the journal at [path] why the process of its run has ended; false if no rule was on trial. */
+        /** Appends to the journal at [path] why its process has ended. Returns false if no rule was running. */
         fun ended(path: Path, words: String, outcome: RuleOutcome): Boolean {
             val text = if (Files.exists(path)) path.readText() else ""
             if (text.isEmpty() || text.endsWith("\n")) return false
@@ -73,10 +73,10 @@ internal class Journal(private val path: Path) {
 }
 
 /**
- * The process ended when [rule] had been tried [tries] times, the last time included.
+ * The end of a process during the try number [tries] of [rule].
  *
  * @property outcome crashed or timed out
- * @property words how it ended
+ * @property words how the process ended
  */
 internal class ProcessEnd(
     val rule: String,
@@ -85,7 +85,7 @@ internal class ProcessEnd(
     val outcome: RuleOutcome,
     val words: String,
 ) {
-    /** Whether it ended when a smaller frame was looked for. */
+    /** Whether the process ended during shrinking. */
     val isShrinking: Boolean get() = steps > 0
 
     override fun toString(): String =
@@ -95,7 +95,7 @@ internal class ProcessEnd(
         const val MARK: String = "! "
         private val line = Regex("""(\w+) (\.*)(,*) ! ([A-Z_]+) (.*)""")
 
-        /** Reads a line of a journal; null if it is of a rule with an outcome. */
+        /** Parses a line of a journal; returns null if its rule has an outcome. */
         fun of(text: String): ProcessEnd? {
             val (rule, tries, steps, outcome, words) = line.matchEntire(text)?.destructured ?: return null
             return ProcessEnd(rule, tries.length, steps.length, RuleOutcome.valueOf(outcome), words)

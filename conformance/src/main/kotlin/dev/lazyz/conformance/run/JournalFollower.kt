@@ -7,14 +7,14 @@ import java.io.RandomAccessFile
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Reads a [Journal] while other processes write it, one after the other, and tells [listener] of each rule once. */
+/** Reads a [Journal] while a sequence of processes writes it, and calls [listener] once for each rule. */
 internal class JournalFollower(private val path: Path, private val listener: RuleListener) {
-    private val told = HashSet<String>()
+    private val reported = HashSet<String>()
     private val line = StringBuilder()
     private var position = 0L
     private var since = System.nanoTime()
 
-    /** Reads what is new. */
+    /** Reads what was appended since the last call. */
     fun goOn() {
         if (!Files.exists(path) || Files.size(path) == position) return
         val news = RandomAccessFile(path.toFile(), "r").use { file ->
@@ -38,13 +38,13 @@ internal class JournalFollower(private val path: Path, private val listener: Rul
         val now = System.nanoTime()
         val elapsed = (now - since) / NANOSECONDS
         since = now
-        if (!told.add(name)) return
+        if (!reported.add(name)) return
         val rule = SuiteRule.find(name) ?: return
         listener.ended(rule, RuleOutcome.valueOf(outcome), milliseconds.toLongOrNull() ?: elapsed)
     }
 
     private companion object {
-        /** Without tries and steps; who ended with the process has no time of its own. */
+        /** A line without tries and steps. A rule that ended with its process has no recorded duration. */
         val LINE = Regex("""(\w+) +(?:! )?([A-Z_]+)(?: (\d+)| .*)?""")
         const val NANOSECONDS = 1_000_000L
     }

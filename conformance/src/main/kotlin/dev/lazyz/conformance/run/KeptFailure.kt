@@ -8,9 +8,12 @@ import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Where the suite, run as a test of a build, keeps what a rule failed on: there is no report to hold it. */
+/** Saves the frames of failures when the suite runs as a test of a build, where there is no report. */
 internal object KeptFailure {
-    /** Writes the files of a [failed] rule, and returns words that say where they are and how to see the failure again. */
+    /**
+     * Writes the files of a [failed] rule, and returns a text with their location and the command that reproduces the
+     * failure.
+     */
     fun of(test: AllRules, settings: Settings, failed: RuleResult): String {
         val failure = checkNotNull(failed.failure)
         val report = settings.report(StrategyInfo(test.renderer()), null, listOf(failed), failed.milliseconds)
@@ -18,14 +21,14 @@ internal object KeptFailure {
         val kept = try {
             Files.createDirectories(folder)
             val files = ReportFiles(report, folder).write(failure, folder, failed.rule)
-            if (files.isEmpty()) "" else "kept in $folder: ${files.joinToString()}\n"
+            if (files.isEmpty()) "" else "saved in $folder: ${files.joinToString()}\n"
         } catch (e: IOException) {
-            "nothing kept: $e\n"
+            "not saved: $e\n"
         }
         return "${kept}seed ${report.seed}; again: ${report.commandFor(failed.rule)}"
     }
 
-    /** What the property says, or a folder of the build's. */
+    /** The folder that the system property names, or a folder in the build directory. */
     private fun folder(): Path {
         System.getProperty(SuiteProperties.OUTPUT)?.let { return Path.of(it) }
         val build = listOf("target", "build").map { Path.of(it) }.firstOrNull { Files.isDirectory(it) }

@@ -1,28 +1,28 @@
 package dev.lazyz.conformance.run
 
 /**
- * Tells on standard error, when the process ends during a try, which rule and frame were on trial; and when it ends as
- * the renderer is made.
+ * If the process ends during a try, prints the rule and the frame to standard error. Also prints a message if the
+ * process ends while the renderer is created.
  */
 internal object LastWords {
     init {
         Runtime.getRuntime().addShutdownHook(Thread({ tell() }, "lazyz-last-words"))
     }
 
-    /** From now on the end of the process is watched. */
+    /** Starts watching for the end of the process. */
     fun keep(): Unit = Unit
 
-    /** Whether the renderer is made just now, before any rule is on trial. */
+    /** Whether the renderer is being created, before any rule runs. */
     @Volatile
     var isMaking: Boolean = false
 
     private fun tell() {
         val trial = Trial.current
         if (trial == null) {
-            if (isMaking) System.err.println("The process ends while the renderer is made; no rule is on trial yet")
+            if (isMaking) System.err.println("The process ends while the renderer is created, before the first rule")
             return
         }
         val where = trial.underTrial?.let { ", with\n$it" }.orEmpty()
-        System.err.println("The process ends while ${trial.rule} is on trial$where")
+        System.err.println("The process ends while ${trial.rule} is running$where")
     }
 }

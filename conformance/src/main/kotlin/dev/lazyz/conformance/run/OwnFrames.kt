@@ -14,13 +14,15 @@ import kotlin.io.path.isRegularFile
 import kotlin.io.path.name
 
 /**
- * A folder of frames of one's own: scene files and meshes, each of which becomes a frame. The suite adds frames that
- * rules have failed on, and later runs of `Conformance` try them before all else.
+ * The user's folder of frames: scene files and meshes, each of which becomes a frame. The suite adds frames on which
+ * rules have failed, and later runs of `Conformance` test them first.
  *
  * @throws FramesException if the folder or a file in it cannot be read
  */
 internal class OwnFrames(private val folder: Path) {
-    /** One for each file whose name ends as a scene's does, by name. Files of other kinds, and folders, are left alone. */
+    /**
+     * A frame for each file with the extension of a scene format, ordered by name. Other files and folders are ignored.
+     */
     val cases: List<FrameCase> by lazy { files().map { case(it) } }
 
     private fun files(): List<Path> = try {
@@ -43,7 +45,7 @@ internal class OwnFrames(private val folder: Path) {
         throw FramesException("a file of the frames folder cannot be read: ${e.message}", e)
     }
 
-    /** Keeps the frame that [failed], if there are words for it. A frame of the folder is there already. */
+    /** Saves the frame that [failed], if a scene file can express it. Frames from the folder are not saved again. */
     fun keep(failed: RuleResult) {
         val scene = failed.failure?.sceneFile ?: return
         if (failed.rule.name == RULE) return
@@ -56,14 +58,14 @@ internal class OwnFrames(private val folder: Path) {
     }
 
     companion object {
-        /** Of frames whose file does not say. */
+        /** Size of frames whose file has none. */
         private val USUAL_SIZE = ImageSize(64, 48)
 
-        /** The name of the rule that tries them. */
+        /** Name of the rule that tests them. */
         val RULE: String = UseRules::rule_7_1_framesOfOnesOwnAreRight.name
     }
 }
 
-/** A frames folder that cannot be used; the message says why. */
+/** Thrown if a frames folder cannot be used. The message has the reason. */
 public class FramesException @JvmOverloads constructor(message: String, cause: Throwable? = null) :
     IllegalArgumentException(message, cause)

@@ -18,7 +18,7 @@ import org.junit.platform.launcher.core.LauncherConfig
 import org.junit.platform.launcher.core.LauncherDiscoveryRequestBuilder
 import org.junit.platform.launcher.core.LauncherFactory
 
-/** A run of the suite in this process: jqwik makes the class of the tests, which finds its renderer here. */
+/** A run of the suite in this process. jqwik instantiates the test class, which gets its renderer from here. */
 internal class RunUnderWay(
     val make: Supplier<out Renderer>,
     private val subject: Class<out AllRules>,
@@ -29,16 +29,16 @@ internal class RunUnderWay(
 ) {
     private val results = LinkedHashMap<String, RuleResult>()
 
-    /** Takes what came of a rule. */
+    /** Adds the result of a rule. */
     fun add(result: RuleResult) {
         results[result.rule.name] = result
         listener.ended(result.rule, result.outcome, result.milliseconds)
     }
 
-    /** Runs the rules and returns what came of each, in their order. */
+    /** Runs the rules and returns their results, in the same order. */
     fun execute(): List<RuleResult> {
         check(active.compareAndSet(null, this)) {
-            "a run of the conformance suite is under way in this process, and there can be one at a time"
+            "a run of the conformance suite is in progress in this process; only one at a time is possible"
         }
         val level = jqwik.level
         jqwik.level = LogLevel.SEVERE
@@ -54,7 +54,7 @@ internal class RunUnderWay(
         return rules.map { results.getValue(it.name) }
     }
 
-    /** Nothing that happens to be on the class path listens in. */
+    /** Disables listeners that happen to be on the class path. */
     private fun launcher() = LauncherFactory.create(
         LauncherConfig.builder()
             .enableLauncherSessionListenerAutoRegistration(false)
@@ -64,7 +64,7 @@ internal class RunUnderWay(
             .build(),
     )
 
-    /** Frames of one's own come first: what was wrong once is the likeliest to be so again. */
+    /** The user's frames come first: past failures are the most likely to fail again. */
     private fun inOrder() = rules.sortedByDescending { settings.frames != null && it.name == OwnFrames.RULE }
 
     private fun request() = LauncherDiscoveryRequestBuilder.request()
@@ -76,7 +76,7 @@ internal class RunUnderWay(
         .configurationParameter("jqwik.reporting.usejunitplatform", "true")
         .build()
 
-    /** Remembers why tests or their class could not be run. */
+    /** Records why tests or their class could not be run. */
     private class Mishaps : TestExecutionListener {
         private val causes = ArrayList<Throwable>()
 
@@ -84,16 +84,16 @@ internal class RunUnderWay(
             result.throwable.ifPresent { causes.add(it) }
         }
 
-        override fun toString(): String = causes.firstOrNull()?.stackTraceToString() ?: "no reason is known"
+        override fun toString(): String = causes.firstOrNull()?.stackTraceToString() ?: "the reason is unknown"
     }
 
     companion object {
         private val active = AtomicReference<RunUnderWay?>()
 
-        /** It says that it has no database, which we have told it, and when it gives up making a frame smaller. */
+        /** jqwik logs that it has no database, which is intended, and when it ends shrinking. */
         private val jqwik = Logger.getLogger("net.jqwik")
 
-        /** The run that is under way, or null where a build tool runs the suite. */
+        /** The run in progress, or null if a build tool runs the suite. */
         val current: RunUnderWay? get() = active.get()
     }
 }

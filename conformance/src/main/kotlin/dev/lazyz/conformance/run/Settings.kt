@@ -11,15 +11,15 @@ import java.nio.file.Path
 import java.time.Duration
 import net.jqwik.api.ShrinkingMode
 
-/** Whether a frame that fails is made smaller. */
+/** Whether a frame that fails is shrunk. */
 internal enum class Shrinking(val mode: ShrinkingMode) {
-    /** Bounded in steps. */
+    /** With a limited number of steps. */
     ON(ShrinkingMode.FULL),
 
     OFF(ShrinkingMode.OFF),
 }
 
-/** How the suite is run; [seed] is null for the fixed one, and [deadline] is for each try. */
+/** How the suite is run. [seed] is null for the default one, and [deadline] applies to each rendering. */
 internal class Settings(
     val tries: Double,
     val seed: Long?,
@@ -28,7 +28,7 @@ internal class Settings(
     val deadline: Duration,
     val frames: OwnFrames?,
 ) {
-    /** Returns the report of a run by these settings; see [ConformanceReport] for the rest. */
+    /** Returns the report of a run with these settings; see [ConformanceReport] for the parameters. */
     fun report(
         judged: StrategyInfo,
         command: String?,
@@ -39,16 +39,16 @@ internal class Settings(
     )
 
     companion object {
-        /** A hundred times what a try takes on a slow machine. */
+        /** A hundred times the duration of a try on a slow machine. */
         val USUAL_DEADLINE: Duration = Duration.ofSeconds(20)
 
-        /** Most frames that are tried to find a smaller one that fails; half as many rarely find a larger one. */
+        /** Most shrinking steps. Half as many rarely find a larger frame. */
         const val MANY_STEPS: Int = 400
 
-        /** The same, when several rules have failed, most often for the same reason. */
+        /** Most shrinking steps when several rules have already failed, most often for the same reason. */
         const val FEW_STEPS: Int = 40
 
-        /** What the system properties say. */
+        /** Returns the settings that the system properties define. */
         fun ofProperties(): Settings = Settings(tries(), seed(), waivers(), Shrinking.ON, deadline(), ownFrames())
 
         fun tries(): Double = positive(SuiteProperties.TRIES) ?: 1.0
@@ -79,22 +79,22 @@ internal class Settings(
     }
 }
 
-/** What came of the rules of one test class so far, as far as it matters to the next. */
+/** Counts failures of the rules of one test class, as far as they affect the following rules. */
 internal class Tally {
     private var broken = 0
     private var timeOuts = 0
 
-    /** How many frames may be tried to find a smaller one that fails. */
+    /** How many shrinking steps the next rule may use. */
     val steps: Int get() = if (broken < MOST_SHRUNK) Settings.MANY_STEPS else Settings.FEW_STEPS
 
-    /** Why the next rule is not tried; null if it is. */
+    /** Why the next rule is not run; null if it is. */
     val whyNoFurtherRule: String?
         get() = if (timeOuts <
             MOST_TIME_OUTS
         ) {
             null
         } else {
-            "$MOST_TIME_OUTS rules before it timed out or ended the process"
+            "$MOST_TIME_OUTS earlier rules timed out or ended the process"
         }
 
     fun add(verdict: RuleResult) {
@@ -104,7 +104,7 @@ internal class Tally {
     }
 
     companion object {
-        /** Rules whose frames are made as small as possible: who makes one mistake breaks many rules by it. */
+        /** Number of rules whose frames are shrunk fully. One mistake usually breaks many rules. */
         const val MOST_SHRUNK: Int = 3
 
         private const val MOST_TIME_OUTS = 3

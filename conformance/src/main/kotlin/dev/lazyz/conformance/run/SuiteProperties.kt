@@ -1,6 +1,6 @@
 package dev.lazyz.conformance.run
 
-/** Names of the system properties of the suite; `RendererConformance` and `Waivers` say what they mean. */
+/** Names of the system properties of the suite, documented in `RendererConformance` and `Waivers`. */
 internal object SuiteProperties {
     const val TRIES: String = "lazyz.conformance.tries"
     const val SEED: String = "lazyz.conformance.seed"

@@ -1,8 +1,8 @@
 package dev.lazyz.conformance.run
 
-/** Ends this process as soon as the one that supervises it is gone, killed for instance: nobody would read a report. */
+/** Ends this process when the supervising process ends, for example because it was killed: the report would be lost. */
 internal object Supervisor {
-    /** The environment variable by which `Supervision` tells the id of its process. */
+    /** Environment variable that contains the process id of the supervising process, set by `Supervision`. */
     const val VARIABLE: String = "LAZYZ_SUPERVISOR"
 
     init {
@@ -12,6 +12,6 @@ internal object Supervisor {
         }
     }
 
-    /** From now on its end is watched, if there is one. */
+    /** Starts watching the supervising process, if there is one. */
     fun follow(): Unit = Unit
 }

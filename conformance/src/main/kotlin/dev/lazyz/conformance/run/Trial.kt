@@ -26,10 +26,10 @@ import net.jqwik.api.lifecycle.PropertyExecutionResult.Status
 import net.jqwik.api.lifecycle.TryExecutionResult
 
 /**
- * One rule on trial, from the first try to the verdict.
+ * One rule under test, from the first try to the result.
  *
- * Each try runs in a thread of its own, and each of its renderings has [deadline]. After the first that fails, at most
- * [steps] smaller frames are tried, the same ones at every run.
+ * Each try runs in a separate thread, and each of its renderings has the [deadline]. After the first failure, at most
+ * [steps] smaller frames are tried, the same ones in every run.
  */
 internal class Trial(
     val rule: SuiteRule,
@@ -55,30 +55,30 @@ internal class Trial(
     private val processEnd = journal?.endAt(rule)
     private var tries = 0
 
-    /** Why the rule does not apply, once that is known. */
+    /** Why the rule does not apply; null until this is known. */
     private var notDeclared: NotDeclared? = null
 
-    /** Why the rule is not tried at all; null if it is. */
+    /** Why the rule is not run at all; null if it is. */
     var notRun: String? = null
 
-    /** The smallest try that failed. If there is one, what follows makes the frame smaller, and is no try. */
+    /** The smallest failing try. Once this is set, further tries shrink the frame and are not counted. */
     @Volatile
     private var falsified: Falsified? = null
 
-    /** What the first try that failed threw. */
+    /** The exception of the first failing try. */
     private var firstFailure: Throwable? = null
 
     private class Falsified(val parameters: List<Any>, val failure: Throwable)
 
     private val rendered = Collections.synchronizedSet(Collections.newSetFromMap(IdentityHashMap<Renderer, Boolean>()))
 
-    /** Where the try under way runs. */
+    /** The thread of the current try. */
     @Volatile
     private var tryThread: Thread? = null
 
     override fun isAgain(renderer: Renderer): Boolean = !rendered.add(renderer) && Thread.currentThread() === tryThread
 
-    /** What the try under way renders, or rendered last; null if that is no frame, or none yet. */
+    /** The frame that the current try renders or rendered last; null if there is none. */
     @Volatile
     var underTrial: FrameCase? = null
         private set
@@ -97,7 +97,7 @@ internal class Trial(
         journal?.goesOn()
     }
 
-    /** Calls [block] as the next try, or as the next step to a smaller frame. */
+    /** Calls [block] as the next try, or as the next shrinking step. */
     fun attempt(parameters: List<Any>, block: () -> TryExecutionResult): TryExecutionResult {
         if (notRun != null || notDeclared != null) return TryExecutionResult.satisfied(true)
         falsified?.let { return shrink(it, parameters, block) }
@@ -113,7 +113,7 @@ internal class Trial(
         }
         if (result.isFalsified) {
             firstFailure = failure
-            falsified = Falsified(parameters, failure ?: AssertionError("failed without a word"))
+            falsified = Falsified(parameters, failure ?: AssertionError("failed without a message"))
             shrinkingSince = System.nanoTime()
             if (isTooExpensiveToRepeat(failure)) stepsLeft.set(0)
         } else {
@@ -122,10 +122,10 @@ internal class Trial(
         return result
     }
 
-    /** None of the tries is made again, and the one in which the process ended is told. */
+    /** Skips the tries before the one in which the process ended, and reports that one as failed. */
     private fun replay(end: ProcessEnd, parameters: List<Any>): TryExecutionResult {
         if (tries < end.tries) return TryExecutionResult.satisfied()
-        val lead = if (end.isShrinking) "failed, and when smaller frames were tried " else ""
+        val lead = if (end.isShrinking) "failed, and during shrinking " else ""
         val where = casesAmong(parameters).firstOrNull()?.let { "\nin\n$it" }.orEmpty()
         val message = "${lead}ended the process: ${end.words}$where"
         val failure = if (end.outcome == RuleOutcome.TIMED_OUT) TimedOut(message, null) else ProcessEnded(message)
@@ -134,7 +134,10 @@ internal class Trial(
         return TryExecutionResult.falsified(failure)
     }
 
-    /** What jqwik gets to see is the first failure: it would keep a list of all that fail otherwise, and sort it. */
+    /**
+     * Reports the first failure to jqwik for every step, because jqwik would otherwise keep and sort a list of all
+     * failures.
+     */
     private fun shrink(best: Falsified, parameters: List<Any>, block: () -> TryExecutionResult): TryExecutionResult {
         if (!isStepLeft()) throw ShrinkingEnds()
         journal?.shrinks()
@@ -148,7 +151,7 @@ internal class Trial(
     private fun isStepLeft(): Boolean =
         stepsLeft.getAndDecrement() > 0 && System.nanoTime() - shrinkingSince < patience.toNanos()
 
-    /** No throwable gets past here, and none of jqwik's business is done in the other thread but the call itself. */
+    /** Calls [block] in the try thread and catches all throwables. jqwik's own code stays in the calling thread. */
     private fun answer(parameters: List<Any>, block: () -> TryExecutionResult): TryExecutionResult {
         underTrial = casesAmong(parameters).firstOrNull()
         rendered.clear()
@@ -172,17 +175,17 @@ internal class Trial(
         while (before.size > RuleFailure.MOST_BEFORE) before.removeFirst()
     }
 
-    /** Calls [block] with the try that failed, some times: if one does not fail, the failure is not reproducible. */
+    /** Calls [block] several times with the failing try. If one call succeeds, the failure is not reproducible. */
     fun repeat(block: (List<Any>) -> Unit) {
         val best = falsified ?: return
         if (isTooExpensiveToRepeat(best.failure)) return
         isFlaky = (1..REPETITIONS).any { answer { thread.call { block(best.parameters) } } == null }
     }
 
-    /** Says what came of the rule, given jqwik's [result]. */
+    /** Returns the result of the rule, given jqwik's [result]. */
     fun verdict(result: PropertyExecutionResult, today: LocalDate): RuleResult {
         val failure =
-            falsified?.failure ?: result.throwable().orElse(null) ?: AssertionError("failed without a word")
+            falsified?.failure ?: result.throwable().orElse(null) ?: AssertionError("failed without a message")
         val plain = outcome(result.status(), failure)
         val outcome = when {
             waiver == null || plain == RuleOutcome.NOT_RUN -> plain
@@ -226,7 +229,7 @@ internal class Trial(
         RuleOutcome.NOT_RUN -> notRun.orEmpty()
         RuleOutcome.NOT_SUPPORTED -> (notDeclared ?: failure).message.orEmpty()
         RuleOutcome.WAIVED -> "waived until ${waiver?.expires}: ${waiver?.reason} (${waiver?.link})"
-        RuleOutcome.WAIVED_BUT_PASSES -> "is waived, but ${verb(plain)}: delete its waiver"
+        RuleOutcome.WAIVED_BUT_PASSES -> "has a waiver, but ${verb(plain)}: delete the waiver"
         RuleOutcome.WAIVER_EXPIRED -> "the waiver expired on ${waiver?.expires}, and the rule ${verb(plain)}"
     }
 
@@ -247,19 +250,22 @@ internal class Trial(
     companion object {
         private const val NANOSECONDS = 1_000_000L
 
-        /** A frame that comes out wrong once in ten times comes out wrong so many times more once in a thousand. */
+        /** A frame that fails in one of ten renderings fails in as many further ones with a probability of 1/1000. */
         private const val REPETITIONS = 3
 
-        /** A frame of so many primitives counts as one more step: of large frames few smaller ones are tried. */
+        /**
+         * Each multiple of this number of primitives counts as one more step, so that shrinking large frames takes
+         * fewer steps.
+         */
         private const val PRIMITIVES_OF_A_STEP = 1000
 
-        /** Steps are what bounds shrinking, but for tries that take seconds each. */
+        /** Limits shrinking by time, for tries that take seconds each. Usually the number of steps is the limit. */
         private const val DEADLINES_TO_SHRINK = 3L
 
         private const val NOT_REPRODUCIBLE =
-            "not reproducible: rendered again, the same frame came out right; look for state or races"
+            "not reproducible: the same frame was correct when rendered again; look for state or data races"
 
-        /** The rule that is on trial just now; null between rules. There is one at a time in a JVM. */
+        /** The current rule; null between rules. There is one at a time in a JVM. */
         var current: Trial?
             get() = TryUnderWay.current as Trial?
             set(trial) {
@@ -276,9 +282,9 @@ internal class Trial(
 }
 
 /**
- * Ends jqwik's search for a smaller frame, which goes through many thousands of them even if none is tried. An error,
- * because jqwik takes an exception for one more way to fail.
+ * Ends jqwik's search for a smaller frame, which would otherwise visit many thousands of candidates even if none is
+ * tried. An error, because jqwik treats an exception as another failure.
  */
-internal class ShrinkingEnds : Error("the smallest frame is known") {
+internal class ShrinkingEnds : Error("shrinking has ended") {
     override fun fillInStackTrace(): Throwable = this
 }

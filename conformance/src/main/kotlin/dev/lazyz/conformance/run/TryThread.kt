@@ -9,12 +9,12 @@ import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
-/** A call did not go on within its deadline; the message says where its threads are. */
+/** Thrown when a call makes no progress within its deadline. The message contains the stack traces of its threads. */
 internal class Late(message: String) : RuntimeException(message)
 
 /**
- * Makes calls one after the other, all in one thread that is not the caller's, so that one that hangs can be left
- * behind. The thread and those that it starts are interrupted then; the next call has another.
+ * Makes calls one after the other in a single thread, separate from the caller's, so that a call that hangs can be
+ * abandoned. The thread and the threads that it started are then interrupted, and the next call uses a new thread.
  */
 internal class TryThread(private val deadline: Duration) : AutoCloseable {
     private var group = ThreadGroup(NAME)
@@ -23,7 +23,7 @@ internal class TryThread(private val deadline: Duration) : AutoCloseable {
     @Volatile
     private var since = 0L
 
-    /** The call under way has done a part of what it does: from here on, its deadline begins anew. */
+    /** Restarts the deadline of the current call, because it has made progress. */
     fun goesOn() {
         since = System.nanoTime()
     }
@@ -31,7 +31,7 @@ internal class TryThread(private val deadline: Duration) : AutoCloseable {
     /**
      * Returns what [block] returns, or throws what it throws.
      *
-     * @throws Late if it is not over in time, nor goes on
+     * @throws Late if the call neither ends nor makes progress within the deadline
      */
     fun <T> call(block: () -> T): T {
         goesOn()
@@ -63,7 +63,7 @@ internal class TryThread(private val deadline: Duration) : AutoCloseable {
         Thread(group, task, NAME).apply { isDaemon = true }
     }.also { executor = it }
 
-    /** Stack traces of the thread and of those that it has started. */
+    /** Stack traces of the thread and of the threads that it started. */
     private fun where(): String {
         val threads = arrayOfNulls<Thread>(MOST_THREADS)
         val count = group.enumerate(threads)
@@ -74,7 +74,7 @@ internal class TryThread(private val deadline: Duration) : AutoCloseable {
         }
     }
 
-    /** Interrupts what still runs, gives it a moment to end, and goes on without it. */
+    /** Interrupts what still runs, waits briefly for its end, and abandons it. */
     override fun close() {
         val executor = executor ?: return
         executor.shutdownNow()
@@ -89,7 +89,7 @@ internal class TryThread(private val deadline: Duration) : AutoCloseable {
         private const val MOST_THREADS = 8
         private const val MOST_CALLS = 16
 
-        /** A duration in words, such as `20 s` or `0.5 s`. */
+        /** Formats a duration, such as `20 s` or `0.5 s`. */
         fun seconds(duration: Duration): String = "${ConformanceReport.plain(duration.toMillis() / 1000.0)} s"
     }
 }

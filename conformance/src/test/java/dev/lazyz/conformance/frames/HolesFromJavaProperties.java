@@ -10,7 +10,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 
-/** A mix of one's own from Java; docs/conformance.md shows it. */
+/** A custom mix of frames from Java, as shown in docs/conformance.md. */
 class HolesFromJavaProperties {
     @Property(tries = 200, seed = "1995")
     void holesBehindHoles(@ForAll("holes") FrameCase frameCase) {

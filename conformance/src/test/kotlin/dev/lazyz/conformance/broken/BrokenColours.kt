@@ -14,7 +14,7 @@ import dev.lazyz.ShadingCursor
 import dev.lazyz.strategies.lazy.LazyZBuffer
 import dev.lazyz.strategies.painter.Painter
 
-/** Renderers that are right but for colours, and when they are made. */
+/** Renderers that are correct except for colours, and for when colours are computed. */
 object BrokenColours {
     fun premultiplied() = painting("alpha-premultiplied") { image, _ ->
         val argb = IntArray(image.argb.size) {
@@ -44,7 +44,7 @@ object BrokenColours {
         repeat(if (steps == 1) 2 else 1) { cursor.step() }
     }
 
-    /** Shades directly for the picture, and steps though nobody asked for it. */
+    /** Shades directly for the picture, and also makes steps that no option requests. */
     fun alwaysSteps(): BrokenRenderer = BrokenRenderer(
         "always-steps",
         setOf(Capability.COHERENCE),
@@ -92,7 +92,7 @@ object BrokenColours {
         how(frame, options, sink)
     }
 
-    /** Paints the visible samples of the first primitive in the colour that its first sample has. */
+    /** Paints the visible samples of the first primitive in the colour of its first sample. */
     fun constantColour() = primitives("colour-of-the-first-sample") { FirstColour(it) }
 
     fun fillsBetweenEqualEnds() = primitives("fills-between-equal-ends") { BetweenEqualEnds(it) }

@@ -6,9 +6,9 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.zbuffer.ZBuffer
 
-/** Renderers that are right as long as one thing at a time is not as usual. */
+/** Renderers that are correct as long as only one setting differs from its default. */
 object BrokenCombinations {
-    /** Tiles are counted from the raster's corner, and the part begins elsewhere. */
+    /** Counts tiles from the raster's corner, although the region begins elsewhere. */
     fun partsInSmallTiles() = BrokenRenderer("parts-in-small-tiles", options = { options ->
         BrokenRenderer("parts-in-small-tiles") { frame, sink ->
             val first = frame.region.columnStart
@@ -23,7 +23,7 @@ object BrokenCombinations {
 
     fun glassOfSeveralThreads() = glazier("glass-of-several-threads") { _, options -> options.threads > 1 }
 
-    /** Takes glass for opaque when [isLost]. */
+    /** Treats glass as opaque when [isLost]. */
     private fun glazier(id: String, isLost: (Frame, RenderOptions) -> Boolean): BrokenRenderer {
         fun configured(options: RenderOptions): BrokenRenderer =
             BrokenRenderer(id, setOf(Capability.TRANSPARENCY), options = { configured(it) }) { frame, sink ->
@@ -32,7 +32,7 @@ object BrokenCombinations {
         return configured(RenderOptions(threads = 1))
     }
 
-    /** What is left of a failure shows in the next picture, if options were given. */
+    /** Leftovers of a failure appear in the next picture, if options were given. */
     fun failureShowsLater() = BrokenRenderer("failure-shows-later", options = {
         var hasFailed = false
         BrokenRenderer("failure-shows-later") { frame, sink ->

@@ -7,7 +7,7 @@ import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.changed.Cutting
 import dev.lazyz.conformance.cases.changed.Recovered
 
-/** Renderers that are right but for which samples they think are covered. */
+/** Renderers that are correct except for coverage. */
 object BrokenCoverage {
     fun spansStartLate() = misreading("spans-start-late") { _, from, to ->
         for (i in 0 until from.count) if (from.start(i) + 1 < from.end(i)) to.add(from.start(i) + 1, from.end(i))
@@ -63,7 +63,7 @@ object BrokenCoverage {
         Frame(frame.raster, frame.primitives.map { StaleRow(it, frame.raster.height) }, frame.region)
     }
 
-    /** Covers in the row after its last what it covers in its last. */
+    /** Repeats the coverage of the last row in the row after it. */
     private class StaleRow(whole: Primitive, private val height: Int) : Recovered(whole) {
         private val isLonger get() = rowStart < whole.rowEnd && whole.rowEnd < height
         override val rowEnd: Int get() = whole.rowEnd + if (isLonger) 1 else 0

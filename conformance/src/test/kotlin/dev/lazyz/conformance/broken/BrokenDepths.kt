@@ -10,7 +10,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Spans
 import dev.lazyz.strategies.zbuffer.ZBuffer
 
-/** Renderers that are right but for depths, and how they are compared. */
+/** Renderers that are correct except for depths and their comparison. */
 object BrokenDepths {
     fun throughFloat() = primitives("depth-through-float") { At(it) { x, y -> it.depth(x, y).toFloat().toInt() } }
 
@@ -67,7 +67,7 @@ object BrokenDepths {
         frame.on { tested(if (isReversed) swappedTies(test) else test) }
     }
 
-    /** Asks one sample of what was drawn so far whether a whole primitive is hidden. */
+    /** Decides by one sample of what was drawn so far whether a whole primitive is hidden. */
     fun staleRejection() = drawing("rejects-by-one-corner") { frame ->
         frame.keeping { index ->
             val before = ZBuffer().render(frame.keeping { it < index })
@@ -88,7 +88,7 @@ object BrokenDepths {
         Image(image.region, image.argb, depth, image.primitive, image.counters)
     }
 
-    /** At another depth, without a form. */
+    /** A primitive at another depth, without a linear form. */
     private class At(whole: Primitive, private val how: (x: Int, y: Int) -> Int) : Primitive by whole {
         override val depthForm get() = null
 

@@ -10,25 +10,25 @@ import dev.lazyz.Selector
 import dev.lazyz.ShadingCursor
 import dev.lazyz.strategies.lists.Lists
 
-/** Renderers that are right but for extremes of alpha and light, and for what is hidden behind glass. */
+/** Renderers that are correct except for extremes of alpha and light, and for primitives hidden behind glass. */
 object BrokenGlass {
     /** A fragment of alpha 0 adds 0 times its light. */
     fun zeroTimesInfinity() = blending("zero-times-infinity") { cell -> blend(cell, isAdded = { true }) }
 
-    /** Where nothing has weight, the colour is that of no light. */
+    /** Where all weights are 0, the colour is black. */
     fun nothingIsBlack() = blending("nothing-is-black") { cell -> blend(cell, isShownAsItIs = { it > 0f }) }
 
-    /** Shades all translucent fragments before the backdrop, and then blends. */
+    /** Shades all translucent fragments in front of the backdrop, and then blends. */
     fun shadesAhead() = blending("shades-ahead", setOf(Capability.SHADES_ONLY_VISIBLE)) { cell ->
         var i = 0
         while (i < cell.size && cell.isTranslucent(i)) cell.shade(i++)
         Selector.blend().select(cell)
     }
 
-    /** Takes NaN for 1. */
+    /** Converts NaN to 1. */
     fun nanIsWhite() = primitives("nan-is-white") { Whitened(it) }
 
-    /** Leaves out primitives whose bounds are outside the region before it looks for translucent ones. */
+    /** Removes primitives whose bounds are outside the region before it checks for translucent ones. */
     fun refusesInSight() = drawing("refuses-in-sight") { frame ->
         val region = frame.region
         frame.keeping {
@@ -50,7 +50,10 @@ object BrokenGlass {
         private fun white(component: Float) = if (component.isNaN()) 1f else component
     }
 
-    /** Contract rule 5.5, but for which fragments are added, and when the backdrop is shown as it is. */
+    /**
+     * Contract rule 5.5, with a parameter for which fragments are added, and one for when the backdrop is shown
+     * unchanged.
+     */
     private fun blend(
         cell: Cell,
         isAdded: (Float) -> Boolean = { it > 0f },

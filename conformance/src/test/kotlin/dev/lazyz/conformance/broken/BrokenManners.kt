@@ -12,7 +12,7 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.util.Collections
 import java.util.IdentityHashMap
 
-/** Renderers whose pictures are right, as long as they are used in the usual way. */
+/** Renderers that render correctly as long as they are used in the usual way. */
 object BrokenManners {
     fun regionOffsetTwice() = BrokenRenderer("region-offset-twice") { frame, sink ->
         ZBuffer().render(frame) { y, argb, depth, primitive ->
@@ -20,13 +20,13 @@ object BrokenManners {
         }
     }
 
-    /** Right on all frames of the suite. */
+    /** Correct on all frames of the suite. */
     fun widthOf97() = BrokenRenderer("width-of-97") { frame, sink ->
         val renderer = if (frame.raster.width == 97) WrongColors() else ZBuffer()
         renderer.render(frame, sink)
     }
 
-    /** Walks all primitives before it looks at the region. */
+    /** Visits all primitives before it considers the region. */
     fun looksOutsideTheRegion() = BrokenRenderer("looks-outside-the-region") { frame, sink ->
         for (it in frame.primitives) for (y in it.rowStart until it.rowEnd) it.spans(y, Spans())
         ZBuffer().render(frame, sink)
@@ -46,7 +46,10 @@ object BrokenManners {
         }
     }
 
-    /** Regions of one frame share its list of primitives. */
+    /**
+     * Reuses the last picture if the list of primitives and the size are the same, although regions of one frame share
+     * the list.
+     */
     fun keepsTheClippedPart(): BrokenRenderer {
         var kept: Pair<Frame, Image>? = null
         return BrokenRenderer("keeps-the-clipped-part") { frame, sink ->
@@ -97,7 +100,7 @@ object BrokenManners {
             try {
                 sink.row(y, argb, depth, primitive)
             } catch (_: RuntimeException) {
-                // as if nothing had happened
+                // Continue after the failure
             }
         }
         emit(image, patient)
@@ -129,7 +132,7 @@ object BrokenManners {
         ZBuffer().render(frame, sink)
     }
 
-    /** Two threads' pictures merged without looking at depths. */
+    /** Merges the pictures of two threads without comparing depths. */
     fun racyMerge(): BrokenRenderer =
         BrokenRenderer("racy-merge", options = { if (it.threads > 1) racyMerge(2) else racyMerge() }) { frame, sink ->
             ZBuffer().render(frame, sink)
@@ -152,7 +155,7 @@ object BrokenManners {
         )
     }
 
-    /** The last column of a row of tiles comes from the tile before, once tiles are small. */
+    /** If tiles are small, copies the last column of a row of tiles from the previous tile. */
     fun tileSeam() = BrokenRenderer("tile-seam", options = {
         seamed(it)
     }) { frame, sink -> ZBuffer().render(frame, sink) }
@@ -169,7 +172,7 @@ object BrokenManners {
         image.renumbered { it and 0xFFFF }
     }
 
-    /** The index of a primitive is where the list first holds an equal one. */
+    /** The index of a primitive is the position of the first equal one in the list. */
     fun indexByIdentity() = painting("index-by-identity") { image, frame ->
         val first = IdentityHashMap<Any, Int>()
         frame.primitives.forEachIndexed { index, it -> first.putIfAbsent(it, index) }

@@ -6,7 +6,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
 
-/** A primitive as a renderer sees it that misreads spans. */
+/** A primitive as seen by a renderer that misreads spans. */
 abstract class Misread(private val primitive: Primitive) : Primitive by primitive {
     protected abstract fun misread(from: Spans, to: Spans)
 
@@ -47,7 +47,7 @@ class ShiftedShade(private val primitive: Primitive) : Primitive by primitive {
     }
 }
 
-/** Everywhere at the same depth. */
+/** At the same depth everywhere. */
 class AtDepth(private val primitive: Primitive, private val depth: Int) : Primitive by primitive {
     override val depthForm: LinearForm get() = LinearForm.constant(depth)
 

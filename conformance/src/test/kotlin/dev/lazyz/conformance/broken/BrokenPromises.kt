@@ -19,11 +19,11 @@ import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.zbuffer.ZBuffer
 
-/** Renderers that are right but promise too much, or count wrongly. */
+/** Renderers that are correct but declare too many capabilities, or count incorrectly. */
 object BrokenPromises {
     fun memoryGrows() = claiming("memory-grows-with-rows", Capability.CONSTANT_MEMORY, ZBuffer())
 
-    /** Keeps all rows, and does not say so. */
+    /** Keeps all rows, although it declares constant memory. */
     fun keepsRows() = BrokenRenderer("keeps-rows", setOf(Capability.CONSTANT_MEMORY)) { frame, sink ->
         val kept = ArrayList<IntArray>()
         LazyZBuffer().render(frame) { y, argb, depth, primitive ->
@@ -59,7 +59,7 @@ object BrokenPromises {
         options = { keepsStepping(if (it.coherence == Coherence.DIRECT) last else it) },
     ) { frame, sink -> LazyZBuffer(last).render(frame, sink) }
 
-    /** Asks all primitives about the next row before it hands out this one. */
+    /** Queries all primitives about the next row before it delivers this one. */
     fun looksAhead() = BrokenRenderer("looks-ahead", setOf(Capability.STREAMS_ROWS)) { frame, sink ->
         LazyZBuffer().render(frame) { y, argb, depth, primitive ->
             if (y + 1 < frame.region.rowEnd) for (it in frame.primitives) it.spans(y + 1, Spans())
@@ -67,7 +67,7 @@ object BrokenPromises {
         }
     }
 
-    /** Finishes the picture though nobody takes it. */
+    /** Finishes the picture although the sink has failed. */
     fun finishesAnyway() = BrokenRenderer("finishes-anyway", setOf(Capability.STREAMS_ROWS)) { frame, sink ->
         var isOver = false
         try {
@@ -97,7 +97,7 @@ object BrokenPromises {
 
     fun budgetIgnored() = claiming("budget-ignored", Capability.MEMORY_BUDGET, Hybrid())
 
-    /** Where there is no room for a suspension the sample stays as it was. */
+    /** Without memory for a suspension, the sample stays unchanged. */
     fun budgetCostsColours() = BrokenRenderer(
         "budget-costs-colours",
         setOf(Capability.MEMORY_BUDGET),

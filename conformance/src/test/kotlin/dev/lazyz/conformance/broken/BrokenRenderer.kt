@@ -28,30 +28,30 @@ class BrokenRenderer(
     override fun toString(): String = id
 }
 
-/** A right picture, changed before it is handed out. */
+/** Changes a correct picture before it delivers it. */
 internal fun painting(id: String, change: (Image, Frame) -> Image) = BrokenRenderer(id) { frame, sink ->
     emit(change(ZBuffer().render(frame), frame), sink)
 }
 
-/** Renders another frame than it was given. */
+/** Renders a changed frame. */
 internal fun drawing(id: String, change: (Frame) -> Frame) =
     BrokenRenderer(id) { frame, sink -> ZBuffer().render(change(frame), sink) }
 
-/** Takes primitives for what [change] makes of them. */
+/** Replaces primitives by what [change] returns for them. */
 internal fun primitives(id: String, change: (Primitive) -> Primitive) =
     drawing(id) { Frame(it.raster, it.primitives.map(change), it.region) }
 
-/** Hands out the rows of the right picture as [order] says, given their number. */
+/** Delivers the rows of the correct picture in the [order] for their number. */
 internal fun rows(id: String, order: (Int) -> List<Int>) =
     BrokenRenderer(id) { frame, sink -> emit(ZBuffer().render(frame), sink, order(frame.height)) }
 
-/** Renders right, and counts what [change] makes of it. */
+/** Renders correctly, but changes the counters by [change]. */
 internal fun counting(id: String, change: Counters.(Image) -> Unit) = BrokenRenderer(id) { frame, sink ->
     val image = ZBuffer().render(frame)
     emit(image, sink).apply { change(image) }
 }
 
-/** Hands out [rows] of an image. */
+/** Delivers [rows] of an image. */
 internal fun emit(image: Image, sink: RowSink, rows: List<Int> = (0 until image.height).toList()): Counters {
     for (row in rows) {
         val (argb, depth, primitive) = listOf(image.argb, image.depth, image.primitive).map {
@@ -62,13 +62,13 @@ internal fun emit(image: Image, sink: RowSink, rows: List<Int> = (0 until image.
     return image.counters
 }
 
-/** The frame on another raster. */
+/** Returns the frame on another raster. */
 internal fun Frame.on(change: Raster.() -> Raster) = Frame(raster.change(), primitives, region)
 
-/** The raster with another depth test. */
+/** Returns the raster with another depth test. */
 internal fun Raster.tested(test: DepthTest) = Raster(width, height, background, convention, test, backgroundDepth)
 
-/** The same, but for ties. */
+/** Returns the test that differs only for ties. */
 internal fun swappedTies(test: DepthTest) = when (test) {
     DepthTest.LESS -> DepthTest.LESS_OR_EQUAL
     DepthTest.LESS_OR_EQUAL -> DepthTest.LESS

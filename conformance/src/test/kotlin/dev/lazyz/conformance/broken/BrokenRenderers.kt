@@ -14,22 +14,22 @@ import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.zbuffer.ZBuffer
 
 /**
- * Renderers that are right but for one mistake.
+ * Renderers with a single mistake.
  *
- * Each function returns a new renderer, so that some may keep state.
+ * Each function returns a new renderer, because some have state.
  */
 object BrokenRenderers {
     /** `<=` where `<` is meant. */
     fun lastWinsTies() = drawing("last-wins-ties") { frame -> frame.on { tested(swappedTies(depthTest)) } }
 
-    /** Right indices and depths, but on ties the colour of the other primitive. */
+    /** Correct indices and depths, but on ties the colour of the other primitive. */
     fun colourOfTheLoser() = BrokenRenderer("colour-of-the-loser") { frame, sink ->
         val right = ZBuffer().render(frame)
         val wrong = ZBuffer().render(frame.on { tested(swappedTies(depthTest)) })
         emit(Image(right.region, wrong.argb, right.depth, right.primitive, right.counters), sink)
     }
 
-    /** The usual depth test, whatever the raster says. */
+    /** The default depth test, whatever the raster says. */
     fun usualTestOnly() = drawing("usual-test-only") { frame -> frame.on { tested(convention.nearest) } }
 
     /** The painter's algorithm without its sort. */
@@ -71,7 +71,7 @@ object BrokenRenderers {
     /** All rows but the last. */
     fun lastRowMissing() = rows("last-row-missing") { height -> (0 until height - 1).toList() }
 
-    /** Samples of the background show what the frame before showed there. */
+    /** Samples of the background show what the previous frame showed there. */
     fun remembersTheLastFrame(): BrokenRenderer {
         var last = IntArray(0)
         return BrokenRenderer("remembers-the-last-frame") { frame, sink ->
@@ -84,7 +84,7 @@ object BrokenRenderers {
         }
     }
 
-    /** The frame in a field, so that threads render each other's. */
+    /** Keeps the frame in a field, so that threads render each other's frames. */
     fun oneThreadOnly(): BrokenRenderer {
         var current: Frame? = null
         return BrokenRenderer("one-thread-only") { frame, sink ->
@@ -94,7 +94,7 @@ object BrokenRenderers {
         }
     }
 
-    /** Counts primitives that are visible. */
+    /** Counts only visible primitives. */
     fun countsTheVisible() = counting("counts-the-visible") { image ->
         primitives =
             image.primitive.distinct().size.toLong()
@@ -103,24 +103,24 @@ object BrokenRenderers {
     /** Counts a shading call that never happens. */
     fun countsACallTooMany() = counting("counts-a-call-too-many") { shadingCalls++ }
 
-    /** Does not count what passes. */
+    /** Does not count depth passes. */
     fun countsNoPasses() = counting("counts-no-passes") { depthPasses = 0 }
 
     /** The whole raster, whatever the region. */
     fun ignoresTheRegion() = drawing("ignores-the-region") { Frame(it.raster, it.primitives) }
 
-    /** Another picture when it is configured. */
+    /** Renders another picture when it is configured. */
     fun optionsMatter() = BrokenRenderer("options-matter", options = { lastWinsTies() }) { frame, sink ->
         ZBuffer().render(frame, sink)
     }
 
-    /** The eager z-buffer under false pretences. */
+    /** The eager z-buffer with capabilities that it does not have. */
     fun shadesMoreThanItPromises() =
         BrokenRenderer("shades-more-than-it-promises", setOf(Capability.SHADES_ONLY_VISIBLE)) { frame, sink ->
             ZBuffer().render(frame, sink)
         }
 
-    /** Takes what is translucent for opaque, without a word. */
+    /** Treats translucent primitives as opaque instead of rejecting them. */
     fun takesGlassForOpaque() = drawing("takes-glass-for-opaque") { it.asOpaque() }
 
     /** Blends in the order of submission. */
@@ -128,15 +128,15 @@ object BrokenRenderers {
         over(cell, cell.upToBackdrop().sortedByDescending { cell.primitive(it) })
     }
 
-    /** The textbook's order of sums, from the back: the same but for the last bits. */
+    /** The order of sums of textbooks, from the back: the same except for the last bits. */
     fun blendsFromTheBack() = blending("blends-from-the-back") { cell -> over(cell, cell.upToBackdrop().reversed()) }
 
-    /** Blends what lies behind an opaque fragment, too. */
+    /** Also blends what is behind an opaque fragment. */
     fun blendsBehindTheBackdrop() = blending("blends-behind-the-backdrop") { cell ->
         over(cell, (0 until cell.size).filter { it == 0 || cell.isTranslucent(it) }.reversed())
     }
 
-    /** Blends right, and tells the depth of what is farthest. */
+    /** Blends correctly, but shows the depth of the farthest fragment. */
     fun depthOfTheBackdrop() = blending("depth-of-the-backdrop") { cell ->
         val right = SeenThrough(cell)
         Selector.blend().select(right)
@@ -144,7 +144,7 @@ object BrokenRenderers {
         right.color?.let { cell.show(last, it.red, it.green, it.blue, it.alpha) } ?: cell.show(0)
     }
 
-    /** Blends into 8 bits a component, over and over. */
+    /** Rounds to 8 bits per component after each blend. */
     fun blendsInEightBits() = blending("blends-in-eight-bits") { cell ->
         over(cell, cell.upToBackdrop().reversed()) { Rgba.ofArgb(it.toArgb()) }
     }
@@ -155,7 +155,7 @@ object BrokenRenderers {
     /** Fails on a single column. */
     fun needsTwoColumns() = drawing("needs-two-columns") { frame -> frame.also { check(it.raster.width > 1) } }
 
-    /** Hears which colour a selector shows. */
+    /** Records the colour that a selector shows. */
     private class SeenThrough(private val cell: Cell) : Cell by cell {
         var color: Rgba? = null
 

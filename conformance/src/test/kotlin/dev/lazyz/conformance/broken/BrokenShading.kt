@@ -9,7 +9,7 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap
 
-/** Renderers that are right but for normals, light, textures, masks, and what blends. */
+/** Renderers that are correct except for normals, light, textures, masks and blending. */
 object BrokenShading {
     fun normalsNotTurned() = wrong("normals-not-turned", Inside.Companion::turnNormals)
 
@@ -37,7 +37,7 @@ object BrokenShading {
         inside.eachCorner { data, at -> changes.setNumber(data, at + Inside.COLOR + 3, 1.0) }
     }
 
-    /** Leaves out what blends and is seen from behind. */
+    /** Omits blended surfaces seen from behind. */
     fun blendsFrontFacesOnly() =
         BrokenRenderer("blends-front-faces-only", setOf(Capability.TRANSPARENCY)) { frame, sink ->
             val front = frame.keeping { i ->
@@ -64,7 +64,7 @@ object BrokenShading {
         }
 }
 
-/** Values that the library's own objects have for a while. */
+/** Temporary changes of fields of the library's objects. */
 internal class Changes : AutoCloseable {
     private val undo = ArrayList<() -> Unit>()
 
@@ -86,7 +86,9 @@ internal class Changes : AutoCloseable {
     }
 }
 
-/** What is within a primitive that set-up made, and no renderer gets to see: where mistakes of shading are. */
+/**
+ * Access to the internals of a primitive made by set-up, which renderers do not see: the place of mistakes in shading.
+ */
 internal class Inside(primitive: Primitive) {
     /** The primitive if it has a mask. */
     val mask: Any?
@@ -115,7 +117,7 @@ internal class Inside(primitive: Primitive) {
     /** The material's texture, or null. */
     val texture: Any? get() = shader?.let { read(it, "texture") }
 
-    /** Whether the reference triangle runs clockwise on the screen. */
+    /** Whether the reference triangle is clockwise on the screen. */
     val isWoundClockwise: Boolean
         get() {
             if (!isPlanar) return false
@@ -125,14 +127,14 @@ internal class Inside(primitive: Primitive) {
             return (number("x1") - x) * (number("y2") - y) - (number("x2") - x) * (number("y1") - y) > 0
         }
 
-    /** Whether the [size] numbers from [field] on are the same at all corners. */
+    /** Whether the [size] numbers from [field] on are equal at all corners. */
     fun hasEqual(field: Int, size: Int): Boolean {
         val corners = ArrayList<List<Double>>()
         eachCorner { data, at -> corners.add((0 until size).map { data[at + field + it] }) }
         return corners.distinct().size == 1
     }
 
-    /** Calls [action] with the numbers of each corner of the reference triangle, and where they begin. */
+    /** Calls [action] with the numbers of each corner of the reference triangle, and their first index. */
     fun eachCorner(action: (data: DoubleArray, at: Int) -> Unit) {
         if (!isPlanar) return
         val planar = checkNotNull(core)
@@ -153,7 +155,7 @@ internal class Inside(primitive: Primitive) {
 
         fun read(target: Any, name: String): Any? = field(target, name).get(target)
 
-        /** Normals are those of the vertices, whichever side is seen. */
+        /** Uses the normals of the vertices unchanged for both sides. */
         fun turnNormals(inside: Inside, changes: Changes) {
             if (inside.isPlanar) changes.set(checkNotNull(inside.core), "normalSign", 1.0)
         }

@@ -14,7 +14,7 @@ import dev.lazyz.conformance.cases.changed.renumbered
 import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.zbuffer.ZBuffer
 
-/** Renderers that are right as long as nothing is large. */
+/** Renderers that are correct as long as nothing is large. */
 object BrokenSizes {
     fun columnsIn16Bits() = primitives("columns-in-16-bits") { ShadedAt(it) { x, y -> (x and 0xFFFF) to y } }
 
@@ -64,7 +64,7 @@ object BrokenSizes {
         override val size: Int get() = minOf(cell.size, 32)
     }
 
-    /** Takes no more than so many fragments at a sample. */
+    /** Uses at most [most] fragments at a sample. */
     private fun layers(id: String, most: Int) = BrokenRenderer(id) { frame, sink ->
         val counts = HashMap<Pair<Int, Int>, Int>()
         val kept = frame.primitives.map { primitive ->
@@ -82,7 +82,7 @@ object BrokenSizes {
         ZBuffer().render(Frame(frame.raster, kept, frame.region), sink)
     }
 
-    /** Covers of [whole] what [isKept]. */
+    /** Covers the samples of [whole] for which [isKept] returns true. */
     private class Sifted(whole: Primitive, private val isKept: (x: Int, y: Int) -> Boolean) : Recovered(whole) {
         override fun spans(y: Int, spans: Spans) {
             val all = Spans().also { whole.spans(y, it) }

@@ -9,10 +9,10 @@ import dev.lazyz.Spans
 import dev.lazyz.conformance.probes.answer
 
 /**
- * What the threads of a [Crew] have: each its own, as long as these functions make new ones.
+ * State of the threads of a [Crew]. Each thread has its own, if these functions create new instances.
  *
  * @property isLocked whether samples are compared and written under a lock
- * @property isPatient whether the caller waits for its threads though it is interrupted
+ * @property isPatient whether the caller waits for its threads even if it is interrupted
  * @property isTold which failures of the threads reach the caller
  */
 internal class Tools(
@@ -25,7 +25,7 @@ internal class Tools(
     val row: (width: Int) -> IntArray = { IntArray(it) },
 )
 
-/** A plain renderer that works in [threads] of its own: first primitives, then rows, in turn. Used once. */
+/** A plain renderer with its own [threads], which process primitives and then rows in turn. Used once. */
 internal class Crew(private val frame: Frame, private val threads: Int, private val tools: Tools) {
     private val region = frame.region
     private val test = frame.raster.depthTest
@@ -91,7 +91,7 @@ internal class Crew(private val frame: Frame, private val threads: Int, private 
         row.copyInto(argb, y * region.width, 0, region.width)
     }
 
-    /** Runs [work] in all threads, and passes on what one of them throws, and an interrupt. */
+    /** Runs [work] in all threads, and passes on an exception that one of them throws, and an interrupt. */
     private fun together(work: (Int) -> Unit) {
         val thrown = arrayOfNulls<Throwable>(threads)
         val workers = List(threads) { number ->

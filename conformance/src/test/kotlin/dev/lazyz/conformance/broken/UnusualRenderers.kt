@@ -14,9 +14,9 @@ import dev.lazyz.Spans
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.util.Random
 
-/** Renderers that work in ways of their own, and are right: the suite must not take the unusual for wrong. */
+/** Renderers that work in unusual ways but are correct. The suite must not fail them. */
 internal object UnusualRenderers {
-    /** Those that the suite judges in a few seconds. */
+    /** Renderers that the suite tests in a few seconds. */
     val quick: List<() -> Renderer> = listOf(
         { unusual("random-rays", draw = ::rays) },
         { unusual("bands-of-1024-rows", Capability.CONSTANT_MEMORY, draw = ::bands) },
@@ -36,7 +36,7 @@ internal object UnusualRenderers {
             draw(frame, sink)
         }
 
-    /** Casts a ray through each sample, in random order, and asks all primitives whose bounds it meets. */
+    /** Casts a ray through each sample, in random order, and queries all primitives whose bounds contain it. */
     private fun rays(frame: Frame, sink: RowSink): Counters {
         val region = frame.region
         val counters = Counters()
@@ -108,14 +108,14 @@ internal object UnusualRenderers {
         return sum
     }
 
-    /** Fills each row with other numbers as soon as the sink has returned. */
+    /** Overwrites each row as soon as the sink has returned. */
     private fun overwriting(frame: Frame, sink: RowSink): Counters = ZBuffer().render(frame) { y, argb, depth, owner ->
         val rows = listOf(argb, depth, owner).map { it.copyOf() }
         sink.row(y, rows[0], rows[1], rows[2])
         for (row in rows) row.fill(GARBAGE)
     }
 
-    /** Renders everything twice, and hands out the second picture. */
+    /** Renders everything twice, and delivers the second picture. */
     private fun twice(frame: Frame, sink: RowSink): Counters {
         val first = ZBuffer().render(frame).counters
         return emit(ZBuffer().render(frame), sink).apply { shadingCalls += first.shadingCalls }

@@ -7,7 +7,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.strategies.zbuffer.ZBuffer
 
-/** Right, without promises. */
+/** Correct, without capabilities. */
 open class PlainRenderer(override val id: String = "plain") : Renderer {
     override val summary: String get() = "a z-buffer that promises nothing"
 
@@ -16,7 +16,7 @@ open class PlainRenderer(override val id: String = "plain") : Renderer {
     override fun render(frame: Frame, sink: RowSink): Counters = ZBuffer().render(frame, sink)
 }
 
-/** Turns red to its opposite at the first sample of each row. */
+/** Inverts the red component at the first sample of each row. */
 class WrongColors : PlainRenderer("wrong-colors") {
     override fun render(frame: Frame, sink: RowSink): Counters = super.render(frame) { y, argb, depth, primitive ->
         argb[0] = argb[0] xor 0x00FF0000
@@ -24,7 +24,7 @@ class WrongColors : PlainRenderer("wrong-colors") {
     }
 }
 
-/** Throws where there is something to draw. */
+/** Throws if there are primitives. */
 class Throwing : PlainRenderer("throwing") {
     override fun render(frame: Frame, sink: RowSink): Counters {
         check(frame.primitives.isEmpty()) { "no <primitives> & no \"wonder\"\u0001" }
@@ -32,7 +32,7 @@ class Throwing : PlainRenderer("throwing") {
     }
 }
 
-/** Says that it has all capabilities, the last first. */
+/** Declares all capabilities, in reverse order. */
 class Promising : PlainRenderer("promising") {
     override val capabilities: Set<Capability> get() = Capability.entries.reversed().toSet()
 }

@@ -11,7 +11,7 @@ import dev.lazyz.conformance.frames.Frames
 import dev.lazyz.conformance.frames.screen.PolygonPiece
 import dev.lazyz.world.FrameBuilder
 
-/** Reads the Kotlin code of frames on the screen, as strictly as a compiler would: every character has its place. */
+/** Parses the Kotlin code of frames in screen space, as strictly as a compiler would. */
 internal class CodeReader(private val code: String) {
     private var at = 0
 
@@ -21,7 +21,7 @@ internal class CodeReader(private val code: String) {
     /** The polygons' contours, x, y, depth triples, in order. */
     val polygons: List<List<DoubleArray>> get() = pieces.map { it.contours }
 
-    /** The frame that the code makes. */
+    /** The frame that the code creates. */
     fun frame(): Frame {
         word("FrameBuilder(")
         val raster = raster()

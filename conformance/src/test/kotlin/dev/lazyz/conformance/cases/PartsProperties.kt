@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 
 /**
  * Contract rule 5.1: a frame may be rendered in parts, by primitives or by regions, by several renderers, and merged in
- * any order. The laws of a total order's minimum, over random splits.
+ * any order. Tests the laws of the minimum of a total order over random splits.
  */
 class PartsProperties {
     @Property(tries = 500, seed = SEED, edgeCases = EdgeCasesMode.NONE)
@@ -66,14 +66,14 @@ class PartsProperties {
         assertEquals(and(and(a, b), c), and(a, and(b, c))) { "associativity\n$case" }
     }
 
-    /** Parts that have all primitives together, some in several of them, each by another renderer. */
+    /** Parts that together have all primitives, some in several of them, each rendered by another renderer. */
     private fun byPrimitives(frame: Frame, random: Random): List<Image> {
         val count = 1 + random.nextInt(4)
         val owners = List(frame.primitives.size) { List(1 + random.nextInt(2)) { random.nextInt(count) } }
         return List(count) { part -> renderer(random).render(frame.keeping { part in owners[it] }) }
     }
 
-    /** Cuts a region in two, and its parts again, up to [depth] times. */
+    /** Splits a region in two, and the parts again, up to [depth] times. */
     private fun split(region: Region, random: Random, depth: Int): List<Region> {
         if (depth == 0 || random.nextInt(5) == 0) return listOf(region)
         val isWide = random.nextBoolean()
@@ -92,7 +92,7 @@ class PartsProperties {
         return parts.flatMap { split(it, random, depth - 1) }
     }
 
-    /** Merges any two parts, until there is one. */
+    /** Merges any two parts, until only one is left. */
     private fun merge(parts: List<Image>, frame: Frame, random: Random): Image {
         val open = ArrayList(parts)
         while (open.size > 1) {

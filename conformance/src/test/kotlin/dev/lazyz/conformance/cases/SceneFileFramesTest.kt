@@ -38,7 +38,7 @@ import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Frames as scene files: what is read is set up to the same pixels, depths and primitives. */
+/** Frames as scene files: reading them gives the same pixels, depths and primitives. */
 class SceneFileFramesTest {
     @Provide
     fun cases(): Arbitrary<FrameCase> {
@@ -53,7 +53,7 @@ class SceneFileFramesTest {
     fun sceneFileIsTheFrame(@ForAll("cases") case: FrameCase, @ForAll salt: Long) {
         assertSame(case)
 
-        // And so it is when the frame is changed as rules change it
+        // Also after the changes that rules make to frames
         val random = Random(salt)
         val raster = case.frame.raster
         val test = DepthTest.entries[random.nextInt(DepthTest.entries.size)]
@@ -104,7 +104,7 @@ class SceneFileFramesTest {
         assertNull(polygons.asOpaque().sceneFile())
         assertNull(FrameCase(FrameBuilder(raster).build(), "nobody knows").sceneFile())
 
-        // Glass that covers nothing is translucent all the same
+        // Glass that covers nothing is translucent, too
         val nothing = screenCase(raster, listOf(PolygonPiece(emptyList(), RULE)))
         assertNull(nothing.glazed(1).sceneFile())
         assertTrue((polygons.glazed(2).scene?.surfaces?.get(1) as Polygon).material.isTranslucent)

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Frames have the traits that they are made to have, and no others. */
+/** Frames have exactly the traits that they were created with. */
 class CensusTest {
     private val plain = Raster(8, 4)
 
@@ -40,7 +40,7 @@ class CensusTest {
     private fun full(raster: Raster, count: Int): Frame =
         Frame(raster, List<Primitive>(count) { Cutting(Whole(raster), 0..<raster.width, 0..<raster.height) })
 
-    /** Everywhere, in the middle. */
+    /** Covers the whole raster, at the middle depth. */
     private class Whole(raster: Raster) :
         Primitive by screenCase(
             raster,

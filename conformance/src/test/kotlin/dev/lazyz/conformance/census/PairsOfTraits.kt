@@ -24,15 +24,18 @@ import dev.lazyz.conformance.census.FrameTrait.TEXTURED
 import dev.lazyz.conformance.census.FrameTrait.TIE
 import dev.lazyz.conformance.census.FrameTrait.TRANSLUCENT
 
-/** Pairs of traits: which a run of the suite has to meet, which no frame has, and which none of the suite's has. */
+/**
+ * Pairs of traits: those that a run of the suite must contain, those that are impossible, and those that the suite
+ * lacks.
+ */
 internal object PairsOfTraits {
-    /** Sets of traits, no two of which are ever together, and why. */
+    /** Sets of traits that exclude each other, and why. */
     private val exclusive: List<Pair<String, Set<FrameTrait>>> = listOf(
         "a raster has one depth test" to setOf(LESS, LESS_OR_EQUAL, GREATER, GREATER_OR_EQUAL),
         "a raster has one convention" to setOf(SMALLER_IS_NEARER, LARGER_IS_NEARER),
     )
 
-    /** Traits that each of a set of others excludes, and why. */
+    /** Traits that exclude each of a set of others, and why. */
     private val excluded: List<Triple<String, FrameTrait, Set<FrameTrait>>> = listOf(
         Triple(
             "what is not there has no traits",
@@ -47,21 +50,23 @@ internal object PairsOfTraits {
 
     private val ofScenes = setOf(MESH, SPHERE, TEXTURED, MASKED, NEAR_PLANE)
 
-    /** Traits that go together, but not in the suite's frames, or not so that a census sees it, and why. */
+    /**
+     * Compatible traits that do not occur together in the suite's frames, or not so that a census finds it, and why.
+     */
     private val unmet: List<Triple<String, FrameTrait, Set<FrameTrait>>> = listOf(
         Triple("not every pair with lights is met at the default effort", LIT, FrameTrait.entries.toSet()),
         Triple("surfaces of the suite's scenes are too simple", MANY_SPANS, ofScenes),
         Triple("a scene is not kept when Glass is put into its frame", TRANSLUCENT, ofScenes),
     )
 
-    /** Why no frame has both; null if some may. */
+    /** Returns why no frame has both; null if some may. */
     fun whyNever(one: FrameTrait, other: FrameTrait): String? =
         exclusive.firstOrNull { (_, set) -> one in set && other in set }?.first ?: reason(excluded, one, other)
 
     private fun reason(list: List<Triple<String, FrameTrait, Set<FrameTrait>>>, a: FrameTrait, b: FrameTrait): String? =
         list.firstOrNull { (_, trait, set) -> (a == trait && b in set) || (b == trait && a in set) }?.first
 
-    /** All pairs that a run of the suite has to meet. */
+    /** All pairs that a run of the suite must contain. */
     val expected: List<Pair<FrameTrait, FrameTrait>> = FrameTrait.entries.flatMap { one ->
         FrameTrait.entries
             .filter { it > one && whyNever(one, it) == null && reason(unmet, one, it) == null }

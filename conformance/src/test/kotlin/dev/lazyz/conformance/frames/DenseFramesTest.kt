@@ -9,7 +9,7 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.Example
 import org.junit.jupiter.api.Assertions.assertTrue
 
-/** Frames on the screen are full: few are blank, most primitives cover something, and samples are covered often. */
+/** Frames in screen space are dense: few are empty, most primitives cover something, and samples are covered often. */
 class DenseFramesTest {
     @Example
     fun framesOfTheRulesAreDense() {
@@ -52,13 +52,16 @@ class DenseFramesTest {
         assertTrue(apart > 40) { "$apart" }
     }
 
-    /** Depth of a primitive at the first column that it covers in row [y], and the row. */
+    /** Returns the depth of a primitive at the first column that it covers in row [y], and the row. */
     private fun depthAt(frame: Frame, index: Int, y: Int): Pair<Int, Int>? {
         val spans = spans(frame, y, index)
         return if (spans.count == 0) null else frame.primitives[index].depth(spans.start(0), y) to y
     }
 
-    /** Whether a level is [lead] units behind an end of a slope. Bounds of polygons allow for a unit on each side. */
+    /**
+     * Whether a polygon of constant depth is [lead] units behind an end of a slope. Bounds of polygons have a margin of
+     * one unit on each side.
+     */
     private fun touches(frame: Frame, lead: Int): Boolean = frame.primitives.any { slope ->
         slope.greatestDepth - slope.leastDepth > 2 && frame.primitives.any { level ->
             level.greatestDepth - level.leastDepth == 2 &&
@@ -66,7 +69,7 @@ class DenseFramesTest {
         }
     }
 
-    /** Whether a primitive without slack in its bounds is [lead] units behind another. */
+    /** Whether a primitive with tight bounds is [lead] units behind another. */
     private fun isLevelBehind(frame: Frame, lead: Int): Boolean {
         val levels = frame.primitives.filter { it.leastDepth == it.greatestDepth }
         return levels.any { a -> levels.any { b -> a !== b && b.leastDepth == a.leastDepth + lead } }

@@ -11,7 +11,9 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 
-/** Each kind of frame is what it is named after, often; frames shrink, and print code that makes them. */
+/**
+ * Each kind of frame often has the property that its name says. Frames shrink, and print the code that creates them.
+ */
 class FrameMixTest {
     @Example
     fun usualMixIsFullOfDifficulties() {
@@ -202,7 +204,7 @@ class FrameMixTest {
         )
     }
 
-    /** Whether the contour turns right, at each vertex. */
+    /** Returns whether the contour turns right, for each vertex. */
     private fun DoubleArray.turns(): Set<Boolean> = edges().let { e ->
         e.indices.map { side(e[it].first, e[it].second, e[(it + 1) % e.size].second) > 0 }.toSet()
     }

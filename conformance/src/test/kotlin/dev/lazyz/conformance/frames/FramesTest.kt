@@ -124,7 +124,7 @@ class FramesTest {
             (0 until frame.height).any { y -> Spans().also { primitive.spans(y, it) }.count > 1 }
     }
 
-    /** Whether one primitive is both before and behind another. */
+    /** Whether two primitives are each in front of the other somewhere. */
     private fun isInterpenetrated(frame: Frame): Boolean = pairs(frame).any { it.contains(-1) && it.contains(1) }
 
     private fun isTied(frame: Frame): Boolean = pairs(frame).any { it.contains(0) }
@@ -150,7 +150,7 @@ class FramesTest {
     }
 
     private companion object {
-        /** Primitives enough to meet each other, in a scene of hundreds. */
+        /** Enough primitives to overlap in a scene of hundreds. */
         const val MANY = 16
     }
 }

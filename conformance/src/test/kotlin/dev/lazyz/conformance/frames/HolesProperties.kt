@@ -9,7 +9,7 @@ import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import net.jqwik.api.Provide
 
-/** A mix of one's own; docs/conformance.md shows it. */
+/** A custom mix of frames, as shown in docs/conformance.md. */
 class HolesProperties {
     @Property(tries = 200, seed = "1995")
     fun holesBehindHoles(@ForAll("holes") case: FrameCase) =

@@ -5,18 +5,21 @@ import dev.lazyz.Frame
 import dev.lazyz.Spans
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 
-/** Something that a frame's picture turns out to have: what distribution statistics count. */
+/** A property of a frame's picture, for statistics of distributions. */
 internal enum class PictureTrait {
     /** Nothing is visible. */
     EMPTY,
 
-    /** Two primitives have the same depth at a sample, and it is the winning one: the order of submission decides. */
+    /**
+     * Two primitives have the same depth at a sample, which is the winning one, so that the order of submission
+     * decides.
+     */
     TIED,
 
-    /** Of two primitives, each is nearer at some sample. */
+    /** Each of two primitives is nearer at some sample. */
     INTERPENETRATING,
 
-    /** Some sample is covered three times or more. */
+    /** Some sample is covered at least three times. */
     DEEP,
 
     /** Some primitive has several spans in a row. */
@@ -36,12 +39,12 @@ internal enum class PictureTrait {
     ;
 
     companion object {
-        /** Returns what [frame] has. Cost: samples x primitives^2, so for small frames. */
+        /** Returns the traits of [frame]. Cost: samples x primitives^2, so for small frames. */
         fun of(frame: Frame): Set<PictureTrait> = PictureTraits(frame).traits()
     }
 }
 
-/** Asks every primitive at every sample. */
+/** Queries every primitive at every sample. */
 private class PictureTraits(private val frame: Frame) {
     private val found = HashSet<PictureTrait>()
     private val covering = BooleanArray(frame.primitives.size)

@@ -12,7 +12,7 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.Example
 import org.junit.jupiter.api.Assertions.assertTrue
 
-/** Scenes are worth trying: seldom blank, most of what is in them can be seen, and in more than one colour. */
+/** Scenes are useful for tests: few are empty, and most of their surfaces are visible, in more than one colour. */
 class WorldFramesTest {
     @Example
     fun scenesAreWorthTheEffort() {
@@ -25,7 +25,7 @@ class WorldFramesTest {
         }
     }
 
-    /** What came of rendering [frames]. */
+    /** Statistics of the pictures of [frames]. */
     private class Worth(frames: List<Frame>) {
         private var primitives = 0
         private var empty = 0
@@ -39,16 +39,16 @@ class WorldFramesTest {
             for (frame in frames) add(frame)
         }
 
-        /** Part of the frames that show no primitive. */
+        /** Fraction of the frames that show no primitive. */
         val blank: Double = blanks.toDouble() / frames.size
 
-        /** Part of the primitives that cover no sample. */
+        /** Fraction of the primitives that cover no sample. */
         val nothing: Double get() = empty.toDouble() / primitives
 
-        /** Fragments for each sample that is covered. */
+        /** Number of fragments per covered sample. */
         val layers: Double get() = fragments.toDouble() / covered
 
-        /** Of the primitives that are visible at two samples or more, the part that show two colours or more. */
+        /** Fraction of the primitives visible at two or more samples that show two or more colours. */
         val colorful: Double get() = severalColors.toDouble() / visible
 
         private fun add(frame: Frame) {

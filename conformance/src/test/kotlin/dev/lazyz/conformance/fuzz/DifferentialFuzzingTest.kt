@@ -35,7 +35,7 @@ class DifferentialFuzzingTest {
         assertTrue("is the first of" in smallest && "recipe KIND=" in smallest, smallest)
         assertTrue(smallest.lines().size < 12, smallest)
 
-        // A scene file of it is there too, and can be read
+        // Its scene file exists, too, and can be read
         val kept = folder.resolve("differences").listDirectoryEntries()
         assertEquals(report.differences.size, kept.count { "$it".endsWith(".txt") })
         for (file in kept.filter { "$it".endsWith(".json") }) Scenes.load(file)
@@ -54,7 +54,7 @@ class DifferentialFuzzingTest {
         val recipes = folder.resolve("recipes.txt").readLines()
         assertTrue(recipes.size > FRAMES / 2, "$recipes")
 
-        // A difference that one of them shows is found by it, though nothing new is tried
+        // A known difference is found again, although nothing new is tried
         val again = fuzzing(BrokenRenderers.lastWinsTies(), recipes.size.toLong()).corpus(folder).run()
         assertEquals(again.frames, again.remembered)
         assertFalse(again.isEqual)
@@ -63,7 +63,7 @@ class DifferentialFuzzingTest {
     @Test
     fun exceptionOfOneIsADifference() {
         val report = fuzzing(BrokenRenderers.needsTwoColumns()).run()
-        assertTrue(report.differences.any { "the other java.lang.IllegalStateException" in it }, report.toText())
+        assertTrue(report.differences.any { "the second java.lang.IllegalStateException" in it }, report.toText())
     }
 
     @Test

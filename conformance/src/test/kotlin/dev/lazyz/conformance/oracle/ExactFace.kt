@@ -25,13 +25,13 @@ internal class Corner(val n: DoubleArray) {
 }
 
 /**
- * What a face's attributes are at a sample: contract rules 1.3, 3.5, 3.6 and 9.1 in double precision, independent of
+ * Computes a face's attributes at a sample: contract rules 1.3, 3.5, 3.6 and 9.1 in double precision, independently of
  * set-up.
  *
  * @param contours vertices whose positions and attributes are in world space
  */
 internal class ExactFace(raster: Raster, camera: Camera, contours: List<List<Corner>>) {
-    /** Whether there is too much open: vertices very far away, on a plane, in the guard band's reach, or no area. */
+    /** Whether too much is undefined: vertices very far away, on a plane, or beyond the guard band, or no area. */
     val isOpen: Boolean
 
     private var reference: List<Corner> = emptyList()
@@ -39,7 +39,7 @@ internal class ExactFace(raster: Raster, camera: Camera, contours: List<List<Cor
     private var area = 0L
     private var least = 0.0
 
-    /** Whether the face is a triangle, so that what is equal at its vertices is so everywhere. */
+    /** Whether the face is a triangle, so that an attribute that is equal at its vertices is constant. */
     var isTriangle: Boolean = false
         private set
 
@@ -70,7 +70,7 @@ internal class ExactFace(raster: Raster, camera: Camera, contours: List<List<Cor
         isOpen = isFar || area == 0L
     }
 
-    /** Rule 3.5: the first vertex, the one furthest from it, and the one furthest from the line through both. */
+    /** Rule 3.5: the first vertex, the one farthest from it, and the one farthest from the line through both. */
     private fun refer(left: List<Corner>, snapped: List<LongArray>) {
         val first = snapped[0]
         var numbers = listOf(0, 1, 2)
@@ -108,7 +108,7 @@ internal class ExactFace(raster: Raster, camera: Camera, contours: List<List<Cor
         )
     }
 
-    /** Whether attribute [k] is the same at all vertices of a triangle. */
+    /** Whether attribute [k] is equal at all vertices of a triangle. */
     fun isSame(k: Int): Boolean = isTriangle && reference.all { it.n[k] == reference[0].n[k] }
 
     private companion object {
@@ -120,7 +120,7 @@ internal class ExactFace(raster: Raster, camera: Camera, contours: List<List<Cor
         fun twice(a: LongArray, b: LongArray, c: LongArray): Long =
             (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
 
-        /** Rule 9.1: for each vertex the cut on the way to it, if there is one, and then itself. */
+        /** Rule 9.1: for each vertex the intersection on the edge to it, if any, then the vertex itself. */
         fun cut(contour: List<Corner>, inside: (Corner) -> Double): List<Corner> {
             val left = ArrayList<Corner>()
             for ((i, to) in contour.withIndex()) {

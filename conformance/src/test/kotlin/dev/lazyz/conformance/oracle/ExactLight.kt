@@ -9,22 +9,22 @@ import dev.lazyz.world.Shading
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
-/** Light by the words of contract rule 6.5, in double precision: an oracle for the library's own. */
+/** Light as contract rule 6.5 defines it, in double precision: an oracle for the library's own light. */
 internal class ExactLight(private val camera: Camera, private val lights: List<Light>) {
     private val isPerspective = camera.projection is Projection.Perspective
 
-    /** What a surface's own colour is multiplied by, and what is added to it; red, green, blue. */
+    /** Factor of a surface's own colour, and what is added to it; red, green, blue. */
     class Sum(val factor: DoubleArray, val summand: DoubleArray)
 
-    /** From [point] to the viewer, any length. */
+    /** Returns the vector from [point] to the viewer, of any length. */
     fun toViewer(point: Vector3dc): Vector3d =
         if (isPerspective) Vector3d(camera.eye).sub(point) else camera.toWorldDirection(0.0, 0.0, 1.0)
 
     /**
      * Returns the light at [point], or null where rounding decides: a normal of almost no length, a light at the point.
      *
-     * @param isPhong whether the highlight is Phong's, and not Blinn's
-     * @param graze the cosine from which on a light shines: about 0
+     * @param isPhong whether the highlight is Phong's instead of Blinn's
+     * @param graze the cosine above which a light shines: about 0
      */
     fun at(material: Material, point: Vector3dc, normal: Vector3dc, isPhong: Boolean, graze: Double): Sum? {
         val v = toViewer(point).normalize()
@@ -66,7 +66,7 @@ internal class ExactLight(private val camera: Camera, private val lights: List<L
         fun parts(color: Rgba): DoubleArray =
             doubleArrayOf(color.red.toDouble(), color.green.toDouble(), color.blue.toDouble())
 
-        /** Whether light is evaluated before the fragment. */
+        /** Whether light is evaluated at the vertices. */
         fun isAtVertices(shading: Shading): Boolean = shading == Shading.FLAT || shading == Shading.GOURAUD
     }
 }

@@ -31,12 +31,12 @@ import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Scenes before a camera, from vertices to pixels, against exact arithmetic. */
+/** Scenes seen through a camera, from vertices to pixels, compared with exact arithmetic. */
 class ExactPictureTest {
     private val random = Random(1995)
     private val up = Vector3d(0.0, 1.0, 0.0)
 
-    /** Puts quarters of a unit on samples and on corners of 8 x 8 pixels. */
+    /** Quarters of a unit fall on samples and corners of 8 x 8 pixels. */
     private val straight = Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), up, 4.0, 0.5, 10.0)
 
     @Example
@@ -78,7 +78,10 @@ class ExactPictureTest {
         }
     }
 
-    /** The first permitted surface that agrees with the primitive on all samples; the first of all if none does. */
+    /**
+     * Returns the first permitted surface that agrees with the primitive at all samples, or the first of all if none
+     * does.
+     */
     private fun explanation(frame: Frame, index: Int, permitted: List<ExactSurface?>): ExactSurface? =
         permitted.firstOrNull { surface -> covered(frame, index) { x, y -> surface?.coverage(x, y) } } ?: permitted[0]
 
@@ -132,7 +135,7 @@ class ExactPictureTest {
 
     @Test
     fun sphereThatTouchesARayIsOpen() {
-        // The sample at (0.5, 0.5) lies on the silhouette
+        // The sample at (0.5, 0.5) is on the silhouette
         val camera = Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), up, 4.0, 1.0, 9.0)
         val sphere = ExactSphere(Raster(4, 4), camera, Sphere(Vector3d(0.5, 0.0, 0.0), 0.5))
         assertEquals(Coverage.OPEN, sphere.coverage(2, 1))
@@ -141,7 +144,7 @@ class ExactPictureTest {
 
     @Test
     fun projectionCutsAtTheNearPlane() {
-        // Without perspective, near at z = 4: the triangle from z = 3 to z = 5 loses its half behind
+        // Without perspective, the near plane is at z = 4: the triangle from z = 3 to z = 5 loses the nearer half
         val camera = Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), up, 4.0, 1.0, 9.0)
         val triangle = listOf(Vector3d(-1.0, -1.0, 3.0), Vector3d(1.0, -1.0, 3.0), Vector3d(0.0, 1.0, 5.0))
         val polygon = ExactProjection(Raster(4, 4), camera).polygons(listOf(triangle), FillRule.NON_ZERO).single()
@@ -166,7 +169,7 @@ class ExactPictureTest {
             assertNotNull(picture.fault(wrong))
         }
         val larger = ExactSphere(raster, camera, Sphere(Vector3d(), 1.75))
-        assertEquals("sample (1, 0): primitive 0 must cover it, and does not", shown(frame, larger, right))
+        assertEquals("sample (1, 0): primitive 0 must cover it, but does not", shown(frame, larger, right))
         val nearer = ExactSphere(raster, camera, Sphere(Vector3d(0.0, 0.0, 0.001), 1.0))
         assertTrue("units off" in shown(frame, nearer, right))
     }
@@ -174,7 +177,7 @@ class ExactPictureTest {
     private fun shown(frame: Frame, surface: ExactSurface, image: Image): String =
         ExactPicture(frame, listOf(surface)).fault(image).orEmpty()
 
-    /** A surface, and what it may be by exact arithmetic. */
+    /** A surface, and its exact contours. */
     private inner class Tried(val surface: Surface, private val contours: List<List<Vector3dc>>?) {
         fun exact(raster: Raster, camera: Camera): List<ExactSurface?> {
             val projection = ExactProjection(raster, camera)
@@ -228,7 +231,7 @@ class ExactPictureTest {
         return Tried(Lines(numbers, intArrayOf(0, 1), oneOf(0.5, 1.0, 2.0, 3.3, 9.0)), listOf(positions))
     }
 
-    /** So many points, as numbers and as they come out of them. */
+    /** Generates points, both as floats and as vectors of the same values. */
     private fun floats(count: Int): Pair<FloatArray, List<Vector3d>> {
         val numbers = List(count) { point(1.5) }.flatMap { listOf(it.x.toFloat(), it.y.toFloat(), it.z.toFloat()) }
         return Pair(

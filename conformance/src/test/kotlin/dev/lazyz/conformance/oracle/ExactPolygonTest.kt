@@ -71,7 +71,7 @@ class ExactPolygonTest {
 
     @Test
     fun depthErrorIsTheDistanceToThePlane() {
-        // 256 units a pixel to the right, 1024 downward; 640 at the sample of (0, 0)
+        // 256 units per pixel to the right, 1024 downward; 640 at the sample of (0, 0)
         val polygon = ExactPolygon(listOf(intArrayOf(0, 0, 0, 1024, 0, 1024, 0, 1024, 4096)), FillRule.NON_ZERO)
         assertEquals(0.0, polygon.depthError(0, 0, 640))
         assertEquals(2.0, polygon.depthError(1, 0, 894))

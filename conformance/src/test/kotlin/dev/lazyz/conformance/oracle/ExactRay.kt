@@ -10,7 +10,7 @@ import org.joml.Vector3d
 internal class ExactRay(raster: Raster, private val camera: Camera, x: Int, y: Int) {
     private val origin: Vector3d
 
-    /** As long as it is to go one unit away from the viewer. */
+    /** The length for which the ray goes one unit away from the viewer. */
     private val step: Vector3d
 
     init {
@@ -33,7 +33,10 @@ internal class ExactRay(raster: Raster, private val camera: Camera, x: Int, y: I
 
     fun at(distance: Double): Vector3d = Vector3d(step).mul(distance).add(origin)
 
-    /** Returns both distances at which the ray cuts [sphere], or null if it hardly does, or at the near plane. */
+    /**
+     * Returns both distances at which the ray intersects [sphere], or null if it only grazes it, or intersects at the
+     * near plane.
+     */
     fun cut(sphere: Sphere): DoubleArray? {
         val to = Vector3d(sphere.center).sub(origin)
         val a = step.lengthSquared()

@@ -14,17 +14,21 @@ import dev.lazyz.world.Sphere
 import dev.lazyz.world.Surface
 import org.joml.Vector3d
 
-/** Which colours the contract permits at a sample. */
+/** The colours that the contract permits at a sample. */
 internal fun interface ExactColor {
-    /** Returns red, green, blue, linear, and alpha: what is meant, and what rounding may make of it; empty if open. */
+    /**
+     * Returns red, green, blue, linear, and alpha: the exact values, and those that rounding may give; empty if
+     * undefined.
+     */
     fun at(x: Int, y: Int): List<DoubleArray>
 }
 
 /**
  * The colours of a scene's primitives from contract rules 3.6, 5.5, 6.5 and 6.6 alone, in double precision.
  *
- * It takes nothing from set-up: it projects, clips, interpolates, lights and reads textures by itself. What hangs on
- * the last bits is left open, or several answers are right: normals across the face, light that grazes, borders of texels.
+ * It uses nothing of set-up: it projects, clips, interpolates, lights and reads textures itself. Where the last bits
+ * decide, the result is undefined or has several correct values: normals across the face, grazing light, borders of
+ * texels.
  */
 internal class ExactShading(scene: Scene, private val raster: Raster) {
     private val camera: Camera = scene.camera(raster.width, raster.height)
@@ -65,14 +69,14 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         val open = ExactColor { _, _ -> emptyList() }
         if (corners.size < 3 || corners.any { !it.world.isFinite }) return open
 
-        // Which side is seen
+        // The visible side
         val across = newell(contours)
         val side = across.dot(light.toViewer(corners[0].world))
         if (!(Math.abs(side) > 1e-9 * across.length())) return open
         if (side < 0 && material.sides == Sides.FRONT) return ExactColor { x, y -> error("($x, $y) shows the back") }
         val seen = Vector3d(across).normalize(if (side > 0) 1.0 else -1.0)
 
-        // Turn the normals to it; across the face either way
+        // Turn the normals to it; if they are across the face, either way
         val hasNormals = surface is Mesh && surface.normals != null && material.shading != Shading.FLAT
         val along = corners.sumOf { it.normal.dot(seen) }
         val turned = when {
@@ -98,7 +102,7 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         private val isLit = ExactLight.isAtVertices(material.shading)
         val face: ExactFace? = (if (isLit) lit(contours) else contours)?.let { ExactFace(raster, camera, it) }
 
-        /** Light at the vertices, or the middle of them. */
+        /** Light at the vertices, or at their centre. */
         private fun lit(contours: List<List<Corner>>): List<List<Corner>>? {
             val all = contours.flatten()
             val mean = Vector3d()
@@ -121,7 +125,7 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         }
     }
 
-    /** The colours of a sample, whose colour [isLit] or has to be. */
+    /** The colours of a sample. [isLit] if its colour is already lit, otherwise this function lights it. */
     private fun colors(
         material: Material,
         sample: Corner,
@@ -147,7 +151,7 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
 
     private fun alpha(material: Material, alpha: Double) = if (material.alphaMode == AlphaMode.BLEND) alpha else 1.0
 
-    /** The texture at the sample first, then around it, as far as coordinates in single precision may be off. */
+    /** The texture at the sample first, then around it, within the error of coordinates in single precision. */
     private fun texels(material: Material, sample: Corner, isSame: List<Boolean>): List<DoubleArray> {
         val texture = material.texture ?: return listOf(doubleArrayOf(1.0, 1.0, 1.0, 1.0))
         val exact = ExactTexture(texture)
@@ -164,7 +168,7 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         return DoubleArray(4) { color[it] * corner.n[Corner.COLOR + it] }
     }
 
-    /** A sphere's colours, at the nearer cut of the ray, or at the farther one if the nearer is cut off. */
+    /** A sphere's colours, at the nearer intersection of the ray, or at the farther one if the nearer is clipped. */
     private fun sphere(sphere: Sphere): ExactColor = ExactColor { x, y ->
         val ray = ExactRay(raster, camera, x, y)
         val hits = ray.cut(sphere) ?: return@ExactColor emptyList()
@@ -185,7 +189,7 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
     private companion object {
         val GRAZES = listOf(0.0, 2e-6, -2e-6)
 
-        /** The contours' common normal: the sum of the cross products of neighbours. */
+        /** The contours' common normal: the sum of the cross products of adjacent vertices. */
         fun newell(contours: List<List<Corner>>): Vector3d {
             val sum = Vector3d()
             for (contour in contours) {

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 
-/** What set-up, light and textures make of a scene, against the contract's words in double precision. */
+/** Compares set-up, light and textures of a scene with the contract in double precision. */
 class ExactShadingTest {
     private val kinds = listOf(
         WorldFrames.cases(WorldFrames.rasters(24), 4),
@@ -34,7 +34,7 @@ class ExactShadingTest {
         assertTrue(comparison.exact > 0.99 * comparison.judged) { "$comparison" }
     }
 
-    /** Each mistake of the library's own shading would be noticed. */
+    /** Each mistake in the library's shading would be noticed. */
     @Example
     fun rule_6_5_mistakesAreFound() {
         val cases = kinds.flatMap { some(it, 25) }
@@ -54,7 +54,7 @@ class ExactShadingTest {
         }
     }
 
-    /** Has materials of its own, which mistakes do not reach. */
+    /** Uses copies of the materials, which the mistakes do not affect. */
     private fun exact(case: FrameCase): ExactShading {
         val scene = checkNotNull(case.scene).withMaterials {
             Material(
@@ -71,7 +71,7 @@ class ExactShadingTest {
         var judged = 0
         var exact = 0
 
-        /** Returns what is wrong with the first colour that is not permitted, or null. */
+        /** Describes the first colour that is not permitted; null if there is none. */
         fun fault(case: FrameCase, shading: ExactShading): String? {
             val frame = case.frame
             check(shading.primitives.size == frame.primitives.size)

@@ -4,7 +4,7 @@ import dev.lazyz.world.Texture
 import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap
 
-/** Reads a texture by the words of contract rule 6.6, in double precision. */
+/** Reads a texture as contract rule 6.6 defines, in double precision. */
 internal class ExactTexture(private val texture: Texture) {
     /** Returns red, green, blue, linear, and alpha at ([u], [v]). */
     fun at(u: Double, v: Double): DoubleArray {

@@ -11,7 +11,7 @@ import dev.lazyz.Spans
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 
-/** The oracle against pictures worked out by hand. */
+/** Compares the oracle with pictures computed by hand. */
 class ReferenceRendererTest {
     @Test
     fun leastDepthIsVisibleAndTiesGoToTheFirst() {

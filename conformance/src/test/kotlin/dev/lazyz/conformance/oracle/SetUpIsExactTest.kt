@@ -20,7 +20,7 @@ import net.jqwik.api.Provide
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 
-/** Primitives that set-up makes against exact arithmetic (contract rules 2 to 4). */
+/** Compares primitives made by set-up with exact arithmetic (contract rules 2 to 4). */
 class SetUpIsExactTest {
     @Property(tries = 2000, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun everySampleOfASmallRasterIsExact(@ForAll("polygons") polygon: Outline, @ForAll("rasters") raster: Raster) {
@@ -84,7 +84,7 @@ class SetUpIsExactTest {
         }
     }
 
-    /** Bounds hold, depth is its form, and colours that are reached by steps are those of the sample. */
+    /** Bounds contain all depths, depth equals its linear form, and stepped colours equal those of the sample. */
     private fun assertPromises(primitive: Primitive, x: Int, y: Int) {
         assertTrue(x in primitive.columnStart until primitive.columnEnd, "column $x of $primitive")
         assertTrue(y in primitive.rowStart until primitive.rowEnd, "row $y of $primitive")
@@ -107,13 +107,13 @@ class SetUpIsExactTest {
         assertTrue(depth >= 0 && error < 0.8) { "depth $depth at ($x, $y) is $error units off" }
     }
 
-    /** A polygon that set-up and the oracle both get. */
+    /** A polygon for both set-up and the oracle. */
     class Outline internal constructor(private val piece: PolygonPiece) {
         fun primitive(raster: Raster): Primitive = FrameBuilder(raster).also {
             piece.addTo(it, 0)
         }.build().primitives[0]
 
-        /** Null for what covers nothing by rules 9.4 and 9.5. */
+        /** Null for a polygon that covers nothing by rules 9.4 and 9.5. */
         fun exact(raster: Raster): ExactPolygon? {
             val contours = piece.contours
             if (contours.sumOf { it.size } < 9 ||

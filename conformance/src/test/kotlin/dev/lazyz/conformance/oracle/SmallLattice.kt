@@ -1,26 +1,25 @@
 package dev.lazyz.conformance.oracle
 
 /**
- * Coverage of polygons on a small lattice, in whole numbers: for millions of polygons.
+ * Coverage of polygons on a small lattice, in integers: fast enough for millions of polygons.
  *
- * Shares nothing with set-up, nor with [ExactPolygon]. Triangles are judged by the signs of their three edge functions
- * and the top-left rule as rasterizer manuals have it; other polygons by their winding numbers, from rules 2.1 to 2.4.
- * Bit
+ * Shares nothing with set-up or [ExactPolygon]. Triangles are decided by the signs of their three edge functions and
+ * the top-left rule as in rasterizer manuals; other polygons by their winding numbers, from rules 2.1 to 2.4. Bit
  * `y * width + x` of a mask is set if that sample is covered.
  *
- * @param from the lattice's least coordinate on either axis, grid steps
- * @param step distance of neighbouring lattice points, grid steps
- * @param side lattice points a row
+ * @param from the lattice's least coordinate on either axis, in grid steps
+ * @param step distance of adjacent lattice points, in grid steps
+ * @param side number of lattice points in a row
  */
 internal class SmallLattice(private val from: Int, private val step: Int, private val side: Int, val raster: Int) {
-    /** How many lattice points there are. */
+    /** Number of lattice points. */
     val points: Int get() = side * side
 
     fun x(point: Int): Int = from + point % side * step
 
     fun y(point: Int): Int = from + point / side * step
 
-    /** Twice the signed area; above 0 if a, b, c run clockwise on the screen, where y grows downward. */
+    /** Twice the signed area; positive if a, b, c are clockwise on the screen, where y grows downward. */
     fun area(a: Int, b: Int, c: Int): Int = edge(a, b, x(c), y(c))
 
     private fun edge(a: Int, b: Int, x: Int, y: Int): Int = (x(b) - x(a)) * (y - y(a)) - (y(b) - y(a)) * (x - x(a))
@@ -39,9 +38,7 @@ internal class SmallLattice(private val from: Int, private val step: Int, privat
         isInside(a, b, x, y) && isInside(b, c, x, y) && isInside(c, a, x, y)
     }
 
-    /**
-     * On the inner side of a clockwise edge, or on it, if it is a left edge (runs upward) or a top one (to the right).
-     */
+    /** On the inner side of a clockwise edge, or on it, if it is a left edge (upward) or a top one (to the right). */
     private fun isInside(a: Int, b: Int, x: Int, y: Int): Boolean {
         val distance = edge(a, b, x, y)
         return distance > 0 || (distance == 0 && (y(b) < y(a) || (y(b) == y(a) && x(b) > x(a))))

@@ -10,25 +10,25 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.fail
 import org.junit.jupiter.api.Test
 
-/** Set-up against whole-number arithmetic, for all polygons there are on a small lattice: contract rules 2.1 to 2.5. */
+/** Compares set-up with integer arithmetic, for all polygons on a small lattice: contract rules 2.1 to 2.5. */
 class SmallLatticeTest {
     private val shader = Shader { it.setColor(1f, 1f, 1f, 1f) }
     private val spans = Spans()
 
-    /** All triangles up to rotation, both ways round, on quarter pixels in and around 2 x 2 samples. */
+    /** All triangles except for rotations, in both orientations, on quarter pixels in and around 2 x 2 samples. */
     @Test
     fun everyTriangleOnQuarterPixelsIsExact() {
         val lattice = SmallLattice(from = -128, step = 64, side = 13, raster = 2)
         assertEquals((169 * 169 * 169 + 2 * 169) / 3, triangles(lattice))
     }
 
-    /** The same on thirds of a pixel or so, where edges seldom meet samples, around 3 x 3 samples. */
+    /** The same on about thirds of a pixel, where edges rarely meet samples, around 3 x 3 samples. */
     @Test
     fun everyTriangleOnACrookedLatticeIsExact() {
         triangles(SmallLattice(from = -43, step = 107, side = 9, raster = 3))
     }
 
-    /** Tries all triangles of [lattice] and returns how many there are. */
+    /** Tests all triangles of [lattice] and returns their number. */
     private fun triangles(lattice: SmallLattice): Int {
         val raster = Raster(lattice.raster, lattice.raster)
         var count = 0
@@ -48,7 +48,7 @@ class SmallLatticeTest {
         return count
     }
 
-    /** All pairs of triangles on the two sides of an edge: no sample twice, and none missed. */
+    /** All pairs of triangles on the two sides of an edge: no sample is covered twice, and none is missed. */
     @Test
     fun everyPairAtASharedEdgeCoversEachSampleOnce() {
         val lattice = SmallLattice(from = 0, step = 64, side = 9, raster = 2)
@@ -71,7 +71,7 @@ class SmallLatticeTest {
                 for (c in left) {
                     val one = masks[(a * n + b) * n + c].toInt()
                     for (d in right) {
-                        // The neighbour walks the edge the other way
+                        // The adjacent triangle has the edge in the other direction
                         val other = masks[(b * n + a) * n + d].toInt()
                         count++
                         if (one and other != 0) wrong(lattice, one, other, a, b, c, d)
@@ -85,7 +85,7 @@ class SmallLatticeTest {
         assertEquals(3_521_912, count)
     }
 
-    /** All quadrilaterals up to rotation, self-crossing and flat ones included, under both fill rules. */
+    /** All quadrilaterals except for rotations, including self-intersecting and flat ones, with both fill rules. */
     @Test
     fun everyQuadrilateralOnHalfPixelsIsExact() {
         val lattice = SmallLattice(from = -128, step = 128, side = 6, raster = 2)

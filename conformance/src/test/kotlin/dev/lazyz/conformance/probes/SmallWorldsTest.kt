@@ -35,7 +35,7 @@ class SmallWorldsTest {
 
     @Test
     fun primitivesThatSetUpGotWrongAreFoundInSmallWorlds() {
-        // Judged by primitives alone, as other rules do, this renderer would be right
+        // Rules that trust primitives would accept this renderer
         assertFound { Frame(it.raster, it.primitives.map(::WithoutLeftColumn)) }
     }
 

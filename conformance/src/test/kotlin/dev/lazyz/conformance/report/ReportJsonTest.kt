@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** `report.json`: its keys are an interface, and each has the value that the report has. */
+/** `report.json`: its keys are an interface, and each has the report's value. */
 class ReportJsonTest {
     private val waiver =
         "rule: rule_7_3_rowsArriveInOrderEachOnce\nreason: <none>\nlink: https://example.org/7\nexpires: 9999-01-01\n"

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.w3c.dom.Element
 
-/** What the summary, the XML for build servers and the files of a report say of each outcome. */
+/** How the summary, the XML for build servers and the files of a report show each outcome. */
 class ReportLinesTest {
     private val nearest = "rule_5_1_nearestFragmentIsVisible"
     private val promise = "rule_8_2_promiseToShadeOnlyTheVisibleIsKept"
@@ -32,7 +32,7 @@ class ReportLinesTest {
     private fun waiver(rule: String, expires: String = "9999-01-01") =
         "rule: $rule\nreason: <none>\nlink: https://example.org/7\nexpires: $expires\n\n"
 
-    /** One rule each: failed, not supported, waived but passes, waived, and one with a waiver that is not run. */
+    /** One rule each: failed, not supported, waived but passes, waived, and a waived one that is not run. */
     private val report = Conformance {
         WrongColors()
     }.tries(0.05).rule(nearest).rule(promise).rule(rows).rule(background)

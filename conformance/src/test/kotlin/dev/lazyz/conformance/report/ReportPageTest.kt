@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** `report.html`: what comes first, what is there, and that nothing of it is taken for markup. */
+/** `report.html`: its order, its contents, and its escaping of markup. */
 class ReportPageTest {
     private val nearest = "rule_5_1_nearestFragmentIsVisible"
     private val promise = "rule_8_2_promiseToShadeOnlyTheVisibleIsKept"
@@ -37,13 +37,13 @@ class ReportPageTest {
         assertEquals(headings, all("<h2>(.*)</h2>", html))
         assertTrue("""<p class="bad">${ReportText(report).verdict()}</p>""" in html)
 
-        // What is a failure comes before what is waived, and each has a section and a way to it
+        // Failures come before waived rules, and each has a section and a link to it
         assertEquals(listOf(background, rows, nearest), all("<h3 id=\"(.*?)\">", html))
         assertEquals(listOf(background, background, rows, nearest), all("<li><a href=\"#(.*?)\">", html))
         assertEquals(listOf(background, nearest, rows), all("<tr><td><a href=\"#(.*?)\">", html))
         assertTrue("<tr><td>$promise</td>" in html)
 
-        // Why, where to look, and how to see it again
+        // Why, where to look, and how to reproduce it
         for (result in report.results.filter { it.rule.name != promise }) {
             val section = html.substringAfter("<h3 id=\"${result.rule.name}\">").substringBefore("</section>")
             assertTrue("<dt>Why (MUST)</dt><dd>${escaped(result.rule.intent)}</dd>" in section, section)

@@ -37,7 +37,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** A report in its four forms, and on disk. */
+/** A report in its four formats, and on disk. */
 class ReportTest {
     @TempDir
     lateinit var folder: Path
@@ -57,7 +57,7 @@ class ReportTest {
     fun textBeginsAndEndsWithTheVerdict() {
         val text = report(WrongColors(), nearest, "8.2", rows).toText()
         val parts = listOf(
-            "\n\nLikely cause\n  1. $nearest: it is the only rule that is broken\n     Follow the sample ",
+            "\n\nLikely cause\n  1. $nearest: it is the only broken rule\n     Check the sample ",
             "strategy      wrong-colors (", "\nWaivers\n  $rows (waived but passes)\n", "\nFAILED: $nearest (MUST)\n",
             "    expected #", "reproduce   zcli conformance ", "\nWAIVED BUT PASSES: $rows", " tries  ",
             "\nnot supported      rule_8_2_", "something is hidden",
@@ -159,7 +159,7 @@ class ReportTest {
         report.writeTo(folder)
         val rule = report.results.single().rule
         assertFalse(folder.resolve("failures/$rule.json").exists())
-        val words = "none: a scene file has no words for all that is in the frame"
+        val words = "none: a scene file cannot express this frame"
         assertTrue("scene file  $words\n" in report.toText(), report.toText())
         assertTrue("\n// scene file: $words\n" in folder.resolve("failures/$rule.kt").readText())
     }
@@ -171,7 +171,7 @@ class ReportTest {
         assertTrue(report.isConformant)
         val result = report.results.single()
         assertEquals(RuleOutcome.NOT_FOLLOWED, result.outcome)
-        assertTrue("something is visible, but peakBytes is 0" in result.message, result.message)
+        assertTrue("a primitive is visible, but peakBytes is 0" in result.message, result.message)
         val text = report.toText()
         assertTrue("\nNOT FOLLOWED: $rule (SHOULD)\n" in text && " conforms: 1 rule, 1 not followed;" in text, text)
         val json = Json.parseToJsonElement(report.toJson()).jsonObject
@@ -183,7 +183,7 @@ class ReportTest {
         assertTrue("failure" in told)
         val xml = report.toJUnitXml()
         assertTrue("failures=\"0\"" in xml && "skipped=\"1\"" in xml, xml)
-        assertTrue("<skipped message=\"not followed: keeps-memory-secret: something is visible" in xml, xml)
+        assertTrue("<skipped message=\"not followed: keeps-memory-secret: a primitive is visible" in xml, xml)
         val html = report.toHtml()
         assertTrue("<h2>Not followed</h2>" in html && "<h2>Failures</h2>" !in html, html)
         report.writeTo(folder)

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Which rule a mistake is about, given all that it breaks. */
+/** Finds the rule that a mistake is about, among all the rules that it breaks. */
 class DiagnosisTest {
     private val names = RuleNames
 
@@ -29,8 +29,8 @@ class DiagnosisTest {
         Diagnosis.ofBroken(broken.toList()).causes.map { it.rule.name }
 
     /**
-     * A line for each wrong renderer and, indented, for each rule that it breaks at a fifth of the usual effort: names
-     * of rules and symptoms. `-Dlazyz.record=true` writes it anew, in some minutes.
+     * A line for each wrong renderer and, indented, for each rule that it breaks at a fifth of the default effort:
+     * names of rules and symptoms. `-Dlazyz.record=true` rewrites it, which takes minutes.
      */
     private fun recorded(): Map<Mutant, List<Diagnosis.Broken>> {
         val blocks = LinkedHashMap<String, MutableList<Diagnosis.Broken>>()
@@ -63,7 +63,7 @@ class DiagnosisTest {
         }
     }
 
-    /** Nine of ten at least, on failures that are not made smaller, which tells less. */
+    /** At least nine of ten, on failures that are not shrunk, which contain less information. */
     @Test
     fun oneOfTheRulesThatAWrongRendererIsAboutIsAmongTheFirstThree() {
         if (System.getProperty("lazyz.record") == "true") record()

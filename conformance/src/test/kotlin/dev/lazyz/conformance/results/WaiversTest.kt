@@ -43,7 +43,7 @@ class WaiversTest {
             text("other") to "w.txt:3: no rule 'other'",
             text(expires = "2027-02-30") to "w.txt:6: not a date such as 2027-01-31: 2027-02-30",
             text().replace("link: https://example.org/7\n", "") to "w.txt:3: the block that begins here has no 'link:'",
-            text().replace("https://example.org/7", "") to "w.txt:5: nothing follows 'link:'",
+            text().replace("https://example.org/7", "") to "w.txt:5: 'link:' has no value",
             text().replace("link:", "url:") to "w.txt:5: expected 'rule:', 'reason:', 'link:', 'expires:': url: https",
             text() + text().substringAfter("\n\n") to "w.txt:7: 'rule:' twice in one block; is an empty line missing?",
             text() + "\n" + text() to "is waived twice",
@@ -71,7 +71,7 @@ class WaiversTest {
         assertTrue(result.outcome.isFailure)
         val inapplicable = outcome(PlainRenderer(), rule = "rule_8_2_promiseToShadeOnlyTheVisibleIsKept")
         assertEquals(RuleOutcome.WAIVED_BUT_PASSES, inapplicable.outcome)
-        assertEquals("is waived, but is not supported: delete its waiver", inapplicable.message)
+        assertEquals("has a waiver, but is not supported: delete the waiver", inapplicable.message)
     }
 
     @Test

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** Versions of contract and suite, and what each covers. */
+/** Versions of contract and suite, and the rules of each. */
 class VersionsTest {
     private val root = listOf(".", "..").map { Path.of(it) }.first { Files.isDirectory(it.resolve("docs")) }
     private val contract = root.resolve("docs/contract.md").readText()
@@ -27,12 +27,13 @@ class VersionsTest {
         assertTrue(contract.startsWith("# The contract\n\nVersion ${ConformanceVersions.CONTRACT}.\n"))
         val suite = root.resolve("docs/conformance.md").readText().lines().take(3).last()
         assertEquals(
-            "Version ${ConformanceVersions.SUITE} of the suite, for version ${ConformanceVersions.CONTRACT} of the contract.",
+            "Version ${ConformanceVersions.SUITE} of the suite, " +
+                "for version ${ConformanceVersions.CONTRACT} of the contract.",
             suite,
         )
     }
 
-    /** `-Dlazyz.update=true` adds new rules to the version's list; a rule that is gone needs a new version. */
+    /** `-Dlazyz.update=true` adds new rules to the version's list. A removed rule needs a new version. */
     @Test
     fun ruleDoesNotDisappearWithoutANewVersion() {
         val rules = SuiteRule.all.map { it.name }

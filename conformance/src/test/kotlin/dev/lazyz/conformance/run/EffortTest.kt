@@ -41,7 +41,7 @@ class EffortTest {
         assertEquals(SuiteRule.all.size, seeds.toSet().size)
         assertTrue(SuiteRule.all.indices.none { seeds[it] == SuiteRule.all[it].seed(1996) })
 
-        // Two rules about the same generator's frames
+        // Two rules with frames of the same generator
         val (nearest, index) = listOf(RuleNames.nearest, RuleNames.index).map { frames(0.2, it).toSet() }
         assertTrue((nearest intersect index).size < index.size / 2)
     }
@@ -63,7 +63,7 @@ class EffortTest {
         }
     }
 
-    /** Has a rule of its own making. */
+    /** Overrides a rule. */
     internal class Lenient : RendererConformance() {
         override fun renderer(): Renderer = ZBuffer()
 
@@ -89,7 +89,7 @@ class EffortTest {
     }
 
     private companion object {
-        /** As worked out by hand, outside of the JVM. */
+        /** Computed by hand, outside of the JVM. */
         const val SEED = -2063692123702923964L
     }
 }

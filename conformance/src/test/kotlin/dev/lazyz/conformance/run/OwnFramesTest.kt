@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** A folder of frames of one's own. */
+/** The user's folder of frames. */
 class OwnFramesTest {
     @TempDir
     lateinit var folder: Path
@@ -107,7 +107,7 @@ class OwnFramesTest {
     }
 }
 
-/** A frame of a width that the suite's own do not have. */
+/** A frame whose width does not occur among the suite's frames. */
 private val frame = Frame(Raster(97, 2), emptyList())
 
 class WithFrames : RendererConformance() {

@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** Whatever a renderer does, a run comes to its end and tells it. */
+/** Whatever a renderer does, a run ends and reports it. */
 class RunTest {
     private val nearest = "rule_5_1_nearestFragmentIsVisible"
     private val ties = "rule_5_2_tiesGoToTheFirstSubmitted"
@@ -102,7 +102,7 @@ class RunTest {
         val outcomes = run.results.map { it.outcome }
         assertEquals(3, outcomes.count { it == RuleOutcome.TIMED_OUT }) { run.toText() }
         assertTrue(outcomes.takeLast(2).all { it == RuleOutcome.NOT_RUN }, run.toText())
-        assertEquals("3 rules before it timed out or ended the process", run.results.last().message)
+        assertEquals("3 earlier rules timed out or ended the process", run.results.last().message)
         assertEquals(0, run.results.last().tries)
     }
 
@@ -145,7 +145,7 @@ class RunTest {
         val broken = report.results.filter { it.outcome == RuleOutcome.FAILED }
         assertTrue(broken.size > Tally.MOST_SHRUNK, report.toText())
 
-        // Each failure: first the tries, then the steps of shrinking, then its repetitions
+        // Each failure: first the tries, then the shrinking steps, then its repetitions
         val tries = report.results.sumOf { it.tries }
         val most = Tally.MOST_SHRUNK * Settings.MANY_STEPS + (broken.size - Tally.MOST_SHRUNK) * Settings.FEW_STEPS
         assertTrue(calls <= tries + most + 4 * broken.size, "$calls calls")

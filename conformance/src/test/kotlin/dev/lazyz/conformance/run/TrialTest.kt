@@ -49,7 +49,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.opentest4j.TestAbortedException
 
-/** What a run counts, remembers and leaves alone. */
+/** What a run counts, records and ignores. */
 class TrialTest {
     private val nearest = "rule_5_1_nearestFragmentIsVisible"
     private val case = FrameCase(FrameBuilder(Raster(2, 1)).build(), "FrameBuilder(Raster(2, 1)).build()")
@@ -134,7 +134,7 @@ class TrialTest {
         assertTrue(result.failure?.code.orEmpty().startsWith("FrameBuilder("), "${result.failure?.code}")
     }
 
-    /** Not found by build tools, as its name does not end in `Test`. */
+    /** Ignored by build tools, because its name does not end in `Test`. */
     class Unborn : RendererConformance() {
         init {
             error("the suite cannot be made")
@@ -209,7 +209,7 @@ class TrialTest {
         val options = "--seed 1995 --tries 0.05 --rule $nearest"
         assertEquals("zcli conformance --strategy zbuffer $options", own.commandFor(own.results.single().rule))
 
-        // A renderer from a jar of its own, in a folder with a blank
+        // A renderer from a separate jar, in a folder with a blank in its name
         val jar = folder.resolve("a folder").createDirectories().resolve("mine.jar")
         val name = Promising::class.java.name
         jarOf(jar, name)
@@ -235,14 +235,14 @@ class TrialTest {
         }
     }
 
-    /** Finds the class called [own] in the jar, though others have one of that name. */
+    /** Loads the class [own] from the jar, even if another loader has a class of that name. */
     private class ChildFirst(jar: Path, private val own: String) :
         URLClassLoader(arrayOf(jar.toUri().toURL()), ChildFirst::class.java.classLoader) {
         override fun loadClass(name: String, resolve: Boolean): Class<*> =
             if (name == own) findLoadedClass(name) ?: findClass(name) else super.loadClass(name, resolve)
     }
 
-    /** What jqwik says of a property. */
+    /** jqwik's result of a property. */
     private class Ended(private val status: Status, private val thrown: Throwable? = null) : PropertyExecutionResult {
         override fun seed(): Optional<String> = Optional.empty()
 

@@ -4,7 +4,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Image
 import dev.lazyz.Raster
 
-/** This picture with other numbers for its primitives; the background stays the background. */
+/** Returns this picture with other indices for its primitives. The background's index is unchanged. */
 internal fun Image.renumbered(number: (Int) -> Int): Image {
     val primitive = IntArray(primitive.size) {
         if (primitive[it] == DepthTest.BACKGROUND) DepthTest.BACKGROUND else number(primitive[it])
@@ -12,7 +12,7 @@ internal fun Image.renumbered(number: (Int) -> Int): Image {
     return Image(region, argb, depth, primitive, counters)
 }
 
-/** This picture of [raster] on one that is [right] columns and [down] rows larger, in the lower right corner. */
+/** Returns this picture of [raster] in the lower right corner of one that is [right] columns and [down] rows larger. */
 internal fun Image.moved(right: Int, down: Int, raster: Raster): Image {
     val wide = width + right
     fun row(values: IntArray, empty: Int) = IntArray(wide * (height + down)) {

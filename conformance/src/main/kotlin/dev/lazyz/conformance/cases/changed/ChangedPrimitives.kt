@@ -16,7 +16,7 @@ import dev.lazyz.conformance.cases.NothingThere
 import dev.lazyz.scenes.Tint
 import java.util.Collections
 
-/** A primitive with other coverage than [whole]: its cursor asks [spans] for each row. */
+/** A primitive with other coverage than [whole]. Its cursor calls [spans] for each row. */
 internal abstract class Recovered(protected val whole: Primitive) : Primitive by whole {
     override fun cursor(y: Int): SpanCursor {
         var row = y
@@ -26,7 +26,7 @@ internal abstract class Recovered(protected val whole: Primitive) : Primitive by
         }
     }
 
-    /** Adds what [whole] covers in row [y], as far as it is in [columns], moved [by] columns. */
+    /** Adds the part of row [y] of [whole] within [columns], moved [by] columns. */
     protected fun add(y: Int, columns: IntRange, by: Int, spans: Spans) {
         val all = Spans(columns.first, columns.last + 1)
         whole.spans(y, all)
@@ -34,7 +34,7 @@ internal abstract class Recovered(protected val whole: Primitive) : Primitive by
     }
 }
 
-/** As much of [whole] as lies in [columns] and [rows]. */
+/** The part of [whole] within [columns] and [rows]. */
 internal class Cutting(whole: Primitive, private val columns: IntRange, private val rows: IntRange) :
     Recovered(whole) {
     override val columnStart: Int get() = maxOf(whole.columnStart, columns.first)
@@ -47,7 +47,7 @@ internal class Cutting(whole: Primitive, private val columns: IntRange, private 
     }
 }
 
-/** [whole], made for a raster of [height] rows, [right] columns and [down] rows further. */
+/** A primitive [whole] of a raster with [height] rows, moved by [right] columns and [down] rows. */
 internal class Moved(whole: Primitive, private val height: Int, private val right: Int, private val down: Int) :
     Recovered(whole) {
     override val columnStart: Int get() = whole.columnStart + right
@@ -55,7 +55,7 @@ internal class Moved(whole: Primitive, private val height: Int, private val righ
     override val rowStart: Int get() = whole.rowStart + down
     override val rowEnd: Int get() = whole.rowEnd + down
 
-    /** The same plane, anchored at another sample; sums wrap, so that it is the same bits (rule 3.1). */
+    /** The same plane, relative to another sample. Sums wrap around, so the bits are the same (rule 3.1). */
     override val depthForm: LinearForm?
         get() = whole.depthForm?.let { LinearForm(it.c - it.dx * right - it.dy * down, it.dx, it.dy) }
 
@@ -88,8 +88,11 @@ internal class Moved(whole: Primitive, private val height: Int, private val righ
     }
 }
 
-/** Lies just behind what is visible in [image], everywhere where there is room; its shading must never be seen. */
-internal class Backstage(private val raster: Raster, private val image: Image) : Primitive {
+/**
+ * A primitive one unit behind the visible surface in [image] at each sample, except where no such depth exists. It must
+ * never be visible.
+ */
+internal class HiddenSurface(private val raster: Raster, private val image: Image) : Primitive {
     private val shader: Shader = Tint(-1)
     override val rowStart: Int get() = 0
     override val rowEnd: Int get() = raster.height
@@ -109,14 +112,14 @@ internal class Backstage(private val raster: Raster, private val image: Image) :
     override fun shade(fragment: Fragment): Unit = shader.shade(fragment)
 }
 
-/** Behind the primitives come the same ones once more. */
+/** Returns the frame with all primitives appended a second time. */
 internal fun FrameCase.doubled(): FrameCase = FrameCase(
     Frame(frame.raster, frame.primitives + frame.primitives),
     "$code\n    .let { Frame(it.raster, it.primitives + it.primitives) }",
     sceneOf { it + it },
 )
 
-/** Before the last primitives come some ten thousands that cover nothing, and say so. */
+/** Returns the frame with tens of thousands of primitives with empty bounds before its last primitives. */
 internal fun FrameCase.behindMany(): FrameCase {
     val half = frame.primitives.size / 2
     val nothing = Collections.nCopies(MANY, Cutting(NothingThere(frame.raster), 0..<0, 0..<0))
@@ -126,21 +129,24 @@ internal fun FrameCase.behindMany(): FrameCase {
     )
 }
 
-/** Nearly twice 2^16: by the lower 16 bits of an index, what comes after them was submitted before what comes before them. */
+/**
+ * Nearly twice 2^16. If an index is cut to 16 bits, the primitives after these seem to be submitted before the ones in
+ * front of them.
+ */
 private const val MANY = 131_070
 
-/** One more primitive, just behind what is visible in [image]. */
+/** Returns the frame with an additional primitive just behind what is visible in [image]. */
 internal fun FrameCase.backed(image: Image): FrameCase = FrameCase(
-    Frame(frame.raster, frame.primitives + Backstage(frame.raster, image)),
+    Frame(frame.raster, frame.primitives + HiddenSurface(frame.raster, image)),
     "$code // and behind the primitives one more, a unit of depth behind the picture",
 )
 
-/** Primitive i becomes 2 i and 2 i + 1: what it covers before [column] and from there on, or so with `row`. */
+/** Splits each primitive i at [column]: 2 i is the part before it, 2 i + 1 the part from there on. */
 internal fun FrameCase.cutAtColumn(column: Int): FrameCase = cut("column $column") {
     listOf(Cutting(it, 0..<column, 0..<Raster.MAX_SIDE), Cutting(it, column..<Raster.MAX_SIDE, 0..<Raster.MAX_SIDE))
 }
 
-/** Primitive i becomes 2 i and 2 i + 1: what it covers above `row` and from there on. */
+/** Splits each primitive i at `row`: 2 i is the part above it, 2 i + 1 the part from there on. */
 internal fun FrameCase.cutAtRow(row: Int): FrameCase = cut("row $row") {
     listOf(Cutting(it, 0..<Raster.MAX_SIDE, 0..<row), Cutting(it, 0..<Raster.MAX_SIDE, row..<Raster.MAX_SIDE))
 }
@@ -148,7 +154,7 @@ internal fun FrameCase.cutAtRow(row: Int): FrameCase = cut("row $row") {
 private fun FrameCase.cut(where: String, halves: (Primitive) -> List<Primitive>): FrameCase =
     FrameCase(Frame(frame.raster, frame.primitives.flatMap(halves)), "$code // each primitive in two, cut at $where")
 
-/** All primitives [right] columns and [down] rows further, on a raster that is as much larger. */
+/** Returns the frame with all primitives moved [right] columns and [down] rows, on an accordingly larger raster. */
 internal fun FrameCase.moved(right: Int, down: Int): FrameCase = FrameCase(
     Frame(
         with(frame.raster) { Raster(width + right, height + down, background, convention, depthTest, backgroundDepth) },
@@ -171,11 +177,11 @@ private class WithMillions(private val few: List<Primitive>, private val nothing
     }
 }
 
-/** After half of the primitives come [MILLIONS] that cover nothing, and say so. */
+/** Returns the frame with [MILLIONS] primitives with empty bounds after half of its primitives. */
 internal fun FrameCase.behindMillions(): FrameCase = FrameCase(
     Frame(frame.raster, WithMillions(frame.primitives, Cutting(NothingThere(frame.raster), 0..<0, 0..<0))),
     "$code // and after half of the primitives, $MILLIONS that cover nothing",
 )
 
-/** More than a float holds exactly. */
+/** More than a float can represent exactly. */
 internal const val MILLIONS: Int = (1 shl 24) + 1

@@ -9,7 +9,7 @@ import dev.lazyz.conformance.cases.code
 import dev.lazyz.world.Polygon
 import java.util.Random
 
-/** The same primitives on [raster], which has the same size. */
+/** Returns the same primitives on [raster], which must have the same size. */
 internal fun FrameCase.on(raster: Raster): FrameCase =
     FrameCase(
         Frame(raster, frame.primitives),
@@ -17,17 +17,17 @@ internal fun FrameCase.on(raster: Raster): FrameCase =
         scene.takeIf { raster.convention == frame.raster.convention },
     )
 
-/** The same frame, whose primitives are watched. */
+/** Returns this case with the equivalent [frame], whose primitives are observed. */
 internal fun FrameCase.watched(frame: Frame): FrameCase = FrameCase(frame, code, scene)
 
-/** The part of the frame within [region]. */
+/** Returns the part of the frame within [region]. */
 internal fun FrameCase.within(region: Region): FrameCase = FrameCase(
     frame.within(region),
     "$code\n    .within(Region(${region.columnStart}, ${region.rowStart}, ${region.columnEnd}, ${region.rowEnd}))",
     scene,
 )
 
-/** A part of the frame that [random] chooses, a sample at least. */
+/** Returns a random part of the frame, at least one sample. */
 internal fun FrameCase.withinAny(random: Random): FrameCase {
     val raster = frame.raster
     val columnStart = random.nextInt(raster.width)
@@ -37,7 +37,9 @@ internal fun FrameCase.withinAny(random: Random): FrameCase {
     return within(Region(columnStart, rowStart, columnEnd, rowEnd))
 }
 
-/** The two halves of the frame, which have the same size, beside each other or above each other; none if it is too small. */
+/**
+ * Returns two halves of the frame of equal size, side by side or one above the other; empty if the frame is too small.
+ */
 internal fun FrameCase.halves(): List<FrameCase> {
     val raster = frame.raster
     val isWide = raster.width >= raster.height
@@ -48,7 +50,7 @@ internal fun FrameCase.halves(): List<FrameCase> {
     return listOf(within(Region(0, 0, width, height)), within(second))
 }
 
-/** The part of the frame that [parity] is the parity of the primitives' indices in. */
+/** Returns the frame with only those primitives whose index has the given [parity], 0 or 1. */
 internal fun FrameCase.keeping(parity: Int): FrameCase =
     FrameCase(
         frame.keeping { it % 2 == parity },
@@ -56,7 +58,7 @@ internal fun FrameCase.keeping(parity: Int): FrameCase =
         sceneOf { surfaces -> surfaces.mapIndexed { i, it -> if (i % 2 == parity) it else Polygon(emptyList()) } },
     )
 
-/** The part of the frame with the one primitive [index], which keeps its number. */
+/** Returns the frame with only the primitive [index], which keeps its index. */
 internal fun FrameCase.alone(index: Int): FrameCase =
     FrameCase(
         frame.keeping { it == index },
@@ -64,18 +66,18 @@ internal fun FrameCase.alone(index: Int): FrameCase =
         sceneOf { surfaces -> surfaces.mapIndexed { i, it -> if (i == index) it else Polygon(emptyList()) } },
     )
 
-/** The primitive that was number `order[i]` becomes number i. */
+/** Returns the frame in which the primitive with the index `order[i]` gets the index i. */
 internal fun FrameCase.inOrder(order: List<Int>): FrameCase = FrameCase(
     Frame(frame.raster, order.map { frame.primitives[it] }),
     "$code\n    .let { Frame(it.raster, listOf<Int>(${order.joinToString()}).map(it.primitives::get)) }",
     sceneOf { surfaces -> order.map { surfaces[it] } },
 )
 
-/** Before each primitive comes one that covers nothing, whatever its bounds. */
+/** Returns the frame with a primitive that covers nothing, but has the raster's bounds, before each primitive. */
 internal fun FrameCase.padded(): FrameCase = FrameCase(
     Frame(frame.raster, frame.primitives.flatMap { listOf(NothingThere(frame.raster), it) }),
     "$code // and before each primitive one that covers nothing, with the raster's bounds",
 )
 
-/** The same frame without translucency. */
+/** Returns the frame without translucency. */
 internal fun FrameCase.asOpaque(): FrameCase = FrameCase(frame.asOpaque(), "$code\n    .asOpaque()")

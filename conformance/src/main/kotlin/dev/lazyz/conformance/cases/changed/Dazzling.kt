@@ -10,12 +10,12 @@ import dev.lazyz.conformance.cases.recoloured
 import dev.lazyz.scenes.Tint
 
 /**
- * Gives fragments colours as wild as floats can be.
+ * Gives fragments extreme colours.
  *
- * Light may be infinite, huge, negative, tiny or no number, and alpha is mostly exactly 0 or exactly 1. At a quarter of
- * the samples all of these have alpha 0, at another quarter alpha 1. Immutable and thread safe.
+ * Light may be infinite, huge, negative, tiny or NaN, and alpha is mostly exactly 0 or 1. At a quarter of the samples
+ * all fragments have alpha 0, at another quarter alpha 1. Immutable and thread safe.
  *
- * @param number another one gives other colours
+ * @param number seed of the colours
  */
 private class Dazzle(private val number: Int) : (Fragment) -> Unit {
     override fun invoke(fragment: Fragment) {
@@ -31,7 +31,7 @@ private class Dazzle(private val number: Int) : (Fragment) -> Unit {
         from[Tint.hash(number, fragment.x, fragment.y, component) % from.size]
 
     private companion object {
-        /** Stands for all primitives where they have the same alpha. */
+        /** Seed for samples where all primitives have the same alpha. */
         const val ALL = -1
 
         val ALPHAS = floatArrayOf(0f, 0f, 0f, -0f, 1f, 1f, 0.5f, 0.25f, 1e-30f, -1f, 2f, Float.NaN)
@@ -43,7 +43,7 @@ private class Dazzle(private val number: Int) : (Fragment) -> Unit {
     }
 }
 
-/** The same frame with colours that [Dazzle], on a background that is green and has alpha 0. */
+/** Returns the frame with the colours of [Dazzle], on a green background with alpha 0. */
 internal fun FrameCase.dazzling(): FrameCase {
     val raster = with(frame.raster) {
         Raster(width, height, Rgba(0.25f, 0.5f, 0.125f, 0f), convention, depthTest, backgroundDepth)

@@ -9,10 +9,10 @@ import dev.lazyz.conformance.cases.recoloured
 import dev.lazyz.scenes.Tint
 
 /**
- * Gives fragments one colour, with flecks of another, one sample in five: mostly a run of samples has the same colour at
- * both ends, and another one in between. Immutable and thread safe.
+ * Gives fragments one colour, except one sample in five, which has another. Most runs of samples therefore have equal
+ * colours at both ends, but another one in between. Immutable and thread safe.
  *
- * @param number another one gives other colours and flecks
+ * @param number seed of the colours and flecks
  */
 private class Flecks(private val number: Int) : (Fragment) -> Unit {
     private val light = 0.125f * (1 + number % 4)
@@ -23,12 +23,12 @@ private class Flecks(private val number: Int) : (Fragment) -> Unit {
     }
 }
 
-/** The same primitive without a shading cursor. */
+/** A primitive without a shading cursor. */
 private class WithoutCursor(whole: Primitive) : Primitive by whole {
     override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
 }
 
-/** The same frame with [Flecks], every other primitive [WithoutCursor]. */
+/** Returns the frame with [Flecks], and every other primitive [WithoutCursor]. */
 internal fun FrameCase.flecked(): FrameCase {
     val primitives = frame.primitives.mapIndexed { index, it ->
         (if (index % 2 == 0) WithoutCursor(it) else it).recoloured(Flecks(index))

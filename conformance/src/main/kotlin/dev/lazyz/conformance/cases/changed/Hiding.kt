@@ -9,7 +9,7 @@ import dev.lazyz.conformance.cases.Rasters
 import dev.lazyz.conformance.cases.Stripe
 import java.util.Random
 
-/** Frames like this one, each with one translucent primitive more, which nobody can see. */
+/** Returns variants of this frame, each with one additional translucent primitive that is invisible. */
 internal fun FrameCase.withHiddenGlass(random: Random): List<FrameCase> {
     val raster = frame.raster
     val hidden = linkedMapOf<String, Primitive>(
@@ -28,7 +28,7 @@ internal fun FrameCase.withHiddenGlass(random: Random): List<FrameCase> {
     }
 }
 
-/** Covers what lies beside the region, to one side of it; null if nothing does. */
+/** Returns a primitive that covers the samples on one side of the region; null if the region is the whole raster. */
 private fun besides(frame: Frame): Primitive? {
     val raster = frame.raster
     val region = frame.region

@@ -15,25 +15,27 @@ import dev.lazyz.world.Scene
 import dev.lazyz.world.Surface
 import dev.lazyz.world.Vertex
 
-/** A primitive on the screen, before it has a number. */
+/** A primitive in screen space, before it has an index. */
 internal sealed interface Piece {
-    /** This piece, made to fit a raster. */
+    /** Returns this piece, fitted to a raster. */
     fun on(raster: Raster): Piece = this
 
-    /** This piece, so many pixels further. */
+    /** Returns this piece moved by the given number of pixels. */
     fun moved(right: Int, down: Int): Piece
 
-    /** Adds this piece to a frame as its primitive [number], which chooses the colour. */
+    /** Adds this piece to a frame as its primitive [number]. The number determines the colour. */
     fun addTo(builder: FrameBuilder, number: Int)
 
-    /** The call that does what [addTo] does. */
+    /** Returns the code of the call that [addTo] makes. */
     fun code(number: Int): String
 
-    /** What becomes the same primitive before [Camera.screen]; null if a scene file has no words for it. */
+    /**
+     * Returns the surface that becomes the same primitive with [Camera.screen]; null if a scene file cannot express it.
+     */
     fun surface(number: Int): Surface?
 }
 
-/** A polygon as [FrameBuilder.polygon] takes it: x, y in pixels, depth from 0 to 1. */
+/** A polygon with the arguments of [FrameBuilder.polygon]: x, y in pixels, depth from 0 to 1. */
 internal class PolygonPiece(val contours: List<DoubleArray>, val fillRule: FillRule) : Piece {
     override fun moved(right: Int, down: Int): PolygonPiece {
         val by = doubleArrayOf(right.toDouble(), down.toDouble(), 0.0)
@@ -63,7 +65,7 @@ internal class PolygonPiece(val contours: List<DoubleArray>, val fillRule: FillR
     }
 }
 
-/** [Confetti] that is cut to whatever raster it comes to. */
+/** [Confetti] that is clipped to its raster. */
 internal class ConfettiPiece(
     val seed: Int,
     val columns: IntRange,
@@ -82,7 +84,7 @@ internal class ConfettiPiece(
         form,
     )
 
-    /** Begins on a side of [length] samples, and ends where that ends. */
+    /** Moves [range] so that it starts within [length] samples, and clips its end. */
     private fun within(range: IntRange, length: Int): IntRange {
         val off = range.first / length * length
         return minOf(range.first - off, length)..minOf(range.last - off, length)
@@ -99,7 +101,7 @@ internal class ConfettiPiece(
     override fun surface(number: Int): Surface? = null
 }
 
-/** This group, so many pixels further; as it is where it would leave the guard band. */
+/** Returns this group moved by the given number of pixels; unchanged if it would leave the guard band. */
 internal fun List<Piece>.moved(right: Int, down: Int): List<Piece> {
     if (right == 0 && down == 0) return this
     val reach = ScreenPolygons.BAND.endInclusive - maxOf(StrictMath.abs(right), StrictMath.abs(down))
@@ -109,7 +111,10 @@ internal fun List<Piece>.moved(right: Int, down: Int): List<Piece> {
     return if (isFar) this else map { it.moved(right, down) }
 }
 
-/** This group, moved by whole pixels until its middle is on [raster]; as it is where it reaches very far. */
+/**
+ * Returns this group moved by multiples of the raster's size until its centre is on [raster]; unchanged if it reaches
+ * very far.
+ */
 internal fun List<Piece>.broughtTo(raster: Raster): List<Piece> {
     val contours = filterIsInstance<PolygonPiece>().flatMap { it.contours }.filter { it.isNotEmpty() }
     if (contours.isEmpty()) return this
@@ -123,15 +128,15 @@ internal fun List<Piece>.broughtTo(raster: Raster): List<Piece> {
     return polygons.moved(shift(0, raster.width), shift(1, raster.height)) + others
 }
 
-/** Pixels; half of what leads to the end of the guard band. */
+/** In pixels: half the distance to the limit of the guard band. */
 private const val FAR_OFF = 262144.0
 
-/** In which order a frame has the pieces of its groups. */
+/** The order of the pieces of several groups in a frame. */
 internal enum class PieceOrder {
     /** Group by group. */
     TOGETHER,
 
-    /** The first of each group, then the second of each: what ties is far apart. */
+    /** The first of each group, then the second of each, so that primitives that tie are far apart. */
     APART,
     ;
 
@@ -141,7 +146,7 @@ internal enum class PieceOrder {
     }
 }
 
-/** Makes a frame of [pieces] in this order. */
+/** Creates a frame of [pieces] in this order. */
 internal fun screenCase(raster: Raster, pieces: List<Piece>): FrameCase {
     val fitting = pieces.map { it.on(raster) }
     val builder = FrameBuilder(raster)

@@ -39,7 +39,7 @@ internal class ScreenFrames(private val maxWidth: Int, private val maxHeight: In
         val columns = range(maxWidth)
         val ordered = range(maxHeight)
 
-        // No rows at all may also be said by an end before the start
+        // An empty range of rows may also have an end before its start
         val rows = mixed(29 to ordered, 1 to ordered.map { it.last..it.first })
         val levels = oneOf(1, 2, 5, 1000)
         val hashed = Combinators.combine(Arbitraries.integers(), columns, rows, levels)
@@ -49,7 +49,7 @@ internal class ScreenFrames(private val maxWidth: Int, private val maxHeight: In
         val formed = Combinators.combine(Arbitraries.integers(), columns, ordered, starts, longs, longs)
             .`as` { seed, column, row, c, dx, dy -> ConfettiPiece(seed, column, row, 1, LinearForm(c, dx, dy)) }
 
-        // As deep as confetti of a single level, or a unit before or behind it; the bounds say so
+        // At the depth of confetti with a single level, or one unit in front of or behind it, with tight bounds
         val level = Combinators.combine(Arbitraries.integers(), columns, ordered, ints(-1, 1))
             .`as` { seed, column, row, lead ->
                 ConfettiPiece(seed, column, row, 1, LinearForm.constant(Int.MAX_VALUE / 2 + lead))
@@ -57,7 +57,7 @@ internal class ScreenFrames(private val maxWidth: Int, private val maxHeight: In
         return mixed(3 to hashed, 2 to formed, 1 to level)
     }
 
-    /** From the first half of a side on, half a side or more; seldom nothing. */
+    /** Generates ranges that start in the first half of a side and are at least half a side long; rarely empty ones. */
     private fun range(side: Int): Arbitrary<IntRange> = mixed(
         29 to Combinators.combine(ints(0, side - 1), ints(1, side)).`as` { from, length ->
             from / 2..minOf(side, from / 2 + (side + length) / 2)

@@ -12,7 +12,7 @@ import net.jqwik.api.Combinators
 internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: Int) {
     private val fillRules = oneOf(FillRule.NON_ZERO, FillRule.EVEN_ODD)
 
-    /** Points anywhere on the grid, on the raster and an eighth of its size around it. */
+    /** Points anywhere on the grid, on the raster and up to an eighth of its size around it. */
     val near = points(grid(maxWidth), grid(maxHeight), depths)
 
     /** Points on samples and pixel corners. */
@@ -20,10 +20,10 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
 
     private val either = mixed(1 to near, 1 to aligned)
 
-    /** Points up to the end of the guard band. */
+    /** Points up to the limit of the guard band. */
     val far = points(guard, guard, depths)
 
-    /** One polygon of any kind. */
+    /** Generates one polygon of any kind. */
     fun single(): Arbitrary<List<Piece>> = mixed(
         3 to polygon(contour(near, 3, 6).map { listOf(it) }),
         3 to polygon(contour(aligned, 3, 6).map { listOf(it) }),
@@ -37,10 +37,10 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
         1 to polygon(degenerate()),
     ).map { listOf(it) }
 
-    /** The same polygon twice. */
+    /** Generates the same polygon twice. */
     fun twins(): Arbitrary<List<Piece>> = single().map { it + it }
 
-    /** A polygon of one depth, of a few: coplanar with many others. */
+    /** Generates a polygon with one of a few constant depths, coplanar with many others. */
     fun level(): Arbitrary<Piece> {
         val outlines = mixed(1 to contour(either, 3, 6), 1 to wide().map { it.single() })
         val levels = oneOf(0.5, 0.25, 0.75, 0.0, 1.0)
@@ -50,7 +50,7 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
         return polygon(contours)
     }
 
-    /** Triangles around a point, each of which shares an edge with the next; some overlap. */
+    /** Generates triangles around a point, each of which shares an edge with the next. Some overlap. */
     fun fan(): Arbitrary<List<Piece>> = Combinators
         .combine(either, either.list().ofMinSize(3).ofMaxSize(5))
         .`as` { center, ring ->
@@ -65,7 +65,7 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
     fun contour(points: Arbitrary<DoubleArray>, min: Int, max: Int): Arbitrary<DoubleArray> =
         points.list().ofMinSize(min).ofMaxSize(max).map { list -> list.reduce { all, point -> all + point } }
 
-    /** Four corners, or three of them, each in its quarter of the raster or a little outside of it. */
+    /** Generates polygons with four or three corners, each in its quadrant of the raster or slightly outside of it. */
     fun wide(): Arbitrary<List<DoubleArray>> {
         fun along(side: Int, end: Int) = Combinators.combine(ints(-16, 48), oneOf(2.0, 256.0)).`as` { part, steps ->
             val inset = StrictMath.rint(part * side * steps / 128) / steps
@@ -78,7 +78,10 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
             }
     }
 
-    /** A vertex in each quadrant, up to the end of the guard band: around most of the raster, or all of it. */
+    /**
+     * Generates polygons with a vertex in each quadrant, up to the limit of the guard band: around most of the raster,
+     * or all of it.
+     */
     fun giant(): Arbitrary<List<DoubleArray>> = far.list().ofSize(4).map { vertices ->
         val contour = vertices.mapIndexed { i, (x, y, depth) ->
             val (right, down) = listOf(-1 to -1, 1 to -1, 1 to 1, -1 to 1)[i]
@@ -87,14 +90,17 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
         listOf(contour.reduce { all, point -> all + point })
     }
 
-    /** Within about two pixels of a point: covers a sample or two, or none. */
+    /** Generates polygons within about two pixels of a point, which cover one or two samples, or none. */
     fun tiny(): Arbitrary<List<DoubleArray>> = Combinators
         .combine(near, contour(points(ints(-500, 500).map(::pixels), ints(-500, 500).map(::pixels), depths), 3, 4))
         .`as` { at, around ->
             listOf(DoubleArray(around.size) { if (it % 3 == 2) around[it] else at[it % 3] + around[it] })
         }
 
-    /** A triangle a few grid steps wide and any length, with any depths: steep; most are around a row of samples. */
+    /**
+     * Generates triangles a few grid steps wide and of any length, with any depths, so that they are steep. Most
+     * contain a row of samples.
+     */
     fun sliver(): Arbitrary<List<DoubleArray>> = mixed(1 to anySliver(), 3 to sliverAroundSamples())
 
     private fun sliverAroundSamples(): Arbitrary<List<DoubleArray>> {
@@ -104,7 +110,7 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
         return Combinators.combine(samples, ways, ints(1, 3), ints(-3, 3), depths).`as` { at, way, dx, dy, depth ->
             val (right, down) = way
 
-            // Half the width, never along the sliver: the samples on the way are inside
+            // Half the width, never along the sliver, so that the samples on the way are inside
             val isAlong = right * dy == down * dx
             val x = pixels(dx)
             val y = if (isAlong) pixels(if (dy > 0) dy - 1 else dy + 1) else pixels(dy)
@@ -123,7 +129,7 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
             listOf(a + b + third)
         }
 
-    /** Two or three contours: nested, touching or crossing, wound either way. */
+    /** Generates two or three contours: nested, touching or intersecting, with either winding. */
     fun holed(): Arbitrary<List<DoubleArray>> {
         val box = Combinators.combine(aligned, aligned, oneOf(true, false)).`as` { a, b, isTurned ->
             val other = if (isTurned) doubleArrayOf(a[0], b[1], a[2]) else doubleArrayOf(b[0], a[1], a[2])
@@ -133,7 +139,7 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
         return mixed(1 to box, 1 to contour(near, 3, 4)).list().ofMinSize(2).ofMaxSize(3)
     }
 
-    /** What covers nothing: too few vertices, no area, numbers that are none. */
+    /** Generates polygons that cover nothing: too few vertices, no area, NaN or infinite numbers. */
     fun degenerate(): Arbitrary<List<DoubleArray>> {
         val empty = Arbitraries.just(emptyList<DoubleArray>())
         val few = contour(near, 1, 2).map { listOf(it) }
@@ -146,16 +152,16 @@ internal class ScreenPolygons(private val maxWidth: Int, private val maxHeight: 
     }
 
     companion object {
-        /** Three times as far beyond the largest raster is still within the guard band. */
+        /** Three times this distance beyond the largest raster is still within the guard band. */
         private const val LONGEST = 65_536
 
         /** The guard band. */
         val BAND = -524288.0..524288.0
 
-        /** Depths from near to far, in steps that a double holds exactly. */
+        /** Depths from near to far, in steps that a double represents exactly. */
         val depths: Arbitrary<Double> = mixed(1 to ints(0, 1024).map { it / 1024.0 }, 1 to oneOf(0.5, 0.0, 1.0))
 
-        /** Coordinates up to the end of the guard band, often its very end. */
+        /** Coordinates up to the limit of the guard band, often the limit itself. */
         private val guard: Arbitrary<Double> = mixed(
             3 to ints(-(1 shl 27), 1 shl 27).map(::pixels),
             1 to oneOf(BAND.start, BAND.endInclusive),

@@ -8,9 +8,9 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 
 /**
- * What the vertices of a mesh have besides positions; null for nothing.
+ * The attributes of a mesh's vertices other than positions; null for none.
  *
- * Mostly a few values, over and over along the vertices: one is the same at all of them.
+ * Most consist of a few values that repeat along the vertices. A single value is the same at all vertices.
  */
 internal class WorldAttributes(
     private val normals: Pattern?,
@@ -23,7 +23,7 @@ internal class WorldAttributes(
 
     fun colors(positions: FloatArray): FloatArray? = colors?.of(positions, 4)
 
-    /** Gives each vertex its numbers. */
+    /** Determines the values of each vertex. */
     fun interface Pattern {
         fun at(vertex: Int, positions: FloatArray, part: Int): Float
 
@@ -36,7 +36,9 @@ internal class WorldAttributes(
             .combine(maybe(2, normals()), maybe(5, uvs()), maybe(2, colors()))
             .`as` { normals, uvs, colors -> WorldAttributes(normals.first, uvs.first, colors.first) }
 
-        /** With normals that are the same at all vertices, or nearly so; half of them point away from the viewer. */
+        /**
+         * Generates normals that are equal or nearly equal at all vertices. Half of them point away from the viewer.
+         */
         fun withNormals(): Arbitrary<WorldAttributes> {
             val same = mixed(3 to cycle(directions, 1), 1 to normals())
             return Combinators.combine(same, maybe(1, colors())).`as` { normals, colors ->
@@ -44,7 +46,10 @@ internal class WorldAttributes(
             }
         }
 
-        /** Any directions, opposite ones and none at all among them; or those from the origin, or to it. */
+        /**
+         * Generates normals of any direction, including opposite and zero ones, or normals that point away from or
+         * towards the origin.
+         */
         private fun normals(): Arbitrary<Pattern> {
             val radial = oneOf(1f, -1f, 3f).map { factor ->
                 Pattern { vertex, p, part -> factor * p[3 * vertex + part] }
@@ -58,7 +63,7 @@ internal class WorldAttributes(
                 .`as` { x, y, z -> floatArrayOf(x.toFloat(), y.toFloat(), z / 2f) },
         )
 
-        /** Any few, seldom far outside; or x and y, to scale. */
+        /** Generates a few arbitrary coordinates, rarely far outside; or scaled x and y. */
         private fun uvs(): Arbitrary<Pattern> {
             val near = Combinators.combine(ints(-6, 6), ints(-6, 6)).`as` { u, v -> floatArrayOf(u / 4f, v / 4f) }
             val far = Combinators.combine(ints(-99, 99), ints(-9999, 9999)).`as` { u, v ->
@@ -78,7 +83,7 @@ internal class WorldAttributes(
                 Pattern { vertex, _, part -> list[vertex % list.size][part] }
             }
 
-        /** Nothing once in [weight] and one. */
+        /** Generates null with a probability of 1 in [weight] + 1. */
         private fun maybe(weight: Int, patterns: Arbitrary<Pattern>): Arbitrary<Maybe> =
             mixed(1 to Arbitraries.just(Maybe(null)), weight to patterns.map(::Maybe))
 

@@ -11,9 +11,12 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 import org.joml.Vector3d
 
-/** Generates cameras that look at the origin, around which shapes are, and see no more than about where they are. */
+/**
+ * Generates cameras that look at the origin, around which the shapes are. Their field of view is about as large as the
+ * shapes.
+ */
 internal object WorldCameras {
-    /** A camera but for the raster: the wider that is, the less it sees from top to bottom. */
+    /** A camera without a raster. The wider the raster, the smaller the field of view from top to bottom. */
     class Aim(private val eye: Vector3d, private val lens: Lens) {
         fun on(raster: Raster): Coded<Camera> {
             val part = minOf(1.0, raster.height.toDouble() / raster.width)
@@ -30,7 +33,7 @@ internal object WorldCameras {
         }
     }
 
-    /** Degrees from top to bottom, or, where those are 0, units of the world. */
+    /** The vertical field of view in degrees or, if that is 0, the height in world units. */
     enum class Lens(val angle: Double, val height: Double) {
         USUAL(40.0, 0.0),
         PARALLEL(0.0, 4.0),
@@ -38,7 +41,7 @@ internal object WorldCameras {
         CLOSE(0.0, 3.0),
     }
 
-    /** Half of them look along the z axis, so that what has one z is parallel to the screen. */
+    /** Half of the cameras look along the z axis, so that surfaces of constant z are parallel to the screen. */
     fun aims(): Arbitrary<Aim> {
         val straight = ints(3, 6).map { Vector3d(0.0, 0.0, it.toDouble()) }
         val oblique = Combinators.combine(ints(-3, 3), ints(-3, 3), ints(2, 5))

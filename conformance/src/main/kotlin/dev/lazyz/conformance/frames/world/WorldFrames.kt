@@ -15,7 +15,10 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 import net.jqwik.api.RandomDistribution
 
-/** Generates frames of scenes: shapes within a few units of the origin, lights, a camera among or before them. */
+/**
+ * Generates frames of 3D scenes: shapes within a few units of the origin, lights, and a camera among or in front of
+ * them.
+ */
 internal object WorldFrames {
     private val shapes = WorldShapes(WorldMaterials.opaque())
     private val meshes = WorldMeshes(WorldMaterials.opaque())
@@ -30,37 +33,37 @@ internal object WorldFrames {
 
     fun mesh(): Arbitrary<Coded<Surface>> = meshes.any()
 
-    /** Frames of all kinds of surfaces, none of them translucent. */
+    /** Generates frames of all kinds of surfaces, without translucency. */
     fun cases(rasters: Arbitrary<Raster>, maxSurfaces: Int): Arbitrary<FrameCase> =
         cases(rasters, surfaces(shapes, meshes, maxSurfaces))
 
-    /** Frames of all kinds of surfaces, some of them translucent. */
+    /** Generates frames of all kinds of surfaces, some of them translucent. */
     fun blended(rasters: Arbitrary<Raster>, maxSurfaces: Int): Arbitrary<FrameCase> {
         val materials = WorldMaterials.blended()
         return cases(rasters, surfaces(WorldShapes(materials), WorldMeshes(materials), maxSurfaces))
     }
 
-    /** Frames of meshes with normals, seen from both sides, in light that comes from somewhere. */
+    /** Generates frames of meshes with normals, seen from both sides, with light from a direction or a point. */
     fun turned(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> {
         val surfaces = WorldMeshes(WorldMaterials.twoSided()).turned().list().ofMinSize(1).ofMaxSize(3)
         return cases(rasters, surfaces, WorldLights.directed())
     }
 
-    /** Frames of points, before meshes and among them, none of them translucent. */
+    /** Generates frames of points, in front of and among meshes, without translucency. */
     fun dotted(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> =
         cases(rasters, among(WorldPoints(WorldMaterials.opaque()).points()))
 
-    /** Frames of lines, likewise. */
+    /** Generates frames of lines, in front of and among meshes, without translucency. */
     fun lined(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> =
         cases(rasters, among(WorldPoints(WorldMaterials.opaque()).lines()))
 
-    /** Frames of points and lines most of which blend, among meshes. */
+    /** Generates frames of points and lines, most of which blend, among meshes. */
     fun blendedDots(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> {
         val some = WorldPoints(WorldMaterials.blended())
         return cases(rasters, among(mixed(1 to some.points(), 1 to some.lines())))
     }
 
-    /** Some of these surfaces, mostly with a mesh before, among or behind them. */
+    /** Generates some of these surfaces, mostly with a mesh in front of, among or behind them. */
     private fun among(surfaces: Arbitrary<Coded<Surface>>): Arbitrary<List<Coded<Surface>>> {
         val others = mixed(2 to meshes.backdrop(), 1 to meshes.any(), 1 to shapes.sphere())
         return Combinators.combine(surfaces.list().ofMinSize(1).ofMaxSize(4), others, ints(0, 5))
@@ -69,7 +72,7 @@ internal object WorldFrames {
             }
     }
 
-    /** Frames of these surfaces. */
+    /** Generates frames of these surfaces. */
     fun cases(rasters: Arbitrary<Raster>, surfaces: Arbitrary<List<Coded<Surface>>>): Arbitrary<FrameCase> =
         cases(rasters, surfaces, WorldLights.any())
 
@@ -91,7 +94,7 @@ internal object WorldFrames {
     private fun lines(list: List<Coded<*>>): String =
         if (list.isEmpty()) "listOf()" else list.joinToString("", "listOf(", "\n    )") { "\n        ${it.code}," }
 
-    /** Mostly with a backdrop, among the others. */
+    /** Generates surfaces, mostly including a backdrop. */
     private fun surfaces(shapes: WorldShapes, meshes: WorldMeshes, max: Int): Arbitrary<List<Coded<Surface>>> {
         if (max == 0) return Arbitraries.just(emptyList())
         val kinds = mixed(
@@ -110,8 +113,8 @@ internal object WorldFrames {
     }
 
     /**
-     * Square or not, but mostly neither a line nor a column, of which scenes show little; and mostly with the usual
-     * depth of the background, which hides nothing.
+     * Generates rasters, square or not, but mostly neither a row nor a column, which would show little of a scene; and
+     * mostly with the default depth of the background, which hides nothing.
      */
     fun rasters(maxSide: Int): Arbitrary<Raster> =
         Combinators.combine(Rasters.any(maxSide, maxSide), ints(0, 3)).`as` { raster, choice ->

@@ -10,15 +10,18 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 import org.joml.Vector3d
 
-/** Generates sources of light: none, which means the studio's; ambient light alone; one or several of any kind. */
+/** Generates lights: none, which means [Light.studio]; only ambient light; one or several of any kind. */
 internal object WorldLights {
-    /** No more than four; none shrinks to, and is the studio. */
+    /** Generates at most four lights. Shrinks to none, which means [Light.studio]. */
     fun any(): Arbitrary<List<Coded<Light>>> = mixed(
         1 to Arbitraries.just(emptyList()),
         4 to mixed(2 to ambient(), 3 to directional(), 4 to point()).list().ofMinSize(1).ofMaxSize(4),
     )
 
-    /** One from a direction or a point, so that it matters which way a normal points; and others. */
+    /**
+     * Generates one light from a direction or a point, for which the direction of normals matters, and possibly an
+     * ambient one.
+     */
     fun directed(): Arbitrary<List<Coded<Light>>> =
         Combinators.combine(mixed(1 to directional(), 1 to point()), ambient().list().ofMaxSize(1))
             .`as` { light, others -> listOf(light) + others }
@@ -30,7 +33,7 @@ internal object WorldLights {
 
     private fun directional(): Arbitrary<Coded<Light>> = Combinators.combine(ints(0, 124), WorldMaterials.colors)
         .`as` { number, color ->
-            // The middle of the cube is no direction
+            // The centre of the cube is not a direction
             val direction = lattice(if (number == 62) 0 else number)
             Coded(Light.Directional(direction, color), "Light.Directional(${code(direction)}, ${code(color)})")
         }
@@ -41,7 +44,7 @@ internal object WorldLights {
             Coded(Light.Point(position, color), "Light.Point(${code(position)}, ${code(color)})")
         }
 
-    /** One of the 125 points with whole coordinates from -2 to 2. */
+    /** Returns one of the 125 points with integer coordinates from -2 to 2. */
     private fun lattice(number: Int): Vector3d =
         Vector3d(number % 5 - 2.0, number / 5 % 5 - 2.0, number / 25 - 2.0)
 }

@@ -20,20 +20,20 @@ import net.jqwik.api.Combinators
 
 /** Generates materials: every shading, highlights, emission, textures, masks, one and two sides. */
 internal object WorldMaterials {
-    /** Colours of eighths; mostly opaque. */
+    /** Colours whose components are multiples of 1/8, mostly opaque. */
     val colors: Arbitrary<Rgba> = Combinators
         .combine(ints(0, 0x1FF), oneOf(1f, 1f, 1f, 1f, 0.5f, 0.5f, 0.75f, 0.25f, 0f))
         .`as` { bits, alpha -> Rgba((bits and 7) / 8f, (bits shr 3 and 7) / 8f, (bits shr 6) / 8f, alpha) }
 
-    /** Materials that do not blend; some have a mask. */
+    /** Generates materials that do not blend. Some have a mask. */
     fun opaque(): Arbitrary<Coded<Material>> =
         materials(mixed(8 to Arbitraries.just(AlphaMode.OPAQUE), 1 to Arbitraries.just(AlphaMode.MASK)))
 
-    /** Materials most of which blend. */
+    /** Generates materials most of which blend. */
     fun blended(): Arbitrary<Coded<Material>> =
         materials(mixed(6 to Arbitraries.just(AlphaMode.BLEND), 2 to oneOf(AlphaMode.OPAQUE, AlphaMode.MASK)))
 
-    /** Materials that are lit with the normals of the vertices, and seen from both sides. */
+    /** Generates materials that are lit with the normals of the vertices and visible from both sides. */
     fun twoSided(): Arbitrary<Coded<Material>> = Combinators
         .combine(colors, oneOf(Shading.PHONG, Shading.BLINN_PHONG, Shading.GOURAUD), highlights())
         .`as` { color, shading, highlight -> coded(Look(color, null, shading, highlight, Rgba.BLACK), Cut()) }
@@ -51,7 +51,7 @@ internal object WorldMaterials {
         return Combinators.combine(looks, cuts).`as`(::coded)
     }
 
-    /** Nothing, or an exponent and a colour. */
+    /** Generates no highlight, or an exponent and a colour. */
     private fun highlights(): Arbitrary<Highlight> = mixed(
         2 to Arbitraries.just(Highlight(Rgba.BLACK, 32)),
         3 to Combinators.combine(colors, oneOf(1, 2, 5, 32, 1024)).`as`(::Highlight),
@@ -71,7 +71,7 @@ internal object WorldMaterials {
             }
     }
 
-    /** Any colour; opaque in half of all textures. */
+    /** Returns any colour. Half of all textures are opaque. */
     private fun texel(seed: Int, number: Int): Int {
         val bits = Tint.hash(seed, number, 0, 0)
         val alpha = if (seed % 2 == 0) 0xFF else ALPHAS[bits ushr 24 and 3]

@@ -12,7 +12,7 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 import org.joml.Vector3d
 
-/** Generates meshes: a few large triangles or dozens of small ones, flat, bent, crossing, closed. */
+/** Generates meshes: a few large triangles or dozens of small ones, flat, bent, intersecting, closed. */
 internal class WorldMeshes(private val materials: Arbitrary<Coded<Material>>) {
     /** Positions, and three vertex numbers for each triangle. */
     class Geometry(val positions: FloatArray, val triangles: IntArray)
@@ -21,7 +21,7 @@ internal class WorldMeshes(private val materials: Arbitrary<Coded<Material>>) {
         mixed(3 to strips(), 3 to sheets(), 2 to crossings(), 2 to levels(), 2 to solids()), WorldAttributes.any(),
     )
 
-    /** A large sheet behind most else, and what crosses it. */
+    /** Generates a large sheet, behind or intersecting most other surfaces. */
     fun backdrop(): Arbitrary<Coded<Surface>> {
         val corners = Combinators.combine(ints(-4, 4), ints(-4, 4), ints(-16, 4)).`as` { tiltX, tiltY, z ->
             rectangle(6.0) { x, y -> z / 8.0 + (tiltX * x + tiltY * y) / 32.0 }
@@ -29,7 +29,7 @@ internal class WorldMeshes(private val materials: Arbitrary<Coded<Material>>) {
         return coded(corners.map { joined(listOf(it)) }, WorldAttributes.any())
     }
 
-    /** Large and small triangles with normals of their own, wound either way. */
+    /** Generates large and small triangles with vertex normals, with either winding. */
     fun turned(): Arbitrary<Coded<Surface>> {
         val either = Combinators.combine(mixed(2 to sheets(), 1 to solids(), 1 to crossings()), ints(0, 1))
             .`as` { geometry, turn -> if (turn == 0) geometry else reversed(geometry) }
@@ -56,7 +56,7 @@ internal class WorldMeshes(private val materials: Arbitrary<Coded<Material>>) {
             )
         }
 
-    /** Triangles of which neighbours share an edge, or cover each other. */
+    /** Generates triangles that share edges with their neighbours or cover each other. */
     private fun strips(): Arbitrary<Geometry> = Combinators
         .combine(WorldShapes.points.list().ofMinSize(3).ofMaxSize(6), ints(0, 2).list().ofMinSize(1).ofMaxSize(6))
         .`as` { corners, turns ->
@@ -66,7 +66,9 @@ internal class WorldMeshes(private val materials: Arbitrary<Coded<Material>>) {
             Geometry(positions.toFloatArray(), triangles.toIntArray())
         }
 
-    /** A grid of two triangles a cell, flat or bent, mostly before the camera, turned either way. */
+    /**
+     * Generates a grid with two triangles per cell, flat or bent, mostly in front of the camera, of either orientation.
+     */
     private fun sheets(): Arbitrary<Geometry> {
         val heights = ints(-8, 8).list().ofMinSize(1).ofMaxSize(4)
         val turns = oneOf(0, 3, 0, 3, 0, 3, 1, 2)
@@ -90,7 +92,7 @@ internal class WorldMeshes(private val materials: Arbitrary<Coded<Material>>) {
             }
     }
 
-    /** Large faces through nearly the same points at nearly the same angles. */
+    /** Generates large faces through nearly the same points at nearly the same angles. */
     private fun crossings(): Arbitrary<Geometry> {
         val face = Combinators.combine(ints(-2, 2), ints(-2, 2), ints(-1, 1)).`as` { tiltX, tiltY, z ->
             rectangle(2.0) { x, y -> (z + tiltX * x + tiltY * y) / 64.0 }
@@ -98,7 +100,9 @@ internal class WorldMeshes(private val materials: Arbitrary<Coded<Material>>) {
         return face.list().ofMinSize(2).ofMaxSize(5).map { joined(it) }
     }
 
-    /** Faces parallel to the screen of a straight camera, and sloping ones that end at the same depths. */
+    /**
+     * Generates faces parallel to the screen of a camera along the z axis, and sloped ones that end at the same depths.
+     */
     private fun levels(): Arbitrary<Geometry> {
         val face = Combinators.combine(ints(-2, 2), ints(-2, 2), ints(-8, 8), ints(-8, 8)).`as` { near, far, x, y ->
             rectangle(1.0) { _, side -> if (side < 0) near / 2.0 else far / 2.0 }
@@ -107,7 +111,7 @@ internal class WorldMeshes(private val materials: Arbitrary<Coded<Material>>) {
         return face.list().ofMinSize(1).ofMaxSize(6).map { joined(it) }
     }
 
-    /** Octahedra, and what comes of them when each edge is cut in two. */
+    /** Generates octahedra, some with each edge split in two. */
     private fun solids(): Arbitrary<Geometry> =
         Combinators.combine(WorldShapes.centers, oneOf(1.5, 1.0, 2.0), oneOf(0, 0, 0, 1)).`as` { center, radius, cuts ->
             var corners = OCTAHEDRON
@@ -135,7 +139,7 @@ internal class WorldMeshes(private val materials: Arbitrary<Coded<Material>>) {
             if (x.x * y.y * z.z > 0.0) Triple(x, y, z) else Triple(x, z, y)
         }
 
-        /** Half way, and on the sphere through both. */
+        /** The midpoint of [a] and [b], moved outwards, roughly onto the sphere through both. */
         fun middle(a: Vector3d, b: Vector3d): Vector3d = Vector3d(a).add(b).mul(0.75)
 
         fun rectangle(half: Double, height: (x: Double, y: Double) -> Double): List<Vector3d> =
@@ -143,7 +147,7 @@ internal class WorldMeshes(private val materials: Arbitrary<Coded<Material>>) {
                 Vector3d(x * half, y * half, height(x * half, y * half))
             }
 
-        /** Two triangles for each four corners. */
+        /** Joins faces of four corners, with two triangles each. */
         fun joined(faces: List<List<Vector3d>>): Geometry = Geometry(
             faces.flatten().flatMap { listOf(it.x.toFloat(), it.y.toFloat(), it.z.toFloat()) }.toFloatArray(),
             faces.indices.flatMap { listOf(0, 1, 2, 0, 2, 3).map { corner -> 4 * it + corner } }.toIntArray(),

@@ -12,7 +12,7 @@ import dev.lazyz.world.Surface
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 
-/** Generates clouds of points, and lines between points: from less than a pixel to more than a tile. */
+/** Generates clouds of points, and lines between points. Sizes are from less than a pixel to more than a tile. */
 internal class WorldPoints(private val materials: Arbitrary<Coded<Material>>) {
     private val sizes: Arbitrary<Double> =
         mixed(4 to oneOf(1.0, 2.0, 3.0), 2 to oneOf(0.25, 1.5, 5.3), 1 to oneOf(24.0))
@@ -30,7 +30,7 @@ internal class WorldPoints(private val materials: Arbitrary<Coded<Material>>) {
             )
         }
 
-    /** Polylines mostly, and segments anyhow, of no length among them. */
+    /** Mostly polylines, otherwise arbitrary segments, including segments of length zero. */
     fun lines(): Arbitrary<Coded<Surface>> = Combinators
         .combine(positions(2), ints(0, 5).list().ofMinSize(1).ofMaxSize(8), sizes, materials, WorldAttributes.any())
         .`as` { positions, turns, width, material, attributes ->

@@ -17,13 +17,13 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 import org.joml.Vector3d
 
-/** Generates polygons and spheres in space. */
+/** Generates polygons and spheres in world space. */
 internal class WorldShapes(private val materials: Arbitrary<Coded<Material>>) {
     fun polygon(): Arbitrary<Coded<Surface>> = Combinators
         .combine(points.list().ofMinSize(3).ofMaxSize(5), paint(), materials)
         .`as` { contour, paint, material -> coded(listOf(contour), paint, material) }
 
-    /** A flat square with a triangular hole or island, at any height. */
+    /** Generates a flat square with a triangular hole or island, at any z. */
     fun holed(): Arbitrary<Coded<Surface>> {
         val inner = Combinators.combine(ints(-12, 12), ints(-12, 12)).`as` { x, y -> Pair(x / 8.0, y / 8.0) }
         return Combinators.combine(inner.list().ofSize(3), ints(-16, 16), oneOf(1.0, 2.0), paint(), materials)
@@ -35,7 +35,7 @@ internal class WorldShapes(private val materials: Arbitrary<Coded<Material>>) {
             }
     }
 
-    /** A triangle with a corner behind every camera there is: most reach across the near plane. */
+    /** Generates a triangle with a vertex behind every generated camera, so that most reach across the near plane. */
     fun nearPlane(): Arbitrary<Coded<Surface>> {
         val front = Combinators.combine(ints(-8, 8), ints(-8, 8), ints(-8, 4))
             .`as` { x, y, z -> Vector3d(x / 8.0, y / 8.0, z / 8.0) }
@@ -58,7 +58,7 @@ internal class WorldShapes(private val materials: Arbitrary<Coded<Material>>) {
             }
     }
 
-    /** Colours of the vertices, over and over; how often a texture is repeated in a unit. */
+    /** The vertex colours, which repeat along the vertices, and the number of repetitions of a texture per unit. */
     private class Paint(val colors: List<Rgba>, val scale: Double)
 
     private fun paint(): Arbitrary<Paint> = Combinators.combine(
@@ -92,7 +92,7 @@ internal class WorldShapes(private val materials: Arbitrary<Coded<Material>>) {
         private val far: Arbitrary<Double> = ints(-40, 40).map { it.toDouble() }
         private val wild: Arbitrary<Double> = oneOf(1e30, Double.NaN, Double.POSITIVE_INFINITY)
 
-        /** Near the origin mostly; sometimes far away, seldom nowhere. */
+        /** Mostly near the origin, sometimes far away, rarely not finite or huge. */
         val points: Arbitrary<Vector3d> = mixed(
             280 to point(eighths, eighths),
             10 to point(far, far),

@@ -5,37 +5,40 @@ import java.lang.ref.Reference
 import java.lang.ref.WeakReference
 import kotlin.math.abs
 
-/** What the heap holds: what is left when the garbage has been collected. */
+/** Measures the heap after garbage collection. */
 internal object Heap {
     private const val ATTEMPTS = 5
     private const val BLOCK = 1024
     private const val HEADER = 16
 
-    /** As many times the limit are no noise, such as a block of rows that is not garbage yet. */
+    /** A measurement above this multiple of the limit is not noise, such as a block of rows that is not yet garbage. */
     private const val CLEAR = 8
 
-    /** A quarter of the least that a rule forgives. */
+    /** A quarter of the smallest allowance of a rule. */
     private const val TOLERANCE = 32 * BLOCK
 
-    /** Bytes whose measurement is tried: collectors that count in regions get some of them right by chance, not all. */
+    /**
+     * Sizes with which the measurement is tested. Collectors that count in regions get some of them right by chance,
+     * but not all.
+     */
     private val KNOWN = listOf(128 * BLOCK, 512 * BLOCK, 1024 * BLOCK)
 
     @Volatile
     private var isKnownToBeExact = false
 
-    /** Ends the rule where the garbage collector has been told not to work when it is asked to. */
+    /** Ends the rule, as not applicable, if System.gc() has no effect. */
     fun requireCollection() {
         val garbage = WeakReference(ByteArray(1))
         if (!isSoon { garbage.get() == null }) notMeasured("this JVM ignores System.gc()")
     }
 
-    /** Ends the rule where that is so, or where bytes that are known to be held are not what is measured. */
+    /** Ends the rule, as not applicable, if System.gc() has no effect or measurements of known sizes are wrong. */
     private fun requireMeasurable() {
         requireCollection()
         if (!isExact()) notMeasured("this JVM's garbage collector counts memory in large regions, not in objects")
     }
 
-    /** Whether the heap grows by what is allocated. ZGC and Shenandoah count regions of some megabytes. */
+    /** Returns whether the heap grows by what is allocated. ZGC and Shenandoah count regions of some megabytes. */
     fun isExact(): Boolean {
         if (!isKnownToBeExact) isKnownToBeExact = KNOWN.all { isExact(it) }
         return isKnownToBeExact
@@ -53,19 +56,22 @@ internal object Heap {
         return false
     }
 
-    /** Whether [isSo] becomes true after some collections. */
+    /** Returns whether [isSo] becomes true after some collections. */
     fun isSoon(isSo: () -> Boolean): Boolean {
         repeat(2 * ATTEMPTS) {
             System.gc()
             if (isSo()) return true
 
-            // Threads that have just ended may take a moment to let go of what they held
+            // Threads that have just ended may take a moment to release their memory
             Thread.sleep(it.toLong())
         }
         return false
     }
 
-    /** Returns the most bytes that are held, beyond those from before, when [work] calls the function it is given. */
+    /**
+     * Returns the greatest number of bytes held, relative to the state before, at the calls of the function that [work]
+     * gets.
+     */
     fun most(work: (measure: () -> Unit) -> Unit): Long {
         val before = settled()
         var most = 0L
@@ -74,8 +80,8 @@ internal object Heap {
     }
 
     /**
-     * Calls [fail] with the least of several [measurements] unless one of them is at most [limit]: noise only adds. Of what is
-     * clearly too much two are enough.
+     * Calls [fail] with the least of several [measurements], unless one of them is at most [limit], since noise only
+     * adds. Two measurements are enough if the result is clearly above the limit.
      */
     fun requireAtMost(limit: Long, measurements: () -> Long, fail: (least: Long) -> Nothing) {
         requireMeasurable()
@@ -88,10 +94,10 @@ internal object Heap {
         fail(least)
     }
 
-    /** Returns the smaller of two [measurements]: for what others are compared with, which noise must not make larger. */
+    /** Returns the smaller of two [measurements], for use as a base line, which noise must not increase. */
     fun less(measurements: () -> Long): Long = minOf(measurements(), measurements())
 
-    /** The bytes that are held as soon as they do not become fewer. */
+    /** Returns the number of bytes held, once it no longer decreases. */
     private fun settled(): Long {
         var least = held()
         repeat(ATTEMPTS) {

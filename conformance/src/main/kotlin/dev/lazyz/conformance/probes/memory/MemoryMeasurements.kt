@@ -13,39 +13,39 @@ import dev.lazyz.conformance.probes.answer
 import java.lang.ref.Reference
 import java.lang.ref.WeakReference
 
-// Memory is measured on the heap: a renderer's own counter may be wrong. What a violation holds is several times what is
-// allowed, and what is allowed several times the usual noise.
+// Memory is measured on the heap, because a renderer's own counters may be wrong. A violation holds several times the
+// allowed memory, and the allowed memory is several times the usual noise.
 
-private val NOBODY = RowSink { _, _, _, _ -> }
+private val DISCARD = RowSink { _, _, _, _ -> }
 
 private const val WIDE = 256
 
-/** More than a renderer that works in bands of a thousand rows has at work in two threads. */
+/** More rows than a renderer with bands of a thousand rows processes at a time in two threads. */
 private const val FEW_ROWS = 4096
 private const val MANY_ROWS = 16_384
 
-/** Bytes by which memory may grow for reasons that are no arrays of rows: half a byte for each further sample. */
+/** Allowed growth in bytes for other reasons than arrays of rows: half a byte for each additional sample. */
 private const val ROWS_ALLOWANCE = (MANY_ROWS - FEW_ROWS) * WIDE / 2L
 
-/** Fails if more rows take more memory: by the renderer's own word, or by what the garbage collector leaves. */
+/** Fails if more rows take more memory, according to the renderer's counters or to the heap. */
 internal fun constantMemory(renderer: Renderer) {
-    // Several threads may have several blocks of rows at work, but no more of them for a higher picture
+    // Several threads may process several blocks of rows at a time, but not more of them for a higher picture
     val configured = renderer.configured(RenderOptions(threads = 2))
-    val few = configured.render(stripes(FEW_ROWS), NOBODY).peakBytes
-    val many = configured.render(stripes(MANY_ROWS), NOBODY).peakBytes
+    val few = configured.render(stripes(FEW_ROWS), DISCARD).peakBytes
+    val many = configured.render(stripes(MANY_ROWS), DISCARD).peakBytes
     if (many > few + few / 8 + Long.SIZE_BYTES) {
         fail(renderer, "peakBytes is $few for $FEW_ROWS rows of $WIDE samples, $many for $MANY_ROWS")
     }
     val growth = { heldForRows(configured, MANY_ROWS) - Heap.less { heldForRows(configured, FEW_ROWS) } }
     Heap.requireAtMost(ROWS_ALLOWANCE, growth) {
-        fail(renderer, "$MANY_ROWS rows of $WIDE samples hold $it bytes more of the heap than $FEW_ROWS rows")
+        fail(renderer, "$MANY_ROWS rows of $WIDE samples hold $it bytes more on the heap than $FEW_ROWS rows")
     }
 }
 
-private fun stripes(rows: Int, heed: (Int) -> Unit = {}) =
-    Frame(Raster(WIDE, rows), listOf(Stripe(0..3, 0..<rows, 1000, heed), Stripe(2..7, 0..<rows, 2000, heed)))
+private fun stripes(rows: Int, onQuery: (Int) -> Unit = {}) =
+    Frame(Raster(WIDE, rows), listOf(Stripe(0..3, 0..<rows, 1000, onQuery), Stripe(2..7, 0..<rows, 2000, onQuery)))
 
-/** Bytes that are held when the last row is asked about, and when the first and the last one are handed out. */
+/** Returns the bytes held when the last row is queried, and when the first and the last one are delivered. */
 private fun heldForRows(renderer: Renderer, rows: Int): Long = Heap.most { measure ->
     val last = Once(rows - 1, measure)
     renderer.render(stripes(rows, last)) { y, _, _, _ -> if (y == 0 || y == rows - 1) measure() }
@@ -54,14 +54,14 @@ private fun heldForRows(renderer: Renderer, rows: Int): Long = Heap.most { measu
 private const val FEW_PRIMITIVES = 2048
 private const val MANY_PRIMITIVES = 131_072
 
-/** Bytes by which memory may grow for reasons that are no records of primitives. */
+/** Allowed growth in bytes for other reasons than records of primitives. */
 private const val PRIMITIVES_ALLOWANCE = MANY_PRIMITIVES - FEW_PRIMITIVES.toLong()
 
-/** Fails if very many hidden primitives take more memory than many, whether they are hidden at once or later. */
+/** Fails if many more hidden primitives take more memory, whether they are hidden immediately or later. */
 internal fun constantMemoryInPrimitives(renderer: Renderer) {
     for (order in Order.entries) {
-        val few = renderer.render(arriving(order, FEW_PRIMITIVES), NOBODY).peakBytes
-        val many = renderer.render(arriving(order, MANY_PRIMITIVES), NOBODY).peakBytes
+        val few = renderer.render(arriving(order, FEW_PRIMITIVES), DISCARD).peakBytes
+        val many = renderer.render(arriving(order, MANY_PRIMITIVES), DISCARD).peakBytes
         if (many > few + PRIMITIVES_ALLOWANCE) {
             fail(renderer, "peakBytes is $few for $FEW_PRIMITIVES primitives $order, $many for $MANY_PRIMITIVES")
         }
@@ -70,12 +70,12 @@ internal fun constantMemoryInPrimitives(renderer: Renderer) {
                 Heap.less { heldForArrivals(renderer, order, FEW_PRIMITIVES) }
         }
         Heap.requireAtMost(PRIMITIVES_ALLOWANCE, growth) {
-            fail(renderer, "$MANY_PRIMITIVES primitives $order hold $it bytes more of the heap than $FEW_PRIMITIVES")
+            fail(renderer, "$MANY_PRIMITIVES primitives $order hold $it bytes more on the heap than $FEW_PRIMITIVES")
         }
     }
 }
 
-/** In which order primitives arrive of which one hides all others. */
+/** The order of primitives of which one hides all others. */
 private enum class Order(private val words: String) {
     HIDDEN_AT_ONCE("from near to far"),
     HIDDEN_LATER("from far to near"),
@@ -84,33 +84,39 @@ private enum class Order(private val words: String) {
     override fun toString(): String = words
 }
 
-/** A frame that keeps no primitive: each one is made when it is asked for, and is garbage unless the renderer keeps it. */
-private fun arriving(order: Order, count: Int, heed: (Int) -> Unit = {}): Frame {
+/**
+ * Returns a frame that does not store primitives: each is created when it is requested, and is garbage unless the
+ * renderer keeps it.
+ */
+private fun arriving(order: Order, count: Int, onQuery: (Int) -> Unit = {}): Frame {
     val primitives = object : AbstractList<Primitive>() {
         override val size: Int get() = count
 
         override fun get(index: Int): Primitive {
             val depth = 1000 + if (order == Order.HIDDEN_AT_ONCE) index else count - index
-            return Stripe(0..7, 0..1, depth) { heed(index) }
+            return Stripe(0..7, 0..1, depth) { onQuery(index) }
         }
     }
     return Frame(Raster(8, 2), primitives)
 }
 
-/** Bytes that are held when the last primitive is asked about, and when the first row is handed out. */
+/** Returns the bytes held when the last primitive is queried, and when the first row is delivered. */
 private fun heldForArrivals(renderer: Renderer, order: Order, count: Int): Long = Heap.most { measure ->
     renderer.render(arriving(order, count, Once(count - 1, measure))) { y, _, _, _ -> if (y == 0) measure() }
 }
 
 private const val SIDE = 512
 
-/** Primitives that share a row, so that no two samples side by side are of the same one. */
+/** Number of primitives that share a row, so that adjacent samples always show different ones. */
 private const val SHARERS = 32
 
-/** Bytes beyond a budget that are forgiven, besides a quarter of it: what is counted are arrays, not their headers. */
+/** Allowed bytes beyond a budget, in addition to a quarter of it: renderers count arrays, but not their headers. */
 private const val BUDGET_ALLOWANCE = 256L * 1024
 
-/** Fails if the heap holds more than a budget, besides the image: what a picture of one large primitive takes. */
+/**
+ * Fails if the heap holds more than a budget in addition to the image's memory, which is what a picture of one large
+ * primitive takes.
+ */
 internal fun budgetOnTheHeap(renderer: Renderer) {
     val plain = listOf(0..<SIDE to 0..<SIDE)
     val speckles = List(SIDE * SHARERS) { (it % SHARERS..<SIDE step SHARERS) to (it / SHARERS..it / SHARERS) }
@@ -118,22 +124,22 @@ internal fun budgetOnTheHeap(renderer: Renderer) {
         val configured = renderer.configured(RenderOptions(memoryBudget = budget, threads = 1))
         val held = { heldForColours(configured, speckles) - Heap.less { heldForColours(configured, plain) } }
         Heap.requireAtMost(budget + budget / 4 + BUDGET_ALLOWANCE, held) {
-            fail(renderer, "a budget of $budget bytes is given, and $it of the heap are held besides the image's")
+            fail(renderer, "the budget is $budget bytes, but $it bytes of the heap are held in addition to the image's")
         }
     }
 }
 
-/** Bytes that are held when the last primitive is asked about, and when the first row is handed out. */
+/** Returns the bytes held when the last primitive is queried, and when the first row is delivered. */
 private fun heldForColours(renderer: Renderer, places: List<Pair<IntProgression, IntRange>>): Long {
-    var heed: (Int) -> Unit = {}
-    val primitives = places.mapIndexed { index, (columns, rows) -> Stripe(columns, rows, 1000) { heed(index) } }
+    var onQuery: (Int) -> Unit = {}
+    val primitives = places.mapIndexed { index, (columns, rows) -> Stripe(columns, rows, 1000) { onQuery(index) } }
     return Heap.most { measure ->
-        heed = Once(places.lastIndex, measure)
+        onQuery = Once(places.lastIndex, measure)
         renderer.render(Frame(Raster(SIDE, SIDE), primitives)) { y, _, _, _ -> if (y == 0) measure() }
     }
 }
 
-/** Fails if a renderer that is still in use holds a frame that it has rendered, or given up. */
+/** Fails if a renderer that is still in use holds a frame after its rendering has ended or failed. */
 internal fun keepsNothing(renderer: Renderer) {
     Heap.requireCollection()
     for (end in End.entries) {
@@ -141,21 +147,24 @@ internal fun keepsNothing(renderer: Renderer) {
         if (Heap.isSoon { left.all { it.get() == null } }) continue
         val kept = left.mapNotNull { it.get() }.first()
         Reference.reachabilityFence(renderer)
-        fail(renderer, "a ${kept.javaClass.simpleName} is kept when the rendering $end")
+        fail(renderer, "a ${kept.javaClass.simpleName} is still held after the rendering $end")
     }
 }
 
 /** How a rendering ends. */
 private enum class End(private val words: String) {
     RETURNED("has returned"),
-    SINK_THREW("has ended since the sink threw"),
-    PRIMITIVE_THREW("has ended since a primitive threw"),
+    SINK_THREW("has failed because the sink threw"),
+    PRIMITIVE_THREW("has failed because a primitive threw"),
     ;
 
     override fun toString(): String = words
 }
 
-/** Renders a frame that nobody knows but the renderer, and lets go of it, its primitive and its sink. */
+/**
+ * Renders a frame, and returns weak references to the frame, its primitive and its sink, which only the renderer may
+ * still hold.
+ */
 private fun rendered(renderer: Renderer, end: End): List<WeakReference<Any>> {
     val primitive = Stripe(0..7, 0..7, 1000) { check(end != End.PRIMITIVE_THREW || it < 4) { "enough" } }
     val frame = Frame(Raster(16, 16), listOf(primitive))

@@ -4,7 +4,7 @@ import java.util.concurrent.CyclicBarrier
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.Executors
 
-/** Calls [block] for each of [cases] in a thread of its own, all at the same time. Fails as the first that fails. */
+/** Calls [block] for each of [cases] in a separate thread, all at the same time. Rethrows the first failure. */
 internal fun <T> atOnce(cases: List<T>, block: (T) -> Unit) {
     val threads = Executors.newFixedThreadPool(cases.size) { Thread(it).apply { isDaemon = true } }
     try {

@@ -11,28 +11,28 @@ import java.util.concurrent.atomic.LongAdder
 /** Where the primitives of a [Crowd] make threads meet. */
 internal enum class Where(
     /**
-     * How many meetings are enough. Two threads that compare and write without a lock, after they have met, lose something
-     * in one of thirty; who shares a fragment is found nearly each time.
+     * Number of meetings that are enough. Threads that compare and write without a lock lose an update in about one of
+     * thirty meetings; a shared fragment is noticed in nearly every one.
      */
     val enough: Int,
 ) {
-    /** At the same row, and at the same sample when its depth is asked for: two updates of the same sample. */
+    /** At the same row, and at the same sample when its depth is queried: two updates of the same sample. */
     SAME_SAMPLE(1_000),
 
-    /** Wherever spans and colours are asked for: two uses of what belongs to one thread. */
+    /** At any query for spans or colours: two uses of state that must belong to one thread. */
     ANY_SAMPLE(1_000),
 }
 
 /**
- * A frame whose primitives all cover all samples and, if [meeting] is given, make threads meet. Which one is nearest is
- * another one from sample to sample.
+ * A frame whose primitives cover all samples and, if [meeting] is given, make threads meet. The nearest primitive
+ * varies from sample to sample.
  */
 internal class Crowd(private val salt: Long, private val where: Where, private val meeting: Meeting?) {
     val frame: Frame = Frame(Raster(SIDE, SIDE), List(COUNT) { Member(it) })
 
     private val shaded = LongAdder()
 
-    /** Shading calls so far. */
+    /** Number of shading calls so far. */
     val shadingCalls: Long get() = shaded.sum()
 
     private fun hash(index: Int, x: Int, y: Int): Int {
@@ -41,7 +41,7 @@ internal class Crowd(private val salt: Long, private val where: Where, private v
         return (h ushr 34).toInt()
     }
 
-    /** Steps of a thread that goes through rows from left to right. */
+    /** Returns the step of a sample, for threads that visit rows from left to right. */
     private fun step(x: Int, y: Int): Int = y * (SIDE + 1) + 1 + x
 
     private inner class Member(private val index: Int) : Primitive {
@@ -77,10 +77,10 @@ internal class Crowd(private val salt: Long, private val where: Where, private v
         const val SIDE = 64
         const val COUNT = 4
 
-        /** Covered samples: bounds of depths are loose, so nothing is hidden before it is looked at. */
+        /** Number of covered samples. The bounds of depth are loose, so that no sample is rejected early. */
         const val FRAGMENTS: Long = COUNT * SIDE * (SIDE - 1L)
 
-        /** The frame as it is when nobody has to meet. */
+        /** Returns the frame without meetings. */
         fun quiet(salt: Long, where: Where): FrameCase = FrameCase(
             Crowd(salt, where, null).frame,
             "// $COUNT primitives that cover $SIDE x $SIDE samples and make threads meet, number $salt",

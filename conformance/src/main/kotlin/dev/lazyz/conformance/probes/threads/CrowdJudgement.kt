@@ -10,7 +10,7 @@ import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.judgement.withoutMemory
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 
-/** Calls [block] until threads have met often enough to lose what can be lost, or do not meet at all. */
+/** Calls [block] until threads have met often enough to show race conditions, or do not meet at all. */
 internal fun whileTheyMeet(where: Where, block: (meeting: Meeting, round: Int) -> Unit) {
     var left = where.enough
     repeat(MOST_ROUNDS) { round ->
@@ -21,10 +21,10 @@ internal fun whileTheyMeet(where: Where, block: (meeting: Meeting, round: Int) -
     }
 }
 
-/** One is enough, but where tiles or a busy machine let threads meet less often. */
+/** One round is usually enough, except where tiles or a busy machine let threads meet less often. */
 private const val MOST_ROUNDS = 3
 
-/** Fails unless [renderer] makes of [crowd] what the oracle makes of [quiet]. */
+/** Fails unless [renderer] renders [crowd] as the oracle renders [quiet]. */
 internal fun rightInACrowd(renderer: Renderer, quiet: FrameCase, crowd: Crowd) {
     val expected = Rendering.of(ReferenceRenderer(), quiet.frame).image
     val actual = try {
@@ -36,17 +36,17 @@ internal fun rightInACrowd(renderer: Renderer, quiet: FrameCase, crowd: Crowd) {
     throw Violation("${renderer.id}, when threads meet: $difference\nin\n$quiet", quiet, expected, actual)
 }
 
-/** Fails unless [renderer], with four threads, counts what happens in [crowd], and what one thread counts. */
+/** Fails unless [renderer], with four threads, counts what happens in [crowd], and the same as one thread. */
 internal fun countsInACrowd(renderer: Renderer, quiet: FrameCase, crowd: Crowd) {
     val counters = Rendering.of(renderer.configured(RenderOptions(threads = 4, tileSize = 8)), crowd.frame).counters
     val counted = listOf(counters.primitives, counters.fragments, counters.shadingCalls)
     val happened = listOf(Crowd.COUNT.toLong(), Crowd.FRAGMENTS, crowd.shadingCalls)
     val words = "primitives, fragments and shading calls"
-    if (counted != happened) miscounted(renderer, quiet, "$words are $happened, counted are $counted")
+    if (counted != happened) miscounted(renderer, quiet, "$words are $happened, but $counted are counted")
     if (Capability.PARALLEL !in renderer.capabilities) return
     val alone = Rendering.of(renderer.configured(RenderOptions(threads = 1, tileSize = 8)), quiet.frame).counters
     if (counters.withoutMemory() != alone.withoutMemory()) {
-        miscounted(renderer, quiet, "one thread counts $alone, several that meet $counters")
+        miscounted(renderer, quiet, "one thread counts $alone, but several count $counters")
     }
 }
 

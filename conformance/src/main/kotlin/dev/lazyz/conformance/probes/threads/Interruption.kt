@@ -20,22 +20,28 @@ import dev.lazyz.conformance.probes.answer
 import java.util.Random
 import java.util.concurrent.atomic.AtomicInteger
 
-/** When the thread that renders is interrupted. */
+/** When the rendering thread is interrupted. */
 internal enum class Interruption(private val words: String) {
     BEFORE("before it renders"),
-    IN_THE_SINK("while the sink has a row"),
-    IN_A_PRIMITIVE("while a primitive is asked"),
+    IN_THE_SINK("while the sink is called"),
+    IN_A_PRIMITIVE("while a primitive is queried"),
     ;
 
     override fun toString(): String = words
 }
 
-/** Fails unless [renderer], called by an interrupted thread, soon gives the whole picture or InterruptedException. */
+/**
+ * Fails unless [renderer], called by an interrupted thread, soon returns the whole picture or throws
+ * InterruptedException.
+ */
 internal fun endsInterrupted(renderer: Renderer, case: FrameCase): Unit =
     interrupt(renderer, case, Interruption.BEFORE, Random(0)) { it.lostPicture(case) }
 
-/** Fails unless [renderer], whose thread is interrupted at some [moment], besides says so in one of the two ways. */
-internal fun tellsOfInterrupt(renderer: Renderer, case: FrameCase, moment: Interruption, random: Random): Unit =
+/**
+ * Fails unless [renderer], if its thread is interrupted at some [moment], also reports that, by the interrupt status or
+ * by the exception.
+ */
+internal fun reportsInterrupt(renderer: Renderer, case: FrameCase, moment: Interruption, random: Random): Unit =
     interrupt(renderer, case, moment, random) { it.lostInterrupt() ?: it.lostPicture(case) }
 
 private fun interrupt(
@@ -54,7 +60,7 @@ private fun interrupt(
     Judgement(renderer, case, "a thread that is interrupted $moment").fail(what, rendering.thrown)
 }
 
-/** Milliseconds after which a small frame counts as hanging. */
+/** Milliseconds after which the rendering of a small frame counts as hanging. */
 private const val PATIENCE = 10_000L
 
 private class InterruptedRendering(
@@ -96,24 +102,27 @@ private class InterruptedRendering(
         caller.interrupt()
     }
 
-    /** How the caller is left in the dark, or null. */
+    /** Describes how the interrupt was lost, or returns null. */
     fun lostInterrupt(): String? = when {
-        thrown is InterruptedException && !isSent -> "threw InterruptedException, though nobody had interrupted it"
-        thrown is InterruptedException && isSet -> "threw InterruptedException, and left the interrupt status set"
+        thrown is InterruptedException && !isSent -> "threw InterruptedException, although it was not interrupted"
+        thrown is InterruptedException && isSet -> "threw InterruptedException, but left the interrupt status set"
         thrown != null -> null
-        isSent && !isSet -> "returned, and the interrupt status is not set any longer"
-        !isSent && isSet -> "set the interrupt status, though nobody had interrupted it"
+        isSent && !isSet -> "returned, but the interrupt status is no longer set"
+        !isSent && isSet -> "set the interrupt status, although it was not interrupted"
         else -> null
     }
 
-    /** What is wrong with the picture, or null; there need not be any if there is an InterruptedException. */
+    /**
+     * Describes what is wrong with the picture, or returns null. After an InterruptedException there need not be a
+     * picture.
+     */
     fun lostPicture(case: FrameCase): String? {
         if (thrown is InterruptedException) return null
         val image = collector.toImage(counters ?: return "threw $thrown")
         return difference(Rendering.of(ReferenceRenderer(), case.frame).image, image)?.toString()
     }
 
-    /** Interrupts the caller when some questions have been asked, all primitives together. */
+    /** Interrupts the caller after some queries, counted over all primitives. */
     private inner class Asking(whole: Primitive) : Recovered(whole) {
         override val depthForm: LinearForm? get() = null
 

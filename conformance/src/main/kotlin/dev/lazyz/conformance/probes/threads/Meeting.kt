@@ -5,12 +5,12 @@ import java.util.concurrent.atomic.AtomicReference
 import java.util.concurrent.locks.LockSupport
 
 /**
- * Makes threads do the same at the same time: who comes waits for another thread that comes for the same, then both
- * go on at once, and both are known to be running.
+ * Makes threads do the same step at the same time: a thread waits for another thread with the same step, then both
+ * continue at once, while both are known to be running.
  *
- * Two threads at a time meet, since more than there are processors would not run at the same time; others sleep as long as
- * these two go on meeting. All wait a little only, and no longer at all when nobody has come for a while, when two have
- * met [Where.enough] times, or after two seconds. Thread safe.
+ * Two threads at a time meet, since more threads than processors would not run at the same time. The others sleep as
+ * long as these two continue to meet. Each wait is short, and waiting ends altogether after several waits in vain,
+ * after [Where.enough] meetings, or after two seconds. Thread safe.
  */
 internal class Meeting(private val where: Where) {
     private val waiting = AtomicReference<Arrival?>()
@@ -27,10 +27,13 @@ internal class Meeting(private val where: Where) {
     var hasMet: Boolean = false
         private set
 
-    /** How often two threads have gone on at the same time; the system may have stopped one of them in between. */
+    /**
+     * How often two threads have continued at the same time, although the system may have stopped one of them in
+     * between.
+     */
     val closeMeetings: Int get() = close.get()
 
-    /** Waits until another thread comes for [step]; who is at an earlier step goes on alone. */
+    /** Waits until another thread arrives with the same [step]. A thread with an earlier step continues alone. */
     fun meet(step: Int) {
         if (isOver() || !isMember()) return
         while (true) {
@@ -54,7 +57,10 @@ internal class Meeting(private val where: Where) {
     private fun isOver(): Boolean =
         missed.get() > MOST_MISSED || close.get() >= where.enough || System.nanoTime() - madeAt > MOST_TIME
 
-    /** Whether this thread is one of the two; if not, it waits for its turn. */
+    /**
+     * Returns whether this thread is one of the two that meet; otherwise waits until it is, or until the meeting is
+     * over.
+     */
     private fun isMember(): Boolean {
         val thread = Thread.currentThread()
         if (members[0] === thread || members[1] === thread) return true
@@ -74,7 +80,7 @@ internal class Meeting(private val where: Where) {
         }
         if (System.nanoTime() - lastMet < IDLE) return false
 
-        // The two have gone separate ways
+        // The two threads no longer meet each other
         members[0] = thread
         members[1] = null
         lastMet = System.nanoTime()
@@ -84,7 +90,7 @@ internal class Meeting(private val where: Where) {
     private fun await(own: Arrival) {
         val begin = System.nanoTime()
         while (own.start == NEVER) {
-            // Only who runs says when to go on; the other is awake, and waits for this
+            // The waiting thread sets the time, because it is running; the joining thread spins until it is set
             if (own.isJoined) own.start = System.nanoTime() + HEAD_START
             val waited = System.nanoTime() - begin
             if (waited > PATIENCE && waiting.compareAndSet(own, null)) {
@@ -106,7 +112,7 @@ internal class Meeting(private val where: Where) {
         pause(other.start)
     }
 
-    /** Both look at the same clock, since one hears of the other late. */
+    /** Both threads wait for the same time, because each sees the other's writes with a delay. */
     private fun pause(start: Long) {
         while (System.nanoTime() < start) Thread.onSpinWait()
     }
@@ -123,25 +129,25 @@ internal class Meeting(private val where: Where) {
         const val NEVER = Long.MIN_VALUE
         const val AT_ONCE = Long.MIN_VALUE + 1
 
-        /** Nanoseconds from the moment at which two have met to the one at which they go on. */
+        /** Nanoseconds from the moment when two threads have met until they continue. */
         const val HEAD_START = 1_000L
 
-        /** Nanoseconds that one waits without making room for others. */
+        /** Nanoseconds that a thread waits without yielding. */
         const val AWAKE = 100_000L
 
-        /** Nanoseconds that one waits: more than a busy system lets the other sleep. */
+        /** Nanoseconds that a thread waits at most: more than a busy system delays the other one. */
         const val PATIENCE = 20_000_000L
 
-        /** Nanoseconds after which nobody waits any longer: where the processors are busy, meeting takes long. */
+        /** Nanoseconds after which no thread waits any longer. On a busy machine meetings take long. */
         const val MOST_TIME = 2_000_000_000L
 
-        /** So often in a row one waits for nobody: 200 milliseconds in all. */
+        /** Number of consecutive waits in vain after which no thread waits any longer: 200 milliseconds in total. */
         const val MOST_MISSED = 10
 
-        /** Nanoseconds without a meeting after which others have their turn. */
+        /** Nanoseconds without a meeting after which other threads take their turn. */
         const val IDLE = 10_000_000L
 
-        /** Nanoseconds that the others sleep. */
+        /** Nanoseconds that the other threads sleep. */
         const val NAP = 200_000L
     }
 }

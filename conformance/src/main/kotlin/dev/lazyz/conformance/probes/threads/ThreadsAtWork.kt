@@ -9,25 +9,28 @@ import dev.lazyz.conformance.judgement.fail
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.atomic.AtomicInteger
 
-// Threads are watched, not compared.
+// These checks observe threads; they do not compare pictures.
 
 private const val SIDE = 128
 private const val ATTEMPTS = 5
 
-/** Fails if more threads ask primitives at the same time than the options allow. */
+/** Fails if more threads query primitives at the same time than the options allow. */
 internal fun notTooManyThreads(renderer: Renderer) {
     for (allowed in 1..2) {
         val configured = renderer.configured(RenderOptions(threads = allowed, tileSize = 8))
 
-        // A busy machine may wake a thread late: then the second time is long enough
+        // A busy machine may wake up a thread late; the second duration is then long enough
         for (pause in listOf(1L, 4L)) {
             val most = mostAtOnce(configured, pause)
-            if (most > allowed) fail(configured, "$most threads asked at the same time, $allowed are allowed")
+            if (most > allowed) fail(configured, "$most threads made queries at the same time, $allowed are allowed")
         }
     }
 }
 
-/** Returns how many threads at a time ask a primitive whose first answers take [pause] milliseconds each. */
+/**
+ * Returns the number of threads that query a primitive at the same time. Its first answers take [pause] milliseconds
+ * each.
+ */
 private fun mostAtOnce(configured: Renderer, pause: Long): Int {
     val pauses = AtomicInteger()
     val asking = AtomicInteger()
@@ -41,14 +44,14 @@ private fun mostAtOnce(configured: Renderer, pause: Long): Int {
     return most.get()
 }
 
-/** Fails if a picture that takes a while is made by one thread alone. */
+/** Fails if a picture that takes a while is rendered by a single thread. */
 internal fun severalThreads(renderer: Renderer) {
     val configured = renderer.configured(RenderOptions(threads = 4, tileSize = 8))
     repeat(ATTEMPTS) {
         val threads = ConcurrentHashMap.newKeySet<Thread>()
         val seen = ConcurrentHashMap.newKeySet<Int>()
 
-        // Each answer about a new row takes a millisecond, so that nobody is done before the others have begun
+        // Each first query of a row takes a millisecond, so that no thread finishes before the others have started
         val stripe = Stripe(0..<SIDE, 0..<SIDE, 1000) { y ->
             threads.add(Thread.currentThread())
             if (seen.add(y)) Thread.sleep(1)
@@ -60,5 +63,5 @@ internal fun severalThreads(renderer: Renderer) {
         configured.render(Frame(Raster(SIDE, SIDE), listOf(stripe, shaded))) { _, _, _, _ -> }
         if (threads.size > 1) return
     }
-    fail(configured, "one thread asked all questions about a picture of $SIDE x $SIDE samples, though 4 are allowed")
+    fail(configured, "one thread made all queries for a picture of $SIDE x $SIDE samples, although 4 are allowed")
 }

@@ -13,7 +13,7 @@ import dev.lazyz.conformance.probes.Question
 import dev.lazyz.conformance.probes.answer
 import java.util.concurrent.atomic.AtomicBoolean
 
-/** Fails unless what a primitive throws in a thread of [renderer]'s own reaches the caller, as it is. */
+/** Fails unless what a primitive throws in one of [renderer]'s own threads reaches the caller unchanged. */
 internal fun passesOnFailuresOfWorkers(renderer: Renderer) {
     val quiet = Workers.quiet()
     for (question in Question.entries) {
@@ -25,13 +25,13 @@ internal fun passesOnFailuresOfWorkers(renderer: Renderer) {
             }
             val thrown = answer { Rendering.of(renderer, workers.frame) }
 
-            // Who works alone has nothing to pass on
-            if (!workers.hasCome) return
+            // A renderer without worker threads has nothing to pass on
+            if (!workers.hasWorker) return
             val expected = if (isThrown.get()) planted else null
             if (thrown === expected) continue
             throw Violation(
-                "${renderer.id}: ${expected ?: "nothing"} was thrown at a thread of its own by $question, " +
-                    "the caller got ${thrown ?: "nothing"}\nin\n$quiet",
+                "${renderer.id}: ${expected ?: "nothing"} was thrown in one of its threads by the query $question, " +
+                    "but the caller got ${thrown ?: "nothing"}\nin\n$quiet",
                 quiet,
             )
         }
@@ -40,10 +40,10 @@ internal fun passesOnFailuresOfWorkers(renderer: Renderer) {
 }
 
 /**
- * Fails unless [renderer], whose caller is interrupted while threads of its own are still at work, gives the whole
- * picture or throws InterruptedException.
+ * Fails unless [renderer], if its caller is interrupted while its own threads still work, returns the whole picture or
+ * throws InterruptedException.
  */
-internal fun heedsWorkersThoughInterrupted(renderer: Renderer, isBefore: Boolean) {
+internal fun completesOrThrowsIfInterrupted(renderer: Renderer, isBefore: Boolean) {
     val quiet = Workers.quiet()
     val rendering = InterruptedCaller(renderer, isBefore)
     val thread = Thread(rendering, "lazyz-interrupted")
@@ -51,11 +51,11 @@ internal fun heedsWorkersThoughInterrupted(renderer: Renderer, isBefore: Boolean
     thread.start()
     thread.join(PATIENCE)
     val what = if (thread.isAlive) "hangs" else rendering.complaint(quiet) ?: return
-    val moment = if (isBefore) "before it renders" else "while it waits for others"
+    val moment = if (isBefore) "before it renders" else "while it waits for other threads"
     Judgement(renderer, quiet, "a thread that is interrupted $moment").fail(what, rendering.thrown)
 }
 
-/** Milliseconds after which a small frame counts as hanging. */
+/** Milliseconds after which the rendering of a small frame counts as hanging. */
 private const val PATIENCE = 20_000L
 
 private class InterruptedCaller(private val renderer: Renderer, private val isBefore: Boolean) : Runnable {
@@ -67,7 +67,7 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
     @Volatile
     private var isSent = false
 
-    /** Whether a row has been handed out. */
+    /** Whether a row has been delivered. */
     @Volatile
     private var isHandedOut = false
 
@@ -96,7 +96,7 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
         caller.interrupt()
     }
 
-    /** The first worker that asks goes on when the caller waits for it, or does not wait any longer. */
+    /** Holds the first worker until the caller waits for it or has delivered a row. */
     private fun hold() {
         if (!isFirst.compareAndSet(true, false)) return
         awaitUntil(WAIT) { isHandedOut || caller.state in ASLEEP }
@@ -110,15 +110,15 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
         while (!condition() && System.nanoTime() - start < nanoseconds) Thread.yield()
     }
 
-    /** What is wrong, or null. */
+    /** Describes what is wrong, or returns null. */
     fun complaint(case: FrameCase): String? {
         val image = image
         return when {
-            thrown is InterruptedException && !isSent -> "threw InterruptedException, though nobody had interrupted it"
-            thrown is InterruptedException && isSet -> "threw InterruptedException, and left the interrupt status set"
+            thrown is InterruptedException && !isSent -> "threw InterruptedException, although it was not interrupted"
+            thrown is InterruptedException && isSet -> "threw InterruptedException, but left the interrupt status set"
             thrown is InterruptedException -> null
             image == null -> "threw $thrown"
-            isSent && !isSet -> "returned, and the interrupt status is not set any longer"
+            isSent && !isSet -> "returned, but the interrupt status is no longer set"
             else -> difference(Rendering.of(ReferenceRenderer(), case.frame).image, image)?.toString()
         }
     }
@@ -126,10 +126,10 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
     private companion object {
         val ASLEEP = setOf(Thread.State.WAITING, Thread.State.TIMED_WAITING, Thread.State.BLOCKED)
 
-        /** Nanoseconds in which the caller is done with its own part of the work, mostly. */
+        /** Nanoseconds in which the caller usually finishes its own part of the work. */
         const val WAIT = 200_000_000L
 
-        /** Nanoseconds in which who is woken up goes on. */
+        /** Nanoseconds in which a thread continues after it was woken up. */
         const val MOMENT = 30_000_000L
     }
 }

@@ -9,40 +9,41 @@ import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.probes.Question
 
 /**
- * A frame whose primitives know whether the thread that rendering was asked of asks them, or a worker: a thread of the
- * renderer's own. The caller waits a little for the first worker, so that there is one if the renderer has any.
+ * A frame whose primitives know whether they are queried by the thread that called the renderer, or by a worker, that
+ * is, one of the renderer's own threads. The caller waits briefly for the first worker, so that the workers take part
+ * if the renderer has any.
  *
  * @param caller the thread that calls the renderer
- * @param onCaller what the caller does before it gets an answer, after the first worker has come
- * @param onWorker what a worker does before it gets an answer
+ * @param onCaller called in the caller before it gets an answer, once the first worker has made a query
+ * @param onWorker called in a worker before it gets an answer
  */
 internal class Workers(
     private val caller: Thread,
     private val onCaller: () -> Unit = {},
     private val onWorker: (Question) -> Unit,
 ) {
-    /** Primitives that cover all samples, with four tiles of 8 samples for each of four threads and more. */
+    /** Primitives that cover all samples, with more than four tiles of 8 samples for each of four threads. */
     val frame: Frame = Frame(Raster(SIDE, SIDE), List(COUNT) { Member(it) })
 
-    /** Whether a worker has asked. */
+    /** Whether a worker has made a query. */
     @Volatile
-    var hasCome: Boolean = false
+    var hasWorker: Boolean = false
         private set
 
     @Volatile
     private var hasWaited = false
 
-    private fun heed(question: Question) {
+    private fun onQuery(question: Question) {
         if (Thread.currentThread() !== caller) {
-            hasCome = true
+            hasWorker = true
             onWorker(question)
-        } else if (!hasCome && !hasWaited) {
-            // Awake, because the caller may have been interrupted, and must not be seen to sleep
+        } else if (!hasWorker && !hasWaited) {
+            // Do not sleep: the caller may have been interrupted, and other threads watch whether it is waiting
             val start = System.nanoTime()
-            while (!hasCome && System.nanoTime() - start < PATIENCE) Thread.yield()
+            while (!hasWorker && System.nanoTime() - start < PATIENCE) Thread.yield()
             hasWaited = true
         }
-        if (hasCome && Thread.currentThread() === caller) onCaller()
+        if (hasWorker && Thread.currentThread() === caller) onCaller()
     }
 
     private inner class Member(private val index: Int) : Primitive {
@@ -52,17 +53,17 @@ internal class Workers(
         override val columnEnd: Int get() = SIDE
 
         override fun spans(y: Int, spans: Spans) {
-            heed(Question.SPANS)
+            onQuery(Question.SPANS)
             spans.add(0, SIDE)
         }
 
         override fun depth(x: Int, y: Int): Int {
-            heed(Question.DEPTH)
+            onQuery(Question.DEPTH)
             return 1 + (x + y + index) % COUNT
         }
 
         override fun shade(fragment: Fragment) {
-            heed(Question.COLOUR)
+            onQuery(Question.COLOUR)
             fragment.setColor(index / COUNT.toFloat(), 0.5f, fragment.x / SIDE.toFloat())
         }
     }
@@ -74,7 +75,7 @@ internal class Workers(
         /** Nanoseconds that the caller waits for a worker, once. */
         private const val PATIENCE = 80_000_000L
 
-        /** The frame as it is when nobody heeds who asks. */
+        /** Returns the frame with primitives that do not distinguish threads. */
         fun quiet(): FrameCase =
             FrameCase(Workers(Thread.currentThread()) {}.frame, "// $COUNT primitives that cover $SIDE x $SIDE samples")
     }

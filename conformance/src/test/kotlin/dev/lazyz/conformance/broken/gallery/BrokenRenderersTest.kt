@@ -12,12 +12,15 @@ import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestFactory
 
-/** The suite on trial: each rule must notice who breaks it. */
+/** Tests the suite: each rule must notice the renderers that break it. */
 class BrokenRenderersTest {
     private val own = RuleNames.own
     private val empty = RuleNames.empty
 
-    /** At the suite's effort, each rule that a mutant names fails; so nobody survives, or is killed by chance only. */
+    /**
+     * At the suite's default effort, each rule that a mutant names fails, so that no mutant survives or is noticed only
+     * by chance.
+     */
     @TestFactory
     fun mistakeIsNoticed(): List<DynamicTest> = TestEffort.oneOf(2, Gallery.all).map { mutant ->
         dynamicTest(mutant.id) {
@@ -45,7 +48,7 @@ class BrokenRenderersTest {
         }
     }
 
-    /** `-Dlazyz.update=true` writes the page anew. */
+    /** `-Dlazyz.update=true` rewrites the page. */
     @Test
     fun pageIsUpToDate() {
         val docs = listOf("docs", "../docs").map { Path.of(it) }.first { Files.isDirectory(it) }

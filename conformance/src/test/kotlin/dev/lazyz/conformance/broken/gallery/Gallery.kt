@@ -6,16 +6,16 @@ import dev.lazyz.conformance.broken.BrokenRenderer
 /**
  * A wrong renderer and the rules that must notice it.
  *
- * @property make returns a new one, since some keep state
+ * @property make returns a new instance, because some have state
  * @property what its mistake, in words
- * @property noticedBy names of the rules, each of which fails; others may fail, too
+ * @property noticedBy names of the rules that must all fail; other rules may fail, too
  */
 internal class Mutant(val make: () -> BrokenRenderer, val what: String, vararg noticedBy: String) {
     val id: String = make().id
     val noticedBy: List<String> = noticedBy.toList()
 }
 
-/** All wrong renderers, by theme: the proof that the suite can fail. */
+/** All wrong renderers, by topic. They prove that the suite can fail. */
 internal object Gallery {
     val themes: Map<String, List<Mutant>> = linkedMapOf(
         "Coverage" to CoverageGallery.mutants,

@@ -12,7 +12,7 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.memory
 import dev.lazyz.strategies.hybrid.Hybrid
 import dev.lazyz.strategies.zbuffer.ZBuffer
 
-/** The gallery's part about memory that is held and not told: all counters are as they should be. */
+/** The gallery's part about memory that is held but not reported. All counters are correct. */
 internal object MemoryGallery {
     val mutants: List<Mutant> = listOf(
         Mutant(::wholePicture, "promises constant memory, holds the picture, and tells a row's memory", memory),
@@ -40,7 +40,7 @@ internal object MemoryGallery {
             ZBuffer().render(frame.heard { rows[count++ % rows.size] = it.rowStart }, sink).also { rows.fill(0) }
         }
 
-    /** The frame whose primitives are told to [hear] one by one. */
+    /** Returns the frame with primitives that are passed to [hear] one by one. */
     private fun Frame.heard(hear: (Primitive) -> Unit): Frame {
         val primitives = object : AbstractList<Primitive>() {
             override val size: Int get() = this@heard.primitives.size

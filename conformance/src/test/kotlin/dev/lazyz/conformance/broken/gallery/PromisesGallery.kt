@@ -22,7 +22,7 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.sums
 import dev.lazyz.conformance.broken.gallery.RuleNames.told
 import dev.lazyz.conformance.broken.gallery.RuleNames.unpulled
 
-/** The gallery's part about counters and promises. */
+/** The gallery's part about counters and capabilities. */
 internal object PromisesGallery {
     val mutants: List<Mutant> = listOf(
         Mutant(BrokenRenderers::countsTheVisible, "counts primitives that are visible", counts),

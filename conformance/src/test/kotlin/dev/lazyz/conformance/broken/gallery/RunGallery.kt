@@ -6,24 +6,27 @@ import dev.lazyz.conformance.broken.WrongColors
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.util.concurrent.CountDownLatch
 
-/** Renderers that would end a run, or make it tell something else each time. None is in [Gallery]: they take time. */
+/**
+ * Renderers that would end a run, or give a different report each time. They are not in [Gallery], because they take
+ * time.
+ */
 object RunGallery {
     fun sleeps() = whereThereIsSomething("sleeps") { Thread.sleep(Long.MAX_VALUE) }
 
-    /** Does not heed interrupts; ends with the process. */
+    /** Ignores interrupts; ends only with the process. */
     fun spins() = whereThereIsSomething("spins") { while (true) Thread.onSpinWait() }
 
-    /** Waits for a thread of its own that never says that it is done. */
+    /** Waits for its own thread, which never signals. */
     fun waits() = whereThereIsSomething("waits") {
         val never = CountDownLatch(1)
         Thread({ never.await() }, "never-done").apply { isDaemon = true }.start()
         never.await()
     }
 
-    /** Ends the process without a word. */
+    /** Ends the process without a message. */
     fun halts() = whereThereIsSomething("halts") { Runtime.getRuntime().halt(7) }
 
-    /** Never returns what it is asked for. */
+    /** Never returns. */
     fun never(): Nothing {
         while (true) Thread.sleep(Long.MAX_VALUE)
     }
@@ -45,7 +48,7 @@ object RunGallery {
         }
     }
 
-    /** Wrong when the frame before was a wide one. */
+    /** Wrong if the previous frame was wide. */
     fun stateful(): BrokenRenderer {
         var lastWidth = 0
         return BrokenRenderer("stateful") { frame, sink ->

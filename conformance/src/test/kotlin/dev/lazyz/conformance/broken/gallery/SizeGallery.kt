@@ -11,7 +11,7 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.thousands
 import dev.lazyz.conformance.broken.gallery.RuleNames.tiles
 import dev.lazyz.conformance.broken.gallery.RuleNames.together
 
-/** The gallery's part about what is right alone, and wrong together. */
+/** The gallery's part about features that work alone but not together. */
 internal object CombinationGallery {
     val mutants: List<Mutant> = listOf(
         Mutant(BrokenCombinations::partsInSmallTiles, "parts that begin within a small tile lack a column", together),
@@ -21,7 +21,7 @@ internal object CombinationGallery {
     )
 }
 
-/** The gallery's part about size: right for small frames. */
+/** The gallery's part about size: correct for small frames. */
 internal object SizeGallery {
     val mutants: List<Mutant> = listOf(
         Mutant(BrokenSizes::columnsIn16Bits, "columns are kept in 16 bits where they are shaded", far),

@@ -20,7 +20,7 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.workers
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import kotlin.concurrent.thread
 
-/** The gallery's part about threads, and the sink. */
+/** The gallery's part about threads and the sink. */
 internal object ThreadGallery {
     val mutants: List<Mutant> = listOf(
         Mutant(::sharesARow, "threads fill one row, and copy it when it is full", lost),
@@ -55,7 +55,7 @@ internal object ThreadGallery {
                     }
                 }
             } catch (_: Exception) {
-                // The caller meets it, too
+                // The caller takes part, too
             }
         }
         ZBuffer().render(frame, sink).also { helper.join() }

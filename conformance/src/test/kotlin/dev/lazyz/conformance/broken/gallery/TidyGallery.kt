@@ -7,7 +7,7 @@ import java.nio.file.Files
 import java.util.Locale
 import java.util.concurrent.CountDownLatch
 
-/** The gallery's part about what is left behind. */
+/** The gallery's part about side effects. */
 internal object TidyGallery {
     val mutants: List<Mutant> = listOf(
         Mutant(::prints, "a line on standard output for each rendering", RuleNames.tidy),
@@ -29,7 +29,7 @@ internal object TidyGallery {
         Thread({ CountDownLatch(1).await() }, "left").apply { isDaemon = true }.start()
     }
 
-    /** The thread ends by itself, so that it does not keep the process of this test. */
+    /** The thread ends by itself, so that the process of this test can end. */
     private fun keepsTheProcess() = having("keeps-the-process") {
         Thread({ Thread.sleep(3000) }, "kept").apply { isDaemon = false }.start()
     }

@@ -15,7 +15,7 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.rows
 import dev.lazyz.conformance.broken.gallery.RuleNames.sinks
 import dev.lazyz.conformance.broken.gallery.RuleNames.threads
 
-/** The gallery's part about use. */
+/** The gallery's part about how renderers are used. */
 internal object UseGallery {
     val mutants: List<Mutant> = listOf(
         Mutant(BrokenRenderers::bottomUp, "rows from the bottom", rows),

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.DynamicTest
 import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.TestFactory
 
-/** Rules that measure the heap say so where a garbage collector does not let them. */
+/** Rules that measure the heap report when the garbage collector does not permit that. */
 class HeapTest {
     @TestFactory
     fun collectorsThatCountRegionsAreNotMeasured(): List<DynamicTest> = mapOf(
