@@ -63,7 +63,11 @@ subprojects {
     tasks.withType<Jar>().configureEach {
         isPreserveFileTimestamps = false
         isReproducibleFileOrder = true
-        manifest.attributes("Implementation-Title" to project.name, "Implementation-Version" to project.version)
+        manifest.attributes(
+            "Implementation-Title" to project.name,
+            "Implementation-Version" to project.version,
+            "Automatic-Module-Name" to "dev.lazyz.${project.name}",
+        )
     }
 
     tasks.withType<Test>().configureEach {

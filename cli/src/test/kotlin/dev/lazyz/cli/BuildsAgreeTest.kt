@@ -100,6 +100,14 @@ class BuildsAgreeTest {
     }
 
     @Test
+    fun moduleNames() {
+        assertTrue("\"Automatic-Module-Name\" to \"dev.lazyz.\${project.name}\"" in gradleRoot)
+        for (module in modules) {
+            assertEquals("dev.lazyz.$module", xml("$module/pom.xml").child("properties").value("module.name"))
+        }
+    }
+
+    @Test
     fun testClasses() {
         val included = surefire.child("configuration").child("includes").children("include").map { it.textContent }
         val gradle = Regex("""\binclude\((.*)\)""").find(gradleRoot)!!
