@@ -6,7 +6,7 @@ import com.github.ajalt.mordant.table.SectionBuilder
 import dev.lazyz.cli.output.PlainTable
 import dev.lazyz.cli.output.StatisticsTable
 
-/** Lays a [Comparison] out for people: a row each strategy, and below what differs. */
+/** Formats a [Comparison] as a table with a row for each strategy, followed by the differences. */
 internal object ComparisonTable {
     private val numbers = mapOf(
         "shadingCalls" to "shading calls",
@@ -36,7 +36,7 @@ internal object ComparisonTable {
         }
     }
 
-    /** A row without numbers: words across all their columns. */
+    /** Adds a row without numbers. Its text spans the columns of the numbers. */
     private fun SectionBuilder.told(id: String, words: String) = row {
         cell(id)
         cell(words) {

@@ -10,8 +10,8 @@ import dev.lazyz.strategies.StrategyModel
 
 /**
  * The strategy of a rendering: the one that the user named, or the first that is capable of what the flags and the
- * frame need, or, with [AUTO], another one of those that is expected to be much faster. Throws [Mistake] if there is none, for
- * the flags' sake at once.
+ * frame need, or, with [AUTO], another one of those that is expected to be much faster. Throws [Mistake] if there is
+ * none, for the flags' sake at once.
  *
  * @param id what the user named, or null
  */

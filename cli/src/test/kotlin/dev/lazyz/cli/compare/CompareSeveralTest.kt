@@ -136,8 +136,8 @@ class CompareSeveralTest {
         val wedge = folder.wedge()
         compare(wedge, "city", "--strategy", "zbufer").mistake("did you mean 'zbuffer'?")
         compare(wedge, "city", "--views", "iso,fornt").mistake("'fornt' is not one of", "did you mean 'front'?")
-        compare(wedge, "--views", "iso,front", "--view", "back").mistake("--views goes with none of --view")
-        compare(wedge, "--views", "iso", "--azimuth", "3").mistake("--views goes with none of")
+        compare(wedge, "--views", "iso,front", "--view", "back").mistake("--views cannot be combined with --view")
+        compare(wedge, "--views", "iso", "--azimuth", "3").mistake("--views cannot be combined with")
         zcli("compare").mistake("missing argument INPUT")
     }
 
