@@ -42,7 +42,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     private val classPath by classPath()
 
-    private val seed by option("--seed", help = "Use this seed, that is, other frames than by default").convert("N") { text ->
+    private val seed by option("--seed", help = "Use this seed; default: the fixed one").convert("N") { text ->
         text.toLongOrNull() ?: fail("'$text' is not a whole number")
     }
 
@@ -109,7 +109,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli conformance --strategy my-id --classpath my.jar --report report" to "your own strategy, and a report",
-        "zcli conformance --strategy lazy --rule 5.2 --tries 10" to "one rule of the contract, with ten times the frames",
+        "zcli conformance --strategy lazy --rule 5.2 --tries 10" to "one rule, with ten times as many frames",
         "zcli conformance --strategy my-id --classpath my.jar --explore" to "new random frames",
         "zcli conformance --strategy tiled --against zbuffer --minutes 10 --corpus frames" to "two strategies compared",
         "zcli conformance --verify report/report.json --classpath my.jar" to "repeats and checks a recorded run",
@@ -142,7 +142,8 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         doesNotConform(hanging)
     }
 
-    private fun told() = if (isQuiet) RuleListener { _, _, _ -> } else ConformanceWords.told(streams)
+    private fun progressListener() =
+        if (isQuiet) RuleListener { _, _, _ -> } else ConformanceWords.progressListener(streams)
 
     private fun doesNotConform(why: Exception): Int {
         streams.error("${strategy ?: recorded?.strategy} does NOT conform: ${why.message}")
@@ -161,7 +162,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
             strategy ?: recorded?.strategy ?: throw Mistake("which strategy? Use --strategy ID, or --verify REPORT")
         val renderer by lazy { path.find(id) }
         val conformance = conformance(id) { renderer }
-        if (journal == null) conformance.listener(told()) else conformance.journal(journal)
+        if (journal == null) conformance.listener(progressListener()) else conformance.journal(journal)
         try {
             conformance.run()
         } catch (bad: FramesException) {
@@ -175,7 +176,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     private fun supervise(): Int {
         val seed = ThreadLocalRandom.current().nextLong(0, Int.MAX_VALUE.toLong())
         val answer = try {
-            ConformanceProcess.run(args, seed, seconds(deadline ?: USUAL_DEADLINE), told())
+            ConformanceProcess.run(args, seed, seconds(deadline ?: USUAL_DEADLINE), progressListener())
         } catch (ended: EndedEarlyException) {
             streams.note(ended.printed)
             return doesNotConform(ended)

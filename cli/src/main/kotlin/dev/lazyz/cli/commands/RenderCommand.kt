@@ -46,9 +46,9 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
         "zcli render teapot -o teapot.png" to "a built-in scene, 640x480",
         "zcli render part.stl --up z --view iso --projection orthographic -o part.png" to "a part from a CAD program",
         "zcli render model.glb --size 512x512 --background transparent -o model.png" to "a thumbnail for a web page",
-        "zcli render city -o city.png --depth-out city.pfm --stats=json" to "picture, depth, and statistics for a script",
+        "zcli render city -o city.png --depth-out city.pfm --stats=json" to "also depth and statistics, for a script",
         "zcli render city --size 8000x6000 --region 4000,2000,640x480 -o detail.png" to "a part of a large picture",
-        "zcli render city --strategy auto --explain -o city.png" to "choose a fast strategy automatically, and explain why",
+        "zcli render city --strategy auto --explain -o city.png" to "the fastest strategy for it, and why",
         "zcli render city --select count -o overdraw.png" to "how many surfaces lie behind each pixel",
         "cat model.obj | zcli render - --format obj -o - > model.png" to "in a pipe",
     )

@@ -51,7 +51,7 @@ internal class CompareJob(private val request: CompareRequest, private val strea
         !frame.hasTranslucency || Capability.TRANSPARENCY in strategy.capabilities
 
     private fun noneBlends(): String = "the scene is translucent, and no compared strategy blends " +
-        "(${Strategies.whoDoes(Capability.TRANSPARENCY)})\nCompare others, or compare it as opaque with --opaque."
+        "(${Strategies.supporters(Capability.TRANSPARENCY)})\nCompare others, or compare it as opaque with --opaque."
 
     /** One frame, rendered with one strategy after the other. */
     private inner class Round(private val frame: Frame) {

@@ -63,7 +63,7 @@ internal class CompleteRows(private val region: Region, private val sink: RowSin
 
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         check(y == next && y < region.rowEnd) {
-            if (next < region.rowEnd) "row $y came instead of row $next" else "row $y came after the last row"
+            if (next < region.rowEnd) "row $y arrived instead of row $next" else "row $y arrived after the last row"
         }
         next++
         sink.row(y, argb, depth, primitive)
@@ -71,6 +71,6 @@ internal class CompleteRows(private val region: Region, private val sink: RowSin
 
     /** Checks that all rows have arrived. Call it after the rendering. */
     fun requireComplete() {
-        check(next == region.rowEnd) { "${next - region.rowStart} of ${region.height} rows came" }
+        check(next == region.rowEnd) { "${next - region.rowStart} of ${region.height} rows arrived" }
     }
 }

@@ -149,8 +149,8 @@ class CompareTest {
     fun lostAndRepeatedRowsAreFound() =
         withRenderers(folder, ShortRenderer::class.java.name, StutteringRenderer::class.java.name) {
             val rows = compare("teapot").rows()
-            assertEquals(listOf("failed: IllegalStateException: 20 of 30 rows came"), rows["short"])
-            assertEquals(listOf("failed: IllegalStateException: row 7 came instead of row 8"), rows["stuttering"])
+            assertEquals(listOf("failed: IllegalStateException: 20 of 30 rows arrived"), rows["short"])
+            assertEquals(listOf("failed: IllegalStateException: row 7 arrived instead of row 8"), rows["stuttering"])
         }
 
     @Test
@@ -218,7 +218,7 @@ class CompareTest {
         compare(wedge, "--repeat", "0").mistake("--repeat: must be in 1..1000: 0")
         compare(wedge, "--repeat", "x").mistake("'x' is not a whole number")
         compare(wedge, "--strategy", "zbufer").mistake("did you mean 'zbuffer'?")
-        compare(wedge, "--strategy", "zbuffer", "--threads", "2").mistake("no compared strategy heeds --threads")
+        compare(wedge, "--strategy", "zbuffer", "--threads", "2").mistake("no compared strategy supports --threads")
         compare(wedge, "--select", "count").mistake("no such option --select")
         compare(wedge, "-o", "x.png").mistake("no such option -o")
         compare(wedge, "--region", "0,0,41x1").mistake("reaches beyond the whole picture, which is 40x30")

@@ -269,7 +269,7 @@ class ConformanceTest {
         conformance("--strategy", "other").mistake("no strategy 'other'", "--classpath JAR")
         conformance("--strategy", "zbuffer", "--classpath", "no.jar").mistake("--classpath: no.jar: no such file")
         val text = folder.resolve("text.jar").apply { writeText("no jar") }
-        conformance("--strategy", "zbuffer", "--classpath", text).mistake("text.jar is no jar")
+        conformance("--strategy", "zbuffer", "--classpath", text).mistake("text.jar is not a jar")
         val unborn = jar(UnbornRenderer::class.java, name = "unborn.jar")
         conformance("--strategy", "unborn", "--classpath", unborn)
             .mistake("a renderer on the class path cannot be loaded")
@@ -302,7 +302,7 @@ class ConformanceTest {
         for (option in listOf("--minutes" to "1", "--corpus" to "x")) {
             val run = conformance("--strategy", "zbuffer", option.first, option.second)
             assertEquals(2, run.code)
-            assertTrue("${option.first} goes with --against" in run.errors, run.errors)
+            assertTrue("${option.first} needs --against" in run.errors, run.errors)
         }
     }
 }
