@@ -29,7 +29,7 @@ class CompareSeveralTest {
 
     private fun Zrun.lines(): List<String> = text.trimEnd().lines()
 
-    /** A folder with files of all kinds, and what of it is to be compared, in order. */
+    /** A folder with files of all kinds, and the files in it that are compared, in order. */
     private fun models(): List<Path> {
         val models = folder.resolve("models")
         for (name in listOf("deep/er", "b.obj.d", ".hidden")) models.resolve(name).createDirectories()

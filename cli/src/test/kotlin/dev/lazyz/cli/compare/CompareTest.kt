@@ -36,7 +36,7 @@ import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.CsvSource
 import org.junit.jupiter.params.provider.MethodSource
 
-/** `zcli compare` runs the strategies and holds each against the first. */
+/** `zcli compare` runs the strategies and compares each with the first. */
 class CompareTest {
     @TempDir
     lateinit var folder: Path
@@ -45,7 +45,7 @@ class CompareTest {
 
     private fun compare(input: Any, vararg options: Any): Zrun = zcli("compare", input, "--size", "40x30", *options)
 
-    /** All values of [key] in the JSON, in their order. */
+    /** Returns all values of [key] in the JSON, in their order. */
     private fun Zrun.stats(key: String): List<String> =
         Regex("\"$key\": (\"[^\"]*\"|[^,}]+)").findAll(text).map { it.groupValues[1].trim('"') }.toList()
 
@@ -110,7 +110,7 @@ class CompareTest {
 
     @Test
     fun differencesAreToldByPlaceInTheWholePicture() = withRenderers(folder, WrongDepthRenderer::class.java.name) {
-        // The wrong pixel is column 20 of whatever is rendered
+        // The wrong pixel is in column 20 of the rendered region
         val json = compare("teapot", "--region", "5,10,30x10", "--json")
         assertEquals("25" to "15", json.stat("x") to json.stat("y"))
     }

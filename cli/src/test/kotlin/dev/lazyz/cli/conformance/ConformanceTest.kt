@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** `zcli conformance` on strategies that come in a stranger's jar. */
+/** `zcli conformance` on strategies in third-party jars. */
 class ConformanceTest {
     @TempDir
     lateinit var folder: Path
@@ -33,7 +33,7 @@ class ConformanceTest {
     private fun jar(vararg classes: Class<*>, name: String = "mine.jar"): Path =
         folder.rendererJar(*classes, name = name)
 
-    /** In this process, which is sooner done. */
+    /** Runs in this process, which is faster. */
     private fun judge(vararg words: Any) = zcli("conformance", "--in-process", "--quiet", *words)
 
     private fun conformance(vararg words: Any) = judge("--tries", "0.05", *words)

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.CsvSource
 
-/** Every mistake of a user gets one message and exit code 2, and leaves no file. */
+/** Every mistake of a user causes one message and exit code 2, and leaves no file. */
 class RenderMistakesTest {
     @TempDir
     lateinit var folder: Path

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** Who renders: whoever is capable of what the flags and the scene need. */
+/** The choice of a strategy that supports what the flags and the scene need. */
 class StrategyChoiceTest {
     @TempDir
     lateinit var folder: Path
