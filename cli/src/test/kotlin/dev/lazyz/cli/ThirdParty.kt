@@ -66,7 +66,7 @@ class StillbornRenderer : FailingRenderer("stillborn", { IllegalStateException()
     }
 }
 
-/** Ends the process without output if the frame has a primitive. */
+/** Ends the process without output if the frame has more than two primitives. */
 class HaltingRenderer : Renderer {
     override val id: String get() = "halting"
 
