@@ -48,9 +48,9 @@ internal class CompareSeveralJob(
         for (input in inputs) {
             val line = compare(input, isJson)
             verdicts += line.verdict
-            if (!isJson) tell(line.toString())
+            if (!isJson) printLine(line.toString())
         }
-        tell(if (isJson) Json.of(totals()) else summary())
+        printLine(if (isJson) Json.of(totals()) else summary())
         return when {
             Verdict.DIFFERS in verdicts || Verdict.FAILED in verdicts -> ExitCode.DIFFERENT
             isBuggy -> ExitCode.BUG
@@ -70,7 +70,7 @@ internal class CompareSeveralJob(
                 if (comparison.isBlank) blank++
                 line.add(comparison)
                 comparison.bugs.forEach { report(it) }
-                if (isJson) tell(Json.of(comparison.entries))
+                if (isJson) printLine(Json.of(comparison.entries))
             }
         } catch (closed: OutputClosed) {
             throw closed
@@ -80,7 +80,7 @@ internal class CompareSeveralJob(
             if (mistake == null) report(failure)
             val message = mistake ?: "bug in zcli, $failure"
             line.add(message)
-            if (isJson) tell(Json.of(mapOf("input" to input, "message" to message)))
+            if (isJson) printLine(Json.of(mapOf("input" to input, "message" to message)))
         }
         return line
     }
@@ -91,7 +91,7 @@ internal class CompareSeveralJob(
     }
 
     /** Prints a line and flushes, so that it appears at once. */
-    private fun tell(line: String) {
+    private fun printLine(line: String) {
         streams.print(line + "\n")
         streams.output.flush()
     }

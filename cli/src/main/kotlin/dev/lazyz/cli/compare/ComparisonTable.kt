@@ -29,15 +29,15 @@ internal object ComparisonTable {
                 when (outcome) {
                     is Outcome.Rendered ->
                         rowFrom(listOf(id, verdict(id, outcome, comparison)) + values(outcome, comparison))
-                    is Outcome.Failed -> told(id, "failed: ${outcome.message}")
-                    is Outcome.NotBlending -> told(id, "does not blend")
+                    is Outcome.Failed -> textRow(id, "failed: ${outcome.message}")
+                    is Outcome.NotBlending -> textRow(id, "does not blend")
                 }
             }
         }
     }
 
     /** Adds a row without numbers. Its text spans the columns of the numbers. */
-    private fun SectionBuilder.told(id: String, words: String) = row {
+    private fun SectionBuilder.textRow(id: String, words: String) = row {
         cell(id)
         cell(words) {
             columnSpan = 1 + numbers.size
