@@ -141,7 +141,7 @@ internal class CameraOptions : OptionGroup("Camera (any of these shows the whole
 internal class CostOptions : OptionGroup("Cost (the picture stays the same; see 'zcli strategies --long')") {
     private val memoryBudget by option(
         "--memory-budget",
-        help = "Maximum working memory in addition to the picture: bytes, or with k, m, g (64k, 16MiB); default: no limit",
+        help = "Maximum working memory without the picture: bytes, or with k, m, g (64k, 16MiB); default: no limit",
     ).bytes()
 
     private val coherence by option(
