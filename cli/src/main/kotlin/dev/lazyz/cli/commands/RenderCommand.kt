@@ -49,7 +49,7 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
         "zcli render city -o city.png --depth-out city.pfm --stats=json" to "also depth and statistics, for a script",
         "zcli render city --size 8000x6000 --region 4000,2000,640x480 -o detail.png" to "a part of a large picture",
         "zcli render city --strategy auto --explain -o city.png" to "the fastest strategy for it, and why",
-        "zcli render city --select count -o overdraw.png" to "how many surfaces lie behind each pixel",
+        "zcli render city --select count -o overdraw.png" to "the number of surfaces at each pixel",
         "cat model.obj | zcli render - --format obj -o - > model.png" to "in a pipe",
     )
 

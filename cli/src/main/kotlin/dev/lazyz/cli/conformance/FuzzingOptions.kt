@@ -23,7 +23,7 @@ internal class FuzzingOptions :
         help = "The reference strategy",
     )
 
-    private val minutes by option("--minutes", help = "Duration, 0.01..10000; default: 1")
+    private val minutes by option("--minutes", help = "How many minutes to run, 0.01..10000; default: 1")
         .number("N", LEAST_MINUTES..MOST_MINUTES, "")
 
     private val corpus by option(
