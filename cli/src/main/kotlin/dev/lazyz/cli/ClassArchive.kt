@@ -4,18 +4,18 @@ import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** The archive of loaded classes that the script `zcli` starts Java with. */
+/** The archive of loaded classes with which the script `zcli` starts Java. */
 internal object ClassArchive {
-    /** Set by the script. */
+    /** System property with the path of the archive. The script sets it. */
     private const val PROPERTY = "zcli.archive"
 
-    /** Removes the archive after a failure that nobody can explain: it may be damaged. The script makes another. */
+    /** Deletes the archive after an unexplained failure, because it may be damaged. The script creates a new one. */
     fun discard() {
         val archive = System.getProperty(PROPERTY) ?: return
         try {
             Files.deleteIfExists(Path.of(archive))
         } catch (_: IOException) {
-            // Then it is used again; the failure has been reported
+            // The archive is used again. The original failure has already been reported
         }
     }
 }

@@ -14,7 +14,7 @@ import java.io.OutputStream
 import java.io.PrintStream
 import kotlin.system.exitProcess
 
-/** Runs zcli as a program: see [run]. */
+/** Entry point of the program zcli. See [run]. */
 fun main(args: Array<String>) {
     VectorModule.loadIfWanted()
     val streams = Streams.ofProcess()
@@ -22,19 +22,20 @@ fun main(args: Array<String>) {
 }
 
 /**
- * Runs zcli on streams of one's own, without a terminal, and returns its exit code: 0 done, 1 the strategies'
- * pictures differ or a strategy does not conform, 2 the user's mistake or a bad file, 70 a bug of ours.
+ * Runs zcli on the given streams, without a terminal, and returns its exit code: 0 if all is done, 1 if the pictures of
+ * the strategies differ or a strategy does not conform, 2 after a mistake of the user or a bad file, 70 after a bug in
+ * zcli.
  */
 fun run(args: Array<String>, stdin: InputStream, stdout: OutputStream, stderr: PrintStream): Int =
     run(args, Streams(stdin, stdout, stderr))
 
-/** The one place where whatever happened becomes a message and an exit code. */
+/** Runs zcli, and converts every outcome to a message and an exit code. This is the only place that does so. */
 internal fun run(args: Array<String>, streams: Streams): Int = try {
-    // JOML's faster ways to buffers, which zcli has no use for, make newer Javas print warnings
+    // JOML's fast access to buffers makes newer Java versions print warnings, and zcli does not need it
     System.setProperty("joml.nounsafe", "true")
     attempt(args, streams)
 } catch (closed: OutputClosed) {
-    // Whoever read our output has seen enough
+    // The reader of standard output has stopped reading. This is not an error
     ExitCode.DONE
 } finally {
     streams.flushMessages()
@@ -61,14 +62,14 @@ private fun attempt(args: Array<String>, streams: Streams): Int {
     }
 }
 
-/** Clikt's way to end early: help and version go to standard output, usage errors to standard error. */
+/** Handles Clikt's exceptions: help and version go to standard output, usage errors to standard error. */
 private fun answer(request: CliktError, streams: Streams): Int {
     when (request) {
         is PrintHelpMessage -> streams.print(request.context?.command?.getFormattedHelp().orEmpty().trimEnd() + "\n")
 
         is UsageError -> streams.error(Failure.usage(request))
 
-        // All has been said
+        // The command has already printed everything
         is ProgramResult -> Unit
 
         else -> {

@@ -8,7 +8,8 @@ import java.nio.file.Files
 import kotlin.system.exitProcess
 
 /**
- * Does a little of all that zcli does, so that Java can archive the classes that this loads; for the launcher script.
+ * Runs a small example of each feature of zcli, so that Java can archive the loaded classes. The launcher script calls
+ * it.
  *
  * @throws IllegalStateException if a command fails
  */
@@ -30,7 +31,7 @@ internal fun main() {
         Files.delete(folder)
     }
 
-    // Even the way out loads classes
+    // The exit loads classes, too
     exitProcess(ExitCode.DONE)
 }
 
@@ -39,13 +40,13 @@ private fun train(streams: Streams, vararg args: String) {
     check(code == ExitCode.DONE) { "exit code $code of ${args.joinToString(" ")}" }
 }
 
-/** Streams that give [input] and take whatever is written. */
+/** Returns streams that read [input] and discard all output. */
 private fun silent(input: String = ""): Streams {
     val nowhere = OutputStream.nullOutputStream()
     return Streams(input.byteInputStream(), nowhere, PrintStream(nowhere))
 }
 
-/** A triangle in each format of text. */
+/** A triangle in each text format. */
 private val models = mapOf(
     "obj" to "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
     "stl" to "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n" +

@@ -18,9 +18,10 @@ import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 
 /**
- * The command `zcli`, which only leads to others.
+ * The command `zcli`, which only contains subcommands.
  *
- * @param args the words of the command line; if the first is a command, no other is built, for zcli starts sooner so
+ * @param args the words of the command line; if the first is the name of a subcommand, only that one is built, so that
+ *   zcli starts faster
  */
 internal class Zcli(streams: Streams, args: List<String>) : Command("zcli") {
     override val printHelpOnEmptyArgs: Boolean get() = true
@@ -46,13 +47,13 @@ internal class Zcli(streams: Streams, args: List<String>) : Command("zcli") {
     override fun helpEpilog(context: Context): String =
         "'zcli' stands for 'java -jar zcli.jar'.\n\n" + HelpText.examples(
             "zcli render teapot -o teapot.png" to "a built-in scene",
-            "zcli render model.obj --view iso -o model.png" to "a model of your own",
-            "zcli render --help" to "all there is to choose",
+            "zcli render model.obj --view iso -o model.png" to "your own model",
+            "zcli render --help" to "all options",
         )
 
     override fun run() = Unit
 
-    /** Whoever forgets 'render' names the model first. */
+    /** Returns the error for an unknown command. If the word is an input, suggests 'zcli render'. */
     private fun unknown(word: String, commands: Set<String>): Mistake {
         val isInput = SceneFormat.ofFileName(word) != null || Scenes.builtins.any { it.id == word }
         val hint = if (isInput) "; did you mean 'zcli render $word'?" else Nearest.hint(word, commands)

@@ -10,10 +10,10 @@ import org.junit.jupiter.api.Test
 import org.w3c.dom.Element
 
 /**
- * Maven and Gradle must build the same thing. Both builds are read as text, so this runs in either of them.
+ * The Maven build and the Gradle build must be equivalent. Both are read as text, so this test runs in either of them.
  *
- * The Gradle files are no free-form programs to this test: a dependency is one line `scope(libs.some.name)`,
- * `scope(project(":module"))` or `scope(platform(libs.some.bom))`, and every version stands in the catalog.
+ * The test requires a fixed form of Gradle files: a dependency is one line `scope(libs.some.name)`,
+ * `scope(project(":module"))` or `scope(platform(libs.some.bom))`, and every version is in the catalog.
  */
 class BuildsAgreeTest {
     private val root: Path =
@@ -53,7 +53,7 @@ class BuildsAgreeTest {
         val maven = pom.child("properties").children()
             .filter { it.tagName.endsWith(".version") }
             .associate { it.tagName.removeSuffix(".version") to it.textContent }
-        // Spotless is one plugin for each build tool, each with its own version
+        // Spotless has a plugin for each build tool, each with its own version
         assertEquals(maven, catalog.versions - "spotless")
     }
 
@@ -62,7 +62,7 @@ class BuildsAgreeTest {
         val managed = pom.child("dependencyManagement").child("dependencies").children("dependency")
             .associate { it.coordinates() to it.value("version") }
         for ((name, library) in catalog.libraries) {
-            // Without a version of its own a library takes it from a BOM
+            // A library without a version takes it from a BOM
             val version = library.version ?: continue
             val expected = managed[library.module] ?: continue
             assertEquals("\${$version.version}", expected, name)
@@ -132,7 +132,7 @@ class BuildsAgreeTest {
 
     @Test
     fun javaSources() {
-        // Gradle compiles src/main/java wherever it is, Maven only where the POM names it
+        // Gradle compiles src/main/java in every module, Maven only if the POM names it
         for (module in modules) {
             val named = xml("$module/pom.xml").childOrNull("build")?.valueOrNull("sourceDirectory") == "src/main/java"
             if (root.resolve("$module/src/main/java").exists()) assertTrue(named, "src/main/java of $module")
@@ -206,7 +206,7 @@ class BuildsAgreeTest {
     private fun properties(path: String): Map<String, String> =
         text(path).lines().filter { " = " in it }.associate { it.substringBefore(" = ") to it.substringAfter(" = ") }
 
-    /** What gradle/libs.versions.toml says, read line by line. */
+    /** The contents of gradle/libs.versions.toml, read line by line. */
     private class Catalog(toml: String) {
         class Library(val module: String, val version: String?)
 
@@ -240,7 +240,7 @@ class BuildsAgreeTest {
             "testRuntimeOnly" to "test",
         )
 
-        /** Surefire brings the launcher by itself. */
+        /** Surefire includes the launcher. */
         const val LAUNCHER = "test org.junit.platform:junit-platform-launcher"
 
         fun quoted(text: String) = Regex(""""(.*?)"""").findAll(text).map { it.groupValues[1] }.toList()

@@ -9,7 +9,10 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** What a start of zcli loads is most of what it takes: a built-in scene to a PNG needs no heavy library. */
+/**
+ * Loading classes is most of the time of a start of zcli. Rendering a built-in scene to PNG must not load large
+ * libraries.
+ */
 class ColdStartTest {
     @TempDir
     lateinit var folder: Path
@@ -19,7 +22,7 @@ class ColdStartTest {
         val loaded = loadedBy("render", "teapot", "--size", "256x256", "-o", "teapot.png")
         assertEquals(listOf<String>(), loaded.filter { name -> HEAVY.any { name.startsWith(it) } })
 
-        // Classes spun at run time cannot be archived, or are expensive to make
+        // Classes generated at run time cannot be archived, or are expensive to generate
         val spun = loaded.filter { name -> name.startsWith("dev.lazyz.") && SPUN.any { it in name } }
         assertEquals(listOf<String>(), spun)
 
@@ -27,7 +30,7 @@ class ColdStartTest {
         assertTrue(count in 100..MOST_CLASSES, "$count classes besides Java's own")
     }
 
-    /** The names of all classes that a process of zcli loads. */
+    /** Returns the names of all classes that a process of zcli loads. */
     private fun loadedBy(vararg args: String): List<String> {
         val log = folder.resolve("classes.txt")
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
@@ -41,7 +44,7 @@ class ColdStartTest {
     }
 
     private companion object {
-        /** Measured, and 10 percent. */
+        /** The measured number plus 10 percent. */
         const val MOST_CLASSES = 705
 
         val SPUN = listOf("$\$Lambda", "$\$StringConcat")

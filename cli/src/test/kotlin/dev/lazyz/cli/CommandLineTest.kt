@@ -37,7 +37,7 @@ class CommandLineTest {
                 zcli(*words.toTypedArray()).done()
                 continue
             }
-            // Beside a size that cannot be, whatever else is wrong would be told
+            // With the invalid size, an error in the example would add a line to the message
             val run = zcli(*words.toTypedArray(), "--size", "0x0").mistake("invalid value for --size")
             assertEquals(2, run.errors.trim().lines().size, run.errors)
         }

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** `docs/cli.md` and `--help` tell the same. */
+/** `docs/cli.md` and `--help` describe the same flags. */
 class DocumentationTest {
     private val page: String =
         generateSequence(Path.of("").toAbsolutePath()) { it.parent }.map { it.resolve("docs/cli.md") }
@@ -20,7 +20,7 @@ class DocumentationTest {
 
     private fun help(vararg command: String) = zcli(*command, "--help").done().text
 
-    /** Flags in the form `--flag METAVAR` or `-o`, as they stand at the beginning of a line of help. */
+    /** Returns flags in the form `--flag METAVAR` or `-o`, as they appear at the beginning of a line of help. */
     private fun rows(help: String): List<String> {
         val flag = Regex("""(?m)^ {2}(-[^ ,]*(?:, --[^ ]+)?(?: [A-Zx,]+(?= |$))?)""")
         return flag.findAll(help).map { it.groupValues[1] }.toList()

@@ -15,12 +15,12 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** What happens when something breaks half way. */
+/** Failures in the middle of a run. */
 class FailureTest {
     @TempDir
     lateinit var folder: Path
 
-    /** Breaks after [bytes] bytes. */
+    /** Throws after [bytes] bytes. */
     private class Breaking(private val bytes: Int, private val message: String) : OutputStream() {
         private val taken = ByteArrayOutputStream()
 

@@ -3,7 +3,7 @@ package dev.lazyz.cli
 import java.nio.file.Path
 import kotlin.io.path.writeText
 
-/** A red glass ball before a blue one, as a scene file of 40 x 30 pixels. */
+/** A scene file of 40 x 30 pixels: a red glass ball in front of a blue one. */
 internal fun Path.glass(): Path = resolve("glass.json").apply {
     writeText(
         """

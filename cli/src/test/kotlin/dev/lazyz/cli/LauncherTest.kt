@@ -31,7 +31,7 @@ import org.junit.jupiter.api.BeforeAll
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** The script `zcli`, beside a jar like the one of the build. */
+/** The script `zcli`, in a folder with a jar like the one of the build. */
 class LauncherTest {
     @TempDir
     lateinit var folder: Path
@@ -78,7 +78,7 @@ class LauncherTest {
         assertTrue(loaded in log.readText(), "loaded from the archive")
         assertEquals(before, Files.getLastModifiedTime(archives.single()))
 
-        // One that has lost its end is made again
+        // A truncated archive is created again
         val size = archive.fileSize()
         archive.toFile().setWritable(true)
         FileChannel.open(archive, StandardOpenOption.WRITE).use { it.truncate(size / 2) }
@@ -154,7 +154,7 @@ class LauncherTest {
         val jar = "${home.resolve("zcli.jar")}"
         assertEquals("scalar", kernel("-jar", jar))
         assertEquals("vector", kernel("-Dzcli.kernel=vector", "-jar", jar))
-        // Where nothing lets us, silently without
+        // Without the export, the module is not loaded, and nothing is printed
         assertEquals("scalar", kernel("-Dzcli.kernel=vector", "-cp", jar, "dev.lazyz.cli.MainKt"))
 
         val script = zcli(*KERNEL_JOB, environment = OFF + ("ZCLI_JAVA_OPTIONS" to "-Dzcli.kernel=vector"))
@@ -163,7 +163,7 @@ class LauncherTest {
         assertEquals("", errors)
     }
 
-    /** Returns what `--stats` says of the kernel in a process of plain Java, which must not print a warning. */
+    /** Returns the kernel that `--stats` prints in a process of plain Java, which must not print a warning. */
     private fun kernel(vararg start: String): String {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
         val process = ProcessBuilder(listOf(java) + start + KERNEL_JOB).directory(folder.toFile())
@@ -187,7 +187,10 @@ class LauncherTest {
         @TempDir
         lateinit var home: Path
 
-        /** The script and a jar of our classes, for Java archives no classes of folders. */
+        /**
+         * The script and a jar of the classes under test. It has to be a jar, because Java does not archive classes of
+         * folders.
+         */
         @BeforeAll
         @JvmStatic
         fun install() {

@@ -4,29 +4,29 @@ package dev.lazyz.cli
  * Which packages name which others, by their sources: an arrow for each import, and for each full name in the text.
  *
  * @param sources the sources of one module
- * @param modulePackages packages of all modules: a name is in the longest of them that it begins with
+ * @param modulePackages packages of all modules; a name belongs to the longest of them that is its prefix
  */
 internal class PackageGraph(sources: List<Source>, private val modulePackages: Set<String> = packagesOf(sources)) {
     /**
      * A source file.
      *
-     * @property path where it is, for messages and lists of seams
+     * @property path its path, for messages and lists of seams
      */
     class Source(val path: String, val text: String) {
-        /** The package that it says it is in. */
+        /** The package that the file declares. */
         val packageName: String = PACKAGE.find(text)?.groupValues?.get(1).orEmpty()
 
         override fun toString(): String = path
     }
 
-    /** [source], in its package, names something of package [to]. */
+    /** A dependency: [source] names a declaration of package [to]. */
     private class Arrow(val source: Source, val to: String) {
         val from: String get() = source.packageName
     }
 
     private val arrows: List<Arrow> = sources.flatMap { source -> named(source).map { Arrow(source, it) } }
 
-    /** The other packages that [source] names. */
+    /** Returns the other packages that [source] names. */
     private fun named(source: Source): Set<String> {
         val text = source.text.replace(PACKAGE, "").replace(LITERAL, "")
         return NAME.findAll(text).mapNotNull { packageOf(it.value) }.filter { it != source.packageName }.toSet()
@@ -38,8 +38,9 @@ internal class PackageGraph(sources: List<Source>, private val modulePackages: S
             .firstOrNull { it in modulePackages }
 
     /**
-     * Returns the cycles, none if all arrows go one way: sets of packages of which each can be reached from each other.
-     * Arrows from the files called [seams] do not count. Each cycle is a few lines: its packages, and who names what.
+     * Returns the cycles: sets of packages that depend on each other, directly or indirectly. Dependencies of the files
+     * [seams] are ignored. A cycle is returned as a few lines: its packages, and the files that create the
+     * dependencies.
      */
     fun cycles(seams: Set<String> = emptySet()): List<String> {
         val counted = arrows.filter { it.source.path !in seams }
@@ -68,11 +69,11 @@ internal class PackageGraph(sources: List<Source>, private val modulePackages: S
     companion object {
         private val PACKAGE = Regex("""(?m)^package ([\w.]+);?""")
 
-        /** Text in quotes is no code, and a name between backticks in a comment is no link. */
+        /** Matches text in quotes, and names between backticks in comments. They are not dependencies. */
         private val LITERAL = Regex("\"(?:\\\\.|[^\"\\\\\n])*\"|`[^`\n]*`")
         private val NAME = Regex("""\bdev\.lazyz(?:\.\w+)+""")
 
-        /** The packages of [sources]. */
+        /** Returns the packages of [sources]. */
         fun packagesOf(sources: List<Source>): Set<String> = sources.map { it.packageName }.toSet()
     }
 }

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestFactory
 import org.junit.jupiter.api.io.TempDir
 
-/** A few runs as a process of its own: streams, exit codes, working folder. */
+/** A few runs in a separate process: streams, exit codes, working folder. */
 class ProcessTest {
     @TempDir
     lateinit var folder: Path
@@ -114,7 +114,7 @@ class ProcessTest {
         }
     }
 
-    /** Starts a picture that takes minutes, and returns when its temporary file is there. */
+    /** Starts a rendering that takes minutes, and returns when its temporary file exists. */
     private fun startLargePicture(): Process {
         val words = listOf("render", "plane", "--size", "60000x60000", "--threads", "1", "-o", "large.png")
         val process = start(words, listOf("-Xmx2g")) {}
@@ -150,7 +150,7 @@ class ProcessTest {
         assertTrue(!folder.resolve("x.png").exists())
     }
 
-    /** A picture that would take 137 MiB, in a heap of 32: whoever promises constant memory keeps that promise. */
+    /** A picture of 137 MiB, in a heap of 32 MiB: strategies that promise constant memory can render it. */
     @TestFactory
     fun picturesLargerThanTheHeapAreStreamed(): List<DynamicTest> =
         Renderers.builtIn.filter { Capability.CONSTANT_MEMORY in it.capabilities }.map { strategy ->

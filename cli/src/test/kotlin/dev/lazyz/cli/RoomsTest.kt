@@ -13,7 +13,9 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
 
-/** The packages of each module: arrows between them go one way, and a file lies in the folder of its package. */
+/**
+ * The packages of each module: dependencies between them have no cycles, and each file is in the folder of its package.
+ */
 class RoomsTest {
     private val root: Path = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
         .first { Files.isDirectory(it.resolve("core/src/main/kotlin")) }
@@ -76,7 +78,7 @@ class RoomsTest {
         )
         assertEquals(listOf<String>(), PackageGraph(house).cycles())
 
-        // An import or a full name back up is one too many
+        // An import, a full name or a link in the other direction creates a cycle
         for (line in listOf("import dev.lazyz.a.A", "val it = dev.lazyz.a.A()", "/** See [dev.lazyz.a.A]. */")) {
             val back = house + Source("d/Back.kt", "package dev.lazyz.d\n\n$line\n")
             val cycle = PackageGraph(back).cycles().single()
@@ -89,7 +91,10 @@ class RoomsTest {
     private companion object {
         val MODULES = listOf("core", "scenes", "conformance", "cli", "jmh")
 
-        /** Files whose arrows do not count, each with the reason: what they name, they name so that nothing else has to. */
+        /**
+         * Files whose dependencies are ignored, each with the reason. They connect packages so that no other file has
+         * to.
+         */
         val SEAMS = mapOf(
             "core/src/main/kotlin/dev/lazyz/world/SetUp.kt" to "surfaces become primitives by what it calls",
             "core/src/main/kotlin/dev/lazyz/world/FrameBuilder.kt" to "the same for polygons given on the screen",

@@ -131,7 +131,7 @@ class SmallPartsTest {
         val screen = ByteArrayOutputStream()
         val terminal = Streams("".byteInputStream(), screen, PrintStream(shown, true)) { it == 1 }
         assertEquals(2, run(arrayOf("render", "teapot", "-o", "-"), terminal))
-        assertTrue("would confuse the terminal" in shown.toString())
+        assertTrue("cannot write a picture to a terminal" in shown.toString())
         assertEquals(0, screen.size())
     }
 }

@@ -19,7 +19,7 @@ import kotlin.io.path.outputStream
 import kotlin.io.path.writeText
 import kotlin.system.exitProcess
 
-/** A renderer that fails after half the rows in a way that its [id] names. */
+/** A renderer that fails after half of the rows. Its [id] names the kind of failure. */
 open class FailingRenderer(override val id: String, private val failure: () -> Throwable) : Renderer {
     override val summary: String get() = "fails half way"
 
@@ -41,12 +41,12 @@ class UnbornRenderer : FailingRenderer("unborn", { IllegalStateException() }) {
     }
 }
 
-/** Does not get as far as being judged. */
+/** Fails when it is asked for its capabilities, before any rule runs. */
 class SpeechlessRenderer : FailingRenderer("speechless", { IllegalStateException() }) {
     override val capabilities: Set<Capability> get() = error("what can I do?")
 }
 
-/** Prints, and exits as if all were well where there is something to draw. */
+/** Prints, and exits with code 0 if the frame has more than two primitives. */
 class ExitingRenderer : Renderer {
     override val id: String get() = "exiting"
 
@@ -59,14 +59,14 @@ class ExitingRenderer : Renderer {
     }
 }
 
-/** Exits before anybody has seen it. */
+/** Exits before the suite can use it. */
 class StillbornRenderer : FailingRenderer("stillborn", { IllegalStateException() }) {
     init {
         exitProcess(0)
     }
 }
 
-/** Ends the process without a word where there is something to draw. */
+/** Ends the process without output if the frame has more than two primitives. */
 class HaltingRenderer : Renderer {
     override val id: String get() = "halting"
 
@@ -78,21 +78,21 @@ class HaltingRenderer : Renderer {
     }
 }
 
-/** Halts before anybody has seen it. */
+/** Halts the JVM before the suite can use it. */
 class HaltedRenderer : FailingRenderer("halted", { IllegalStateException() }) {
     init {
         Runtime.getRuntime().halt(0)
     }
 }
 
-/** Is never made. */
+/** Its constructor never returns. */
 class EternalRenderer : FailingRenderer("eternal", { IllegalStateException() }) {
     init {
         while (true) Thread.sleep(Long.MAX_VALUE)
     }
 }
 
-/** Capable of all that flags ask for, by way of `lists`, and remembers what it was asked. */
+/** Has all capabilities that flags can require. Delegates to `lists`, and records its options. */
 class CapableRenderer(private val options: RenderOptions = RenderOptions()) : Renderer {
     override val id: String get() = "capable"
 
@@ -120,7 +120,7 @@ class CapableRenderer(private val options: RenderOptions = RenderOptions()) : Re
     }
 }
 
-/** Right but for the pixel at (20, 15), which [spoil] changes. */
+/** Correct except for the pixel at (20, 15), which [spoil] changes. */
 open class WrongRenderer(override val id: String, private val spoil: (IntArray, IntArray, IntArray) -> Unit) :
     Renderer {
     override val summary: String get() = "has one wrong pixel"
@@ -137,7 +137,7 @@ class WrongDepthRenderer : WrongRenderer("wrong-depth", { _, depth, _ -> depth[2
 
 class WrongPrimitiveRenderer : WrongRenderer("wrong-primitive", { _, _, primitive -> primitive[20]++ })
 
-/** Right every other time only. */
+/** Correct only every second time. */
 class FickleRenderer : Renderer {
     private var runs = 0
 
@@ -149,7 +149,7 @@ class FickleRenderer : Renderer {
         (if (runs++ % 2 == 0) ZBuffer() else WrongColorRenderer()).render(frame, sink)
 }
 
-/** Hands out rows as [deliver] will have it. */
+/** Delivers rows as [deliver] does. */
 open class RowsRenderer(override val id: String, private val deliver: (Int, () -> Unit) -> Unit) : Renderer {
     override val summary: String get() = "loses or repeats rows"
 
@@ -162,7 +162,7 @@ class ShortRenderer : RowsRenderer("short", { y, row -> if (y < 20) row() })
 
 class StutteringRenderer : RowsRenderer("stuttering", { y, row -> repeat(if (y == 7) 2 else 1) { row() } })
 
-/** Writes a jar that offers these classes as renderers. */
+/** Writes a jar that registers these classes as renderers. */
 internal fun Path.rendererJar(vararg classes: Class<*>, name: String = "mine.jar"): Path {
     val manifest = Manifest()
     manifest.mainAttributes[Attributes.Name.MANIFEST_VERSION] = "1.0"
@@ -176,7 +176,7 @@ internal fun Path.rendererJar(vararg classes: Class<*>, name: String = "mine.jar
     return path
 }
 
-/** Runs [block] with the classes called [names] offered as renderers on the class path, by way of [folder]. */
+/** Runs [block] with the classes [names] registered as renderers on the class path, by a file in [folder]. */
 internal fun withRenderers(folder: Path, vararg names: String, block: () -> Unit) {
     val services = folder.resolve("services/META-INF/services").createDirectories()
     services.resolve("dev.lazyz.Renderer").writeText(names.joinToString("\n"))

@@ -12,14 +12,14 @@ import kotlin.io.path.readBytes
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 
-/** What one run of zcli, in this process, returned and wrote. */
+/** The exit code and output of one run of zcli in this process. */
 internal class Zrun(val code: Int, val output: ByteArray, val errors: String) {
     val text: String get() = String(output)
 
-    /** Asserts success without a word, and returns this. */
+    /** Asserts success without messages, and returns this. */
     fun done(): Zrun = apply { assertEquals("", errors) }.also { assertEquals(ExitCode.DONE, code) }
 
-    /** Asserts that the user was told of a mistake, in words that contain all of [parts], and without a stack trace. */
+    /** Asserts that a mistake was reported, in a message that contains all of [parts], and without a stack trace. */
     fun mistake(vararg parts: String): Zrun = apply {
         for (part in parts) check(part in errors) { "'$part' is missing in: $errors" }
         assertEquals(ExitCode.MISTAKE, code, errors)
@@ -56,7 +56,7 @@ internal fun zcliWriting(output: OutputStream, input: String, vararg args: Any):
 
 internal val Path.image: BufferedImage get() = ImageIO.read(ByteArrayInputStream(readBytes()))
 
-/** All pixels in rows from the top, `0xAARRGGBB`. */
+/** Returns all pixels in rows from the top, `0xAARRGGBB`. */
 internal fun BufferedImage.argb(): List<Int> = getRGB(0, 0, width, height, null, 0, width).toList()
 
 /** A tetrahedron that looks different from every side. */

@@ -38,9 +38,9 @@ import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.StrategyPath
 
 /**
- * `zcli compare`: declares the options; [CompareJob] and [CompareSeveralJob] do the work.
+ * `zcli compare`: declares the options. [CompareJob] and [CompareSeveralJob] do the work.
  *
- * @param args the words of the command line, for the report of a bug
+ * @param args the words of the command line, for bug reports
  */
 internal class CompareCommand(private val streams: Streams, private val args: List<String>) : Command("compare") {
     private val inputs by argument("INPUT", help = "$INPUT_HELP; or a folder: all models and scene files in it")
@@ -53,16 +53,16 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
     private val limits by LimitOptions()
 
     override fun help(context: Context): String =
-        "Renders models or scenes with all strategies, checks that they give the same picture, and tells what each " +
-            "took; of several inputs, or a folder, a line each.\n\nColour, depth and visible surface of every pixel " +
-            "are compared, without tolerance. Exit code 1: the strategies' pictures differ, or a strategy failed; " +
-            "2: none of this, but an input could not be read."
+        "Renders models or scenes with all strategies, checks that the pictures are the same, and prints time and " +
+            "memory of each strategy. For several inputs, or a folder, it prints one line per input.\n\nColour, " +
+            "depth and visible surface of every pixel are compared, without tolerance. Exit code 1: pictures " +
+            "differ, or a strategy failed; 2: neither, but an input could not be read."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
-        "zcli compare city" to "all strategies, one row each",
-        "zcli compare model.glb --size 1024x768 --opaque --repeat 5" to "all of them; times are medians of five",
-        "zcli compare teapot --strategy zbuffer --strategy lazy --json" to "two of them, for a script",
-        "zcli compare models a.obj city --size 160x120 --views iso,front,back" to "many files, from three sides",
+        "zcli compare city" to "all strategies, one row per strategy",
+        "zcli compare model.glb --size 1024x768 --opaque --repeat 5" to "an opaque model; times are medians of five",
+        "zcli compare teapot --strategy zbuffer --strategy lazy --json" to "two strategies, for a script",
+        "zcli compare models a.obj city --size 160x120 --views iso,front,back" to "several inputs, from three sides",
     )
 
     override fun run() {
@@ -73,7 +73,7 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
     private fun compare(): Int {
         val views = comparing.views.orEmpty()
         if (views.isNotEmpty() && camera.pointOfView().isDirected) {
-            throw Mistake("--views goes with none of --view, --azimuth and --elevation")
+            throw Mistake("--views cannot be combined with --view, --azimuth or --elevation")
         }
         val request = CompareRequest(comparing.strategies.distinct(), cost.choices(), comparing.repeat, views)
         val named = CompareInputs(inputs, reading.format)
@@ -94,28 +94,28 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
     private fun subject(input: String): Subject = subject(input, reading, limits, picture, camera)
 }
 
-/** What to compare, and how to tell. */
+/** Options that choose what to compare, and how to print the result. */
 private class ComparingOptions : OptionGroup("Comparing") {
     val strategies by option(
         "--strategy",
         metavar = "ID",
-        help = "Compare this strategy; say it again for each further one; the first is what the others are held " +
-            "against; default: all of 'zcli strategies'",
+        help = "Compare this strategy; repeat the option for more; all others are compared with the first; " +
+            "default: all of 'zcli strategies'",
     ).multiple()
 
     val classPath by classPath()
 
     val views by option(
         "--views",
-        help = "Look from each of these sides, with commas between them, such as iso,front,back; default: as the " +
-            "options of the camera say",
+        help = "Look from each of these sides, separated by commas, such as iso,front,back; default: the options " +
+            "of the camera",
     ).listOf("SIDES", View.entries.associateBy { it.name.lowercase() })
 
     val repeat by option(
         "--repeat",
-        help = "Render so many times with each, 1..1000, and tell the median of the times; default: 1, which " +
-            "includes the time that Java takes to warm up",
+        help = "Render this many times with each strategy, 1..1000, and print the median time; default: 1, which " +
+            "includes the time that Java needs to warm up",
     ).count(1..1000).default(1)
 
-    val isJson by option("--json", help = "Tell it as one JSON object, or, of several inputs, as JSON lines").flag()
+    val isJson by option("--json", help = "Print one JSON object, or JSON lines for several inputs").flag()
 }

@@ -35,66 +35,66 @@ import java.time.Duration
 import java.util.concurrent.ThreadLocalRandom
 import kotlin.io.path.writeText
 
-/** `zcli conformance`: runs the conformance suite on a strategy from wherever it is. */
+/** `zcli conformance`: runs the conformance suite on a built-in or custom strategy. */
 internal class ConformanceCommand(private val streams: Streams, private val args: List<String>) :
     Command("conformance") {
-    private val strategy by option("--strategy", metavar = "ID", help = "The strategy to judge")
+    private val strategy by option("--strategy", metavar = "ID", help = "The strategy to test")
 
     private val classPath by classPath()
 
-    private val seed by option("--seed", help = "Try other frames than the usual").convert("N") { text ->
+    private val seed by option("--seed", help = "Use this seed; default: the fixed one").convert("N") { text ->
         text.toLongOrNull() ?: fail("'$text' is not a whole number")
     }
 
-    private val isExploring by option("--explore", help = "Try frames of a random seed, which the summary tells").flag()
+    private val isExploring by option("--explore", help = "Use a random seed; the summary prints it").flag()
 
-    private val tries by option("--tries", help = "Try so many times as many frames as usual; default: 1")
+    private val tries by option("--tries", help = "Multiply the number of frames by this; default: 1")
         .number("F", LEAST_TRIES..MOST_TRIES, "")
 
     private val rules by option(
         "--rule",
         metavar = "NAME",
-        help = "Run this rule only, by its name or number; say it again for each further one; default: all",
+        help = "Run only this rule, by its name or number; repeat the option for more; default: all",
     ).multiple()
 
-    private val waivers by option("--waivers", help = "Rules that the strategy is known to break")
+    private val waivers by option("--waivers", help = "A file of rules that the strategy is known to break")
         .convert("FILE") { Path.of(it) }
 
     private val frames by option(
         "--frames",
-        help = "Try the scene files and meshes there, too, and add the frames that rules fail on",
+        help = "Also use the scene files and meshes in this folder, and save frames there that rules fail on",
     ).convert("FOLDER") { Path.of(it) }
 
     private val verify by option(
         "--verify",
         metavar = "REPORT",
-        help = "Run again what this report.json says, with its settings, and compare what comes of each rule",
+        help = "Repeat the run of this report.json, with its settings, and compare the outcome of each rule",
     ).convert("REPORT") { Path.of(it) }
 
-    private val report by option("--report", help = "Write the report there too, with pictures of failures")
+    private val report by option("--report", help = "Also write the report to this folder, with pictures of failures")
         .convert("FOLDER") { Path.of(it) }
 
     private val fuzzing by FuzzingOptions()
 
-    private val deadline by option("--deadline", help = "Seconds after which a rendering has timed out; default: 20")
+    private val deadline by option("--deadline", help = "Seconds until a rendering times out; default: 20")
         .number("S", LEAST_DEADLINE..MOST_DEADLINE, "")
 
     private val isInProcess by option(
         "--in-process",
-        help = "Judge in zcli's own process, for debuggers: a strategy that exits ends zcli, and no report is printed",
+        help = "Run the strategy in the process of zcli, for debuggers: if it exits, zcli ends without a report",
     ).flag()
 
     private val isQuiet by option(
         "--quiet",
-        help = "Do not say on standard error what came of each rule as soon as it is known",
+        help = "Do not print the outcome of each rule to standard error while the suite runs",
     ).flag()
 
     private val isJson by option("--json", help = "Print JSON instead of the summary").flag()
 
-    /** What `--verify` names. */
+    /** The report that `--verify` names, or null. */
     private val recorded: RecordedReport? by lazy {
         if (verify != null && (seed != null || isExploring || tries != null || rules.isNotEmpty() || waivers != null)) {
-            throw Mistake("--verify takes seed, tries, rules and waivers from the report: leave out those flags")
+            throw Mistake("--verify takes seed, tries, rules and waivers from the report: omit those flags")
         }
         try {
             verify?.let { RecordedReport.read(it) }
@@ -104,15 +104,15 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     }
 
     override fun help(context: Context): String =
-        "Judges a strategy, ours or your own, by the rules of the contract.\n\n" +
-            "Exit code 1: it does not conform, pictures differ, or --verify finds another outcome."
+        "Tests a built-in or custom strategy against the rules of the contract.\n\n" +
+            "Exit code 1: it does not conform, pictures differ, or --verify finds a different outcome."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
-        "zcli conformance --strategy my-id --classpath my.jar --report report" to "your own, and a page with pictures",
-        "zcli conformance --strategy lazy --rule 5.2 --tries 10" to "what the contract says about ties, thoroughly",
-        "zcli conformance --strategy my-id --classpath my.jar --explore" to "frames that nobody has seen",
-        "zcli conformance --strategy tiled --against zbuffer --minutes 10 --corpus frames" to "two against each other",
-        "zcli conformance --verify report/report.json --classpath my.jar" to "whether a report says what is so",
+        "zcli conformance --strategy my-id --classpath my.jar --report report" to "your own strategy, and a report",
+        "zcli conformance --strategy lazy --rule 5.2 --tries 10" to "one rule, with ten times as many frames",
+        "zcli conformance --strategy my-id --classpath my.jar --explore" to "new random frames",
+        "zcli conformance --strategy tiled --against zbuffer --minutes 10 --corpus frames" to "two strategies compared",
+        "zcli conformance --verify report/report.json --classpath my.jar" to "repeats and checks a recorded run",
     )
 
     override fun run() {
@@ -132,7 +132,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         if (code != ExitCode.DONE) throw ProgramResult(code)
     }
 
-    /** Judges, hands the report over to [print], and returns the exit code. */
+    /** Runs the suite, passes the text of the report to [print], and returns the exit code. */
     private fun judged(journal: Path?, print: (String) -> Unit): Int = try {
         val report = judge(journal)
         val words = ConformanceWords(recorded, isJson)
@@ -142,7 +142,8 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         doesNotConform(hanging)
     }
 
-    private fun told() = if (isQuiet) RuleListener { _, _, _ -> } else ConformanceWords.told(streams)
+    private fun progressListener() =
+        if (isQuiet) RuleListener { _, _, _ -> } else ConformanceWords.progressListener(streams)
 
     private fun doesNotConform(why: Exception): Int {
         streams.error("${strategy ?: recorded?.strategy} does NOT conform: ${why.message}")
@@ -150,7 +151,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     }
 
     private fun fuzz(): Int = StrategyPath(classPath).use { path ->
-        val id = strategy ?: throw Mistake("which strategy? Say --strategy ID")
+        val id = strategy ?: throw Mistake("which strategy? Use --strategy ID")
         val report = fuzzing.run(path.find(id), seed, path::find)
         streams.print(report.toText())
         if (report.isEqual) ExitCode.DONE else ExitCode.DIFFERENT
@@ -158,10 +159,10 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     private fun judge(journal: Path?): ConformanceReport = StrategyPath(classPath).use { path ->
         val id =
-            strategy ?: recorded?.strategy ?: throw Mistake("which strategy? Say --strategy ID, or --verify REPORT")
+            strategy ?: recorded?.strategy ?: throw Mistake("which strategy? Use --strategy ID, or --verify REPORT")
         val renderer by lazy { path.find(id) }
         val conformance = conformance(id) { renderer }
-        if (journal == null) conformance.listener(told()) else conformance.journal(journal)
+        if (journal == null) conformance.listener(progressListener()) else conformance.journal(journal)
         try {
             conformance.run()
         } catch (bad: FramesException) {
@@ -169,11 +170,13 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         }
     }
 
-    /** Has a process of its own judge, so that a verdict comes out whatever the strategy does to it. */
+    /**
+     * Runs the suite in a child process, so that there is a result even if the strategy ends or crashes that process.
+     */
     private fun supervise(): Int {
         val seed = ThreadLocalRandom.current().nextLong(0, Int.MAX_VALUE.toLong())
         val answer = try {
-            ConformanceProcess.run(args, seed, seconds(deadline ?: USUAL_DEADLINE), told())
+            ConformanceProcess.run(args, seed, seconds(deadline ?: USUAL_DEADLINE), progressListener())
         } catch (ended: EndedEarlyException) {
             streams.note(ended.printed)
             return doesNotConform(ended)
@@ -207,7 +210,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         return conformance
     }
 
-    /** What to type to see a failure of the strategy [id] again, up to the seed. */
+    /** Returns the command that reproduces a failure of the strategy [id], without the seed. */
     private fun command(id: String): String = buildString {
         append("zcli conformance --strategy $id")
         for (jar in classPath) append(" --classpath ").append(quoted(jar))
@@ -219,7 +222,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     private fun unknown(rule: String): String {
         val names = SuiteRule.all.flatMap { listOf(it.name, it.number) }.distinct()
         return "no rule '$rule'${Nearest.hint(rule, names)}\n" +
-            "Rules are called:\n" + SuiteRule.all.joinToString("\n") { "  ${it.name}" }
+            "The rules are:\n" + SuiteRule.all.joinToString("\n") { "  ${it.name}" }
     }
 
     private companion object {

@@ -12,10 +12,10 @@ import dev.lazyz.scenes.Scenes
 
 /** `zcli scenes`: the built-in scenes, one line each. */
 internal class ScenesCommand(private val streams: Streams) : Command("scenes") {
-    override fun help(context: Context): String = "Lists the built-in scenes, which render takes by name."
+    override fun help(context: Context): String = "Lists the built-in scenes. 'zcli render' accepts their names."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
-        "zcli scenes" to "a name and a description a line",
+        "zcli scenes" to "one scene per line: name and description",
         "zcli render city -o city.png" to "renders one of them",
     )
 
@@ -24,18 +24,18 @@ internal class ScenesCommand(private val streams: Streams) : Command("scenes") {
     }
 }
 
-/** `zcli strategies`: the renderers, one line each, or with a second one that tells what they are capable of. */
+/** `zcli strategies`: the renderers, one line each, optionally followed by a line of capabilities. */
 internal class StrategiesCommand(private val streams: Streams) : Command("strategies") {
-    private val isLong by option("--long", help = "Below each, tell what it is capable of").flag()
+    private val isLong by option("--long", help = "Also print the capabilities of each strategy").flag()
 
     override fun help(context: Context): String =
-        "Lists the strategies for removing hidden surfaces.\n\nThey all give the same picture, bit for bit; they " +
-            "differ in time and memory. 'zcli compare' shows by how much."
+        "Lists the strategies for removing hidden surfaces.\n\nAll give the same picture, bit for bit; they " +
+            "differ in time and memory. 'zcli compare' measures both."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
-        "zcli strategies" to "an id and a description a line",
-        "zcli strategies --long" to "and who blends, keeps to a memory budget, works in parallel",
-        "zcli render city --strategy zbuffer --stats -o city.png" to "renders with one of them and says what it took",
+        "zcli strategies" to "one strategy per line: id and description",
+        "zcli strategies --long" to "also what each supports, such as blending or threads",
+        "zcli render city --strategy zbuffer --stats -o city.png" to "renders with one of them, and prints statistics",
     )
 
     override fun run() {

@@ -27,7 +27,7 @@ import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.strategies.StrategyPath
 import java.nio.file.Path
 
-/** `zcli render`: declares the options; [RenderJob] does the work. */
+/** `zcli render`: declares the options. [RenderJob] does the work. */
 internal class RenderCommand(private val streams: Streams) : Command("render") {
     private val input by argument("INPUT", help = INPUT_HELP)
     private val output by OutputOptions()
@@ -39,17 +39,17 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
     private val limits by LimitOptions()
 
     override fun help(context: Context): String =
-        "Renders a model or a scene to a picture.\n\nWithout further options the camera frames the whole model from " +
-            "the front right, a little above, and a model without lights gets some that show its shape."
+        "Renders a model or a scene to a picture.\n\nBy default the camera shows the whole model from the front " +
+            "right, slightly from above, and a model without lights gets default lights."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli render teapot -o teapot.png" to "a built-in scene, 640x480",
         "zcli render part.stl --up z --view iso --projection orthographic -o part.png" to "a part from a CAD program",
-        "zcli render model.glb --size 512x512 --background transparent -o model.png" to "a thumbnail to put on a page",
-        "zcli render city -o city.png --depth-out city.pfm --stats=json" to "picture, depth, and numbers for a script",
+        "zcli render model.glb --size 512x512 --background transparent -o model.png" to "a thumbnail for a web page",
+        "zcli render city -o city.png --depth-out city.pfm --stats=json" to "also depth and statistics, for a script",
         "zcli render city --size 8000x6000 --region 4000,2000,640x480 -o detail.png" to "a part of a large picture",
         "zcli render city --strategy auto --explain -o city.png" to "the fastest strategy for it, and why",
-        "zcli render city --select count -o overdraw.png" to "how many surfaces lie behind each pixel",
+        "zcli render city --select count -o overdraw.png" to "the number of surfaces at each pixel",
         "cat model.obj | zcli render - --format obj -o - > model.png" to "in a pipe",
     )
 
@@ -67,50 +67,50 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
     }
 }
 
-/** Where the picture goes, and what is told of it. */
+/** Options of the output files and of statistics. */
 private class OutputOptions : OptionGroup("Output") {
     val picture by option(
         "-o",
         "--output",
         metavar = "OUT",
-        help = "Where the picture goes: a .png or .ppm file, or - for PNG to standard output; default: INPUT's name " +
-            "with .png in the current folder, if there is no such file yet",
+        help = "The file for the picture: .png or .ppm, or - for PNG to standard output; default: INPUT's name " +
+            "with .png in the current folder, if that file does not exist yet",
     )
 
     val depth by option(
         "--depth-out",
         help = "Also write the depth of every pixel to a .pfm file: 0 at the near plane, 1 at the far plane, " +
-            "infinity where nothing is",
+            "infinity for the background",
     ).convert("FILE") { Path.of(it) }
 
     val stats by option(
         "--stats",
-        help = "Tell what it took, as a table or, with --stats=json, as one JSON object; to standard output, or to " +
+        help = "Print statistics, as a table or, with --stats=json, as one JSON object; to standard output, or to " +
             "standard error if the picture goes to standard output",
     ).oneOf("json", StatsForm.entries.associateBy { it.name.lowercase() })
         .optionalValue(StatsForm.TABLE, acceptsUnattachedValue = false)
 }
 
-/** What computes it. */
+/** Options of the strategy. */
 private class RenderingOptions : OptionGroup("Rendering") {
     val strategy by option(
         "--strategy",
         metavar = "ID",
-        help = "How hidden surfaces are removed; the picture is the same; auto: by what each is expected to " +
-            "take; default: the first of 'zcli strategies' that is capable of what the scene and the other " +
-            "options need",
+        help = "The algorithm that removes hidden surfaces; the picture is the same; auto: choose by expected time; " +
+            "default: the first of 'zcli strategies' that supports what the scene and the other options need",
     )
 
     val classPath by classPath()
 
     val isExplained by option(
         "--explain",
-        help = "Tell on standard error why this strategy, and what the others are expected to take",
+        help = "Print to standard error why this strategy was chosen, and the expected times of all",
     ).flag()
 
     val selector by option(
         "--select",
-        help = "What a pixel shows of all the surfaces behind it: nearest, farthest, kth:K (the K-th from the " +
-            "front), count (how many, as a colour) or blend; default: nearest, or blend where the scene is translucent",
+        help = "What a pixel shows of all the surfaces at it: nearest, farthest, kth:K (the K-th from the " +
+            "front), count (their number, as a colour) or blend; default: nearest, or blend if the scene is " +
+            "translucent",
     ).selector()
 }

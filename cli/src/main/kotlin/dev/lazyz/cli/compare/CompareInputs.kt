@@ -8,15 +8,17 @@ import java.nio.file.Path
 import kotlin.io.path.invariantSeparatorsPathString
 import kotlin.io.path.name
 
-/** What the words of `zcli compare` stand for: inputs as they are, and the files that folders hold. */
+/**
+ * The inputs that the words of `zcli compare` name: the words themselves, with folders replaced by the files in them.
+ */
 internal class CompareInputs(private val words: List<String>, private val format: SceneFormat?) {
-    /** Whether the words name but one input, whose comparison is told at length. */
+    /** Whether there is only one input that is not a folder. Its comparison is printed in detail. */
     val isSingle: Boolean = words.size == 1 && !isFolder(words[0])
 
     /**
-     * All inputs in the order of the words; in place of a folder, the model and scene files in it and in its folders, in
-     * the order of their paths, character by character. What begins with a dot is left out. A folder without any such
-     * file stands for itself, for the reader to complain.
+     * All inputs, in the order of the words. A folder is replaced by the model and scene files in it and in its
+     * subfolders, sorted by path, character by character. Names that begin with a dot are skipped. A folder without
+     * such files is kept as an input, and reading it then reports the error.
      */
     val all: Sequence<String> = words.asSequence().flatMap { if (isFolder(it)) files(Path.of(it)) else listOf(it) }
 
@@ -38,7 +40,10 @@ internal class CompareInputs(private val words: List<String>, private val format
         return known != SceneFormat.SCENE || isSceneFile(file)
     }
 
-    /** JSON is used for much; a scene file says early what it is. What cannot be read is for the reader to tell. */
+    /**
+     * Returns whether [file] is a scene file, not other JSON: its first bytes contain the key `lazyz`. Returns true for
+     * an unreadable file, so that reading it later reports the error.
+     */
     private fun isSceneFile(file: Path): Boolean = try {
         Files.newInputStream(file).use { "\"lazyz\"" in String(it.readNBytes(HEAD), Charsets.ISO_8859_1) }
     } catch (unreadable: IOException) {

@@ -14,14 +14,14 @@ import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.scenes.LoadedScene
 
 /**
- * Renders frames with all strategies of [request], one after the other, and holds each against the first.
+ * Renders frames with all strategies of [request], one after the other, and compares each picture with the first.
  *
- * @throws Mistake if a strategy is not known, or a flag would be heeded by none
+ * @throws Mistake if a strategy is not known, or a flag is not supported by any strategy
  */
 internal class CompareJob(private val request: CompareRequest, private val streams: Streams) {
     private val strategies = strategies()
 
-    /** Compares on the scene [loaded] from [source], seen from [view] if there is one. */
+    /** Compares pictures of the scene [loaded] from [source], from the side [view] unless it is null. */
     fun compare(source: FrameSource, loaded: LoadedScene, view: View? = null): Comparison {
         val frame = source.frame(loaded, view)
         val able = strategies.filter { canRender(it, frame) }
@@ -40,10 +40,10 @@ internal class CompareJob(private val request: CompareRequest, private val strea
     private fun strategies(): List<Renderer> {
         val chosen = request.strategies.map { Strategies.find(it) }.ifEmpty { Strategies.all() }
 
-        // A flag that nobody heeds would be a comparison of nothing
-        val heeded = chosen.flatMap { it.capabilities }.toSet()
-        val missing = Strategies.missing(request.choices.needs, heeded)
-        if (missing != null) throw Mistake("no compared strategy heeds $missing\nSee 'zcli strategies --long'.")
+        // If no strategy supports a flag, the comparison would not measure what the user wanted
+        val supported = chosen.flatMap { it.capabilities }.toSet()
+        val missing = Strategies.missing(request.choices.needs, supported)
+        if (missing != null) throw Mistake("no compared strategy supports $missing\nSee 'zcli strategies --long'.")
         return chosen.map { request.choices.applyTo(it) }
     }
 
@@ -51,18 +51,18 @@ internal class CompareJob(private val request: CompareRequest, private val strea
         !frame.hasTranslucency || Capability.TRANSPARENCY in strategy.capabilities
 
     private fun noneBlends(): String = "the scene is translucent, and no compared strategy blends " +
-        "(${Strategies.whoDoes(Capability.TRANSPARENCY)})\nCompare others, or compare it as opaque with --opaque."
+        "(${Strategies.supporters(Capability.TRANSPARENCY)})\nCompare others, or compare it as opaque with --opaque."
 
     /** One frame, rendered with one strategy after the other. */
     private inner class Round(private val frame: Frame) {
-        /** The first picture that is complete; the only one that is kept. */
+        /** The first complete picture. No other picture is kept in memory. */
         var reference: Reference? = null
             private set
 
         fun outcome(strategy: Renderer): Outcome = try {
             rendered(strategy)
         } catch (failure: Throwable) {
-            // Whatever a strategy throws, the others shall have their turn
+            // Continue with the other strategies
             Outcome.Failed(failure)
         }
 
@@ -73,7 +73,7 @@ internal class CompareJob(private val request: CompareRequest, private val strea
             for (i in times.indices) {
                 streams.progress("rendering with ${strategy.id}, ${i + 1} of ${request.repeat} ...")
 
-                // Keep the very first picture, and hold all others against it, row by row
+                // Keep the first picture, and compare all others with it, row by row
                 val known = reference?.image
                 val collector = if (known == null) Image.Collector(frame.region) else null
                 val comparison = known?.let { RowComparison(it) }
@@ -92,7 +92,7 @@ internal class CompareJob(private val request: CompareRequest, private val strea
     }
 
     private companion object {
-        /** Colour, depth and primitive of the picture that is kept. */
+        /** Size of colour, depth and primitive id of a pixel of the picture that is kept. */
         const val BYTES_PER_PIXEL = 12L
     }
 }

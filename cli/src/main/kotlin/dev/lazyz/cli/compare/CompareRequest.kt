@@ -4,10 +4,10 @@ import dev.lazyz.cli.input.View
 import dev.lazyz.cli.strategies.Choices
 
 /**
- * How `zcli compare` is to compare.
+ * The options of `zcli compare`.
  *
- * @property strategies ids; all if there are none
- * @property views the sides to look from, one after the other; as the subject has it if there are none
+ * @property strategies ids; if empty, all strategies
+ * @property views the sides to look from, one after the other; if empty, the camera of the subject
  */
 internal class CompareRequest(
     val strategies: List<String>,

@@ -9,27 +9,27 @@ import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.OutputClosed
 import dev.lazyz.cli.output.Streams
 
-/** What came of one input, from the best to the worst. */
+/** The outcome for one input, from best to worst. */
 internal enum class Verdict(val word: String) {
-    /** All strategies that could render it gave the same pictures. */
+    /** All strategies that can render it gave the same pictures. */
     OK("ok"),
 
-    /** It could not be read, or not be compared. */
+    /** It could not be read or compared. */
     ERROR("error"),
 
-    /** A strategy threw, or did not hand out all rows. */
+    /** A strategy threw an exception, or did not deliver all rows. */
     FAILED("failed"),
 
-    /** A strategy gave another picture than the first. */
+    /** A picture differs from that of the first strategy. */
     DIFFERS("differs"),
 }
 
 /**
- * One run of `zcli compare` over several inputs or views: a line for each input as soon as it is done, then a summary;
- * or JSON lines. One input is in memory at a time, and one that is no good does not stop the others.
+ * One run of `zcli compare` over several inputs or views. Prints a line for each input as soon as it is done, then a
+ * summary; or JSON lines. Only one input is in memory at a time. An input that fails does not stop the run.
  *
- * @param subject what to show of the input of that name
- * @param args the words of the command line, for the report of a bug
+ * @param subject returns what to show of the input with the given name
+ * @param args the words of the command line, for bug reports
  */
 internal class CompareSeveralJob(
     private val request: CompareRequest,
@@ -43,14 +43,14 @@ internal class CompareSeveralJob(
     private var blank = 0
     private var isBuggy = false
 
-    /** Compares on all [inputs], tells it as JSON if [isJson], and returns the exit code. */
+    /** Compares pictures of all [inputs], prints the results, as JSON if [isJson], and returns the exit code. */
     fun run(inputs: Sequence<String>, isJson: Boolean): Int {
         for (input in inputs) {
             val line = compare(input, isJson)
             verdicts += line.verdict
-            if (!isJson) tell(line.toString())
+            if (!isJson) printLine(line.toString())
         }
-        tell(if (isJson) Json.of(totals()) else summary())
+        printLine(if (isJson) Json.of(totals()) else summary())
         return when {
             Verdict.DIFFERS in verdicts || Verdict.FAILED in verdicts -> ExitCode.DIFFERENT
             isBuggy -> ExitCode.BUG
@@ -70,17 +70,17 @@ internal class CompareSeveralJob(
                 if (comparison.isBlank) blank++
                 line.add(comparison)
                 comparison.bugs.forEach { report(it) }
-                if (isJson) tell(Json.of(comparison.entries))
+                if (isJson) printLine(Json.of(comparison.entries))
             }
         } catch (closed: OutputClosed) {
             throw closed
         } catch (failure: Throwable) {
-            // Whatever is wrong with this input, the others shall have their turn
+            // Continue with the other inputs
             val mistake = Failure.mistake(failure)
             if (mistake == null) report(failure)
             val message = mistake ?: "bug in zcli, $failure"
             line.add(message)
-            if (isJson) tell(Json.of(mapOf("input" to input, "message" to message)))
+            if (isJson) printLine(Json.of(mapOf("input" to input, "message" to message)))
         }
         return line
     }
@@ -90,8 +90,8 @@ internal class CompareSeveralJob(
         streams.note(Failure.bugReport(bug, args.toTypedArray()) + "\n")
     }
 
-    /** Prints a line that a reader sees at once. */
-    private fun tell(line: String) {
+    /** Prints a line and flushes, so that it appears at once. */
+    private fun printLine(line: String) {
         streams.print(line + "\n")
         streams.output.flush()
     }
@@ -112,7 +112,7 @@ internal class CompareSeveralJob(
             mapOf("pictures" to pictures, "blank" to blank)
 }
 
-/** What is told of one [input] in one line. */
+/** The line that is printed for one [input]. */
 private class CompareLine(private val input: String) {
     var verdict = Verdict.OK
         private set
@@ -141,7 +141,7 @@ private class CompareLine(private val input: String) {
     /** Adds why the input could not be compared. */
     fun add(mistake: String) = worsen(Verdict.ERROR, mistake)
 
-    /** The first of the worst things is told. */
+    /** Keeps the first message of the worst verdict. */
     private fun worsen(other: Verdict, why: String) {
         if (other <= verdict) return
         verdict = other
@@ -149,7 +149,7 @@ private class CompareLine(private val input: String) {
     }
 
     override fun toString(): String {
-        // Messages about files begin with the file's name
+        // Messages about files already begin with the name of the file
         val lead = verdict.word.padEnd(Verdict.entries.maxOf { it.word.length } + 2)
         if (verdict != Verdict.OK) return lead + if (message.startsWith(input)) message else "$input: $message"
         return buildString {

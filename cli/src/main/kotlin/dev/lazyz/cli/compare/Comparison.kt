@@ -9,31 +9,31 @@ import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.Statistics
 import dev.lazyz.cli.strategies.Strategies
 
-/** What came of rendering with one strategy. */
+/** The outcome of rendering with one strategy. */
 internal sealed interface Outcome {
-    /** A whole picture, with what it took; [difference] is from the reference, null if there is none. */
+    /** A complete picture. [difference] is the difference from the reference, or null if they are equal. */
     class Rendered(val counters: Counters, val nanoseconds: Long, val difference: Difference?) : Outcome
 
-    /** The strategy threw [failure], or did not hand out the rows that it ought to. */
+    /** The strategy threw [failure], or did not deliver the expected rows. */
     class Failed(val failure: Throwable) : Outcome {
-        /** What went wrong, in words. */
+        /** Describes the failure for the user. */
         val message: String
             get() = Failure.mistake(failure)
                 ?: listOfNotNull(failure.javaClass.simpleName, failure.message).joinToString(": ")
     }
 
-    /** The scene is translucent, and the strategy is not for such. */
+    /** The scene is translucent, and the strategy does not blend. */
     object NotBlending : Outcome
 }
 
-/** The picture that the others are held against, and whose it is. */
+/** The picture with which all others are compared, and the id of its strategy. */
 internal class Reference(val id: String, val image: Image)
 
 /**
- * What `zcli compare` found out about one frame: an outcome for each strategy, by id, in the order in which they ran.
- * The names of [entries] are an interface to scripts.
+ * The result of `zcli compare` for one frame: an outcome for each strategy id, in the order in which the strategies
+ * ran. Scripts depend on the names of [entries].
  *
- * @property view one of several that were asked for, or null
+ * @property view one of the requested sides, or null if there were none
  */
 internal class Comparison(
     private val input: String,
@@ -44,18 +44,21 @@ internal class Comparison(
     val reference: Reference?,
     val outcomes: List<Pair<String, Outcome>>,
 ) {
-    /** Whether no strategy failed, and none gave another picture. */
+    /** Whether no strategy failed, and all pictures are equal. */
     val isGood: Boolean = outcomes.none { (_, outcome) ->
         outcome is Outcome.Failed || (outcome is Outcome.Rendered && outcome.difference != null)
     }
 
-    /** What strategies of ours threw: our bugs, unless all that lacked was memory. */
+    /**
+     * Exceptions that built-in strategies threw. They are bugs in Lazy Z, except those for which [Failure] has a
+     * message.
+     */
     val bugs: List<Throwable>
         get() = outcomes.filter { (id, _) -> Strategies.isBuiltIn(id) }
             .mapNotNull { (_, outcome) -> (outcome as? Outcome.Failed)?.failure }
             .filter { Failure.mistake(it) == null }
 
-    /** All of it, for [Json]. */
+    /** The whole result, for [Json]. */
     val entries: Map<String, Any?>
         get() = mapOf(
             "input" to input,
@@ -70,15 +73,15 @@ internal class Comparison(
             "strategies" to outcomes.map { (id, outcome) -> mapOf("strategy" to id) + entries(id, outcome) },
         )
 
-    /** Whether all that was rendered is background. */
+    /** Whether the picture shows only the background. */
     val isBlank: Boolean get() = reference?.image?.visible == 0
 
-    /** Says by how much the strategy called [id] differs. */
+    /** Returns a sentence that describes the [difference] of the strategy [id]. */
     fun sentence(id: String, difference: Difference): String =
         "$id differs from ${reference?.id} at %,d of %,d pixels, ".format(null, difference.pixels, frame.region.size) +
             "first at column ${difference.x}, row ${difference.y}"
 
-    /** What [outcome] took, as the statistics of a rendering have it. */
+    /** Returns counters and time of [outcome], under the names of the statistics of `zcli render`. */
     fun statistics(outcome: Outcome.Rendered): Map<String, Any> =
         Statistics.counted(outcome.counters, frame.region) + ("millis" to Statistics.millis(outcome.nanoseconds))
 

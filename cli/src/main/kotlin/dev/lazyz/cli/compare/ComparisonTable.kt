@@ -6,7 +6,7 @@ import com.github.ajalt.mordant.table.SectionBuilder
 import dev.lazyz.cli.output.PlainTable
 import dev.lazyz.cli.output.StatisticsTable
 
-/** Lays a [Comparison] out for people: a row each strategy, and below what differs. */
+/** Formats a [Comparison] as a table with a row for each strategy, followed by the differences. */
 internal object ComparisonTable {
     private val numbers = mapOf(
         "shadingCalls" to "shading calls",
@@ -29,15 +29,15 @@ internal object ComparisonTable {
                 when (outcome) {
                     is Outcome.Rendered ->
                         rowFrom(listOf(id, verdict(id, outcome, comparison)) + values(outcome, comparison))
-                    is Outcome.Failed -> told(id, "failed: ${outcome.message}")
-                    is Outcome.NotBlending -> told(id, "does not blend")
+                    is Outcome.Failed -> textRow(id, "failed: ${outcome.message}")
+                    is Outcome.NotBlending -> textRow(id, "does not blend")
                 }
             }
         }
     }
 
-    /** A row without numbers: words across all their columns. */
-    private fun SectionBuilder.told(id: String, words: String) = row {
+    /** Adds a row without numbers. Its text spans the columns of the numbers. */
+    private fun SectionBuilder.textRow(id: String, words: String) = row {
         cell(id)
         cell(words) {
             columnSpan = 1 + numbers.size

@@ -18,7 +18,7 @@ internal class Pixel(private val argb: Int, private val depth: Int, private val 
 }
 
 /**
- * By how much a picture is not the one it ought to be.
+ * The difference between a picture and the expected one.
  *
  * @property pixels number of pixels that differ in colour, depth or primitive
  * @property x column of the first of them, from the top, on the whole raster
@@ -33,13 +33,13 @@ internal class Difference(val pixels: Long, val x: Int, val y: Int, val expected
         )
 }
 
-/** Holds rows against those of a [reference] as they come, so that no second picture is kept. */
+/** Compares each row with that of a [reference] when it arrives, so that no second picture is kept in memory. */
 internal class RowComparison(private val reference: Image) : RowSink {
     private val region = reference.region
     private var pixels = 0L
     private var first: Difference? = null
 
-    /** What differs in the rows so far, or null. */
+    /** The difference in the rows so far, or null if there is none. */
     val difference: Difference? get() = first?.let { Difference(pixels, it.x, it.y, it.expected, it.actual) }
 
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
@@ -57,20 +57,20 @@ internal class RowComparison(private val reference: Image) : RowSink {
     }
 }
 
-/** Watches that each row of [region] comes once, from the top; contract rule 7.3. */
+/** Checks that each row of [region] arrives exactly once, from top to bottom (contract rule 7.3). */
 internal class CompleteRows(private val region: Region, private val sink: RowSink) : RowSink {
     private var next = region.rowStart
 
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         check(y == next && y < region.rowEnd) {
-            if (next < region.rowEnd) "row $y came instead of row $next" else "row $y came after the last row"
+            if (next < region.rowEnd) "row $y arrived instead of row $next" else "row $y arrived after the last row"
         }
         next++
         sink.row(y, argb, depth, primitive)
     }
 
-    /** Call it after the last row. */
+    /** Checks that all rows have arrived. Call it after the rendering. */
     fun requireComplete() {
-        check(next == region.rowEnd) { "${next - region.rowStart} of ${region.height} rows came" }
+        check(next == region.rowEnd) { "${next - region.rowStart} of ${region.height} rows arrived" }
     }
 }

@@ -15,26 +15,26 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 /**
- * What two processes of `zcli conformance` tell each other: the one that the user started, and the one that runs the
- * strategy, which may end at any moment.
+ * Files through which two processes of `zcli conformance` communicate: the parent process, which the user started, and
+ * the child process, which runs the strategy and may end at any moment.
  */
 internal class ConformanceProcess private constructor(private val folder: Path) {
     private val output = folder.resolve("output")
     private val done = folder.resolve("done")
 
-    /** Where the run says how far it has come. */
+    /** The file to which the child process writes its progress. */
     val journal: Path = folder.resolve("journal")
 
-    /** Calls [block] in the process that runs the strategy, and leaves the exit code that it returns for the other. */
+    /** Calls [block] in the child process, and writes the exit code that it returns to a file for the parent. */
     fun answer(block: (Path) -> Int): Int {
         val code = try {
             block(output)
         } catch (exhausted: VirtualMachineError) {
-            // The strategy has taken all there is: a crash, like any other end of the process
+            // The strategy has exhausted memory or stack. Treat this like any other crash of the process
             throw exhausted
-        } catch (told: Throwable) {
+        } catch (failure: Throwable) {
             done.createFile()
-            throw told
+            throw failure
         }
         done.writeText("$code")
         return code
@@ -43,13 +43,13 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
     private fun command(args: List<String>, seed: Long): List<String> {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
         val options = ManagementFactory.getRuntimeMXBean().inputArguments.filter { option ->
-            UNWELCOME.none { option.startsWith(it) }
+            NOT_INHERITED.none { option.startsWith(it) }
         }
         val own = listOf("-D$FOLDER=$folder", "-D$SEED=$seed")
         return listOf(java) + options + own + listOf("-cp", System.getProperty("java.class.path"), MAIN) + args
     }
 
-    /** What came of it: [report] is what to print, or null if the process told of a mistake in [messages]. */
+    /** The result of the child: [report] is the text to print, or null if [messages] contain an error. */
     class Answer(val code: Int, val report: String?, val messages: String)
 
     companion object {
@@ -58,18 +58,19 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
         private const val MAIN = "dev.lazyz.cli.MainKt"
         private const val INCUBATOR = "WARNING: Using incubator modules"
 
-        /** Options of Java that two processes cannot have at once. */
-        private val UNWELCOME = listOf("-agentlib:jdwp", "-XX:ArchiveClassesAtExit", "-Xlog:", "-D$FOLDER", "-D$SEED")
+        /** JVM options that the child process must not inherit. */
+        private val NOT_INHERITED =
+            listOf("-agentlib:jdwp", "-XX:ArchiveClassesAtExit", "-Xlog:", "-D$FOLDER", "-D$SEED")
 
-        /** That of the process which runs the strategy; null in the one that the user started. */
+        /** Returns the object for this process if it is a child process; null in the parent. */
         fun current(): ConformanceProcess? = System.getProperty(FOLDER)?.let { ConformanceProcess(Path.of(it)) }
 
-        /** A random seed that all processes of a run share; null in the one that the user started. */
+        /** Returns the random seed that all child processes of a run share; null in the parent. */
         fun seed(): Long? = System.getProperty(SEED)?.toLongOrNull()
 
         /**
-         * Runs zcli with [args] in a process of its own, and again where a strategy has ended it; tells [listener] of
-         * each rule.
+         * Runs zcli with [args] in a child process, and starts it again if the strategy ends it. Reports the outcome of
+         * each rule to [listener].
          *
          * @throws EndedEarlyException if the process ends before the strategy is tried
          */
@@ -83,7 +84,7 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
                 val report = if (process.output.exists()) process.output.readText() else null
                 val messages = outcome.printed.lines().filterNot { it.startsWith(INCUBATOR) }.joinToString("\n")
 
-                // A strategy may change the exit code, but not what has been found
+                // A strategy can change the exit code of the process, but not the one in the file
                 val code = process.done.readText().toIntOrNull() ?: outcome.code.takeIf { it != 0 } ?: ExitCode.BUG
                 return Answer(code, report, messages)
             } finally {

@@ -7,9 +7,9 @@ import dev.lazyz.conformance.report.ConformanceReport
 import dev.lazyz.conformance.results.RuleListener
 import java.util.Locale
 
-/** What `zcli conformance` says of a report: that it compares with [recorded], if there is one. */
+/** The text and exit code of `zcli conformance` for a report, compared with [recorded] unless that is null. */
 internal class ConformanceWords(private val recorded: RecordedReport?, private val isJson: Boolean) {
-    /** What to print. */
+    /** Returns the text to print. */
     fun text(report: ConformanceReport): String =
         if (isJson) report.toJson() else recorded?.let { comparison(it, report) } ?: report.toText()
 
@@ -17,11 +17,11 @@ internal class ConformanceWords(private val recorded: RecordedReport?, private v
         val differences = recorded.differences(report)
         val rules = "${report.results.size} rules"
         if (differences.isEmpty()) return "verified: ${report.strategy.id}, $rules, the same outcomes\n"
-        return "NOT verified: ${report.strategy.id}, ${differences.size} of $rules have another outcome\n" +
+        return "NOT verified: ${report.strategy.id}, ${differences.size} of $rules have a different outcome\n" +
             differences.joinToString("") { "  $it\n" }
     }
 
-    /** The exit code. */
+    /** Returns the exit code. */
     fun code(report: ConformanceReport): Int {
         val isGood = recorded?.let { it.differences(report).isEmpty() } ?: report.isConformant
         return if (isGood) ExitCode.DONE else ExitCode.DIFFERENT
@@ -30,11 +30,11 @@ internal class ConformanceWords(private val recorded: RecordedReport?, private v
     companion object {
         private const val MILLISECONDS = 1000.0
 
-        /** Columns of an outcome's words. */
+        /** Width of the column of outcomes. */
         private const val OUTCOME = 13
 
-        /** Says on standard error what came of each rule as soon as it is known. */
-        fun told(streams: Streams): RuleListener = RuleListener { rule, outcome, milliseconds ->
+        /** Returns a listener that prints the outcome of each rule to standard error as soon as it is known. */
+        fun progressListener(streams: Streams): RuleListener = RuleListener { rule, outcome, milliseconds ->
             val words = "$outcome".lowercase().replace('_', ' ').padEnd(OUTCOME)
             streams.note("%s  %s  %.1f s\n".format(Locale.ROOT, words, rule, milliseconds / MILLISECONDS))
         }

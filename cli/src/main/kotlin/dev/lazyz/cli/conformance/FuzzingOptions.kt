@@ -11,30 +11,30 @@ import dev.lazyz.conformance.fuzz.DifferentialReport
 import java.nio.file.Path
 import java.time.Duration
 
-/** Two strategies against each other, in place of one against the rules. */
+/** Options that compare two strategies with each other, instead of testing one against the rules. */
 internal class FuzzingOptions :
     OptionGroup(
         "Two strategies",
-        "Compares pictures of two strategies on random frames of any size, in place of the rules.",
+        "Compares pictures of two strategies on random frames of any size, instead of running rules.",
     ) {
     private val against by option(
         "--against",
         metavar = "ID",
-        help = "The strategy that is believed to be right",
+        help = "The reference strategy",
     )
 
-    private val minutes by option("--minutes", help = "How long, 0.01..10000; default: 1")
+    private val minutes by option("--minutes", help = "How many minutes to run, 0.01..10000; default: 1")
         .number("N", LEAST_MINUTES..MOST_MINUTES, "")
 
     private val corpus by option(
         "--corpus",
-        help = "Keep frames there that are unlike those before, and frames that differ; begin with what is there",
+        help = "Save frames with new features, and frames that differ, in this folder; begin with the frames in it",
     ).convert("FOLDER") { Path.of(it) }
 
     /** Whether two strategies are to be compared. */
     val isAsked: Boolean get() = against != null
 
-    /** Compares [strategy] with the other one, which [find] finds by its id. */
+    /** Compares [strategy] with the reference, which [find] returns for its id. */
     fun run(strategy: Renderer, seed: Long?, find: (String) -> Renderer): DifferentialReport {
         val fuzzing = DifferentialFuzzing(find(checkNotNull(against)), strategy)
         fuzzing.time(Duration.ofMillis(((minutes ?: 1.0) * MILLISECONDS).toLong()))
@@ -43,11 +43,11 @@ internal class FuzzingOptions :
         return fuzzing.run()
     }
 
-    /** Complains about options that say nothing without `--against`. */
+    /** Throws [Mistake] if an option was given that needs `--against`, and `--against` was not. */
     fun check() {
         if (against != null) return
-        if (minutes != null) throw Mistake("--minutes goes with --against")
-        if (corpus != null) throw Mistake("--corpus goes with --against")
+        if (minutes != null) throw Mistake("--minutes needs --against")
+        if (corpus != null) throw Mistake("--corpus needs --against")
     }
 
     private companion object {

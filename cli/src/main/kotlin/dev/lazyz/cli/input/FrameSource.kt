@@ -12,11 +12,11 @@ import dev.lazyz.world.Material
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Shading
 
-/** The one way from the command line to a frame: reads what [subject] names, and sets it up as the user wants it. */
+/** Reads the input that [subject] names, and creates the frame that the options describe. */
 internal class FrameSource(private val subject: Subject, private val streams: Streams) {
     val input = Input(subject.input, subject.format, subject.loading)
 
-    /** Reads the input, and tells its warnings. */
+    /** Reads the input, and prints its warnings. */
     fun load(): LoadedScene {
         val loaded = read()
         val warnings = loaded.warnings
@@ -26,21 +26,21 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         return loaded
     }
 
-    /** Reads the input without a word about its warnings. */
+    /** Reads the input without printing its warnings. */
     fun read(): LoadedScene {
         streams.progress("reading ${input.name} ...")
         return input.load(streams)
     }
 
-    /** Sets [loaded] up, seen from [view] if there is one, or else as the user wants it. */
+    /** Returns the frame of [loaded], seen from [view] or, if that is null, from the side that the options choose. */
     fun frame(loaded: LoadedScene, view: View? = null): Frame {
-        // Turn, light and look at it as asked
+        // Apply the options of axis, camera and shading
         val upright = if (subject.up == Up.Z) UpAxis.fromZ(loaded.scene) else loaded.scene
         val pointOfView = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
         val seen = subject.sizes.applyTo(pointOfView.applyTo(upright))
         val scene = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
 
-        // The camera frames the whole raster, the picture is a part of it
+        // The camera is fitted to the whole raster. The picture may be a part of it
         val raster = raster(scene, loaded)
         val region = region(raster)
         streams.progress("setting up ${raster.width}x${raster.height} ...")
@@ -48,7 +48,7 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         return if (subject.translucency == Translucency.OPAQUE) frame.asOpaque() else frame
     }
 
-    /** Shading by name replaces a material's own shader too, or it would change nothing. */
+    /** Replaces the shading of [material]. Removes its custom shader, too, which would take precedence. */
     private fun shaded(material: Material, shading: Shading): Material = Material(
         material.baseColor,
         material.texture,

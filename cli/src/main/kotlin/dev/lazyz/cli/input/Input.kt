@@ -11,10 +11,10 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * What INPUT stands for: a built-in scene, a file, or standard input.
+ * The input that INPUT names: a built-in scene, a file, or standard input.
  *
- * A word that is a built-in's name is the built-in, whatever files there are; `./teapot`, or `--format`, makes it a
- * file's name.
+ * The name of a built-in scene means that scene, even if there is a file of that name. With `./teapot`, or with
+ * `--format`, the word means the file.
  */
 internal class Input(
     private val word: String,
@@ -26,10 +26,10 @@ internal class Input(
 
     val isBuiltin: Boolean get() = builtin != null
 
-    /** What to call the input. */
+    /** The name of the input in messages. */
     val name: String get() = if (isStandardInput) "standard input" else word
 
-    /** The input's name without folder and ending, or null if it has none. */
+    /** The name of the input without folder and extension, or null if it has none. */
     val baseName: String?
         get() = when {
             isStandardInput -> null
@@ -37,10 +37,10 @@ internal class Input(
             else -> Path.of(word).fileName?.toString()?.substringBeforeLast('.')?.ifEmpty { null }
         }
 
-    /** Reads the scene. Finds all mistakes in the name before it reads anything. */
+    /** Reads the scene. Reports mistakes in the name before it reads anything. */
     fun load(streams: Streams): LoadedScene {
         if (isStandardInput) {
-            val known = format ?: throw Mistake("say what standard input is with --format $FORMATS")
+            val known = format ?: throw Mistake("specify the format of standard input with --format $FORMATS")
             return Scenes.load(streams.input, known, name, null, options)
         }
         if (builtin != null) return LoadedScene(builtin.scene(), emptyList(), builtin.size)
@@ -48,10 +48,10 @@ internal class Input(
         requireFile(path)
         if (format != null) return Scenes.load(path, format, options)
 
-        // What has no ending is told by its first bytes; an ending that says nothing is a mistake
+        // Without an extension, the first bytes determine the format. An unknown extension is a mistake
         val ending = path.fileName.toString().substringAfterLast('.', "")
         if (ending.isEmpty() || SceneFormat.ofFileName(word) != null) return Scenes.load(path, options)
-        throw Mistake("cannot tell from '.$ending' what $word is; say it with --format $FORMATS")
+        throw Mistake("'.$ending' of $word is not a known extension; specify the format with --format $FORMATS")
     }
 
     private fun requireFile(path: Path) {

@@ -6,9 +6,9 @@ import dev.lazyz.world.Scene
 import dev.lazyz.world.Surface
 
 /**
- * Sizes that the user wants instead of the input's.
+ * Sizes from the command line that replace those of the input.
  *
- * @property point of points, pixels; null leaves them as they are
+ * @property point size of points, pixels; null keeps the sizes of the input
  * @property line width of lines, likewise
  */
 internal class PixelSizes(private val point: Double?, private val line: Double?) {

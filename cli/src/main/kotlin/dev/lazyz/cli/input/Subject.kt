@@ -11,10 +11,10 @@ import dev.lazyz.world.Shading
 /** Which axis of the input points up. */
 internal enum class Up { Y, Z }
 
-/** What to do with translucent materials. */
+/** How to render translucent materials. */
 internal enum class Translucency { BLENDED, OPAQUE }
 
-/** What a picture is to show, as the user said it; null means: not said. */
+/** The options that determine what a picture shows; null if the user did not give the option. */
 internal class Subject(
     val input: String,
     val format: SceneFormat?,

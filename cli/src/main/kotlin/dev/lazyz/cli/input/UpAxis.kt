@@ -16,9 +16,10 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * Turns a scene whose z axis is up so that y is: (x, y, z) becomes (x, z, -y).
+ * Rotates a scene whose z axis points up, so that y points up: (x, y, z) becomes (x, z, -y).
  *
- * No number is computed, so no bit is lost. Lights and a camera of the scene's own turn along.
+ * Coordinates are only exchanged and negated, so nothing is rounded. The lights and camera of the scene are rotated,
+ * too.
  */
 internal object UpAxis {
     fun fromZ(scene: Scene): Scene {

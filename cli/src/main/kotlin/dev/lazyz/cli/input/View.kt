@@ -7,7 +7,7 @@ import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Viewpoint
 
-/** The sides to look from that have a name; angles in degrees, as [Camera.fit] takes them. */
+/** The named sides to look from. Angles are in degrees, as for [Camera.fit]. */
 internal enum class View(val azimuth: Double, val elevation: Double) {
     FRONT(0.0, 0.0),
     BACK(180.0, 0.0),
@@ -16,11 +16,13 @@ internal enum class View(val azimuth: Double, val elevation: Double) {
     TOP(0.0, 90.0),
     BOTTOM(0.0, -90.0),
 
-    /** All three axes are equally long in the picture: the elevation's tangent is the square root of one half. */
+    /**
+     * All three axes have the same length in the picture: the tangent of the elevation is the square root of one half.
+     */
     ISO(45.0, 35.264389682754654),
 }
 
-/** Where the user wants to look from; null means as the scene has it. */
+/** The camera options of the user; null means the value of the scene. */
 internal class PointOfView(
     private val view: View?,
     private val azimuth: Double?,
@@ -28,14 +30,14 @@ internal class PointOfView(
     private val zoom: Double?,
     private val projection: Fit?,
 ) {
-    /** Whether the user said from which side, and not only from how far, or how. */
+    /** Whether the user chose a side, not only zoom or projection. */
     val isDirected: Boolean get() = listOfNotNull(view, azimuth, elevation).isNotEmpty()
 
     private val isGiven: Boolean get() = listOfNotNull(view, azimuth, elevation, zoom, projection).isNotEmpty()
 
     /**
-     * Returns [scene] seen as the user wants it. Whatever is chosen, the camera then frames the whole scene; what is
-     * not chosen stays as the scene's own camera has it, as far as a framing camera can.
+     * Returns [scene] with the camera that the user chose. If any option was given, the camera is fitted to the whole
+     * scene. Values that were not given are those of the scene's own camera, as far as a fitted camera has them.
      */
     fun applyTo(scene: Scene): Scene {
         if (!isGiven) return scene
@@ -50,15 +52,15 @@ internal class PointOfView(
         )
     }
 
-    /** Returns the same, seen from the side [other]. */
+    /** Returns these options with the side [other]. */
     fun from(other: View): PointOfView = PointOfView(other, null, null, zoom, projection)
 
-    /** The framing camera that looks the way [viewpoint] does. */
+    /** Returns a fitted camera with the direction and projection of [viewpoint]. */
     private fun framing(viewpoint: Viewpoint): FittedViewpoint {
         if (viewpoint is FittedViewpoint) return viewpoint
         if (viewpoint !is Camera) return Camera.fit()
 
-        // The third row of the view matrix points from what is seen to the eye
+        // The third row of the view matrix points from the scene to the eye
         val view = viewpoint.viewMatrix()
         return Camera.fit(
             StrictMath.toDegrees(StrictMath.atan2(view.m02(), view.m22())),

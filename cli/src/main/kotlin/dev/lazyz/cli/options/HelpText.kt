@@ -4,7 +4,7 @@ import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.output.HelpFormatter
 import com.github.ajalt.clikt.output.HelpFormatter.ParameterHelp
 
-/** Lays out `--help` for a terminal of 80 columns: what it does, arguments, options by group, examples. */
+/** Formats `--help` for a terminal of 80 columns: description, arguments, options by group, examples. */
 internal object HelpText : HelpFormatter {
     private const val WIDTH = 80
     private const val COLUMN = 28
@@ -31,7 +31,7 @@ internal object HelpText : HelpFormatter {
         section("", arguments.map { it.name to it.help })
         section("Commands:", commands.map { it.name to it.help })
 
-        // Options of groups in the order of the groups; those of none come first, or last if there is but --help
+        // Print options by group. Options without a group come first, or last if the only one is --help
         val groups = parameters.filterIsInstance<ParameterHelp.Option>().groupBy { it.groupName }
         val plain = groups[null].orEmpty()
         val named = groups - null
@@ -41,7 +41,7 @@ internal object HelpText : HelpFormatter {
         if (epilog.isNotEmpty()) append("\n").append(epilog)
     }
 
-    /** Returns a section of command lines, each with what it is for. */
+    /** Returns a section of command lines, each below its purpose. */
     fun examples(vararg lines: Pair<String, String>): String =
         lines.joinToString("\n", prefix = "Examples:\n") { (command, purpose) -> "  # $purpose\n  $command" }
 
@@ -52,7 +52,7 @@ internal object HelpText : HelpFormatter {
         for ((term, text) in rows) {
             val lead = "  $term"
             val body = wrap(text, COLUMN)
-            // A long term has a line of its own
+            // A long term has a separate line
             if (lead.length + 2 > COLUMN) appendLine(lead) else append(lead.padEnd(COLUMN))
             appendLine(if (lead.length + 2 > COLUMN) body else body.trimStart())
         }
@@ -64,7 +64,7 @@ internal object HelpText : HelpFormatter {
         return if (option.nvalues.first == 0) "$names[=$metavar]" else "$names $metavar"
     }
 
-    /** Returns [text] in lines that all begin with [indent] spaces. */
+    /** Wraps [text], and indents all lines by [indent] spaces. */
     private fun wrap(text: String, indent: Int): String = buildString {
         val margin = " ".repeat(indent)
         for (paragraph in text.split("\n")) {

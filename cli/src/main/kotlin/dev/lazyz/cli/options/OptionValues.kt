@@ -12,7 +12,7 @@ import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Nearest
 import dev.lazyz.scenes.ImageSize
 
-/** Takes `640x480`. */
+/** An option whose value is a size: `640x480`. */
 internal fun RawOption.size(): NullableOption<ImageSize, ImageSize> = convert("WxH") { text ->
     val (width, height) = Regex("""(-?\d+)[xX×](-?\d+)""").matchEntire(text)?.destructured
         ?: fail("'$text' is not WIDTHxHEIGHT, such as 640x480")
@@ -23,7 +23,7 @@ internal fun RawOption.size(): NullableOption<ImageSize, ImageSize> = convert("W
     ImageSize(sides[0], sides[1])
 }
 
-/** Takes `100,50,320x240`: column and row of the upper left pixel, width and height. */
+/** An option whose value is a region: `100,50,320x240`, column and row of the upper left pixel, width and height. */
 internal fun RawOption.region(): NullableOption<Region, Region> = convert("X,Y,WxH") { text ->
     val form = Regex("""(-?\d+),(-?\d+),(-?\d+)[xX×](-?\d+)""")
     val words = form.matchEntire(text)?.groupValues?.drop(1)
@@ -34,7 +34,7 @@ internal fun RawOption.region(): NullableOption<Region, Region> = convert("X,Y,W
     Region(x, y, x + width, y + height)
 }
 
-/** Takes the name of a selector, or `kth:K`. */
+/** An option whose value is the name of a selector, or `kth:K`. */
 internal fun RawOption.selector(): NullableOption<Selector, Selector> = convert("SELECTOR") { text ->
     val selectors = mapOf(
         "nearest" to Selector.nearest(),
@@ -56,36 +56,36 @@ internal fun RawOption.selector(): NullableOption<Selector, Selector> = convert(
     }
 }
 
-/** Takes an amount of memory: `65536`, `64k`, `16MiB`. */
+/** An option whose value is an amount of memory: `65536`, `64k`, `16MiB`. */
 internal fun RawOption.bytes(): NullableOption<Long, Long> = convert("SIZE") { text ->
     Bytes.parse(text) ?: fail("'$text' is not an amount of memory, such as 65536, 64k or 16MiB")
 }
 
-/** Takes a whole number that goes into [RenderOptions] by way of [use], which says what is legal. */
+/** An option whose value is an integer for [RenderOptions]. [use] passes it to the constructor, which checks it. */
 internal fun RawOption.count(use: (Int) -> RenderOptions): NullableOption<Int, Int> = convert("N") { text ->
     val number = text.toIntOrNull() ?: fail("'$text' is not a whole number")
     try {
         use(number)
     } catch (illegal: IllegalArgumentException) {
-        // The message begins with the option's name in the library
+        // The message begins with the name of the property in the library
         fail(illegal.message.orEmpty().substringAfter(' '))
     }
     number
 }
 
-/** Takes a whole number in [range]. */
+/** An option whose value is an integer in [range]. */
 internal fun RawOption.count(range: IntRange): NullableOption<Int, Int> = convert("N") { text ->
     val number = text.toIntOrNull() ?: fail("'$text' is not a whole number")
     if (number !in range) fail("must be in $range: $text")
     number
 }
 
-/** Takes a whole number, 0 or more. */
+/** An option whose value is an integer, 0 or more. */
 internal fun RawOption.count(): NullableOption<Long, Long> = convert("N") { text ->
     text.toLongOrNull()?.takeIf { it >= 0 } ?: fail("'$text' is not a whole number, 0 or more")
 }
 
-/** Takes a decimal number in [range], which [unit] follows in messages. */
+/** An option whose value is a decimal number in [range]. In messages, [unit] follows the range. */
 internal fun RawOption.number(
     metavar: String,
     range: ClosedRange<Double>,
@@ -97,7 +97,10 @@ internal fun RawOption.number(
     number
 }
 
-/** Takes `#rgb`, `#rrggbb`, `#rrggbbaa`, the same without `#` (which shells take for a comment), or a name. */
+/**
+ * An option whose value is a colour: `#rgb`, `#rrggbb`, `#rrggbbaa`, the same without `#` (which begins a comment in
+ * shells), or a name.
+ */
 internal fun RawOption.color(): NullableOption<Rgba, Rgba> = convert("COLOR") { text ->
     try {
         Rgba.parse(if (text.matches(Regex("[0-9a-fA-F]{3,8}"))) "#$text" else text.lowercase())
@@ -107,15 +110,15 @@ internal fun RawOption.color(): NullableOption<Rgba, Rgba> = convert("COLOR") { 
     }
 }
 
-/** Takes one of the names of [values]. */
+/** An option whose value is one of the names of [values]. */
 internal fun <T : Any> RawOption.oneOf(metavar: String, values: Map<String, T>): NullableOption<T, T> =
     convert(metavar) { text -> named(text, values) { fail(it) } }
 
-/** Takes several of the names of [values] with commas between them; one that is said twice counts once. */
+/** An option whose value is a list of names of [values], separated by commas. Duplicates are removed. */
 internal fun <T : Any> RawOption.listOf(metavar: String, values: Map<String, T>): NullableOption<List<T>, List<T>> =
     convert(metavar) { text -> text.split(',').map { name -> named(name, values) { fail(it) } }.distinct() }
 
-/** Returns the value called [name], or what [fail] makes of a message. */
+/** Returns the value called [name], or calls [fail] with a message. */
 private fun <T : Any> named(name: String, values: Map<String, T>, fail: (String) -> Nothing): T =
     values[name.lowercase()]
         ?: fail("'$name' is not one of ${values.keys.joinToString()}${Nearest.hint(name, values.keys)}")

@@ -23,12 +23,12 @@ import dev.lazyz.world.Fit
 import dev.lazyz.world.Points
 import dev.lazyz.world.Shading
 
-/** What INPUT may be, for help. */
+/** The help text of INPUT. */
 internal const val INPUT_HELP: String =
     "A model (.obj, .stl, .ply, .off, .3mf, .gltf, .glb), a scene file (.json), the name of a built-in scene " +
         "(see 'zcli scenes'), or - for standard input"
 
-/** Returns what the options say of the picture that [input] is to give. */
+/** Returns the subject that the options describe for [input]. */
 internal fun subject(
     input: String,
     reading: ReadingOptions,
@@ -51,17 +51,17 @@ internal fun subject(
         pointOfView = camera.pointOfView(),
     )
 
-/** Where strategies come from. */
+/** The option `--classpath`. */
 internal fun ParameterHolder.classPath() = option(
     "--classpath",
     metavar = "JAR",
-    help = "Where to look for strategies besides zcli's own: a jar with an entry " +
-        "META-INF/services/dev.lazyz.Renderer, or one that it needs; say it again for each further one",
+    help = "Also load strategies from here: a jar with an entry META-INF/services/dev.lazyz.Renderer, or a jar " +
+        "that it needs; repeat the option for more",
 ).multiple()
 
-/** How to read the input. */
+/** Options for reading the input. */
 internal class ReadingOptions : OptionGroup("Reading") {
-    val format by option("--format", help = "What INPUT is: ${names(formats.keys)}; default: by its name's ending")
+    val format by option("--format", help = "Format of INPUT: ${names(formats.keys)}; default: by its extension")
         .oneOf("FORMAT", formats)
 
     val up by option("--up", help = "Which axis of the model points up: y or z; default: y")
@@ -74,7 +74,7 @@ internal class ReadingOptions : OptionGroup("Reading") {
     ).number("SECONDS", 0.0..1e6, " seconds")
 }
 
-/** What the picture is like. */
+/** Options of the picture. */
 internal class PictureOptions : OptionGroup("Picture") {
     val size by option(
         "--size",
@@ -83,8 +83,8 @@ internal class PictureOptions : OptionGroup("Picture") {
 
     val region by option(
         "--region",
-        help = "Only this part of the whole picture, the same pixels: column and row of its upper left pixel, from " +
-            "0,0; width and height",
+        help = "Render only this part of the picture, with the same pixels: column and row of its upper left pixel, " +
+            "from 0,0; width and height",
     ).region()
 
     val background by option(
@@ -92,7 +92,7 @@ internal class PictureOptions : OptionGroup("Picture") {
         help = "black, white, transparent, or hexadecimal rgb, rrggbb, rrggbbaa; default: the scene's, or white",
     ).color()
 
-    val shading by option("--shading", help = "Replace all materials' shading: ${names(shadings.keys)}")
+    val shading by option("--shading", help = "Replace the shading of all materials: ${names(shadings.keys)}")
         .oneOf("SHADING", shadings)
 
     val pointSize by option("--point-size", help = "Size of points in pixels, up to 4096; default: the input's, or 2")
@@ -101,7 +101,7 @@ internal class PictureOptions : OptionGroup("Picture") {
     val lineWidth by option("--line-width", help = "Width of lines in pixels, up to 4096; default: the input's, or 1")
         .number("PX", LEAST_SIZE..Points.MAX_SIZE.toDouble(), " pixels")
 
-    val isOpaque by option("--opaque", help = "Take translucent materials for opaque; default: they are blended")
+    val isOpaque by option("--opaque", help = "Render translucent materials as opaque; default: blended")
         .flag()
 
     val depthConvention by option(
@@ -117,8 +117,8 @@ internal class PictureOptions : OptionGroup("Picture") {
     )
 }
 
-/** Where to look from. */
-internal class CameraOptions : OptionGroup("Camera (any of these frames the whole scene)") {
+/** Options of the camera. */
+internal class CameraOptions : OptionGroup("Camera (any of these shows the whole scene)") {
     private val view by option("--view", help = "Look from ${names(View.entries.map { it.name.lowercase() })}")
         .oneOf("SIDE", View.entries.associateBy { it.name.lowercase() })
 
@@ -137,20 +137,20 @@ internal class CameraOptions : OptionGroup("Camera (any of these frames the whol
     fun pointOfView() = PointOfView(view, azimuth, elevation, zoom, projection)
 }
 
-/** What the rendering may cost. */
-internal class CostOptions : OptionGroup("Cost (not the picture; 'zcli strategies --long' tells who heeds it)") {
+/** Options that change time and memory of the rendering. */
+internal class CostOptions : OptionGroup("Cost (the picture stays the same; see 'zcli strategies --long')") {
     private val memoryBudget by option(
         "--memory-budget",
-        help = "Most working memory besides the picture: bytes, or with k, m, g (64k, 16MiB); default: no limit",
+        help = "Maximum working memory without the picture: bytes, or with k, m, g (64k, 16MiB); default: no limit",
     ).bytes()
 
     private val coherence by option(
         "--coherence",
-        help = "How late shading gets from pixel to pixel: direct (each by itself), incremental (by steps) or " +
-            "adaptive (whichever is cheaper); default: direct",
+        help = "How late shading proceeds from pixel to pixel: direct (each separately), incremental (by steps) or " +
+            "adaptive (the cheaper one); default: direct",
     ).oneOf("MODE", Coherence.entries.associateBy { it.name.lowercase() })
 
-    private val threads by option("--threads", help = "Number of threads, 1 or more; default: one a processor")
+    private val threads by option("--threads", help = "Number of threads, 1 or more; default: one per processor")
         .count { RenderOptions(threads = it) }
 
     private val tileSize by option(
@@ -161,7 +161,7 @@ internal class CostOptions : OptionGroup("Cost (not the picture; 'zcli strategie
     fun choices(selector: Selector? = null) = Choices(memoryBudget, coherence, threads, tileSize, selector)
 }
 
-/** What is below a pixel counts as one. */
+/** Smallest accepted size. Sizes below a pixel are rendered as one pixel. */
 private const val LEAST_SIZE = 0.001
 
 private val formats = SceneFormat.entries.associateBy { it.id }

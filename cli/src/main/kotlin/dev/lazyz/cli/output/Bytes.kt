@@ -1,11 +1,11 @@
 package dev.lazyz.cli.output
 
-/** Amounts of memory, for people. */
+/** Formats and parses amounts of memory. */
 internal object Bytes {
     private val units = listOf("bytes", "KiB", "MiB", "GiB", "TiB")
     private val form = Regex("""(\d+) ?(?:([kmgt])(?:ib?)?|b|bytes)?""", RegexOption.IGNORE_CASE)
 
-    /** Returns [bytes] in the largest unit that leaves at least 1, with one decimal: `5.9 GiB`. */
+    /** Returns [bytes] in the largest unit in which the amount is at least 1, with one decimal: `5.9 GiB`. */
     fun readable(bytes: Long): String {
         var unit = 0
         var tenths = bytes * 10
@@ -17,9 +17,9 @@ internal object Bytes {
     }
 
     /**
-     * Returns how many bytes [text] means, or null if it is no amount: a whole number, alone or with k, m, g or t, or
-     * with KiB, MiB and so on, in steps of 1024. What is beyond all memory is [Long.MAX_VALUE]. `kB` is no unit here:
-     * some mean 1000 by it.
+     * Returns the number of bytes that [text] means, or null if it is not an amount: an integer, alone or with k, m, g
+     * or t, or with KiB, MiB and so on, in steps of 1024. Amounts above [Long.MAX_VALUE] become [Long.MAX_VALUE]. `kB`
+     * is not accepted, because it may also mean 1000 bytes.
      */
     fun parse(text: String): Long? {
         val (digits, unit) = form.matchEntire(text)?.destructured ?: return null

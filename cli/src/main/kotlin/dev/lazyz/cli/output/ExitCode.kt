@@ -1,15 +1,15 @@
 package dev.lazyz.cli.output
 
-/** What zcli returns to the shell. */
+/** The exit codes of zcli. */
 internal object ExitCode {
     const val DONE = 0
 
-    /** The strategies' pictures differ, a strategy failed, or it does not conform. */
+    /** The pictures of strategies differ, a strategy failed, or a strategy does not conform. */
     const val DIFFERENT = 1
 
-    /** The user's mistake, or a file that is no good. */
+    /** A mistake of the user, or a bad file. */
     const val MISTAKE = 2
 
-    /** A bug of ours: `EX_SOFTWARE` of sysexits.h. */
+    /** A bug in zcli: `EX_SOFTWARE` of sysexits.h. */
     const val BUG = 70
 }

@@ -12,14 +12,14 @@ import java.nio.file.InvalidPathException
 import java.nio.file.NoSuchFileException
 import java.util.ServiceConfigurationError
 
-/** The user's mistake, or a file that is no good; the message is all that the user sees. */
+/** A mistake of the user, or a bad file. The user sees only the message. */
 internal class Mistake(message: String) : RuntimeException(message)
 
-/** Turns what went wrong into text. */
+/** Converts exceptions to messages. */
 internal object Failure {
     private const val ISSUES = "https://github.com/lazyz/lazyz/issues"
 
-    /** Returns what to tell the user if [failure] is not our bug, or null if it is. */
+    /** Returns the message for the user, or null if [failure] is a bug in zcli. */
     fun mistake(failure: Throwable): String? = when (failure) {
         is Mistake, is SceneFormatException -> failure.message?.let { printable(it) }
         is FileSystemException -> describe(failure)
@@ -30,7 +30,7 @@ internal object Failure {
         else -> null
     }
 
-    /** Clikt's message, and where to read more. A misspelt option hides the faults that follow from it. */
+    /** Returns Clikt's message and a hint to --help. If an option is misspelt, omits the errors that follow from it. */
     fun usage(error: UsageError): String {
         val all = if (error is MultiUsageError) error.errors else listOf(error)
         val errors = all.filter { it is NoSuchOption }.ifEmpty { all }
@@ -48,10 +48,10 @@ internal object Failure {
         "out of memory (${error.message}); Java may use ${Bytes.readable(Runtime.getRuntime().maxMemory())}: " +
             "give it more with 'java -Xmx...g -jar zcli.jar ...', or render a smaller --size"
 
-    /** What a person needs to send us, and nothing they would have to look up. */
+    /** Returns a bug report with everything that the user needs to send. */
     fun bugReport(failure: Throwable, args: Array<String>): String = buildString {
-        appendLine("zcli: this is a bug in zcli, not in what you did.")
-        appendLine("Please report it at $ISSUES with the text below and, if you may, the input file.")
+        appendLine("zcli: this is a bug in zcli.")
+        appendLine("Please report it at $ISSUES with the text below and, if possible, the input file.")
         appendLine()
         appendLine("zcli ${Version.text}")
         appendLine("Java ${System.getProperty("java.version")}, ${System.getProperty("java.vm.name")}")
@@ -60,7 +60,7 @@ internal object Failure {
         append(failure.stackTraceToString())
     }
 
-    /** Replaces what a terminal would obey: messages quote files. */
+    /** Replaces control characters, which a terminal would execute, because messages quote files. */
     private fun printable(message: String): String =
         message.map { if (it.isISOControl() && it != '\n') '?' else it }.joinToString("")
 

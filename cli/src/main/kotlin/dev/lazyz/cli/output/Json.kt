@@ -1,8 +1,8 @@
 package dev.lazyz.cli.output
 
-/** Writes JSON (RFC 8259) in one line of ASCII. */
+/** Formats JSON (RFC 8259) as one line of ASCII. */
 internal object Json {
-    /** Returns [value], a map with keys in their order, a list, a string, a number, a boolean or null, as JSON. */
+    /** Returns [value] as JSON: a map (keys keep their order), a list, a string, a number, a boolean or null. */
     fun of(value: Any?): String = when (value) {
         null, is Number, is Boolean -> value.toString()
         is String -> quoted(value)

@@ -1,12 +1,15 @@
 package dev.lazyz.cli.output
 
-/** Guesses what somebody meant who misspelt a name. */
+/** Finds the name that is most similar to a misspelt one. */
 internal object Nearest {
-    /** Returns `; did you mean 'x'?` for the name nearest to [text], or nothing if none is near. */
+    /** Returns `; did you mean 'x'?` for the name nearest to [text], or an empty string if none is near. */
     fun hint(text: String, names: Collection<String>): String =
         of(text, names)?.let { "; did you mean '$it'?" }.orEmpty()
 
-    /** Returns the nearest of [names], or null if all differ from [text] by more than a third of its letters. */
+    /**
+     * Returns the nearest of [names]. If all differ from [text] by more than a third of its letters, returns the first
+     * that begins with [text], provided that it has at least three letters, or null.
+     */
     fun of(text: String, names: Collection<String>): String? {
         val wanted = text.lowercase()
         val best = names.minByOrNull { distance(wanted, it.lowercase()) } ?: return null
@@ -14,7 +17,7 @@ internal object Nearest {
         return if (isNear) best else names.firstOrNull { wanted.length >= 3 && it.lowercase().startsWith(wanted) }
     }
 
-    /** Letters to insert, delete, replace, or exchange with their neighbour, to get from [a] to [b]. */
+    /** Returns the number of insertions, deletions, replacements and swaps of adjacent letters from [a] to [b]. */
     private fun distance(a: String, b: String): Int {
         var beforeLast = IntArray(b.length + 1)
         var last = IntArray(b.length + 1) { it }

@@ -7,7 +7,7 @@ import com.github.ajalt.mordant.table.TableBuilder
 import com.github.ajalt.mordant.table.table
 import com.github.ajalt.mordant.terminal.Terminal
 
-/** Draws tables with characters that every terminal has, a line each row. The only place that loads Mordant. */
+/** Draws tables with ASCII characters, one line per row. The only class that loads Mordant. */
 internal object PlainTable {
     private const val WIDTH = 120
 

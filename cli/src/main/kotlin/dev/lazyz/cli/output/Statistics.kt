@@ -9,7 +9,7 @@ import dev.lazyz.RowSink
 import dev.lazyz.strategies.tiled.Tiled
 
 /**
- * What a rendering took, by name, in the order in which it is told. The names are an interface to scripts.
+ * The statistics of a rendering, by name, in the order of the output. Scripts depend on the names.
  *
  * @param picture the samples that were rendered
  */
@@ -37,11 +37,11 @@ internal class Statistics(
         "pixelHash" to tally.hash(),
     )
 
-    /** Returns one JSON object in one line. */
+    /** Returns a JSON object in one line. */
     fun toJson(): String = Json.of(entries)
 
     companion object {
-        /** What the counters say of rendering [picture]. */
+        /** Returns the entries that derive from [counters], for a rendering of [picture]. */
         fun counted(counters: Counters, picture: Region): Map<String, Any> = mapOf(
             "primitives" to counters.primitives,
             "fragments" to counters.fragments,
@@ -56,16 +56,16 @@ internal class Statistics(
             "peakBytes" to counters.peakBytes,
         )
 
-        /** Milliseconds with one decimal. */
+        /** Returns [nanoseconds] in milliseconds with one decimal. */
         fun millis(nanoseconds: Long): Double = nanoseconds / 100_000 / 10.0
     }
 }
 
-/** Looks at the rows on their way: how much is visible, and the picture's identity. */
+/** Counts the visible samples of the rows, and computes the hash of the picture. */
 internal class Tally(private val width: Int, isHashed: Boolean) : RowSink {
     private val hash = if (isHashed) PixelHash() else null
 
-    /** Samples so far at which some primitive is visible. */
+    /** Number of samples so far at which a primitive is visible. */
     var visible = 0L
         private set
 
@@ -76,6 +76,6 @@ internal class Tally(private val width: Int, isHashed: Boolean) : RowSink {
         hash?.add(argb, width)
     }
 
-    /** Returns [dev.lazyz.Image.pixelHash] of the rows. Call it once, after the last. */
-    fun hash(): String = checkNotNull(hash) { "nobody asked for a hash" }.digest()
+    /** Returns [dev.lazyz.Image.pixelHash] of the rows. Call it once, after the last row. */
+    fun hash(): String = checkNotNull(hash) { "no hash was requested" }.digest()
 }

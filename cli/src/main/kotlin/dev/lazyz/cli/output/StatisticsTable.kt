@@ -2,7 +2,7 @@ package dev.lazyz.cli.output
 
 import com.github.ajalt.mordant.rendering.TextAlign
 
-/** Lays [Statistics] out for people. */
+/** Formats [Statistics] as a table. */
 internal object StatisticsTable {
     fun of(statistics: Statistics): String = PlainTable.of {
         column(1) { align = TextAlign.RIGHT }

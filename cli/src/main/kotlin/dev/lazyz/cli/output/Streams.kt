@@ -10,10 +10,10 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The three standard streams, and which of them a person is looking at.
+ * The three standard streams, and which of them are terminals.
  *
  * @property messages standard error, for errors, warnings and progress
- * @param isTerminal whether the stream with this number, 1 or 2, is a terminal; asked only when it matters
+ * @param isTerminal whether the stream with this number, 1 or 2, is a terminal; called only when needed
  */
 internal class Streams(
     val input: InputStream,
@@ -21,13 +21,13 @@ internal class Streams(
     val messages: PrintStream,
     isTerminal: (Int) -> Boolean = { false },
 ) {
-    /** Whether standard output is a terminal, where the bytes of a picture would do harm. */
+    /** Whether standard output is a terminal. zcli does not write a picture to a terminal. */
     val isOutputTerminal: Boolean by lazy { isTerminal(1) }
 
-    /** Whether standard error is a terminal, where progress is welcome. */
-    private val isProgressWelcome: Boolean by lazy { isTerminal(2) }
+    /** Whether standard error is a terminal. Progress is printed only there. */
+    private val isProgressShown: Boolean by lazy { isTerminal(2) }
 
-    /** Standard output. When nobody reads it any more, writing throws [OutputClosed]. */
+    /** Standard output. Writing throws [OutputClosed] if it is a pipe whose reader has closed it. */
     val output: OutputStream = StandardOutput(output)
 
     private val progress = StringBuilder()
@@ -50,22 +50,22 @@ internal class Streams(
 
     fun nothingIsVisible() = warning("nothing is visible: the picture is all background")
 
-    /** Prints text that was asked for to standard error. */
+    /** Prints text to standard error without a prefix. */
     fun note(text: String) {
         clearProgress()
         messages.print(text)
     }
 
-    /** Prints a line to standard error if somebody sees it. */
+    /** Prints a line to standard error if it is a terminal. */
     fun remark(message: String) {
-        if (!isProgressWelcome) return
+        if (!isProgressShown) return
         clearProgress()
         messages.println(message)
     }
 
-    /** Shows on the terminal, if there is one, what is going on; replaces what was shown before. */
+    /** Shows [message] on the terminal, if there is one, instead of the previous progress message. */
     fun progress(message: String) {
-        if (!isProgressWelcome) return
+        if (!isProgressShown) return
         clearProgress()
         progress.append(message)
         messages.print(message)
@@ -84,7 +84,9 @@ internal class Streams(
     }
 
     companion object {
-        /** The process's own streams. Standard output is not a [PrintStream], for that would hide a closed pipe. */
+        /**
+         * Returns the streams of the process. Does not write to a [PrintStream], because that would hide a closed pipe.
+         */
         fun ofProcess(): Streams = Streams(
             System.`in`,
             FileOutputStream(FileDescriptor.out).buffered(),
@@ -92,7 +94,10 @@ internal class Streams(
             { isTerminal(it) && (it == 1 || System.getenv("TERM") != "dumb") },
         )
 
-        /** Java does not tell which stream is a terminal; a character device that is no usual other is one. */
+        /**
+         * Returns whether [descriptor] is a terminal. Java has no method for a single stream. On Unix, a character
+         * device counts as a terminal unless it is one of [others].
+         */
         private fun isTerminal(descriptor: Int): Boolean = try {
             val mode = Files.getAttribute(Path.of("/dev/fd/$descriptor"), "unix:mode") as Int
             val isCharacterDevice = mode and FILE_TYPE == CHARACTER_DEVICE
@@ -114,10 +119,10 @@ internal class Streams(
     }
 }
 
-/** Standard output is a pipe whose reader has gone. */
+/** Standard output is a pipe, and its reader has closed it. */
 internal class OutputClosed(cause: IOException) : RuntimeException("standard output is closed", cause)
 
-/** Tells a closed pipe, which is nobody's fault, from a full disk. */
+/** Distinguishes a closed pipe, which is not an error, from errors such as a full disk. */
 private class StandardOutput(private val target: OutputStream) : OutputStream() {
     override fun write(byte: Int) = guarded { target.write(byte) }
 
@@ -125,7 +130,7 @@ private class StandardOutput(private val target: OutputStream) : OutputStream() 
 
     override fun flush() = guarded { target.flush() }
 
-    /** Standard output belongs to the process: whoever closes a writer on top of it only flushes it. */
+    /** Only flushes: standard output stays open until the process ends. */
     override fun close() = flush()
 
     private inline fun guarded(write: () -> Unit) {

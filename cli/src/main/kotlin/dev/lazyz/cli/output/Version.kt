@@ -1,6 +1,6 @@
 package dev.lazyz.cli.output
 
-/** Which zcli this is: the version in the jar's manifest. */
+/** The version of zcli, from the manifest of the jar. */
 internal object Version {
     val text: String get() = Version::class.java.`package`?.implementationVersion ?: "(development)"
 }

@@ -15,11 +15,11 @@ import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Where a rendering goes: a picture to a file or to standard output, and perhaps its depth to another file. */
+/** The outputs of a rendering: a picture, to a file or to standard output, and optionally a file of its depth. */
 internal class Outputs(private val request: RenderRequest, input: Input, private val streams: Streams) {
-    /** The picture's file, or null for standard output. */
+    /** The file of the picture, or null for standard output. */
     private val picture: Path? = when (val output = request.output) {
-        null -> unasked(input)
+        null -> defaultPath(input)
         STANDARD_OUTPUT -> null
         else -> Path.of(output)
     }
@@ -29,7 +29,7 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
             requireEnding(picture, "-o", PICTURE_ENDINGS)
             requirePlace(picture)
         } else if (streams.isOutputTerminal) {
-            throw Mistake("a picture would confuse the terminal; redirect standard output, or say -o FILE.png")
+            throw Mistake("cannot write a picture to a terminal; redirect standard output, or use -o FILE.png")
         }
         request.depthOutput?.let {
             requireEnding(it, "--depth-out", DEPTH_ENDINGS)
@@ -38,11 +38,11 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
     }
 
     /**
-     * Lets [render] write the rows of [frame] to all outputs and to [tally] at once. When it returns, the files are
-     * there; else they are not.
+     * Calls [render] with a sink that writes the rows of [frame] to all outputs and to [tally]. The files exist after
+     * this method has returned; if it throws, they are not created.
      */
     fun <T> write(frame: Frame, tally: Tally, render: (RowSink) -> T): T = try {
-        // Outermost is what is finished last: a file of depth appears only when the picture is out
+        // The outermost file is finished last: the file of depth appears only after the picture is complete
         writeDepth(frame.region) { depth ->
             writePicture(frame) { picture -> render(FanOut(listOfNotNull(picture, depth, tally))) }
         }
@@ -52,7 +52,7 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
     }
 
     private fun <T> writePicture(frame: Frame, render: (RowSink) -> T): T {
-        // Before an opaque background every sample of a scene is opaque
+        // With an opaque background, every sample is opaque
         val alpha = if (frame.raster.background.alpha >= 1f) AlphaChannel.DROP else AlphaChannel.KEEP
         if (picture != null) return writeFile(picture, frame.region, alpha, render)
         return PngSink(streams.output, frame.width, frame.height, alpha).use(render)
@@ -64,19 +64,21 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
     }
 
     private fun <T> writeFile(path: Path, region: Region, alpha: AlphaChannel, render: (RowSink) -> T): T =
-        ImageFiles.write(path, region.width, region.height, alpha = alpha) { sink -> render(Blaming(path, sink)) }
+        ImageFiles.write(path, region.width, region.height, alpha = alpha) { sink ->
+            render(PathReportingSink(path, sink))
+        }
 
-    /** Tells a person what was written. */
+    /** Prints which files were written. */
     fun describe(region: Region) {
         if (picture != null) streams.remark("wrote $picture, ${region.width}x${region.height}")
         request.depthOutput?.let { streams.remark("wrote $it") }
     }
 
-    /** The default name. Never replaces a file: nobody asked for it, and it may be the model's own texture. */
-    private fun unasked(input: Input): Path {
-        val name = input.baseName ?: throw Mistake("say where the picture goes: -o FILE.png, or -o - for a pipe")
+    /** Returns the default file. Throws if it exists, because it may be, for example, a texture of the model. */
+    private fun defaultPath(input: Input): Path {
+        val name = input.baseName ?: throw Mistake("specify the output file: -o FILE.png, or -o - for a pipe")
         val path = Path.of("$name.png")
-        if (Files.exists(path)) throw Mistake("$path exists; to replace it, say -o $path")
+        if (Files.exists(path)) throw Mistake("$path exists; to replace it, use -o $path")
         return path
     }
 
@@ -102,15 +104,15 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
     }
 }
 
-/** Hands every row to several sinks, in their order. */
+/** Passes each row to several sinks, in their order. */
 internal class FanOut(private val sinks: List<RowSink>) : RowSink {
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         for (sink in sinks) sink.row(y, argb, depth, primitive)
     }
 }
 
-/** Says which of several files it was that could not be written. */
-private class Blaming(private val path: Path, private val sink: RowSink) : RowSink {
+/** Adds the path of the file to the message if writing fails. */
+private class PathReportingSink(private val path: Path, private val sink: RowSink) : RowSink {
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         try {
             sink.row(y, argb, depth, primitive)

@@ -8,15 +8,15 @@ import dev.lazyz.cli.output.Tally
 import dev.lazyz.cli.strategies.MemoryNeed
 import dev.lazyz.cli.strategies.StrategyChoice
 
-/** One run of `zcli render`: input, frame, strategy, rows to all sinks at once, statistics. */
+/** One run of `zcli render`: reads, sets up, chooses a strategy, renders to all sinks at once, prints statistics. */
 internal class RenderJob(private val request: RenderRequest, private val streams: Streams) {
     fun run() {
-        // Find the user's mistakes before the work begins
+        // Report mistakes in the options before anything is read
         val source = FrameSource(request.subject, streams)
         val choice = StrategyChoice(request.strategy, request.choices)
         val outputs = Outputs(request, source.input, streams)
 
-        // Read, set up, and see who can render it
+        // Read, set up, and choose a strategy that supports the frame
         val loaded = source.load()
         val start = System.nanoTime()
         val frame = source.frame(loaded)
@@ -30,16 +30,17 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         val counters = outputs.write(frame, tally) { sink -> strategy.render(frame, sink) }
         val nanoseconds = System.nanoTime() - start
 
-        // Tell
+        // Report
         if (tally.visible == 0L) streams.nothingIsVisible()
         outputs.describe(frame.region)
         val form = request.stats ?: return
         val name = source.input.name
-        tell(form, Statistics(name, strategy, frame.region, counters, tally, loaded.warnings.size, nanoseconds))
+        val warnings = loaded.warnings.size
+        printStatistics(form, Statistics(name, strategy, frame.region, counters, tally, warnings, nanoseconds))
     }
 
-    /** Statistics go where a script can read them, and never into the picture. */
-    private fun tell(form: StatsForm, statistics: Statistics) {
+    /** Prints [statistics] to standard output, or to standard error if standard output contains the picture. */
+    private fun printStatistics(form: StatsForm, statistics: Statistics) {
         val text = if (form == StatsForm.JSON) statistics.toJson() + "\n" else StatisticsTable.of(statistics)
         if (request.output == Outputs.STANDARD_OUTPUT) streams.messages.print(text) else streams.print(text)
     }

@@ -4,10 +4,10 @@ import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.strategies.Choices
 import java.nio.file.Path
 
-/** How to tell what the rendering took. */
+/** The output format of statistics. */
 internal enum class StatsForm { TABLE, JSON }
 
-/** What `zcli render` is asked to do, as the user said it; null means: not said. */
+/** The options of `zcli render`; null if the user did not give the option. */
 internal class RenderRequest(
     val subject: Subject,
     val output: String?,

@@ -6,7 +6,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.Selector
 
-/** What the user chose of [RenderOptions]; null means: not said. */
+/** The [RenderOptions] that the user chose; null if the user did not give the option. */
 internal class Choices(
     private val memoryBudget: Long?,
     private val coherence: Coherence?,
@@ -14,7 +14,7 @@ internal class Choices(
     private val tileSize: Int?,
     private val selector: Selector? = null,
 ) {
-    /** The flags that were said, each with what a strategy must be capable of to heed it. */
+    /** The flags that the user gave, each with the capability that a strategy must have to support it. */
     val needs: Map<String, Capability> = listOfNotNull(
         memoryBudget?.let { "--memory-budget" to Capability.MEMORY_BUDGET },
         coherence?.let { "--coherence" to Capability.COHERENCE },
@@ -23,10 +23,10 @@ internal class Choices(
         selector?.let { "--select" to Capability.SELECTION },
     ).toMap()
 
-    /** Returns [renderer] with these choices, or as it is if there are none. */
+    /** Returns [renderer] with these choices, or unchanged if there are none. */
     fun applyTo(renderer: Renderer): Renderer = if (needs.isEmpty()) renderer else renderer.configured(options())
 
-    /** Returns the options that these choices are, the usual where nothing was said. */
+    /** Returns these choices as options, with the defaults where the user chose nothing. */
     fun options(): RenderOptions {
         val usual = RenderOptions()
         return RenderOptions(

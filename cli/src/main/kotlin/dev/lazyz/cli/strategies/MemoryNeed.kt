@@ -8,19 +8,19 @@ import dev.lazyz.Renderer
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Mistake
 
-/** Finds out before the rendering begins that a picture cannot fit. */
+/** Checks before the rendering whether a picture fits into memory. */
 internal object MemoryNeed {
     private const val MAX_ARRAY = Int.MAX_VALUE - 8L
 
-    /** More than any strategy is expected to hold for a pixel. */
+    /** More bytes than any strategy is expected to keep for a pixel. */
     private const val PLENTY = 64L
 
-    /** Side of the empty pictures to measure a strategy with; as wide as the widest tile. */
+    /** Side of the empty pictures with which a strategy is measured. It is the width of the largest tile. */
     private const val PROBE_SIDE = 512
 
     /**
-     * Throws [Mistake] if [strategy] needs more for [picture] than the [available] bytes, besides [kept] bytes a pixel
-     * that the caller keeps.
+     * Throws [Mistake] if [strategy] needs more than the [available] bytes for [picture], including the [kept] bytes
+     * per pixel that the caller keeps.
      */
     fun check(
         strategy: Renderer,
@@ -28,13 +28,13 @@ internal object MemoryNeed {
         kept: Long = 0,
         available: Long = Runtime.getRuntime().maxMemory(),
     ) {
-        // Small pictures fit, whatever the strategy
+        // Small pictures fit with any strategy
         if (picture.size * PLENTY <= available && picture.size <= MAX_ARRAY) return
         val bytes = bytesPerPixel(strategy) + kept
         val need = bytes * picture.size
         val what = "a picture of ${picture.width}x${picture.height} with strategy '${strategy.id}'"
         if (bytes >= Int.SIZE_BYTES && picture.size > MAX_ARRAY) {
-            throw Mistake("$what would have ${picture.size} pixels, and it can hold $MAX_ARRAY; ${remedy(kept)}")
+            throw Mistake("$what would have ${picture.size} pixels, and the maximum is $MAX_ARRAY; ${remedy(kept)}")
         }
         if (need > available) {
             val gigabytes = need / (1L shl 30) + 2
@@ -46,8 +46,8 @@ internal object MemoryNeed {
     }
 
     /**
-     * Bytes that [strategy] keeps for each pixel: by how much its peak grows when an empty picture gets twice as high.
-     * Taken for 0 if it fails even at that; the rendering will then tell.
+     * Returns the bytes that [strategy] keeps for each pixel: the growth of its peak when the height of an empty
+     * picture doubles. Returns 0 if the strategy fails on these pictures; the rendering then reports the error.
      */
     private fun bytesPerPixel(strategy: Renderer): Long {
         if (Capability.CONSTANT_MEMORY in strategy.capabilities) return 0

@@ -6,9 +6,13 @@ import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Nearest
 import dev.lazyz.strategies.Renderers
 
-/** Renderers by the name that a user types, and by what they are capable of. */
+/** Finds renderers by id and by capability. */
 internal object Strategies {
-    /** All renderers; a class path with two of one id is the user's to mend. */
+    /**
+     * Returns all renderers.
+     *
+     * @throws Mistake if two have the same id, or one cannot be loaded
+     */
     fun all(): List<Renderer> = try {
         Renderers.all()
     } catch (clash: IllegalStateException) {
@@ -24,20 +28,23 @@ internal object Strategies {
         )
     }
 
-    /** Whether the strategy called [id] is ours. */
+    /** Returns whether the strategy [id] is built in. */
     fun isBuiltIn(id: String): Boolean = Renderers.builtIn.any { it.id == id }
 
-    /** Returns who is capable of [capability], for people: `hybrid does`, `lazy, flow do`, `no strategy does`. */
-    fun whoDoes(capability: Capability): String {
+    /** Returns text about the strategies with [capability]: `hybrid does`, `lazy, flow do`, `no strategy does`. */
+    fun supporters(capability: Capability): String {
         val ids = all().filter { capability in it.capabilities }.map { it.id }
         return if (ids.size > 1) ids.joinToString() + " do" else (ids.singleOrNull() ?: "no strategy") + " does"
     }
 
-    /** Returns those of [needs] that are not among [capabilities], each with who is capable of it; or null. */
+    /** Returns those of [needs] that are not in [capabilities], each with the strategies that support it; or null. */
     fun missing(needs: Map<String, Capability>, capabilities: Set<Capability>): String? =
-        needs.filterValues { it !in capabilities }.ifEmpty { null }?.let { withWhoDoes(it) }
+        needs.filterValues { it !in capabilities }.ifEmpty { null }?.let { withSupporters(it) }
 
-    /** Returns the flags of [needs], each with who heeds it: `--select (lists does), --threads (no strategy does)`. */
-    fun withWhoDoes(needs: Map<String, Capability>): String =
-        needs.entries.joinToString { (flag, capability) -> "$flag (${whoDoes(capability)})" }
+    /**
+     * Returns the flags of [needs], each with the strategies that support it: `--select (lists does), --threads (no
+     * strategy does)`.
+     */
+    fun withSupporters(needs: Map<String, Capability>): String =
+        needs.entries.joinToString { (flag, capability) -> "$flag (${supporters(capability)})" }
 }

@@ -8,25 +8,25 @@ import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.StrategyEstimates
 
 /**
- * The strategy of a rendering: the one that the user named, or the first that is capable of what the flags and the
- * frame need, or, with [AUTO], another one of those that is expected to be much faster. Throws [Mistake] if there is none, for
- * the flags' sake at once.
+ * Chooses the strategy of a rendering: the one that the user named, or the first that supports what the flags and the
+ * frame need, or, with [AUTO], another one of these if it is expected to be much faster. Throws [Mistake] if there is
+ * none; the constructor already throws if no strategy supports the flags.
  *
- * @param id what the user named, or null
+ * @param id the id that the user named, [AUTO], or null
  */
 internal class StrategyChoice(id: String?, private val choices: Choices) {
     private val isAutomatic = id == AUTO
     private val named: Renderer? = id?.takeIf { it != AUTO }?.let { Strategies.find(it) }
 
-    /** Those that heed all flags, in the order in which they are listed. */
+    /** The strategies that support all flags, in the order of the list. */
     private val candidates: List<Renderer> = if (named != null) listOf(named) else capable(choices.needs.values)
 
     init {
         if (named != null) {
             val missing = Strategies.missing(choices.needs, named.capabilities)
-            if (missing != null) throw Mistake("strategy '${named.id}' does not heed $missing$SEE")
+            if (missing != null) throw Mistake("strategy '${named.id}' does not support $missing$SEE")
         }
-        if (candidates.isEmpty()) throw Mistake(noneHeeds() + SEE)
+        if (candidates.isEmpty()) throw Mistake(unsupported() + SEE)
     }
 
     /** Returns the strategy for [frame], configured as chosen. */
@@ -37,7 +37,7 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
         return configured.firstOrNull { Capability.TRANSPARENCY in it.capabilities } ?: throw Mistake(cannotBlend())
     }
 
-    /** Returns lines that say why [strategy] renders [frame], and what each would take. */
+    /** Returns lines that explain why [strategy] was chosen for [frame], with the expected cost of each strategy. */
     fun explain(strategy: Renderer, frame: Frame): String {
         val estimates = estimates(frame)
         val best = estimates.best?.renderer?.id
@@ -55,28 +55,28 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
     private fun estimates(frame: Frame): StrategyEstimates =
         Renderers.estimates(frame, choices.options(), choices.needs.values.toSet())
 
-    private fun noneHeeds(): String {
-        val flag = choices.needs.keys.singleOrNull() ?: return "no one strategy heeds all of " + flags()
-        return "no strategy heeds $flag"
+    private fun unsupported(): String {
+        val flag = choices.needs.keys.singleOrNull() ?: return "no single strategy supports all of " + flags()
+        return "no strategy supports $flag"
     }
 
-    private fun flags(): String = Strategies.withWhoDoes(choices.needs)
+    private fun flags(): String = Strategies.withSupporters(choices.needs)
 
     private fun cannotBlend(): String {
-        val who = when {
+        val reason = when {
             named != null -> "strategy '${named.id}' does not blend"
-            else -> "no strategy that heeds ${flags()} blends"
+            else -> "no strategy that supports ${flags()} blends"
         }
         val flag = if (named != null) "--strategy" else choices.needs.keys.joinToString()
-        return "the scene is translucent, and $who (${Strategies.whoDoes(Capability.TRANSPARENCY)})\n" +
-            "Leave out $flag, or render the scene as opaque with --opaque."
+        return "the scene is translucent, and $reason (${Strategies.supporters(Capability.TRANSPARENCY)})\n" +
+            "Omit $flag, or render the scene as opaque with --opaque."
     }
 
     private fun capable(needs: Collection<Capability>): List<Renderer> =
         Strategies.all().filter { it.capabilities.containsAll(needs) }
 
     companion object {
-        /** In place of an id: choose by [StrategyEstimates]. */
+        /** The value of --strategy that means: choose by [StrategyEstimates]. */
         const val AUTO = "auto"
 
         private const val SEE = "\nSee 'zcli strategies --long'."

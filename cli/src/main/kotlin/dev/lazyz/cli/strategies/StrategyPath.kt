@@ -13,11 +13,11 @@ import java.nio.file.Path
 import java.util.zip.ZipFile
 
 /**
- * Strategies from jars that the user names, besides those of zcli's own class path. While it is open, this thread sees
- * the jars too.
+ * Makes strategies from the user's jars available, besides those on the class path of zcli. While this object is open,
+ * the class loader of the calling thread includes the jars.
  *
- * @param words jars and folders, or several of them with [File.pathSeparator] between them
- * @throws Mistake if one is missing or is no jar
+ * @param words jars and folders; a word can contain several, separated by [File.pathSeparator]
+ * @throws Mistake if one is missing or is not a jar
  */
 internal class StrategyPath(words: List<String>) : Closeable {
     private val thread = Thread.currentThread()
@@ -41,7 +41,7 @@ internal class StrategyPath(words: List<String>) : Closeable {
     private fun notFound(id: String, all: List<String>): String {
         val offered = all - Renderers.builtIn.map { it.id }.toSet()
         val where = when {
-            places.isEmpty() -> "Where is it? Say --classpath JAR; 'zcli strategies' lists those of zcli's own."
+            places.isEmpty() -> "Add its jar with --classpath JAR; 'zcli strategies' lists the built-in strategies."
             offered.isEmpty() -> "Nothing on the class path is named in META-INF/services/dev.lazyz.Renderer."
             else -> "The class path offers ${offered.joinToString()}."
         }
@@ -60,13 +60,13 @@ internal class StrategyPath(words: List<String>) : Closeable {
         try {
             ZipFile(path.toFile()).close()
         } catch (bad: IOException) {
-            throw Mistake("--classpath: $path is no jar: ${bad.message}")
+            throw Mistake("--classpath: $path is not a jar: ${bad.message}")
         }
         return path
     }
 
     companion object {
-        /** Runs [work] with the strategies of the jars called [words], if there are any, besides zcli's own. */
+        /** Runs [work] while the strategies of the jars [words], if any, are available. */
         fun <T> with(words: List<String>, work: () -> T): T =
             if (words.isEmpty()) work() else StrategyPath(words).use { work() }
     }

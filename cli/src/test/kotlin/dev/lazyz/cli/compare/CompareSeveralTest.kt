@@ -29,7 +29,7 @@ class CompareSeveralTest {
 
     private fun Zrun.lines(): List<String> = text.trimEnd().lines()
 
-    /** A folder with files of all kinds, and what of it is to be compared, in order. */
+    /** A folder with files of all kinds, and the files in it that are compared, in order. */
     private fun models(): List<Path> {
         val models = folder.resolve("models")
         for (name in listOf("deep/er", "b.obj.d", ".hidden")) models.resolve(name).createDirectories()
@@ -136,8 +136,8 @@ class CompareSeveralTest {
         val wedge = folder.wedge()
         compare(wedge, "city", "--strategy", "zbufer").mistake("did you mean 'zbuffer'?")
         compare(wedge, "city", "--views", "iso,fornt").mistake("'fornt' is not one of", "did you mean 'front'?")
-        compare(wedge, "--views", "iso,front", "--view", "back").mistake("--views goes with none of --view")
-        compare(wedge, "--views", "iso", "--azimuth", "3").mistake("--views goes with none of")
+        compare(wedge, "--views", "iso,front", "--view", "back").mistake("--views cannot be combined with --view")
+        compare(wedge, "--views", "iso", "--azimuth", "3").mistake("--views cannot be combined with")
         zcli("compare").mistake("missing argument INPUT")
     }
 

@@ -36,7 +36,7 @@ import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.CsvSource
 import org.junit.jupiter.params.provider.MethodSource
 
-/** `zcli compare` runs the strategies and holds each against the first. */
+/** `zcli compare` runs the strategies and compares each with the first. */
 class CompareTest {
     @TempDir
     lateinit var folder: Path
@@ -45,7 +45,7 @@ class CompareTest {
 
     private fun compare(input: Any, vararg options: Any): Zrun = zcli("compare", input, "--size", "40x30", *options)
 
-    /** All values of [key] in the JSON, in their order. */
+    /** Returns all values of [key] in the JSON, in their order. */
     private fun Zrun.stats(key: String): List<String> =
         Regex("\"$key\": (\"[^\"]*\"|[^,}]+)").findAll(text).map { it.groupValues[1].trim('"') }.toList()
 
@@ -110,7 +110,7 @@ class CompareTest {
 
     @Test
     fun differencesAreToldByPlaceInTheWholePicture() = withRenderers(folder, WrongDepthRenderer::class.java.name) {
-        // The wrong pixel is column 20 of whatever is rendered
+        // The wrong pixel is in column 20 of the rendered region
         val json = compare("teapot", "--region", "5,10,30x10", "--json")
         assertEquals("25" to "15", json.stat("x") to json.stat("y"))
     }
@@ -149,8 +149,8 @@ class CompareTest {
     fun lostAndRepeatedRowsAreFound() =
         withRenderers(folder, ShortRenderer::class.java.name, StutteringRenderer::class.java.name) {
             val rows = compare("teapot").rows()
-            assertEquals(listOf("failed: IllegalStateException: 20 of 30 rows came"), rows["short"])
-            assertEquals(listOf("failed: IllegalStateException: row 7 came instead of row 8"), rows["stuttering"])
+            assertEquals(listOf("failed: IllegalStateException: 20 of 30 rows arrived"), rows["short"])
+            assertEquals(listOf("failed: IllegalStateException: row 7 arrived instead of row 8"), rows["stuttering"])
         }
 
     @Test
@@ -218,7 +218,7 @@ class CompareTest {
         compare(wedge, "--repeat", "0").mistake("--repeat: must be in 1..1000: 0")
         compare(wedge, "--repeat", "x").mistake("'x' is not a whole number")
         compare(wedge, "--strategy", "zbufer").mistake("did you mean 'zbuffer'?")
-        compare(wedge, "--strategy", "zbuffer", "--threads", "2").mistake("no compared strategy heeds --threads")
+        compare(wedge, "--strategy", "zbuffer", "--threads", "2").mistake("no compared strategy supports --threads")
         compare(wedge, "--select", "count").mistake("no such option --select")
         compare(wedge, "-o", "x.png").mistake("no such option -o")
         compare(wedge, "--region", "0,0,41x1").mistake("reaches beyond the whole picture, which is 40x30")

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** `zcli conformance` on strategies that come in a stranger's jar. */
+/** `zcli conformance` on strategies in third-party jars. */
 class ConformanceTest {
     @TempDir
     lateinit var folder: Path
@@ -33,7 +33,7 @@ class ConformanceTest {
     private fun jar(vararg classes: Class<*>, name: String = "mine.jar"): Path =
         folder.rendererJar(*classes, name = name)
 
-    /** In this process, which is sooner done. */
+    /** Runs in this process, which is faster. */
     private fun judge(vararg words: Any) = zcli("conformance", "--in-process", "--quiet", *words)
 
     private fun conformance(vararg words: Any) = judge("--tries", "0.05", *words)
@@ -269,7 +269,7 @@ class ConformanceTest {
         conformance("--strategy", "other").mistake("no strategy 'other'", "--classpath JAR")
         conformance("--strategy", "zbuffer", "--classpath", "no.jar").mistake("--classpath: no.jar: no such file")
         val text = folder.resolve("text.jar").apply { writeText("no jar") }
-        conformance("--strategy", "zbuffer", "--classpath", text).mistake("text.jar is no jar")
+        conformance("--strategy", "zbuffer", "--classpath", text).mistake("text.jar is not a jar")
         val unborn = jar(UnbornRenderer::class.java, name = "unborn.jar")
         conformance("--strategy", "unborn", "--classpath", unborn)
             .mistake("a renderer on the class path cannot be loaded")
@@ -302,7 +302,7 @@ class ConformanceTest {
         for (option in listOf("--minutes" to "1", "--corpus" to "x")) {
             val run = conformance("--strategy", "zbuffer", option.first, option.second)
             assertEquals(2, run.code)
-            assertTrue("${option.first} goes with --against" in run.errors, run.errors)
+            assertTrue("${option.first} needs --against" in run.errors, run.errors)
         }
     }
 }

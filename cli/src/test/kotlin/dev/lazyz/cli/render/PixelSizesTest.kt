@@ -23,7 +23,7 @@ class PixelSizesTest {
         ]}
     """.trimIndent()
 
-    /** How many pixels are black, and how many red. */
+    /** Returns the number of black pixels, and of red ones. */
     private fun count(vararg options: String): Pair<Int, Int> {
         val file = Files.writeString(folder.resolve("dots.json"), scene)
         val pixels = zcli("render", file, "-o", "-", *options).image.argb()

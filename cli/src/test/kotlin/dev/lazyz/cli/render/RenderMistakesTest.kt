@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.CsvSource
 
-/** Every mistake of a user gets one message and exit code 2, and leaves no file. */
+/** Every mistake of a user causes one message and exit code 2, and leaves no file. */
 class RenderMistakesTest {
     @TempDir
     lateinit var folder: Path
@@ -112,10 +112,10 @@ class RenderMistakesTest {
         zcli("render", folder, *out).mistake("is a folder")
         zcli("render", "teapto", *out).mistake("no built-in scene and no file 'teapto'", "did you mean 'teapot'?")
         zcli("render", "", *out).mistake("no built-in scene and no file ''")
-        zcli("render", folder.wedge("wedge.xyz"), *out).mistake("cannot tell from '.xyz'", "--format obj|stl|ply")
+        zcli("render", folder.wedge("wedge.xyz"), *out).mistake("'.xyz' of", "--format obj|stl|ply")
         Files.delete(folder.resolve("wedge.xyz"))
-        zcli("render", "-", *out).mistake("say what standard input is", "--format obj|stl|ply")
-        zcliReading(WEDGE, "render", "-", "--format", "obj").mistake("say where the picture goes: -o")
+        zcli("render", "-", *out).mistake("specify the format of standard input", "--format obj|stl|ply")
+        zcliReading(WEDGE, "render", "-", "--format", "obj").mistake("specify the output file: -o")
         zcli("render", "two", "inputs", *out).mistake("unexpected extra argument (inputs)")
         zcli("render", "nul\u0000.obj", *out).mistake("not a file name")
         render(*out).done()

@@ -20,20 +20,20 @@ import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
 
-/** Each flag of `zcli render` does what it says. */
+/** Each flag of `zcli render` has the documented effect. */
 class RenderOptionsTest {
     @TempDir
     lateinit var folder: Path
 
     private val out get() = folder.resolve("out.png")
 
-    /** Renders the wedge, small, and returns its pixels. */
+    /** Renders the wedge as a small picture, and returns its pixels. */
     private fun pixels(vararg options: Any): List<Int> {
         zcli("render", folder.wedge(), "-o", out, "--size", "40x30", *options).done()
         return out.image.argb()
     }
 
-    /** The identity of the wedge's picture. */
+    /** The hash of the wedge's picture. */
     private fun hash(vararg options: Any): String =
         zcli("render", folder.wedge(), "-o", out, "--size", "40x30", "--stats=json", *options).done().stat("pixelHash")
 

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** Scene files that say every sample: positions in pixels, rules of depth, the test pattern. */
+/** Scene files that determine every sample: positions in pixels, rules of depth, the test pattern. */
 class ScreenSceneTest {
     @TempDir
     lateinit var folder: Path

@@ -37,7 +37,7 @@ class AutoStrategyTest {
         assertEquals("hybrid", auto("teapot", "--memory-budget", "1k").done().stat("strategy"))
         assertEquals("lists", auto("teapot", "--select", "farthest").done().stat("strategy"))
         assertTrue(auto(folder.glass()).done().stat("strategy") in setOf("tiled", "lists"))
-        auto("teapot", "--memory-budget", "1k", "--select", "count").mistake("no one strategy heeds all of")
+        auto("teapot", "--memory-budget", "1k", "--select", "count").mistake("no single strategy supports all of")
         auto(folder.glass(), "--memory-budget", "1k").mistake("blends")
     }
 

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** The one list of renderers, and third parties' among them. */
+/** The list of renderers, including third-party ones. */
 class RendererListTest {
     @TempDir
     lateinit var folder: Path

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** Who renders: whoever is capable of what the flags and the scene need. */
+/** The choice of a strategy that supports what the flags and the scene need. */
 class StrategyChoiceTest {
     @TempDir
     lateinit var folder: Path
@@ -93,18 +93,18 @@ class StrategyChoiceTest {
         for (flag in flags) {
             val (name, value) = flag.split(" ")
             render("teapot", "--strategy", "zbuffer", name, value)
-                .mistake("strategy 'zbuffer' does not heed $name (", "See 'zcli strategies --long'")
+                .mistake("strategy 'zbuffer' does not support $name (", "See 'zcli strategies --long'")
         }
         render("teapot", "--strategy", "zbuffer", "--memory-budget", "1", "--select", "blend")
             .mistake("--memory-budget (hybrid", "--select (lists")
-        render("no-such-input", "--strategy", "zbuffer", "--select", "count").mistake("does not heed --select")
+        render("no-such-input", "--strategy", "zbuffer", "--select", "count").mistake("does not support --select")
         assertNoPicture()
     }
 
     @Test
     fun flagsThatNoOneStrategyHeedsAreAMistake() {
         render("teapot", "--memory-budget", "1", "--select", "count")
-            .mistake("no one strategy heeds all of --memory-budget (hybrid", "--select (lists")
+            .mistake("no single strategy supports all of --memory-budget (hybrid", "--select (lists")
         assertNoPicture()
     }
 
@@ -116,7 +116,7 @@ class StrategyChoiceTest {
             assertNoPicture()
         }
         render(folder.glass(), "--memory-budget", "1k")
-            .mistake("no strategy that heeds --memory-budget (hybrid", "blends")
+            .mistake("no strategy that supports --memory-budget (hybrid", "blends")
         assertNoPicture()
         render(folder.glass(), "--memory-budget", "1k", "--opaque").done()
     }
