@@ -4,10 +4,12 @@ import java.util.concurrent.atomic.AtomicReference
 import java.util.stream.IntStream
 
 /**
- * Calls [action] for each number in 0 until [count]. If there are several, the calls run in parallel in the common pool.
+ * Calls [action] for each number in 0 until [count]. If there are several, the calls run in parallel in the common
+ * pool.
  *
- * If memory runs out in one call, the calls that have not started are skipped, and the error is thrown to the caller. It
- * does not go through the pool, because the pool needs memory to pass an error on; without memory its caller waits forever.
+ * If memory runs out in one call, the calls that have not started are skipped, and the error is thrown to the caller.
+ * It does not go through the pool, because the pool needs memory to pass an error on; without memory its caller waits
+ * forever.
  */
 internal fun inParallel(count: Int, action: (number: Int) -> Unit) {
     if (count == 1) {

@@ -63,7 +63,8 @@ class PictureServletTest {
 
     @Test
     void badInputIsTheClientsMistake() throws Exception {
-        assertRefused(400, "line 4", post("obj", TRIANGLE.replace("f 1 2 3", "f 1 2 9").getBytes(StandardCharsets.US_ASCII)));
+        String broken = TRIANGLE.replace("f 1 2 3", "f 1 2 9");
+        assertRefused(400, "line 4", post("obj", broken.getBytes(StandardCharsets.US_ASCII)));
         assertRefused(415, "format must be", post("exe", new byte[10]));
         assertRefused(413, "at most 20 MiB", post("stl", new byte[(20 << 20) + 1]));
     }

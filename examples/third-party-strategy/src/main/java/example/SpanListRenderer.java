@@ -19,8 +19,8 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * A strategy that is not one of Lazy Z's: each row is a list of spans, sorted by first column, and a sweep over it keeps
- * those that cover the current column.
+ * A strategy that is not one of Lazy Z's: each row is a list of spans, sorted by first column, and a sweep over it
+ * keeps those that cover the current column.
  *
  * <p>Thread safe: whatever a rendering needs, it makes for itself.
  */

@@ -16,7 +16,8 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /**
- * The public API of the libraries is what `MODULE/api/lazyz-MODULE.api` lists: the signatures that compiled programs depend on. A
+ * The public API of the libraries is what `MODULE/api/lazyz-MODULE.api` lists: the signatures that compiled programs
+ * depend on. A
  * change of the API shows in the diff of these files; `-Dlazyz.update=true` writes them.
  */
 class PublicApiTest {

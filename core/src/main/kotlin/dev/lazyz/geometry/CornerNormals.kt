@@ -7,8 +7,8 @@ import kotlin.math.sqrt
  * one vertex that have the same normal share a copy. Not thread safe.
  *
  * @param positions x, y, z of each vertex
- * @param vertices the vertex of each corner. The normals of triangles are computed wherever one is needed, because keeping
- *   them takes more memory than the mesh
+ * @param vertices the vertex of each corner. The normals of triangles are computed wherever one is needed, because
+ *   keeping them takes more memory than the mesh
  * @param creaseAngle the smallest angle of an edge that is a crease, degrees
  * @param firstCopy by vertex: the first copy in its chain, or -1; one array for all instances, which process different
  *   vertices

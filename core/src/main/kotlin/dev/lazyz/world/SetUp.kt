@@ -78,8 +78,8 @@ public class SetUp @JvmOverloads constructor(
         LineStrokes(lines.relativeTo(origin), stage, lighting).primitives()
 
     /**
-     * Returns where [point] of world space is on the raster, or null if it is not between the near and the far plane, or
-     * more than 2^19 pixels from the raster's origin. It may be outside the raster.
+     * Returns where [point] of world space is on the raster, or null if it is not between the near and the far plane,
+     * or more than 2^19 pixels from the raster's origin. It may be outside the raster.
      */
     public fun project(point: Vector3dc): ScreenPoint? {
         val p = Vectors.minus(point, origin)
@@ -98,8 +98,8 @@ public class SetUp @JvmOverloads constructor(
     }
 
     /**
-     * Returns the ray from the camera through the sample at column [x] and row [y], in world space. A point at distance t,
-     * see [Ray.at], has the depth [depth] (t).
+     * Returns the ray from the camera through the sample at column [x] and row [y], in world space. A point at distance
+     * t, see [Ray.at], has the depth [depth] (t).
      */
     public fun ray(x: Int, y: Int): Ray {
         val px = rays.px(x)
@@ -110,8 +110,8 @@ public class SetUp @JvmOverloads constructor(
     }
 
     /**
-     * Returns the depth of a point whose distance from the camera along the line of sight is [distance], world units; it
-     * must be from the near to the far plane.
+     * Returns the depth of a point whose distance from the camera along the line of sight is [distance], world units;
+     * it must be from the near to the far plane.
      */
     public fun depth(distance: Double): Int = rays.depthAt(distance)
 

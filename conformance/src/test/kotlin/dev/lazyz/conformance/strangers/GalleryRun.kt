@@ -4,11 +4,11 @@ import dev.lazyz.conformance.Conformance
 import kotlin.system.exitProcess
 
 /**
- * Runs the suite on wrong renderers, one after the other, and prints a line each: whether it notices, how long it takes, and
- * which rules the report names as likely causes; at the end the sums.
+ * Runs the suite on wrong renderers, one after the other, and prints a line each: whether it notices, how long it
+ * takes, and which rules the report names as likely causes; at the end the sums.
  *
- * Arguments: the name of the gallery, `first` and so on; the seed; `shrinking` or `quick`, which leaves frames as they are; then
- * ids, by default all.
+ * Arguments: the name of the gallery, `first` and so on; the seed; `shrinking` or `quick`, which leaves frames as they
+ * are; then ids, by default all.
  */
 internal object GalleryRun {
     @JvmStatic

@@ -16,9 +16,9 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestFactory
 
 /**
- * What the suite notices of the strangers' wrong renderers, it goes on noticing. A file names for each of them a rule that
- * does, or `-`; see [TestEffort]. `-Dlazyz.record=true` looks for the rules anew, where those in the file do not notice, which
- * takes up to a minute each.
+ * What the suite notices of the strangers' wrong renderers, it goes on noticing. A file names for each of them a rule
+ * that does, or `-`; see [TestEffort]. `-Dlazyz.record=true` looks for the rules anew, where those in the file do not
+ * notice, which takes up to a minute each.
  */
 class StrangersTest {
     private val file: Path = listOf("src/test/resources", "conformance/src/test/resources").map { Path.of(it) }

@@ -10,9 +10,9 @@ import dev.lazyz.RowSink
 import dev.lazyz.Selector
 
 /**
- * Casts a ray through every sample of a row, into a segment tree over the row's columns: a span hangs at the few nodes that
- * make it up, and a ray meets the nodes from its leaf to the root. Lists at nodes run from near to far, by the bounds of
- * primitives, so that a ray that only wants the nearest fragment leaves them early.
+ * Casts a ray through every sample of a row, into a segment tree over the row's columns: a span hangs at the few nodes
+ * that make it up, and a ray meets the nodes from its leaf to the root. Lists at nodes run from near to far, by the
+ * bounds of primitives, so that a ray that only wants the nearest fragment leaves them early.
  */
 internal class Caster(private val options: RenderOptions = RenderOptions(), private val mistake: Mistake? = null,) :
     Renderer {

@@ -8,9 +8,9 @@ import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 
 /**
- * A deferred renderer: bands of rows, each a buffer of keys with linked lists of translucent fragments, decided first and
- * shaded afterwards, column by column. Several threads take bands; the caller takes part, and hands out finished bands in
- * order.
+ * A deferred renderer: bands of rows, each a buffer of keys with linked lists of translucent fragments, decided first
+ * and shaded afterwards, column by column. Several threads take bands; the caller takes part, and hands out finished
+ * bands in order.
  */
 internal class Deferred(private val options: RenderOptions = RenderOptions(), private val mistake: Mistake? = null,) :
     Renderer {

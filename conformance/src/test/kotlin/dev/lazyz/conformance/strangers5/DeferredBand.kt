@@ -161,7 +161,9 @@ internal class DeferredLists(samples: Int) {
         return length
     }
 
-    /** Puts the fragments before [limit] into [gathered], ordered by what [rank] makes of them; returns their number. */
+    /**
+     * Puts the fragments before [limit] into [gathered], ordered by what [rank] makes of them; returns their number.
+     */
     inline fun gather(at: Int, limit: Long, rank: (Long) -> Long): Int {
         var size = 0
         var node = heads[at]

@@ -10,7 +10,8 @@ package dev.lazyz.conformance.strangers5
 internal enum class Mistake(val id: String, val where: String, vararg val rules: String) {
     CASTER_EARLY_OUT_TIE(
         "caster-early-out-tie",
-        "the walk through a node's list stops at a bound of the best depth so far, though an equal depth may win the tie",
+        "the walk through a node's list stops at a bound of the best depth so far, though an equal depth may " +
+            "win the tie",
         "5.1", "5.2", "5.3",
     ),
     CASTER_SHORT_COLUMNS(
@@ -90,7 +91,8 @@ internal enum class Mistake(val id: String, val where: String, vararg val rules:
     ),
     DEFERRED_NO_RETEST(
         "deferred-no-retest",
-        "a translucent fragment is compared with the opaque ones before it in submission order, but not with later ones",
+        "a translucent fragment is compared with the opaque ones before it in submission order, but not with " +
+            "later ones",
         "5.5", "5.4", "5.1",
     ),
     DEFERRED_CLEAR_GLASS(

@@ -159,7 +159,10 @@ internal class PeelerImage(private val frame: Frame, private val mistake: Mistak
         return fragment
     }
 
-    /** Hands out all rows, out of the image's own arrays: each is moved to their beginning, where a row has gone already. */
+    /**
+     * Hands out all rows, out of the image's own arrays: each is moved to their beginning, where a row has gone
+     * already.
+     */
     fun handOut(sink: RowSink) {
         for (row in 0 until region.height) {
             checkInterrupt()

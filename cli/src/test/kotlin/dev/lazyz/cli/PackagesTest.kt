@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource
 /**
  * The packages of each module: dependencies between them have no cycles, and each file is in the folder of its package.
  */
-class RoomsTest {
+class PackagesTest {
     private val root: Path = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
         .first { Files.isDirectory(it.resolve("core/src/main/kotlin")) }
 
@@ -56,6 +56,16 @@ class RoomsTest {
             folder == source.packageName.replace('.', '/')
         }
         assertEquals(emptyList<Source>(), lost)
+    }
+
+    /** The formatter checks code, but not comments. */
+    @Test
+    fun linesFitInto120Columns() {
+        val folders = MODULES.flatMap { listOf("$it/src/main", "$it/src/test") } + "examples"
+        val long = folders.map(root::resolve).filter { Files.isDirectory(it) }.flatMap(::sourcesIn).flatMap { source ->
+            source.text.lines().withIndex().filter { it.value.length > 120 }.map { "${source.path}:${it.index + 1}" }
+        }
+        assertEquals(emptyList<String>(), long)
     }
 
     /** docs/architecture.md has a row for each package; those of core have a test of their own. */
