@@ -9,7 +9,7 @@ import dev.lazyz.world.Light
 import dev.lazyz.world.Viewpoint
 import org.joml.Vector3d
 
-/** Reads where a scene is seen from and what lights it. */
+/** Reads the cameras and lights of a scene file. */
 internal class CameraReader(private val up: UpAxis) {
     fun viewpoint(node: JsonNode): Viewpoint {
         val kinds = arrayOf("perspective", "orthographic", "screen", "fit")

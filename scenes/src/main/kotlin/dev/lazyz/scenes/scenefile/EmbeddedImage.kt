@@ -10,7 +10,7 @@ import dev.lazyz.world.TextureWrap
 import java.io.ByteArrayOutputStream
 import java.util.Base64
 
-/** A picture within a scene file: a PNG as a `data:` URI (RFC 2397), with every texel as it was. */
+/** An image within a scene file: a PNG as a `data:` URI (RFC 2397) that keeps every texel unchanged. */
 internal object EmbeddedImage {
     private const val PREFIX = "data:image/png;base64,"
 
