@@ -16,8 +16,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Measures whole jobs, from mesh file to PNG file, of ours and of VTK: in two warm processes that work in turns on the same
- * single processor. {@code peers/whole-job} starts it.
+ * Measures whole jobs, from mesh file to PNG file, of Lazy Z and of VTK, in two warm processes that run alternately
+ * on the same processor. {@code peers/whole-job} starts it.
  */
 public final class Jobs {
     private static final Set<String> OPTIONS =
@@ -65,7 +65,7 @@ public final class Jobs {
         return facts;
     }
 
-    /** A process that does jobs when it is asked to. */
+    /** A process that performs jobs on request. */
     private static final class Worker implements AutoCloseable {
         private final String name;
         private final Process process;
@@ -85,7 +85,7 @@ public final class Jobs {
             answers = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
         }
 
-        /** Has jobs done for some seconds, and returns the shortest. */
+        /** Lets the process perform jobs for some seconds, and returns the shortest. */
         JobResults.Job job(String file, String seconds, int round) throws IOException {
             questions.write(seconds + " " + file + "\n");
             questions.flush();
