@@ -102,7 +102,7 @@ public final class PeerRun {
                 Runtime.version());
     }
 
-    /** Renders for so many nanoseconds, and on while Java's compilers are at work. */
+    /** Renders for at least {@code least} nanoseconds, and longer while Java's compilers are active. */
     private void warmUp(long least) {
         CompilationMXBean compilers = ManagementFactory.getCompilationMXBean();
         long start = System.nanoTime();
@@ -128,7 +128,9 @@ public final class PeerRun {
         return (System.nanoTime() - start) / 1e6;
     }
 
-    /** Writes the picture as peers do: red, green, blue, alpha, a byte each, sRGB, in rows from the top. */
+    /**
+     * Writes the image like the other renderers: red, green, blue, alpha, one byte each, sRGB, in rows from the top.
+     */
     private String write(Path file) throws IOException {
         PixelHash hash = new PixelHash();
         long[] covered = new long[1];

@@ -23,13 +23,14 @@ import java.util.stream.IntStream;
 import kotlinx.serialization.json.JsonObject;
 
 /**
- * Measures ours and peers alternately: round by round, scene by scene, one process after the other, each on its own
- * processors. {@code peers/run} starts it.
+ * Measures Lazy Z and other renderers alternately: round by round, scene by scene, one process after the other, each
+ * pinned to its own processors. {@code peers/run} starts it.
  *
- * <p>First every peer's picture is compared with ours; a peer that covers other samples than we do has done other work.
+ * <p>First the image of every other renderer is compared with Lazy Z's; if a renderer covers other samples, its times
+ * are for different work.
  *
- * <p>All of this is done with the first raster. Further rasters, and mesh files, are measured once, by ours and
- * by llvmpipe with one thread: a day is not long enough for everything.
+ * <p>All of this is done with the first raster. Further rasters, and mesh files, are measured once, with Lazy Z and
+ * llvmpipe on one thread, because everything would take more than a day.
  */
 public final class SideBySide {
     private static final Set<String> OPTIONS = Set.of(
@@ -50,10 +51,10 @@ public final class SideBySide {
             "measure",
             "results",
             "fact");
-    /** What processes render that are timed from start to end. */
+    /** The scene of the processes that are timed from start to end. */
     private static final String COLD_SCENE = "teapot";
 
-    /** Longer than any process may take. */
+    /** Maximum time of a process; longer than any should take. */
     private static final long MINUTES = 10;
 
     private final Options options;
@@ -135,7 +136,7 @@ public final class SideBySide {
         return options.list(name, otherwise).stream().map(Integer::valueOf).toList();
     }
 
-    /** Notes what must be known to judge the figures. */
+    /** Records the facts that are needed to judge the figures. */
     private void state() throws IOException {
         for (String fact : options.all("fact")) {
             int at = fact.indexOf('=');
@@ -163,7 +164,10 @@ public final class SideBySide {
         return contender.canDraw(drawn, isPerspective, threads);
     }
 
-    /** Draws each scene once by every contender that can; all JVMs give the same bits, so ours by one. */
+    /**
+     * Draws each scene once with every contender that can. All JVMs give the same bits, so only one Lazy Z contender
+     * draws.
+     */
     private void comparePictures(List<String> scenes, int side, Predicate<Contender> which)
             throws IOException, InterruptedException {
         Contender ours = contenders.stream()
@@ -215,7 +219,7 @@ public final class SideBySide {
                 }
             }
 
-            // A long run that is broken off has results, too
+            // If a long run is stopped, the results so far are kept
             results.write(file);
         }
     }
@@ -248,7 +252,7 @@ public final class SideBySide {
                 round, time.scene(), side, threads, threads == 1 ? " " : "s", contender.name(), time.median());
     }
 
-    /** Times whole processes, from start to end, that render one picture into a file. */
+    /** Times whole processes, from start to end, that render one image to a file. */
     private void start(int round) throws IOException, InterruptedException {
         for (String text : options.all("cold")) {
             Contender contender = Contender.parse(Contender.Kind.OURS, text);
@@ -284,7 +288,9 @@ public final class SideBySide {
         return file.toString();
     }
 
-    /** Runs a program on as many processors as it has threads; returns what it printed, or null if it failed. */
+    /**
+     * Runs a program on as many processors as it has threads; returns the JSON that it printed, or null if it failed.
+     */
     private JsonObject process(List<String> command, int threads) throws IOException, InterruptedException {
         Path output = folder.resolve("output");
         Process process =
