@@ -64,7 +64,7 @@ public final class Growth {
         GrowthResults others = Files.exists(file) ? GrowthResults.read(file).without(axes) : GrowthResults.empty();
         Growth growth = new Growth(
                 others, Integer.parseInt(options.get("rounds", "3")), Double.parseDouble(options.get("limit", "20")));
-        growth.state(String.join(" ", args));
+        growth.recordFacts(String.join(" ", args));
         growth.warmUp(Double.parseDouble(options.get("warm-up", "2")));
         for (String axis : axes) {
             growth.measure(Axis.find(axis), Integer.parseInt(options.get("points", "9")));
@@ -78,7 +78,7 @@ public final class Growth {
     }
 
     /** Records the facts that are needed to judge the figures. */
-    private void state(String arguments) throws IOException {
+    private void recordFacts(String arguments) throws IOException {
         Map<String, String> facts = results.facts();
         facts.put("last command", ("Growth " + arguments).trim());
         facts.put("date", LocalDate.now().toString());
@@ -113,15 +113,15 @@ public final class Growth {
     }
 
     private void measure(Axis axis, int points) {
-        Map<String, String> given = new HashMap<>();
-        axis.first(points).forEach(value -> measure(axis, value, given));
+        Map<String, String> skipped = new HashMap<>();
+        axis.first(points).forEach(value -> measure(axis, value, skipped));
     }
 
     /**
-     * Measures all strategies at a point. {@code given} maps skipped strategies to the reason; strategies that fail
+     * Measures all strategies at a point. {@code skipped} maps skipped strategies to the reason; strategies that fail
      * are added.
      */
-    private void measure(Axis axis, long value, Map<String, String> given) {
+    private void measure(Axis axis, long value, Map<String, String> skipped) {
         Scene scene = axis.scene(value);
         int side = axis.side(value);
         Raster raster = new Raster(side, side, Rgba.TRANSPARENT);
@@ -137,35 +137,35 @@ public final class Growth {
                         numbers.getPrimitiveRows(),
                         numbers.getFragments()));
         long[] expected = new long[1];
-        List<Renderer> often = new ArrayList<>();
+        List<Renderer> repeated = new ArrayList<>();
         for (Renderer builtIn : Renderers.getBuiltIn()) {
             String id = builtIn.getId();
             if (axis == Axis.THREADS && !builtIn.getCapabilities().contains(Capability.PARALLEL)) {
                 continue;
             }
-            if (given.containsKey(id)) {
-                results.missing().add(new GrowthResults.Missing(axis.id(), value, id, given.get(id)));
+            if (skipped.containsKey(id)) {
+                results.missing().add(new GrowthResults.Missing(axis.id(), value, id, skipped.get(id)));
                 continue;
             }
             Renderer renderer = with(builtIn, axis.threads(value));
             try {
                 GrowthResults.Cost first = first(axis, value, renderer, scene, raster, expected);
                 if (first.millis() > 1e3 * limit && axis != Axis.SCENES) {
-                    given.put(id, GrowthResults.SLOW);
+                    skipped.put(id, GrowthResults.SLOW);
                 }
                 if (first.millis() > 250 * limit) {
                     add(first);
                 } else {
-                    often.add(renderer);
+                    repeated.add(renderer);
                 }
             } catch (OutOfMemoryError full) {
-                given.put(id, GrowthResults.MEMORY);
+                skipped.put(id, GrowthResults.MEMORY);
                 results.missing().add(new GrowthResults.Missing(axis.id(), value, id, GrowthResults.MEMORY));
                 System.out.printf("%-16s %,12d  %-12s does not fit%n", axis.title, value, id);
             }
         }
         for (int round = 1; round <= rounds; round++) {
-            for (Renderer renderer : often) {
+            for (Renderer renderer : repeated) {
                 add(axis, value, renderer, round, scene, raster);
             }
         }

@@ -193,7 +193,7 @@ public final class GrowthPage {
                 List<String> all = measured(point);
                 List<String> row = new ArrayList<>(List.of(axis.title, axis.label(point.value())));
                 row.addAll(choice(point, all));
-                row.addAll(choice(point, withoutUsual(all)));
+                row.addAll(choice(point, withoutTiled(all)));
                 rows.add(row);
             }
         }
@@ -221,25 +221,25 @@ public final class GrowthPage {
     }
 
     /** Returns the number of points at which the model's choice is good, with or without {@code tiled}. */
-    long good(boolean isWithoutUsual) {
+    long good(boolean isWithoutTiled) {
         return results.points().stream()
-                .filter(point -> !candidates(point, isWithoutUsual).isEmpty())
-                .filter(point -> loss(point, candidates(point, isWithoutUsual)) <= TOLERANCE)
+                .filter(point -> !candidates(point, isWithoutTiled).isEmpty())
+                .filter(point -> loss(point, candidates(point, isWithoutTiled)) <= TOLERANCE)
                 .count();
     }
 
     /** Returns the number of points that have candidates to choose from. */
-    long points(boolean isWithoutUsual) {
+    long points(boolean isWithoutTiled) {
         return results.points().stream()
-                .filter(point -> !candidates(point, isWithoutUsual).isEmpty())
+                .filter(point -> !candidates(point, isWithoutTiled).isEmpty())
                 .count();
     }
 
-    private List<String> candidates(GrowthResults.Point point, boolean isWithoutUsual) {
-        return isWithoutUsual ? withoutUsual(measured(point)) : measured(point);
+    private List<String> candidates(GrowthResults.Point point, boolean isWithoutTiled) {
+        return isWithoutTiled ? withoutTiled(measured(point)) : measured(point);
     }
 
-    private static List<String> withoutUsual(List<String> strategies) {
+    private static List<String> withoutTiled(List<String> strategies) {
         return strategies.stream().filter(strategy -> !strategy.equals("tiled")).toList();
     }
 
@@ -258,11 +258,11 @@ public final class GrowthPage {
 
     /** Returns the strategy that {@link dev.lazyz.strategies.StrategyEstimates#getBest} would return. */
     private String chosen(GrowthResults.Point point, List<String> strategies) {
-        String usual = strategies.get(0);
+        String preferred = strategies.get(0);
         String fastest = strategies.stream()
                 .min(Comparator.comparingDouble(strategy -> estimate(point, strategy)))
                 .orElseThrow();
-        return estimate(point, usual) > StrategyEstimates.MARGIN * estimate(point, fastest) ? fastest : usual;
+        return estimate(point, preferred) > StrategyEstimates.MARGIN * estimate(point, fastest) ? fastest : preferred;
     }
 
     private double estimate(GrowthResults.Point point, String strategy) {

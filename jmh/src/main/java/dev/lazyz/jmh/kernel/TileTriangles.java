@@ -47,7 +47,7 @@ final class TileTriangles {
         for (int i = 0; i < count; i++) {
             double wanted = GRID * GRID * area * (0.5 + random.nextDouble());
             while (!place(random, x, y, wanted)) {
-            // Try again: some shapes are too long for the tile
+                // Try again: some shapes are too long for the tile
             }
             add(i, x, y);
             zdx[i] = random.nextInt(1 << 16) - (1 << 15);

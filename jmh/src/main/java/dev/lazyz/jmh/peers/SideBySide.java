@@ -98,7 +98,7 @@ public final class SideBySide {
         List<Integer> sides = integers("sides", "1024");
         List<Integer> otherSides = integers("other-sides", "1024");
         List<Integer> threads = integers("threads", "1,2");
-        state();
+        recordFacts();
         for (String scene : compared) {
             export(scene);
         }
@@ -137,7 +137,7 @@ public final class SideBySide {
     }
 
     /** Records the facts that are needed to judge the figures. */
-    private void state() throws IOException {
+    private void recordFacts() throws IOException {
         for (String fact : options.all("fact")) {
             int at = fact.indexOf('=');
             results.facts().put(fact.substring(0, at), fact.substring(at + 1));
@@ -190,8 +190,8 @@ public final class SideBySide {
             throws IOException, InterruptedException {
         List<String> command = contender.drawing(scene, file(scene).toString(), side, 1);
         command.addAll(List.of("--picture", theirs.toString()));
-        JsonObject said = process(command, 1);
-        if (said == null) {
+        JsonObject printed = process(command, 1);
+        if (printed == null) {
             return;
         }
         PictureDifference difference = PictureDifference.of(ours, theirs);
@@ -200,7 +200,7 @@ public final class SideBySide {
                         TriangleSource.label(scene),
                         side,
                         contender.name(),
-                        (long) JsonRecords.real(said, "covered"),
+                        (long) JsonRecords.real(printed, "covered"),
                         difference.oursOnly(),
                         difference.theirsOnly(),
                         contender.isSrgb() ? difference.unequal() : -1,
@@ -228,8 +228,8 @@ public final class SideBySide {
             throws IOException, InterruptedException {
         List<String> command = contender.drawing(scene, file(scene).toString(), side, threads);
         command.addAll(List.of("--warm-up", options.get("warm-up", "3"), "--measure", options.get("measure", "4")));
-        JsonObject said = process(command, threads);
-        if (said == null) {
+        JsonObject printed = process(command, threads);
+        if (printed == null) {
             return;
         }
         Results.Time time = new Results.Time(
@@ -238,15 +238,15 @@ public final class SideBySide {
                 threads,
                 contender.name(),
                 round,
-                JsonRecords.real(said, "median"),
-                JsonRecords.real(said, "q1"),
-                JsonRecords.real(said, "q3"),
-                JsonRecords.real(said, "min"),
-                JsonRecords.real(said, "max"),
-                JsonRecords.real(said, "first"),
-                JsonRecords.integer(said, "frames"));
+                JsonRecords.real(printed, "median"),
+                JsonRecords.real(printed, "q1"),
+                JsonRecords.real(printed, "q3"),
+                JsonRecords.real(printed, "min"),
+                JsonRecords.real(printed, "max"),
+                JsonRecords.real(printed, "first"),
+                JsonRecords.integer(printed, "frames"));
         results.times().add(time);
-        results.facts().putIfAbsent("version of " + contender.name(), JsonRecords.text(said, "version"));
+        results.facts().putIfAbsent("version of " + contender.name(), JsonRecords.text(printed, "version"));
         System.out.printf(
                 "round %d  %-16s %5d  %d thread%s  %-24s %10.2f ms%n",
                 round, time.scene(), side, threads, threads == 1 ? " " : "s", contender.name(), time.median());
@@ -296,13 +296,13 @@ public final class SideBySide {
         Process process =
                 builder(command, threads).redirectOutput(output.toFile()).start();
         boolean hasEnded = process.waitFor(MINUTES, TimeUnit.MINUTES);
-        String said = Files.readString(output, StandardCharsets.UTF_8).trim();
+        String printed = Files.readString(output, StandardCharsets.UTF_8).trim();
         if (!hasEnded || process.exitValue() != 0) {
             process.destroyForcibly();
             System.err.println("failed: " + String.join(" ", command));
             return null;
         }
-        return JsonRecords.parse(said.substring(said.lastIndexOf('\n') + 1));
+        return JsonRecords.parse(printed.substring(printed.lastIndexOf('\n') + 1));
     }
 
     private static ProcessBuilder builder(List<String> command, int threads) {

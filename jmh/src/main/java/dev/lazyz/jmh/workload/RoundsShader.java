@@ -46,9 +46,9 @@ public final class RoundsShader implements BatchShader {
         System.arraycopy(batch.vertexRed, 0, x, 0, size);
         System.arraycopy(batch.vertexGreen, 0, y, 0, size);
         for (int round = 0; round < rounds; round++) {
-            turn(size, x, y, batch.vertexBlue);
-            bend(size, x, batch.vertexRed);
-            bend(size, y, batch.vertexGreen);
+            linearPart(size, x, y, batch.vertexBlue);
+            blendWave(size, x, batch.vertexRed);
+            blendWave(size, y, batch.vertexGreen);
         }
         for (int i = 0; i < size; i++) {
             x[i] = 0.25f + 0.75f * x[i];
@@ -58,7 +58,7 @@ public final class RoundsShader implements BatchShader {
     }
 
     /** The linear part of a round: computes the arguments of s. */
-    private static void turn(int size, float[] x, float[] y, float[] blue) {
+    private static void linearPart(int size, float[] x, float[] y, float[] blue) {
         for (int i = 0; i < size; i++) {
             float s = 0.5f * x[i] + 0.3f * y[i] - 0.4f * blue[i];
             y[i] = 0.4f * y[i] - 0.5f * x[i] + 0.3f * blue[i];
@@ -67,7 +67,7 @@ public final class RoundsShader implements BatchShader {
     }
 
     /** The other part of a round, for x or y: applies s, and averages the result with the initial value. */
-    private static void bend(int size, float[] values, float[] first) {
+    private static void blendWave(int size, float[] values, float[] first) {
         for (int i = 0; i < size; i++) {
             values[i] = 0.5f * first[i] + 0.5f * wave(values[i]);
         }

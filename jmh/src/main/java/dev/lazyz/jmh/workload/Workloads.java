@@ -13,7 +13,7 @@ import java.util.List;
  * <table>
  * <caption>S1 to S6; sizes of triangles at 1024 x 1024</caption>
  * <tr><td>S1</td><td>100,000 triangles of about 200 pixels at random positions and depths, one colour each</td></tr>
- * <tr><td>S2</td><td>1,002,252 triangles of 1 to 2 pixels that share vertices: a bumpy sphere in smooth colours</td></tr>
+ * <tr><td>S2</td><td>1,002,252 triangles of 1 to 2 pixels, shared vertices: a bumpy sphere, smooth colours</td></tr>
  * <tr><td>S3</td><td>100 layers that fill the raster, from back to front</td></tr>
  * <tr><td>S4</td><td>the same layers from front to back</td></tr>
  * <tr><td>S5</td><td>the triangles of S1 under an expensive shader, {@link RoundsShader}</td></tr>

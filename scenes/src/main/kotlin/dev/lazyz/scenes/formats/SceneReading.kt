@@ -65,7 +65,7 @@ internal object SceneReading {
             SceneFormat.SCENE -> return SceneFileReader(source).read()
         }
         if (parser != GltfParser && source.loading.options.animationTime != null) {
-            source.warn("files of this format have no animation, so that the time of one changes nothing")
+            source.warn("files of this format have no animation, so the requested time has no effect")
         }
         try {
             return LoadedScene(parser.parse(source), source.warnings.toList())

@@ -44,7 +44,7 @@ internal object TextureFiles {
         // Some decoders of the JDK fail on a damaged file with an index out of bounds or a negative size
         null
     } catch (_: LinkageError) {
-            // A reduced JDK without java.desktop
+        // A reduced JDK without java.desktop
         null
     }
 

@@ -141,7 +141,7 @@ internal class JsonNode(private val source: Source, val path: String, private va
     override fun toString(): String = "JsonNode($path)"
 
     private companion object {
-        const val TOO_LARGE_REMEDY = "write \"Infinity\" if that is what it is to be"
+        const val TOO_LARGE_REMEDY = "write \"Infinity\" if infinity is intended"
     }
 }
 

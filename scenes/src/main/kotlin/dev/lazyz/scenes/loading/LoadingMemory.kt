@@ -7,7 +7,7 @@ import dev.lazyz.scenes.SceneFormat
  * of it.
  */
 internal object LoadingMemory {
-    /** Bytes of memory for each byte of a file of [format]; if null, the bytes that a file of any format needs. */
+    /** Bytes of memory for each byte of a file of [format]; if null, the minimum for any format. */
     fun perByte(format: SceneFormat?): Int = when (format) {
         // A triangle is 50 bytes in the file, and takes 80 while its normals are computed
         SceneFormat.STL -> 3

@@ -36,7 +36,7 @@ internal class PolygonMesh(
      * in MeshLab.
      */
     fun mesh(material: Material): Mesh {
-        if (!polygons.haveLooks) {
+        if (!polygons.haveAttributes) {
             val triangles =
                 if (areTriangles) polygons.vertices() else IntArray(corners.size) { polygons.vertex(corners[it]) }
             return Mesh(
@@ -71,7 +71,7 @@ internal class PolygonMesh(
             while (3 * polygonOf.size < corners.size) polygonOf.add(polygon)
         }
         if (withoutVertices > 0) {
-            source.warn("$withoutVertices faces are left out, because vertices of theirs are missing")
+            source.warn("$withoutVertices faces are left out, because some of their vertices are missing")
         }
     }
 

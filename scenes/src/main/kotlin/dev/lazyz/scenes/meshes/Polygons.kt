@@ -28,7 +28,7 @@ internal class Polygons {
         private set
 
     /** Whether a polygon has a colour, or corners have texture coordinates. */
-    val haveLooks: Boolean get() = colorNumbers.size > 0 || placeNumbers.size > 0
+    val haveAttributes: Boolean get() = colorNumbers.size > 0 || placeNumbers.size > 0
 
     /** Whether corners have texture coordinates. */
     val havePlaces: Boolean get() = placeNumbers.size > 0

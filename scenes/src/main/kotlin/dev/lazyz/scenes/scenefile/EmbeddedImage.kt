@@ -36,9 +36,9 @@ internal object EmbeddedImage {
         val bytes = try {
             Base64.getDecoder().decode(reference.substring(PREFIX.length))
         } catch (e: IllegalArgumentException) {
-            node.fail("embedded picture is not base64: ${e.message}", "embed it anew")
+            node.fail("embedded picture is not base64: ${e.message}", "embed it again")
         }
-        return TextureFiles.decode(source, bytes, "") ?: node.fail("embedded picture is not a PNG", "embed it anew")
+        return TextureFiles.decode(source, bytes, "") ?: node.fail("embedded picture is not a PNG", "embed it again")
     }
 
     /** Returns [picture] with other sampling rules and another name. */

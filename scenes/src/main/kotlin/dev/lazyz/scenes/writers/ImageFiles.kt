@@ -62,7 +62,7 @@ public object ImageFiles {
 
     /** Writes a PNG to [output] without closing it. */
     internal fun write(image: Image, output: OutputStream) {
-        PngSink(KeptOpen(output), image.width, image.height, alpha(image)).use(image::sendTo)
+        PngSink(NonClosingStream(output), image.width, image.height, alpha(image)).use(image::sendTo)
     }
 
     private fun alpha(image: Image): AlphaChannel =
@@ -83,7 +83,7 @@ public object ImageFiles {
 }
 
 /** Flushes [output] on [close] instead of closing it. */
-private class KeptOpen(private val output: OutputStream) : OutputStream() {
+private class NonClosingStream(private val output: OutputStream) : OutputStream() {
     override fun write(byte: Int) = output.write(byte)
 
     override fun write(bytes: ByteArray, offset: Int, length: Int) = output.write(bytes, offset, length)

@@ -28,12 +28,12 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
         private const val SUFFIX = ".lazyz-tmp"
 
         /** A new file has no lock for a moment, so files younger than this are not deleted. In milliseconds. */
-        private const val YOUNG = 60_000L
+        private const val MIN_AGE_MILLIS = 60_000L
 
         private val open: MutableSet<Path> = ConcurrentHashMap.newKeySet()
 
         /** Folders that were already searched for files left by other processes. */
-        private val tidied: MutableSet<Path> = ConcurrentHashMap.newKeySet()
+        private val cleanedFolders: MutableSet<Path> = ConcurrentHashMap.newKeySet()
 
         init {
             try {
@@ -46,7 +46,7 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
         /** Creates an empty file in the folder of [target]. */
         fun beside(target: Path): TemporaryFile {
             val folder = checkNotNull(target.parent) { "the target must be absolute" }
-            if (tidied.add(folder)) tidy(folder)
+            if (cleanedFolders.add(folder)) deleteAbandoned(folder)
 
             // No secure random number: loading its providers takes as long as rendering a small image
             val word = java.lang.Long.toHexString(ThreadLocalRandom.current().nextLong())
@@ -63,18 +63,18 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
         }
 
         /** Deletes the files that terminated processes left in [folder]. */
-        private fun tidy(folder: Path) {
+        private fun deleteAbandoned(folder: Path) {
             try {
-                Files.newDirectoryStream(folder, ".*$SUFFIX").use { found -> found.forEach(::deleteIfLeft) }
+                Files.newDirectoryStream(folder, ".*$SUFFIX").use { found -> found.forEach(::deleteIfAbandoned) }
             } catch (_: IOException) {
                 // Ignore a folder that cannot be read
             }
         }
 
-        private fun deleteIfLeft(path: Path) {
+        private fun deleteIfAbandoned(path: Path) {
             try {
                 val age = System.currentTimeMillis() - Files.getLastModifiedTime(path).toMillis()
-                if (age < YOUNG || path in open || !Files.isRegularFile(path)) return
+                if (age < MIN_AGE_MILLIS || path in open || !Files.isRegularFile(path)) return
                 FileChannel.open(path, WRITE).use { if (lock(it)) Files.deleteIfExists(path) }
             } catch (_: IOException) {
                 // The file belongs to another user, or was just deleted
