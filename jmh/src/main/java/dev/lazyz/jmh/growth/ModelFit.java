@@ -146,7 +146,7 @@ final class ModelFit {
                 package dev.lazyz.strategies
 
                 /**
-                 * Coefficients of [StrategyModel], fitted to `docs/growth/results.json` by the command \
+                 * Coefficients of [StrategyModel], fitted to `docs/growth/results.json` by the command\
                  that measured it. Generated: not to
                  * be edited.
                  */
