@@ -15,7 +15,10 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** What the first picture of a process costs, from a scene's name to an image: classes loaded, code interpreted. */
+/**
+ * The time of the first image of a process, from a scene's name to an image, including class loading and interpreted
+ * code.
+ */
 @BenchmarkMode(Mode.SingleShotTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
 @Fork(value = 5, jvmArgsAppend = StrategyBenchmark.VECTOR_API)
@@ -37,14 +40,17 @@ public class ColdStartBenchmark {
 
     private Image image;
 
-    /** Renders the first picture. */
+    /** Renders the first image. */
     @Benchmark
     public Image firstPicture() {
         image = PictureCheck.renderer(strategy).render(Workloads.scene(scene).frame(side, side));
         return image;
     }
 
-    /** Fails the benchmark if the picture was not the z-buffer's; afterwards, because before would warm it up. */
+    /**
+     * Fails the benchmark if the image differs from the z-buffer's. Checks afterwards, because a check before would
+     * warm up.
+     */
     @TearDown
     public void tearDown() {
         String expected = PictureCheck.hash(Workloads.scene(scene).frame(side, side), PictureCheck.renderer("zbuffer"));

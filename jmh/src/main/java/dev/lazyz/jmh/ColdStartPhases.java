@@ -13,18 +13,19 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
 /**
- * Where the time of one process of zcli goes, from its start to a finished PNG, as a table in Markdown.
+ * Measures the phases of one zcli process, from its start to a finished PNG, and prints a table in Markdown.
  *
- * <p>A phase begins when Java loads the first class that it needs, as Java's own log has it: nothing in zcli is changed.
- * Runs alternate; a figure is the median of the rounds. Encoding is the difference to a run that writes a PPM file, in whose
- * place it goes on while rows arrive. Options: {@code zcli.jar}, and homes of Java; with the script {@code zcli} beside the
- * jar, its starts from an archive are measured, too.
+ * <p>A phase begins when Java loads the first class that the phase needs, according to Java's class loading log; zcli
+ * itself is not changed. Runs alternate; a figure is the median of the rounds. Encoding is the difference to a run
+ * that writes a PPM file instead, because encoding runs while rows arrive. Arguments: the path of {@code zcli.jar},
+ * and Java home directories. If the script {@code zcli} is next to the jar, its starts from a class data archive are
+ * also measured.
  */
 public final class ColdStartPhases {
     private static final int ROUNDS = 9;
     private static final List<String> JOB = List.of("render", "teapot", "--size", "256x256", "-o");
 
-    /** Phases, and the class at whose loading each ends; the last one ends with the process. */
+    /** Phases, with the class whose loading ends each phase; the last phase ends with the process. */
     private static final Map<String, String> PHASES = new LinkedHashMap<>();
 
     static {
@@ -42,7 +43,7 @@ public final class ColdStartPhases {
         this.folder = folder;
     }
 
-    /** Options: see above. */
+    /** Arguments: see above. */
     public static void main(String[] args) throws IOException, InterruptedException {
         if (args.length < 2) {
             throw new IllegalArgumentException("the path of zcli.jar and at least one home of Java are needed");
@@ -77,7 +78,7 @@ public final class ColdStartPhases {
         System.out.println("|---" + "|---".repeat(PHASES.size() + 4) + "|");
         rows.forEach((name, values) -> {
             StringBuilder line = new StringBuilder("| " + name);
-            // The first round fills caches and makes the archive
+            // The first round fills caches and creates the archive
             List<double[]> counted = values.subList(1, values.size());
             for (int column = 0; column < counted.get(0).length; column++) {
                 int at = column;
@@ -111,7 +112,7 @@ public final class ColdStartPhases {
                 .add(row);
     }
 
-    /** Runs zcli, and returns the milliseconds it took. */
+    /** Runs zcli, and returns the time in milliseconds. */
     private double process(String home, List<String> start, String picture) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(start);
         command.addAll(JOB);
@@ -139,7 +140,7 @@ public final class ColdStartPhases {
         return folder.resolve("classes.txt");
     }
 
-    /** Milliseconds from the JVM's start until it loaded a class. */
+    /** Returns the milliseconds from the JVM's start until it loaded the class. */
     private static double loaded(List<String> log, String name) {
         String line = log.stream()
                 .filter(entry -> entry.contains("ns] " + name + " "))

@@ -27,9 +27,9 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * What it costs to read a mesh from a file that the system has in its cache, with and without making smooth normals, beside
- * the least that it could: {@link PlainLoops}. All are measured in one run, so that their ratios mean something on any
- * machine. Meshes of GLB files get no normals, so that reading and loading are the same there.
+ * The time to read a mesh from a file that is in the system's file cache, with and without computing smooth normals,
+ * compared with a lower bound: {@link PlainLoops}. All are measured in one run, so that their ratios are comparable
+ * between machines. Meshes of GLB files get no normals, so reading and loading are the same there.
  */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
@@ -38,7 +38,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 5, time = 2)
 @State(Scope.Benchmark)
 public class LoadingBenchmark {
-    /** Raster of the pictures that are compared. */
+    /** Raster size of the images that are compared. */
     private static final int SIDE = 128;
 
     private static final LoadOptions READING = new LoadOptions(new LoadLimits(), null, false);
@@ -47,14 +47,14 @@ public class LoadingBenchmark {
     @Param({"obj", "stl", "ply", "glb"})
     public String format;
 
-    /** Squares along the mesh's side; it has twice their square of triangles. */
+    /** Number of squares along the mesh's side; the mesh has twice the square of this number of triangles. */
     @Param({"224"})
     public int squares;
 
     private Path file;
     private PlainLoops loops;
 
-    /** Writes the file, and refuses to measure a reader whose mesh does not look like what was written. */
+    /** Writes the file, and fails if a reader returns a mesh that renders differently from the written mesh. */
     @Setup
     public void setUp() throws IOException {
         file = Files.createTempFile("lazyz-", "." + format);
@@ -73,19 +73,19 @@ public class LoadingBenchmark {
         Files.delete(file);
     }
 
-    /** Reads the file, and makes smooth normals. */
+    /** Reads the file, and computes smooth normals. */
     @Benchmark
     public LoadedScene load() {
         return Scenes.load(file);
     }
 
-    /** Reads the file into a mesh without normals: parses, checks, and finds the corners of STL that are one vertex. */
+    /** Reads the file into a mesh without normals: parses, checks, and merges equal corners of STL. */
     @Benchmark
     public LoadedScene read() {
         return Scenes.load(file, READING);
     }
 
-    /** Reads the file into a mesh without normals, checks nothing, and leaves the corners of STL as they are. */
+    /** Reads the file into a mesh without normals; checks nothing, and does not merge corners of STL. */
     @Benchmark
     public Mesh plainLoop() throws IOException {
         return loops.read(file);

@@ -7,7 +7,7 @@ import dev.lazyz.Renderer;
 import dev.lazyz.strategies.Renderers;
 import org.openjdk.jmh.infra.Blackhole;
 
-/** What keeps a benchmark from measuring a wrong picture: pixel hashes (contract rule 7.2). */
+/** Prevents a benchmark from measuring a wrong image: compares pixel hashes (contract rule 7.2). */
 final class PictureCheck {
     private PictureCheck() {}
 
@@ -28,7 +28,7 @@ final class PictureCheck {
     }
 
     /**
-     * Checks a renderer's picture against the plain z-buffer's.
+     * Checks a renderer's image against the plain z-buffer's.
      *
      * @throws IllegalStateException if they differ
      */
@@ -39,7 +39,7 @@ final class PictureCheck {
     /**
      * Checks a hash.
      *
-     * @throws IllegalStateException if it is not the expected one
+     * @throws IllegalStateException if it differs from the expected hash
      */
     static void verify(String actual, String expected, String what) {
         if (!actual.equals(expected)) {
@@ -47,7 +47,10 @@ final class PictureCheck {
         }
     }
 
-    /** Renders into a sink that throws the rows away, but not before they have been made. */
+    /**
+     * Renders into a sink that consumes and discards the rows, so that the JVM cannot optimise their computation
+     * away.
+     */
     static Counters render(Frame frame, Renderer renderer, Blackhole hole) {
         return renderer.render(frame, (y, argb, depth, primitive) -> {
             hole.consume(argb);

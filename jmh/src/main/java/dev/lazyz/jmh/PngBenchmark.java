@@ -24,7 +24,7 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** What it costs to write a finished picture to a PNG file, beside what Java's own writer takes for the same pixels. */
+/** The time to write an image to a PNG file, compared with Java's own writer for the same pixels. */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
 @Fork(1)
@@ -36,7 +36,7 @@ public class PngBenchmark {
     @Param({"teapot", "city", "S1"})
     public String scene;
 
-    /** Width and height of the picture, samples. */
+    /** Width and height of the image, samples. */
     @Param({"1024"})
     public int side;
 
@@ -44,7 +44,7 @@ public class PngBenchmark {
     private BufferedImage picture;
     private Path file;
 
-    /** Renders the picture, and refuses to measure a writer whose file holds another one. */
+    /** Renders the image, and fails if the written file contains different pixels. */
     @Setup
     public void setUp() throws IOException {
         image = PictureCheck.renderer("zbuffer").render(Workloads.scene(scene).frame(side, side));
@@ -73,7 +73,7 @@ public class PngBenchmark {
         return file;
     }
 
-    /** As few channels as the project's writer needs. */
+    /** Returns an image without an alpha channel, as the project's writer writes it. */
     private static BufferedImage opaque(Image image) {
         BufferedImage picture = new BufferedImage(image.getWidth(), image.getHeight(), BufferedImage.TYPE_3BYTE_BGR);
         picture.createGraphics().drawImage(BufferedImages.toBufferedImage(image), 0, 0, null);

@@ -16,7 +16,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** What set-up costs: from a scene in memory to a frame, vertices transformed and primitives ready. */
+/** The time of set-up: from a scene in memory to a frame with transformed vertices and prepared primitives. */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
 @Fork(1)
@@ -34,7 +34,7 @@ public class SetUpBenchmark {
 
     private Scene world;
 
-    /** Makes the scene, and refuses to measure a set-up that gives another picture the second time. */
+    /** Creates the scene, and fails if a second set-up gives a different image. */
     @Setup
     public void setUp() {
         world = Workloads.scene(scene);
@@ -43,7 +43,7 @@ public class SetUpBenchmark {
         PictureCheck.verify(second, first, "set-up of " + scene);
     }
 
-    /** Sets a frame up. */
+    /** Sets up a frame. */
     @Benchmark
     public Frame frame() {
         return world.frame(side, side);

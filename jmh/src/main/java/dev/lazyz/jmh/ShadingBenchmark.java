@@ -23,10 +23,11 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * What one shading call costs, by the way it is reached: the calibration of {@code Coherence.ADAPTIVE}.
+ * The time of one shading call for each way to reach a sample. Used to calibrate {@code Coherence.ADAPTIVE}.
  *
- * <p>Times are for a visible sample. A step costs the difference between {@code stepped} with two gaps, divided by the
- * difference of the gaps; a start costs {@code restarted} less {@code stepped} with a gap of 1, plus a step.
+ * <p>Times are per visible sample. The time of a step is the difference between {@code stepped} with two gaps,
+ * divided by the difference of the gaps. The time of a start is {@code restarted} minus {@code stepped} with a gap of
+ * 1, plus a step.
  */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
@@ -40,18 +41,18 @@ public class ShadingBenchmark {
     private static final int FIRST = 16;
     private static final int ROW = SIDE / 2;
 
-    /** Where light is evaluated. */
+    /** The shading mode, which determines where light is evaluated. */
     @Param({"GOURAUD", "PHONG"})
     public Shading shading;
 
-    /** From one visible sample to the next, columns. */
+    /** Distance between visible samples, columns. */
     @Param({"1", "4", "16", "64"})
     public int gap;
 
     private final Fragment fragment = new Fragment();
     private Primitive primitive;
 
-    /** Sets up a triangle that covers the raster, and refuses to measure cursors that give other colours. */
+    /** Sets up a triangle that covers the raster, and fails if a cursor gives other colours than the primitive. */
     @Setup
     public void setUp() {
         float[] positions = {-9f, -9f, 0f, 9f, -9f, 1f, 0f, 9f, -1f};
@@ -70,7 +71,7 @@ public class ShadingBenchmark {
         }
     }
 
-    /** Evaluates every sample by itself. */
+    /** Evaluates every sample independently. */
     @Benchmark
     @OperationsPerInvocation(SAMPLES)
     public float direct() {
@@ -83,7 +84,7 @@ public class ShadingBenchmark {
         return sum;
     }
 
-    /** Reaches every sample by steps from the one before. */
+    /** Reaches every sample by steps from the previous one. */
     @Benchmark
     @OperationsPerInvocation(SAMPLES)
     public float stepped() {
@@ -100,7 +101,7 @@ public class ShadingBenchmark {
         return sum;
     }
 
-    /** Makes a new cursor for every sample. */
+    /** Creates a new cursor for every sample. */
     @Benchmark
     @OperationsPerInvocation(SAMPLES)
     public float restarted() {

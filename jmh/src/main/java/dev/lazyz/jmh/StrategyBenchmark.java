@@ -23,11 +23,11 @@ import org.openjdk.jmh.infra.BenchmarkParams;
 import org.openjdk.jmh.infra.Blackhole;
 
 /**
- * What a strategy costs on a scene: time, shading calls, depth evaluations, fragments a second; allocation with
- * {@code -prof gc} ({@code gc.alloc.rate.norm}).
+ * The cost of a strategy on a scene: time, shading calls, depth evaluations, fragments per second; with
+ * {@code -prof gc} also allocation ({@code gc.alloc.rate.norm}).
  *
- * <p>Rows are thrown away. Not every strategy is made for every scene, and all on all take more than an hour: choose
- * with {@code -p}.
+ * <p>Rows are discarded. Not every strategy is designed for every scene, and all combinations take more than an hour:
+ * choose with {@code -p}.
  */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
@@ -36,7 +36,7 @@ import org.openjdk.jmh.infra.Blackhole;
 @Measurement(iterations = 5, time = 2)
 @State(Scope.Benchmark)
 public class StrategyBenchmark {
-    /** Lets a fork find the Vector API, which the fastest kernels use when they can. */
+    /** Gives a fork access to the Vector API, which the fastest kernels use if it is available. */
     static final String VECTOR_API = "--add-modules=jdk.incubator.vector";
 
     /** A renderer's id. */
@@ -56,8 +56,8 @@ public class StrategyBenchmark {
     private Frame frame;
 
     /**
-     * What one rendering counts, and fragments by time; reported beside its time. Events are added up over all iterations
-     * of all forks, so each reports its share: the sum is the mean.
+     * The counters of one rendering, and fragments per second, reported in addition to the time. JMH adds events over
+     * all iterations of all forks, so each iteration reports its share, and the sum is the mean.
      */
     @State(Scope.Thread)
     @AuxCounters(AuxCounters.Type.EVENTS)
@@ -85,7 +85,7 @@ public class StrategyBenchmark {
             return share * last.depthEvaluations;
         }
 
-        /** Covered samples of all primitives, decided in a second. */
+        /** Covered samples of all primitives, per second. */
         public double fragmentsPerSecond() {
             return share * fragments * 1e9 / (System.nanoTime() - start);
         }
@@ -96,7 +96,7 @@ public class StrategyBenchmark {
         }
     }
 
-    /** Makes the scene, and refuses to measure a renderer whose picture is not the z-buffer's. */
+    /** Creates the scene, and fails if the renderer's image differs from the z-buffer's. */
     @Setup(Level.Trial)
     public void setUp() {
         renderer = PictureCheck.renderer(strategy);
@@ -105,13 +105,13 @@ public class StrategyBenchmark {
         PictureCheck.verify(frame, renderer);
     }
 
-    /** Renders a frame that has been set up. */
+    /** Renders a frame that is already set up. */
     @Benchmark
     public void render(Work work, Blackhole hole) {
         work.add(PictureCheck.render(frame, renderer, hole));
     }
 
-    /** Sets a frame up and renders it: from the scene to the picture. */
+    /** Sets up a frame and renders it: from the scene to the image. */
     @Benchmark
     public void picture(Work work, Blackhole hole) {
         work.add(PictureCheck.render(world.frame(side, side), renderer, hole));

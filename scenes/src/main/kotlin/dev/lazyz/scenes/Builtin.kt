@@ -3,13 +3,13 @@ package dev.lazyz.scenes
 import dev.lazyz.world.Scene
 
 /**
- * A scene that comes with the library, to try things out on without a file; see [Scenes.builtins].
+ * A built-in scene, for trying out the library without a file; see [Scenes.builtins].
  *
  * Immutable and thread safe.
  *
- * @property id name on command lines and in scene files, lower case
- * @property summary what it shows, in one line
- * @property size the picture that it was composed for; any other works too
+ * @property id lower-case name, used on command lines and in scene files
+ * @property summary what the scene shows, in one line
+ * @property size the image size that the scene was composed for; any other size works too
  */
 public class Builtin internal constructor(
     public val id: String,
@@ -17,7 +17,7 @@ public class Builtin internal constructor(
     public val size: ImageSize,
     private val make: () -> Scene,
 ) {
-    /** Makes the scene: surfaces, lights, camera and background. Cost: that of making its surfaces, at each call. */
+    /** Creates the scene: surfaces, lights, camera and background. Cost: each call creates all surfaces again. */
     public fun scene(): Scene = make()
 
     override fun toString(): String = "Builtin($id: $summary)"

@@ -6,10 +6,10 @@ import dev.lazyz.Raster
 import dev.lazyz.Rgba
 
 /**
- * What a [Raster] says about depth; usually that the nearest is seen. Immutable and thread safe.
+ * The depth rules of a [Raster]. By default the nearest fragment is visible. Immutable and thread safe.
  *
- * @property convention which way depth grows
- * @property test which of two fragments of a sample is visible
+ * @property convention whether smaller or greater depths are nearer
+ * @property test decides which of two fragments of a sample is visible
  * @property background depth of the background, 0..2^31-1; by default behind everything
  * @throws IllegalArgumentException if [background] is negative
  */
@@ -22,7 +22,7 @@ public class DepthRules @JvmOverloads constructor(
         require(background >= 0) { "depth of the background must be in 0..${Int.MAX_VALUE}: $background" }
     }
 
-    /** Returns a raster with these rules; throws as its constructor does. */
+    /** Returns a raster with these rules. Throws like the constructor of [Raster]. */
     public fun raster(width: Int, height: Int, color: Rgba): Raster =
         Raster(width, height, color, convention, test, background)
 

@@ -4,29 +4,29 @@ import java.time.Duration
 
 /** Which files a model or a scene file may refer to. */
 public enum class ReferencePolicy {
-    /** Files within the model's own folder and the folders in it, symbolic links resolved; others count as missing. */
+    /** Files in the model's own folder and its subfolders, symbolic links resolved; other files count as missing. */
     WITHIN_FOLDER,
 
-    /** Files anywhere that this process may read. Only for models from a source that one trusts. */
+    /** All files that this process can read. Only for models from a trusted source. */
     ANYWHERE,
 }
 
 /**
- * How much a model may ask for, so that a small file cannot fill the memory of a server.
+ * Limits on what a model can request, so that a small file cannot fill the memory of a server.
  *
- * Each limit is for all that one call of [Scenes.load] reads: a scene file together with its meshes and textures. What
- * exceeds a limit is refused before memory is allocated for it, by a [SceneFormatException] that names the limit. The
- * defaults suit files from strangers; what is wrong with a larger model is that it is larger. Immutable.
+ * Each limit applies to everything that one call of [Scenes.load] reads: a scene file together with its meshes and
+ * textures. A file that exceeds a limit is refused before the memory is allocated, with a [SceneFormatException] that
+ * names the limit. The defaults suit files from untrusted sources; raise them for larger models. Immutable.
  *
- * @property decodedBytes most bytes of decoded data in all, with what decoding takes: 12 for a triangle, 32 for a vertex,
- *   12 for a texel. By default what [defaultDecodedBytes] says
- * @property triangles most triangles in all; a segment of a line counts as one
- * @property vertices most vertices in all, points among them
- * @property texels most pixels of textures in all
- * @property nesting most lists and objects within each other in a scene file, glTF or 3MF
- * @property time most time for reading; looked at between steps of the work, so that a call may take a little longer. Null,
- *   the default, is no limit
- * @property references which files a model may refer to
+ * @property decodedBytes maximum total bytes of decoded data, including the memory that decoding takes: 12 for a
+ *   triangle, 32 for a vertex, 12 for a texel. By default the result of [defaultDecodedBytes]
+ * @property triangles maximum total number of triangles; a line segment counts as one
+ * @property vertices maximum total number of vertices, including points
+ * @property texels maximum total number of texture pixels
+ * @property nesting maximum depth of nested lists and objects in a scene file, glTF or 3MF, 1..1000
+ * @property time maximum time for reading. It is checked between steps of the work, so a call can take slightly
+ *   longer. Null, the default, means no limit
+ * @property references which files a model can refer to
  * @throws IllegalArgumentException if a limit is negative, or [nesting] is not in 1..1000
  */
 public class LoadLimits @JvmOverloads constructor(
@@ -47,25 +47,25 @@ public class LoadLimits @JvmOverloads constructor(
         require(time == null || !time.isNegative) { "time must not be negative: $time" }
     }
 
-    /** Returns these limits with another one for bytes of decoded data, or with the default. */
+    /** Returns these limits with another limit for bytes of decoded data, or with the default if null. */
     public fun withDecodedBytes(decodedBytes: Long?): LoadLimits = copy(decodedBytes = decodedBytes)
 
-    /** Returns these limits with another one for triangles. */
+    /** Returns these limits with another limit for triangles. */
     public fun withTriangles(triangles: Long): LoadLimits = copy(triangles = triangles)
 
-    /** Returns these limits with another one for vertices. */
+    /** Returns these limits with another limit for vertices. */
     public fun withVertices(vertices: Long): LoadLimits = copy(vertices = vertices)
 
-    /** Returns these limits with another one for pixels of textures. */
+    /** Returns these limits with another limit for texture pixels. */
     public fun withTexels(texels: Long): LoadLimits = copy(texels = texels)
 
-    /** Returns these limits with another one for nested lists and objects, 1..1000. */
+    /** Returns these limits with another limit for nested lists and objects, 1..1000. */
     public fun withNesting(nesting: Int): LoadLimits = copy(nesting = nesting)
 
-    /** Returns these limits with another one for time, or without one. */
+    /** Returns these limits with another limit for time, or without one if null. */
     public fun withTime(time: Duration?): LoadLimits = copy(time = time)
 
-    /** Returns these limits with another rule for files that a model refers to. */
+    /** Returns these limits with another rule for the files that a model refers to. */
     public fun withReferences(references: ReferencePolicy): LoadLimits = copy(references = references)
 
     private fun copy(
@@ -91,8 +91,8 @@ public class LoadLimits @JvmOverloads constructor(
         private const val BYTES_PER_BYTE = 512L
 
         /**
-         * The limit of decoded data where none is set: 128 MiB and 512 bytes for each byte that is read, but no more than
-         * half of the memory that Java may use. Honest files need some 2 to 50 bytes for a byte.
+         * The default limit of decoded data: 128 MiB plus 512 bytes for each byte that is read, but at most half of
+         * the maximum Java heap size. Normal files need about 2 to 50 bytes for each byte.
          */
         @JvmStatic
         public fun defaultDecodedBytes(bytesRead: Long): Long =

@@ -1,14 +1,14 @@
 package dev.lazyz.scenes
 
 /**
- * How a scene is to be read. Immutable.
+ * Options for reading a scene. Immutable.
  *
- * @property limits how much the file may ask for
- * @property animationTime the moment of the file's first animation that is to be seen, in seconds from its start; before its
- *   first keyframe that one counts, after the last the last one. Null, the default, shows the model at rest, without its
- *   animations. Only glTF files have animations
- * @property smoothNormals whether meshes without normals in the file get smooth ones, up to the creases of the file's format.
- *   Without them each triangle has its own, and reading takes less time and memory
+ * @property limits limits on what the file can request
+ * @property animationTime the time in the file's first animation at which to show the model, in seconds from the
+ *   start of the animation. A time before the first keyframe shows the first keyframe, a time after the last shows
+ *   the last. Null, the default, shows the model at rest, without its animations. Only glTF files have animations
+ * @property smoothNormals whether meshes without normals in the file get smooth normals, except at the creases that
+ *   the file's format defines. If false, each triangle has its own normal, and reading takes less time and memory
  * @throws IllegalArgumentException if [animationTime] is negative, infinite, or not a number
  */
 public class LoadOptions @JvmOverloads constructor(

@@ -4,12 +4,12 @@ import dev.lazyz.Raster
 import dev.lazyz.world.Scene
 
 /**
- * A scene that was read, and what the reader had to pass over.
+ * A scene that was read, and warnings about what the reader ignored.
  *
- * @property scene what the file holds, with its own camera and lights where it has them
- * @property warnings one sentence each, in the order of the file: a texture that is missing, a face that was left out
- * @property size how large the file wants its picture, or null if it does not say; only scene files do
- * @property depth how depths are to be compared; only scene files say other than usual
+ * @property scene the contents of the file, with the file's camera and lights if it has them
+ * @property warnings one sentence each, in the order of the file: for example a missing texture or a skipped face
+ * @property size the image size that the file requests, or null if it requests none; only scene files can
+ * @property depth the depth rules; only scene files can differ from the default
  */
 public class LoadedScene @JvmOverloads constructor(
     public val scene: Scene,
@@ -18,8 +18,8 @@ public class LoadedScene @JvmOverloads constructor(
     public val depth: DepthRules = DepthRules(),
 ) {
     /**
-     * Returns the raster to set the scene up for, `scene.frame(raster(...))`: its background, and the file's rules of
-     * depth.
+     * Returns the raster for setting up the scene, `scene.frame(raster(...))`, with the scene's background and the
+     * file's depth rules.
      *
      * @throws IllegalArgumentException if a side is out of range
      */
@@ -29,7 +29,7 @@ public class LoadedScene @JvmOverloads constructor(
 }
 
 /**
- * Columns and rows of a picture. Immutable.
+ * The width and height of an image. Immutable.
  *
  * @property width number of columns, 1..[Raster.MAX_SIDE]
  * @property height number of rows, 1..[Raster.MAX_SIDE]

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes
 
 /**
- * Returns [text] as it may be shown on a terminal: control characters, and those that change the direction of writing,
- * become `?`, and words are cut after [LONGEST_WORD] characters.
+ * Returns [text] in a form that is safe to print on a terminal: control characters, and characters that change the
+ * direction of writing, become `?`, and words are cut after [LONGEST_WORD] characters.
  */
 internal fun printable(text: String): String {
     val shown = StringBuilder(text.length)
@@ -19,7 +19,7 @@ internal fun printable(text: String): String {
     return shown.toString()
 }
 
-/** Longer than any name of a file that systems allow, in characters. */
+/** In characters. Longer than any file name that operating systems allow. */
 private const val LONGEST_WORD = 400
 
 private fun isHarmless(character: Char): Boolean = when (character.category) {

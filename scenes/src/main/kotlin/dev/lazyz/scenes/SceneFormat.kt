@@ -1,16 +1,16 @@
 package dev.lazyz.scenes
 
 /**
- * The kinds of file that a scene can be read from.
+ * The file formats that a scene can be read from.
  *
- * @property id name on command lines, lower case
- * @property extensions endings of file names, lower case, without a dot
+ * @property id lower-case name, used on command lines
+ * @property extensions file name extensions, lower case, without a dot
  */
 public enum class SceneFormat(public val id: String, public val extensions: List<String>) {
     /** Wavefront OBJ, with its MTL material libraries. */
     OBJ("obj", listOf("obj")),
 
-    /** Stereolithography, ASCII or binary; which one is told from the content. */
+    /** Stereolithography, ASCII or binary; the content decides which. */
     STL("stl", listOf("stl")),
 
     /** Polygon File Format, ASCII or binary of either byte order. */
@@ -28,12 +28,12 @@ public enum class SceneFormat(public val id: String, public val extensions: List
     /** glTF 2.0 in one binary file. */
     GLB("glb", listOf("glb")),
 
-    /** Lazy Z's own scene file, JSON. */
+    /** Lazy Z's scene file format, JSON. */
     SCENE("scene", listOf("json")),
     ;
 
     public companion object {
-        /** Returns the format that a file name's ending stands for, or null. */
+        /** Returns the format that a file name's extension belongs to, or null. */
         @JvmStatic
         public fun ofFileName(name: String): SceneFormat? {
             val extension = name.substringAfterLast('.', "").lowercase()

@@ -1,15 +1,18 @@
 package dev.lazyz.scenes
 
 /**
- * A file that cannot be understood: the one exception that every reader of this module throws for bad input.
+ * Reports a file that cannot be read or understood. Every reader of this module throws only this exception for bad
+ * input.
  *
- * The message is complete and made for the person who has the file: where, what is wrong, what to do. It may be shown on a
- * terminal: it has no control characters, and words of a file's are cut after 400 characters. The properties may have both.
+ * The message is complete and addressed to the user of the file: where the problem is, what is wrong, what to do. It
+ * is safe to print on a terminal: it has no control characters, and words from the file are cut after 400 characters.
+ * The properties are not changed in this way.
  *
  * @property source the file's name as the caller gave it, or a name for a stream
- * @property location place within the file, such as `line 12`, `byte 84` or `meshes[2].material`; null if it is all of it
+ * @property location place within the file, such as `line 12`, `byte 84` or `meshes[2].material`; null if the problem
+ *   concerns the whole file
  * @property problem what is wrong, without a full stop
- * @property remedy what to do about it, or null if there is nothing but to get another file
+ * @property remedy what to do about it, or null if the only remedy is another file
  */
 public class SceneFormatException @JvmOverloads constructor(
     public val source: String,

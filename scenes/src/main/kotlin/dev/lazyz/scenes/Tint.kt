@@ -4,13 +4,14 @@ import dev.lazyz.Fragment
 import dev.lazyz.Shader
 
 /**
- * A test pattern: colour and opacity are hashes of a number, the sample and the fragment's [Fragment.worldZ], so hardly
- * ever the same for two numbers or at two samples.
+ * A test pattern: colour and opacity are a hash of a number, the sample's position and the fragment's
+ * [Fragment.worldZ], so they are almost always different for two numbers or at two samples.
  *
- * A picture in it shows by its colours whether the right primitive was shaded, at the right sample, with the right
- * attributes, and how often alpha was used. No other shader can be written to a scene file. Immutable and thread safe.
+ * The colours of an image show whether the right primitive was shaded, at the right sample, with the right
+ * attributes, and how often alpha was used. This is the only custom shader that can be written to a scene file.
+ * Immutable and thread safe.
  *
- * @property number another one gives other colours
+ * @property number a different number gives different colours
  */
 public class Tint(public val number: Int) : Shader {
     override fun shade(fragment: Fragment) {

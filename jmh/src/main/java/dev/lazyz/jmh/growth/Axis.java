@@ -12,9 +12,9 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.LongStream;
 
-/** What grows while all else stays: one chart each. */
+/** A quantity that grows while all others are constant. Each axis is one chart. */
 enum Axis {
-    /** Random triangles that cover each sample four times, whatever their number. */
+    /** Random triangles that together cover each sample four times, for any number of triangles. */
     TRIANGLES("triangles", 512, 1_000, 10_000, 100_000, 1_000_000, 10_000_000),
 
     /** Samples of the raster; 10,000 triangles, depth complexity 4. */
@@ -32,18 +32,18 @@ enum Axis {
     /** Threads; 100,000 triangles, depth complexity 4. */
     THREADS("threads", 1024, 1, 2, 3, 8),
 
-    /** Built-in scenes by their numbers: nothing grows, and the model was not fitted to them. */
+    /** Built-in scenes by number. Nothing grows, and the model was not fitted to them. */
     SCENES("scene", 512, 0, 1, 2, 3, 4, 5, 6, 7);
 
     private static final double DEPTH_COMPLEXITY = 4;
 
-    /** What grows, in words. */
+    /** Name of the quantity, for tables and charts. */
     final String title;
 
     /** Values in ascending order. */
     final long[] values;
 
-    /** Width and height of the raster, or 0 if it is what grows. */
+    /** Width and height of the raster, or 0 if the raster grows. */
     private final int fixedSide;
 
     Axis(String title, int side, long... values) {
@@ -76,12 +76,12 @@ enum Axis {
         return this == THREADS ? (int) value : 1;
     }
 
-    /** Rounds of shading of a sample; 0 is none but interpolation. */
+    /** Rounds of shading per sample; 0 means only interpolation. */
     int rounds(long value) {
         return this == SHADING ? (int) value : 0;
     }
 
-    /** Makes the scene at a value. */
+    /** Creates the scene for a value. */
     Scene scene(long value) {
         return switch (this) {
             case TRIANGLES -> Growing.confetti((int) value, DEPTH_COMPLEXITY).scene();
@@ -98,7 +98,7 @@ enum Axis {
         return new Material(Rgba.WHITE).withShading(Shading.CONSTANT).withShader(new RoundsShader(rounds));
     }
 
-    /** Returns a value as a table's head shows it. */
+    /** Returns a value's label in the head of a table. */
     String label(long value) {
         if (this == SCENES) {
             return Scenes.getBuiltins().get((int) value).getId();
@@ -106,7 +106,7 @@ enum Axis {
         return fixedSide == 0 ? side(value) + "²" : String.format(Locale.ROOT, "%,d", value);
     }
 
-    /** Returns the first values, at most {@code count}. */
+    /** Returns at most the first {@code count} values. */
     LongStream first(int count) {
         return Arrays.stream(values).limit(count);
     }

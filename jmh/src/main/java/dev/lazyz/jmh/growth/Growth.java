@@ -26,19 +26,21 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Measures how time and memory of every built-in strategy grow with triangles, pixels, depth complexity, shading and threads;
- * then {@link GrowthPage} writes tables, charts and the coefficients of {@link dev.lazyz.strategies.StrategyModel}.
+ * Measures how the time and memory of every built-in strategy grow with triangles, pixels, depth complexity, shading
+ * and threads. Then {@link GrowthPage} writes tables, charts and the coefficients of
+ * {@link dev.lazyz.strategies.StrategyModel}.
  *
- * <p>A frame is {@code scene.frame(raster)} and a rendering into a sink that drops the rows. At each point all strategies'
- * pictures are compared first, which warms them up as well; then they take turns, round by round. Where a first frame
- * takes longer than a quarter of the limit it is the only one. A strategy that is slower than the limit, or that runs out of
- * memory, is not measured at larger points of that axis. What the file of results has of other axes stays.
+ * <p>A frame is {@code scene.frame(raster)} and a rendering into a sink that discards the rows. At each point the
+ * images of all strategies are compared first, which also warms them up; then the strategies are measured in turn,
+ * round by round. If a strategy's first frame takes longer than a quarter of the limit, it is the only frame. A
+ * strategy that is slower than the limit, or that runs out of memory, is not measured at larger points of that axis.
+ * Results of other axes in the results file are kept.
  */
 public final class Growth {
     private static final Set<String> OPTIONS =
             Set.of("axes", "points", "rounds", "limit", "warm-up", "results", "page", "costs");
 
-    /** Shortest time of a strategy's frames in a round, nanoseconds. */
+    /** Minimum total time of a strategy's frames in a round, nanoseconds. */
     private static final long LEAST_TIME = 50_000_000;
 
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
@@ -62,12 +64,12 @@ public final class Growth {
         GrowthResults others = Files.exists(file) ? GrowthResults.read(file).without(axes) : GrowthResults.empty();
         Growth growth = new Growth(
                 others, Integer.parseInt(options.get("rounds", "3")), Double.parseDouble(options.get("limit", "20")));
-        growth.state(String.join(" ", args));
+        growth.recordFacts(String.join(" ", args));
         growth.warmUp(Double.parseDouble(options.get("warm-up", "2")));
         for (String axis : axes) {
             growth.measure(Axis.find(axis), Integer.parseInt(options.get("points", "9")));
 
-            // A long run that is broken off has results, too
+            // If a long run is stopped, the results so far are kept
             growth.results.write(file);
         }
         GrowthPage.main(new String[] {
@@ -75,8 +77,8 @@ public final class Growth {
         });
     }
 
-    /** Notes what must be known to judge the figures. */
-    private void state(String arguments) throws IOException {
+    /** Records the facts that are needed to judge the figures. */
+    private void recordFacts(String arguments) throws IOException {
         Map<String, String> facts = results.facts();
         facts.put("last command", ("Growth " + arguments).trim());
         facts.put("date", LocalDate.now().toString());
@@ -97,7 +99,7 @@ public final class Growth {
         }
     }
 
-    /** Renders something of everything with each strategy, for some seconds. */
+    /** Renders representative scenes with each strategy, for some seconds. */
     private void warmUp(double seconds) {
         List<Scene> scenes = List.of(Axis.TRIANGLES.scene(1_000), Axis.DEPTH.scene(10), Axis.SHADING.scene(3));
         for (Renderer renderer : Renderers.getBuiltIn()) {
@@ -111,12 +113,15 @@ public final class Growth {
     }
 
     private void measure(Axis axis, int points) {
-        Map<String, String> given = new HashMap<>();
-        axis.first(points).forEach(value -> measure(axis, value, given));
+        Map<String, String> skipped = new HashMap<>();
+        axis.first(points).forEach(value -> measure(axis, value, skipped));
     }
 
-    /** Measures all strategies at a point; {@code given} says why some are not, and takes up those that fail. */
-    private void measure(Axis axis, long value, Map<String, String> given) {
+    /**
+     * Measures all strategies at a point. {@code skipped} maps skipped strategies to the reason; strategies that fail
+     * are added.
+     */
+    private void measure(Axis axis, long value, Map<String, String> skipped) {
         Scene scene = axis.scene(value);
         int side = axis.side(value);
         Raster raster = new Raster(side, side, Rgba.TRANSPARENT);
@@ -132,35 +137,35 @@ public final class Growth {
                         numbers.getPrimitiveRows(),
                         numbers.getFragments()));
         long[] expected = new long[1];
-        List<Renderer> often = new ArrayList<>();
+        List<Renderer> repeated = new ArrayList<>();
         for (Renderer builtIn : Renderers.getBuiltIn()) {
             String id = builtIn.getId();
             if (axis == Axis.THREADS && !builtIn.getCapabilities().contains(Capability.PARALLEL)) {
                 continue;
             }
-            if (given.containsKey(id)) {
-                results.missing().add(new GrowthResults.Missing(axis.id(), value, id, given.get(id)));
+            if (skipped.containsKey(id)) {
+                results.missing().add(new GrowthResults.Missing(axis.id(), value, id, skipped.get(id)));
                 continue;
             }
             Renderer renderer = with(builtIn, axis.threads(value));
             try {
                 GrowthResults.Cost first = first(axis, value, renderer, scene, raster, expected);
                 if (first.millis() > 1e3 * limit && axis != Axis.SCENES) {
-                    given.put(id, GrowthResults.SLOW);
+                    skipped.put(id, GrowthResults.SLOW);
                 }
                 if (first.millis() > 250 * limit) {
                     add(first);
                 } else {
-                    often.add(renderer);
+                    repeated.add(renderer);
                 }
             } catch (OutOfMemoryError full) {
-                given.put(id, GrowthResults.MEMORY);
+                skipped.put(id, GrowthResults.MEMORY);
                 results.missing().add(new GrowthResults.Missing(axis.id(), value, id, GrowthResults.MEMORY));
                 System.out.printf("%-16s %,12d  %-12s does not fit%n", axis.title, value, id);
             }
         }
         for (int round = 1; round <= rounds; round++) {
-            for (Renderer renderer : often) {
+            for (Renderer renderer : repeated) {
                 add(axis, value, renderer, round, scene, raster);
             }
         }
@@ -170,7 +175,7 @@ public final class Growth {
         return renderer.configured(new RenderOptions(Coherence.DIRECT, null, threads));
     }
 
-    /** Renders a first frame, and compares its picture with the first strategy's. */
+    /** Renders a first frame, and compares its image with the first strategy's. */
     private static GrowthResults.Cost first(
             Axis axis, long value, Renderer renderer, Scene scene, Raster raster, long[] expected) {
         long[] hash = {1};

@@ -9,12 +9,12 @@ import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.Styler;
 
-/** Draws the curves of each axis and quantity, both axes logarithmic. */
+/** Draws the curves of each axis and quantity on logarithmic axes. */
 final class GrowthCharts {
     private static final int WIDTH = 1000;
     private static final int HEIGHT = 620;
 
-    /** Ten colours that are easy to tell apart. */
+    /** Ten easily distinguishable colours. */
     private static final Color[] COLORS = {
         new Color(0x1F77B4), new Color(0xFF7F0E), new Color(0x2CA02C), new Color(0xD62728), new Color(0x9467BD),
         new Color(0x8C564B), new Color(0xE377C2), new Color(0x7F7F7F), new Color(0xBCBD22), new Color(0x17BECF),
@@ -75,7 +75,7 @@ final class GrowthCharts {
             }
         }
 
-        // Less than a decade would leave an axis with one number, or none
+        // A range of less than a decade would leave the axis with at most one number
         if (greatest < 10 * least) {
             chart.getStyler().setYAxisMin(Math.pow(10, Math.floor(Math.log10(least))));
             chart.getStyler().setYAxisMax(Math.pow(10, Math.ceil(Math.log10(greatest))));

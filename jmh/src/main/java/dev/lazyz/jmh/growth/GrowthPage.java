@@ -12,20 +12,20 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 
 /**
- * Writes the tables of {@code docs/growth.md}, the charts beside it, and the coefficients of {@link dev.lazyz.strategies.StrategyModel}, from the
- * results of {@link Growth}.
+ * Writes the tables of {@code docs/growth.md}, its charts, and the coefficients of
+ * {@link dev.lazyz.strategies.StrategyModel}, from the results of {@link Growth}.
  */
 public final class GrowthPage {
-    /** Where the model's coefficients are, from the project's folder. */
+    /** Path of the file with the model's coefficients, relative to the project's folder. */
     static final String COSTS = "core/src/main/kotlin/dev/lazyz/strategies/StrategyCosts.kt";
 
-    /** How much slower than the fastest the model's choice may be to count as good. */
+    /** The model's choice counts as good if its time is at most this factor times the time of the fastest strategy. */
     static final double TOLERANCE = 1.5;
 
-    /** Times that differ by less than this factor are taken for the same. */
+    /** Times that differ by less than this factor are considered equal. */
     private static final double SAME = 1.2;
 
-    /** Strategies between which one may hesitate. */
+    /** Pairs of strategies whose times are compared along each axis. */
     private static final List<List<String>> PAIRS = List.of(
             List.of("zbuffer", "hybrid"),
             List.of("zbuffer", "lazy"),
@@ -44,7 +44,10 @@ public final class GrowthPage {
         this.fit = new ModelFit(results);
     }
 
-    /** Three arguments: the page, the file of results, beside which charts go, and the file of coefficients. */
+    /**
+     * Three arguments: the page, the results file, whose folder also receives the charts, and the file of
+     * coefficients.
+     */
     public static void main(String[] args) throws IOException {
         if (args.length != 3) {
             throw new IllegalArgumentException("give the page, the file of results, and the file of coefficients");
@@ -58,7 +61,7 @@ public final class GrowthPage {
     }
 
     /**
-     * Returns the page with its tables renewed.
+     * Returns the page with updated tables.
      *
      * @throws IllegalArgumentException if a table has no end or an unknown name
      */
@@ -134,7 +137,7 @@ public final class GrowthPage {
                 : String.format(Locale.ROOT, "%.2f", slope).replace("-0.00", "0.00");
     }
 
-    /** Where along each axis the faster of a pair changes. */
+    /** Returns the table of the values along each axis at which the faster strategy of a pair changes. */
     private String crossings() {
         List<Axis> axes = new ArrayList<>(List.of(Axis.values()));
         axes.removeAll(List.of(Axis.THREADS, Axis.SCENES));
@@ -162,7 +165,7 @@ public final class GrowthPage {
             if (text.length() == 0) {
                 text.append(faster);
             } else if (ratio > 0 != lastRatio > 0) {
-                // Between two points the curves are straight lines on log-log
+                // Interpolate linearly on log-log between two points
                 double part = lastRatio / (lastRatio - ratio);
                 double value =
                         StrictMath.exp(StrictMath.log(lastValue) + part * StrictMath.log(point.value() / lastValue));
@@ -179,7 +182,10 @@ public final class GrowthPage {
         return Math.round(Math.round(value / unit) * unit);
     }
 
-    /** At each point the fastest and what the model would choose: of all, and of those that are left without the winner. */
+    /**
+     * Returns the table with the fastest strategy and the model's choice at each point: among all strategies, and
+     * without tiled.
+     */
     private String choices() {
         List<List<String>> rows = new ArrayList<>();
         for (Axis axis : Axis.values()) {
@@ -187,7 +193,7 @@ public final class GrowthPage {
                 List<String> all = measured(point);
                 List<String> row = new ArrayList<>(List.of(axis.title, axis.label(point.value())));
                 row.addAll(choice(point, all));
-                row.addAll(choice(point, withoutUsual(all)));
+                row.addAll(choice(point, withoutTiled(all)));
                 rows.add(row);
             }
         }
@@ -214,30 +220,30 @@ public final class GrowthPage {
                         String.format(Locale.ROOT, "%.2f", loss(point, strategies)));
     }
 
-    /** Number of points at which the model's choice is good, with or without the usual winner. */
-    long good(boolean isWithoutUsual) {
+    /** Returns the number of points at which the model's choice is good, with or without {@code tiled}. */
+    long good(boolean isWithoutTiled) {
         return results.points().stream()
-                .filter(point -> !candidates(point, isWithoutUsual).isEmpty())
-                .filter(point -> loss(point, candidates(point, isWithoutUsual)) <= TOLERANCE)
+                .filter(point -> !candidates(point, isWithoutTiled).isEmpty())
+                .filter(point -> loss(point, candidates(point, isWithoutTiled)) <= TOLERANCE)
                 .count();
     }
 
-    /** Number of points at which there is something to choose from. */
-    long points(boolean isWithoutUsual) {
+    /** Returns the number of points that have candidates to choose from. */
+    long points(boolean isWithoutTiled) {
         return results.points().stream()
-                .filter(point -> !candidates(point, isWithoutUsual).isEmpty())
+                .filter(point -> !candidates(point, isWithoutTiled).isEmpty())
                 .count();
     }
 
-    private List<String> candidates(GrowthResults.Point point, boolean isWithoutUsual) {
-        return isWithoutUsual ? withoutUsual(measured(point)) : measured(point);
+    private List<String> candidates(GrowthResults.Point point, boolean isWithoutTiled) {
+        return isWithoutTiled ? withoutTiled(measured(point)) : measured(point);
     }
 
-    private static List<String> withoutUsual(List<String> strategies) {
+    private static List<String> withoutTiled(List<String> strategies) {
         return strategies.stream().filter(strategy -> !strategy.equals("tiled")).toList();
     }
 
-    /** Strategies that have a time at a point. */
+    /** Returns the strategies that have a time at a point. */
     private List<String> measured(GrowthResults.Point point) {
         return results.strategies().stream()
                 .filter(strategy -> time(point, strategy) < Double.POSITIVE_INFINITY)
@@ -250,25 +256,25 @@ public final class GrowthPage {
                 .orElseThrow();
     }
 
-    /** What {@link dev.lazyz.strategies.StrategyEstimates#getBest} would be. */
+    /** Returns the strategy that {@link dev.lazyz.strategies.StrategyEstimates#getBest} would return. */
     private String chosen(GrowthResults.Point point, List<String> strategies) {
-        String usual = strategies.get(0);
+        String preferred = strategies.get(0);
         String fastest = strategies.stream()
                 .min(Comparator.comparingDouble(strategy -> estimate(point, strategy)))
                 .orElseThrow();
-        return estimate(point, usual) > StrategyEstimates.MARGIN * estimate(point, fastest) ? fastest : usual;
+        return estimate(point, preferred) > StrategyEstimates.MARGIN * estimate(point, fastest) ? fastest : preferred;
     }
 
     private double estimate(GrowthResults.Point point, String strategy) {
         return fit.milliseconds(strategy, point);
     }
 
-    /** How many times as long as the fastest the model's choice takes. */
+    /** Returns the time of the model's choice divided by the time of the fastest. */
     private double loss(GrowthResults.Point point, List<String> strategies) {
         return time(point, chosen(point, strategies)) / time(point, fastest(point, strategies));
     }
 
-    /** How far the model is from what it was fitted to: estimate / measured. */
+    /** Returns the table of the model's accuracy at the points to which it was fitted: estimate / measured. */
     private String accuracy() {
         List<List<String>> rows = new ArrayList<>();
         for (String strategy : results.strategies()) {
@@ -289,7 +295,7 @@ public final class GrowthPage {
                 rows);
     }
 
-    /** Returns the time of a strategy at a point, or more than any if it has none. */
+    /** Returns the time of a strategy at a point, or infinity if it has none. */
     private double time(GrowthResults.Point point, String strategy) {
         return results.median(point, strategy, Quantity.TIME.of).orElse(Double.POSITIVE_INFINITY);
     }

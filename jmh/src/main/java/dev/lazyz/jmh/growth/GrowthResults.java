@@ -20,29 +20,29 @@ import java.util.stream.Collectors;
 import kotlinx.serialization.json.JsonObject;
 
 /**
- * Everything that {@link Growth} measured, as it is kept in a JSON file.
+ * All measurements of {@link Growth}, stored in a JSON file.
  *
  * @param facts machine, versions, settings, command
- * @param points what was rendered
- * @param costs what it took
- * @param missing what was not measured, and why
+ * @param points the frames that were rendered
+ * @param costs the time and memory of each strategy and round
+ * @param missing strategies that were not measured, with the reason
  */
 record GrowthResults(Map<String, String> facts, List<Point> points, List<Cost> costs, List<Missing> missing) {
-    /** Why a strategy was not measured: it took too long at this point or at a smaller one. */
+    /** Reason for a missing measurement: the strategy took too long at this point or at a smaller one. */
     static final String SLOW = "slow";
 
-    /** Why a strategy was not measured: it does not fit into the heap, here or at a smaller point. */
+    /** Reason for a missing measurement: the strategy does not fit into the heap, at this point or at a smaller one. */
     static final String MEMORY = "memory";
 
     /**
      * A frame that was rendered.
      *
-     * @param axis what grows
-     * @param value how far it has grown
+     * @param axis id of the axis, the quantity that grows
+     * @param value value on the axis
      * @param side width and height of the raster, samples
-     * @param threads of the renderers
-     * @param rounds of shading a sample
-     * @param primitives how many
+     * @param threads number of threads of the renderers
+     * @param rounds rounds of shading per sample
+     * @param primitives number of primitives
      * @param primitiveRows see {@link FrameNumbers}
      * @param fragments see {@link FrameNumbers}
      */
@@ -55,23 +55,23 @@ record GrowthResults(Map<String, String> facts, List<Point> points, List<Cost> c
             long primitives,
             double primitiveRows,
             double fragments) {
-        /** What the model knows of the frame. */
+        /** Returns the numbers of the frame that the model uses. */
         FrameNumbers numbers() {
             return new FrameNumbers(side, side, primitives, primitiveRows, fragments, false, Math.max(1, rounds));
         }
     }
 
     /**
-     * One strategy in one round.
+     * The cost of one strategy in one round.
      *
-     * @param axis what grows
-     * @param value how far it has grown
-     * @param strategy its id
-     * @param round from 1; within one, strategies follow each other closely
-     * @param millis wall clock of a frame, set-up included; the median of the round's frames
-     * @param frames how many
-     * @param allocated bytes allocated in a frame by threads that live on, set-up included
-     * @param peak bytes of working memory at its peak, as the renderer tells
+     * @param axis id of the axis, the quantity that grows
+     * @param value value on the axis
+     * @param strategy id of the strategy
+     * @param round number of the round, from 1; within a round, strategies are measured directly one after the other
+     * @param millis wall-clock time of a frame, including set-up; the median of the round's frames
+     * @param frames number of frames
+     * @param allocated bytes allocated in a frame by threads that still exist afterwards, including set-up
+     * @param peak peak working memory in bytes, as reported by the renderer
      */
     record Cost(
             String axis,
@@ -94,7 +94,7 @@ record GrowthResults(Map<String, String> facts, List<Point> points, List<Cost> c
         return new GrowthResults(new TreeMap<>(), new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
     }
 
-    /** Returns these results but for some axes. */
+    /** Returns these results without the given axes. */
     GrowthResults without(List<String> axes) {
         return new GrowthResults(
                 new TreeMap<>(facts),
@@ -126,12 +126,12 @@ record GrowthResults(Map<String, String> facts, List<Point> points, List<Cost> c
         Files.writeString(file, JsonRecords.write(facts, lists));
     }
 
-    /** Points of an axis, in ascending order. */
+    /** Returns the points of an axis, in ascending order. */
     List<Point> points(Axis axis) {
         return points.stream().filter(point -> point.axis().equals(axis.id())).toList();
     }
 
-    /** Strategies that were measured somewhere on an axis, in the order in which they are listed. */
+    /** Returns the strategies that were measured somewhere on an axis, in the order of the built-in list. */
     List<String> strategies(Axis axis) {
         return strategies().stream()
                 .filter(strategy -> costs.stream()
@@ -140,7 +140,7 @@ record GrowthResults(Map<String, String> facts, List<Point> points, List<Cost> c
                 .toList();
     }
 
-    /** All strategies that were measured, in the order in which they are listed. */
+    /** Returns all strategies that were measured, in the order of the built-in list. */
     List<String> strategies() {
         Set<String> measured = costs.stream().map(Cost::strategy).collect(Collectors.toSet());
         return Renderers.getBuiltIn().stream()
@@ -149,7 +149,7 @@ record GrowthResults(Map<String, String> facts, List<Point> points, List<Cost> c
                 .toList();
     }
 
-    /** Median of the rounds of a strategy at a point. */
+    /** Returns the median of the rounds of a strategy at a point. */
     OptionalDouble median(Point point, String strategy, ToDoubleFunction<Cost> quantity) {
         double[] values = costs.stream()
                 .filter(cost -> cost.axis().equals(point.axis()) && cost.value() == point.value())
@@ -160,7 +160,7 @@ record GrowthResults(Map<String, String> facts, List<Point> points, List<Cost> c
         return values.length == 0 ? OptionalDouble.empty() : OptionalDouble.of(median(values));
     }
 
-    /** Returns the points (value, median) of a strategy's curve along an axis, as far as they are positive. */
+    /** Returns the points (value, median) of a strategy's curve along an axis whose median is positive. */
     List<double[]> curve(Axis axis, String strategy, Quantity quantity) {
         List<double[]> curve = new ArrayList<>();
         for (Point point : points(axis)) {
@@ -172,7 +172,7 @@ record GrowthResults(Map<String, String> facts, List<Point> points, List<Cost> c
         return curve;
     }
 
-    /** Why a strategy has no figures at a point, or null. */
+    /** Returns the reason why a strategy has no figures at a point, or null. */
     String reason(Point point, String strategy) {
         return missing.stream()
                 .filter(gap -> gap.axis().equals(point.axis()) && gap.value() == point.value())
@@ -182,7 +182,7 @@ record GrowthResults(Map<String, String> facts, List<Point> points, List<Cost> c
                 .orElse(null);
     }
 
-    /** Median of values in any order. */
+    /** Returns the median of values in any order. */
     static double median(double[] values) {
         double[] ascending = values.clone();
         Arrays.sort(ascending);

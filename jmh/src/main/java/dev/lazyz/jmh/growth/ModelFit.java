@@ -16,14 +16,14 @@ import java.util.OptionalDouble;
 import java.util.function.Function;
 
 /**
- * Fits {@link StrategyModel} to what was measured: for each strategy the coefficients, none negative, that make the sum of
- * squared relative errors least.
+ * Fits {@link StrategyModel} to the measurements: for each strategy it finds the non-negative coefficients that
+ * minimise the sum of squared relative errors.
  */
 final class ModelFit {
     private static final int SWEEPS = 50_000;
     private static final double NANOS = 1e6;
 
-    /** A term that is nowhere more than this part of the whole is left out. */
+    /** A term is omitted if its share of the total is below this at every point. */
     private static final double NEGLIGIBLE = 1e-3;
 
     private final GrowthResults results;
@@ -33,7 +33,7 @@ final class ModelFit {
         this.results = results;
     }
 
-    /** Whether the model is fitted to a point: one thread, and a scene of which one number varies. */
+    /** Whether the model is fitted to a point: it has one thread, and is not on the axis of built-in scenes. */
     static boolean isFitted(GrowthResults.Point point) {
         return point.threads() == 1 && !point.axis().equals(Axis.SCENES.id());
     }
@@ -45,14 +45,17 @@ final class ModelFit {
                 id -> fit(id, Quantity.TIME, NANOS, numbers -> colored(id, StrategyModel.timeTerms(numbers))));
     }
 
-    /** Clears the term of colours that a strategy does not compute: it has either late or early ones. */
+    /**
+     * Clears the term of the colours that a strategy does not compute: a strategy computes either late or early
+     * colours.
+     */
     private static double[] colored(String strategy, double[] terms) {
         boolean isLate = Renderers.find(strategy).getCapabilities().contains(Capability.SHADES_ONLY_VISIBLE);
         terms[StrategyModel.getTimeTermNames().indexOf(isLate ? "early colours" : "late colours")] = 0;
         return terms;
     }
 
-    /** Returns what the model expects of a strategy at a point, with one thread, milliseconds. */
+    /** Returns the model's estimate for a strategy at a point with one thread, milliseconds. */
     double milliseconds(String strategy, GrowthResults.Point point) {
         double[] terms = StrategyModel.timeTerms(point.numbers());
         double sum = 0;
@@ -67,7 +70,9 @@ final class ModelFit {
         return fit(strategy, Quantity.PEAK, 1, StrategyModel::memoryTerms);
     }
 
-    /** Returns the part of a strategy's time that a second thread does not halve, or nothing if there was none. */
+    /**
+     * Returns the serial share of a strategy's time, computed from one and two threads; empty if it was not measured.
+     */
     OptionalDouble serialShare(String strategy) {
         double[] times = new double[3];
         for (GrowthResults.Point point : results.points(Axis.THREADS)) {
@@ -102,7 +107,7 @@ final class ModelFit {
         return coefficients;
     }
 
-    /** Returns the coefficients, none negative, that bring each row's sum closest to 1: one at a time, again and again. */
+    /** Returns the non-negative coefficients that bring each row's sum closest to 1, by repeated coordinate descent. */
     static double[] leastSquares(List<double[]> rows) {
         int count = rows.get(0).length;
         double[] coefficients = new double[count];

@@ -3,16 +3,16 @@ package dev.lazyz.jmh.growth;
 import java.util.Set;
 
 /**
- * An order of growth as theory has it: n triangles, p pixels, d layers, c rounds, t threads.
+ * A theoretical order of growth: n triangles, p pixels, d layers, c rounds, t threads.
  *
  * @param text the order
- * @param least least slope on log-log at the end of the curve that is in keeping with it
+ * @param least smallest slope on log-log at the end of the curve that is consistent with the order
  * @param greatest greatest such slope
  */
 record Order(String text, double least, double greatest) {
     private static final double SLACK = 0.15;
 
-    /** What holds of strategies that keep a row, or a few of them, at a time. */
+    /** Strategies that keep only one row, or a few rows, in memory at a time. */
     private static final Set<String> ROWS = Set.of("tiled", "lazy", "flow", "lists", "scanline", "warnock");
 
     private static final Order CONSTANT = of("1", 0);
@@ -21,7 +21,7 @@ record Order(String text, double least, double greatest) {
         return new Order(text, slope, slope);
     }
 
-    /** Whether a slope departs from this order. */
+    /** Whether a slope is inconsistent with this order. */
     boolean isDeparture(double slope) {
         return slope < least - SLACK || slope > greatest + SLACK;
     }
@@ -77,7 +77,7 @@ record Order(String text, double least, double greatest) {
     private static Order allocated(Axis axis, String strategy) {
         return switch (axis) {
             case TRIANGLES -> of("n", 1);
-            // Each row of these two is an array of its own
+            // These two allocate a new array for each row
             case PIXELS, SMALL ->
                 Set.of("lazy", "flow").contains(strategy) ? new Order("n + p", 0, 1) : peak(axis, strategy);
             case DEPTH -> new Order("frame and peak: " + peak(axis, strategy).text(), 0, 1);

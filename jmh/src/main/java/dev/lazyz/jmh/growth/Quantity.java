@@ -3,7 +3,7 @@ package dev.lazyz.jmh.growth;
 import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 
-/** What is measured of a rendering: one table and one chart for each axis. */
+/** A measured quantity of a rendering: one table and one chart for each axis. */
 enum Quantity {
     TIME("time of a frame, ms", GrowthResults.Cost::millis),
     ALLOCATED("bytes allocated in a frame", GrowthResults.Cost::allocated),
@@ -22,13 +22,15 @@ enum Quantity {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** Whether there is a table and a chart of it: with several threads, allocation is that of
-     * some only. */
+    /**
+     * Whether it has a table and a chart for an axis. With several threads, the figures for allocation do not cover
+     * all threads.
+     */
     boolean isShown(Axis axis) {
         return this == TIME || axis != Axis.THREADS && axis != Axis.SCENES;
     }
 
-    /** Returns a value with three digits or so. */
+    /** Returns a value with about three digits. */
     String text(double value) {
         if (this == TIME) {
             return String.format(

@@ -4,17 +4,17 @@ import java.util.List;
 
 /** Slopes of curves on logarithmic axes: the exponent of growth. */
 final class Slope {
-    /** Points at the end of a curve. */
+    /** Number of points that count as the end of a curve. */
     private static final int LAST = 3;
 
     private Slope() {}
 
-    /** Returns the slope at the end of a curve, by its last points; NaN if there are fewer than two. */
+    /** Returns the slope of the last points of a curve; NaN if there are fewer than two. */
     static double last(List<double[]> curve) {
         return of(curve.subList(Math.max(0, curve.size() - LAST), curve.size()));
     }
 
-    /** Returns the slope of the straight line that fits (log x, log y) best, by least squares; NaN for a single point. */
+    /** Returns the slope of the least-squares line through (log x, log y); NaN if there are fewer than two points. */
     static double of(List<double[]> curve) {
         double x = 0;
         double y = 0;

@@ -9,25 +9,25 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * What was measured of whole jobs.
+ * Measurements of whole jobs.
  *
  * @param facts machine, versions, command
- * @param jobs a line for each file, round and program
+ * @param jobs one entry for each file, round and program
  */
 record JobResults(Map<String, String> facts, List<Job> jobs) {
     static final String OURS = "Lazy Z";
     static final String VTK = "VTK";
 
     /**
-     * The shortest of the jobs that a program did in a round.
+     * The shortest job of a program in a round.
      *
      * @param file name of the mesh file, without its folder
      * @param program {@link #OURS} or {@link #VTK}
-     * @param round from 1
-     * @param count how many were done
+     * @param round number of the round, from 1
+     * @param count number of jobs in the round
      * @param total milliseconds from file to file
-     * @param load of these: reading the file and making normals
-     * @param picture of these: rendering, and writing the PNG file
+     * @param load part of the total: reading the file and computing normals
+     * @param picture part of the total: rendering, and writing the PNG file
      */
     record Job(String file, String program, int round, int count, double total, double load, double picture) {}
 
@@ -40,7 +40,7 @@ record JobResults(Map<String, String> facts, List<Job> jobs) {
         return GeneratedPage.fill(page, name -> name.equals("jobs") ? tables() : null);
     }
 
-    /** Returns the tables: a row for each file with the median of the rounds, by our time; then facts. */
+    /** Returns the tables: a row for each file with the median of the rounds, by Lazy Z's time; then the facts. */
     String tables() {
         List<List<String>> rows = new ArrayList<>();
         for (String file : jobs.stream().map(Job::file).distinct().toList()) {
@@ -75,7 +75,7 @@ record JobResults(Map<String, String> facts, List<Job> jobs) {
                 .toList();
     }
 
-    /** Returns how many times as fast ours was in each round, in ascending order. */
+    /** Returns the ratios of VTK's time to Lazy Z's in each round, in ascending order. */
     private List<Double> ratios(String file) {
         List<Double> ratios = new ArrayList<>();
         for (Job ours : of(file, OURS)) {

@@ -19,9 +19,10 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Does whole jobs, from a mesh file to a PNG file of 512 x 512 samples, again and again in one process. Each line of standard
- * input asks for some: {@code SECONDS FILE}. A line of standard output answers: how many were done, the shortest in
- * milliseconds, and how long loading and rendering with writing took in it. {@code vtk_job.py} does the same.
+ * Performs whole jobs, from a mesh file to a PNG file of 512 x 512 samples, repeatedly in one process. Each line of
+ * standard input is a request: {@code SECONDS FILE}. The response is a line on standard output: the number of jobs,
+ * the time of the shortest in milliseconds, and its times for loading and for rendering with writing.
+ * {@code vtk_job.py} uses the same protocol.
  */
 public final class JobRun {
     private static final int SIDE = 512;
@@ -71,7 +72,7 @@ public final class JobRun {
                 best[1] / NANOSECONDS);
     }
 
-    /** Does one job, and returns how long its two halves took, nanoseconds. */
+    /** Performs one job, and returns the times of loading and of rendering with writing, nanoseconds. */
     private long[] job(Path file) throws IOException {
         long start = System.nanoTime();
         Scene scene = Scenes.load(file).getScene();

@@ -16,8 +16,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Measures whole jobs, from mesh file to PNG file, of ours and of VTK: in two warm processes that work in turns on the same
- * single processor. {@code peers/whole-job} starts it.
+ * Measures whole jobs, from mesh file to PNG file, of Lazy Z and of VTK, in two warm processes that run alternately
+ * on the same processor. {@code peers/whole-job} starts it.
  */
 public final class Jobs {
     private static final Set<String> OPTIONS =
@@ -65,12 +65,12 @@ public final class Jobs {
         return facts;
     }
 
-    /** A process that does jobs when it is asked to. */
+    /** A process that performs jobs on request. */
     private static final class Worker implements AutoCloseable {
         private final String name;
         private final Process process;
-        private final BufferedWriter questions;
-        private final BufferedReader answers;
+        private final BufferedWriter requests;
+        private final BufferedReader responses;
 
         Worker(String name, String command) throws IOException {
             List<String> words = new ArrayList<>(List.of("taskset", "-c", "0"));
@@ -81,19 +81,19 @@ public final class Jobs {
             builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
             this.name = name;
             process = builder.start();
-            questions = process.outputWriter(StandardCharsets.UTF_8);
-            answers = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
+            requests = process.outputWriter(StandardCharsets.UTF_8);
+            responses = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
         }
 
-        /** Has jobs done for some seconds, and returns the shortest. */
+        /** Lets the process perform jobs for some seconds, and returns the shortest. */
         JobResults.Job job(String file, String seconds, int round) throws IOException {
-            questions.write(seconds + " " + file + "\n");
-            questions.flush();
-            String answer = answers.readLine();
-            if (answer == null) {
+            requests.write(seconds + " " + file + "\n");
+            requests.flush();
+            String response = responses.readLine();
+            if (response == null) {
                 throw new IOException(name + " ended at " + file);
             }
-            String[] words = answer.split(" ");
+            String[] words = response.split(" ");
             return new JobResults.Job(
                     Path.of(file).getFileName().toString(),
                     name,
@@ -106,7 +106,7 @@ public final class Jobs {
 
         @Override
         public void close() throws IOException {
-            questions.close();
+            requests.close();
             process.destroy();
         }
     }

@@ -2,7 +2,7 @@ package dev.lazyz.jmh.kernel;
 
 import java.util.Arrays;
 
-/** Refuses to measure what does not agree. */
+/** Prevents measuring variants that do not give the same result. */
 final class Agreement {
     private Agreement() {}
 

@@ -15,8 +15,9 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * How to find the samples that a triangle covers, and to draw them: one frame of a tile, triangles in random order. Only some
- * variants know the farthest key of a block, and skip it where a triangle lies behind.
+ * Compares ways to find the samples that a triangle covers, and to draw them: one frame of a tile, triangles in
+ * random order. Only the rejecting variants store the farthest key of a block, and skip the block if a triangle lies
+ * behind it.
  */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
@@ -25,10 +26,10 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 5, time = 1)
 @State(Scope.Benchmark)
 public class CoverageBenchmark {
-    /** Samples in all triangles together. */
+    /** Total number of samples of all triangles. */
     private static final int WORK = 1 << 18;
 
-    /** Samples a triangle, on average. */
+    /** Average samples per triangle. */
     @Param({"10", "200", "2000"})
     public int area;
 
@@ -38,7 +39,7 @@ public class CoverageBenchmark {
     private final long[] rest = new long[3];
     private TileTriangles triangles;
 
-    /** Makes the triangles, and refuses to measure variants that differ. */
+    /** Creates the triangles, and fails if variants differ. */
     @Setup
     public void setUp() {
         triangles = new TileTriangles(WORK / area, area, 1);
@@ -53,7 +54,7 @@ public class CoverageBenchmark {
                 Arrays.hashCode(rejecting16()));
     }
 
-    /** Tests every sample of the triangle's box. */
+    /** Tests every sample of the triangle's bounding box. */
     @Benchmark
     public long[] box() {
         Arrays.fill(keys, Long.MAX_VALUE);
@@ -64,7 +65,7 @@ public class CoverageBenchmark {
         return keys;
     }
 
-    /** Walks along the edges, row by row, and fills what lies between them. */
+    /** Follows the edges row by row, and fills the span between them. */
     @Benchmark
     public long[] spans() {
         Arrays.fill(keys, Long.MAX_VALUE);
@@ -101,7 +102,7 @@ public class CoverageBenchmark {
         return keys;
     }
 
-    /** Tests corners of blocks of 4 x 4 samples, and samples only where a block is covered in part. */
+    /** Tests corners of blocks of 4 x 4 samples, and tests samples only in blocks that are partly covered. */
     @Benchmark
     public long[] blocks4() {
         return blocks(4, false);
@@ -119,7 +120,7 @@ public class CoverageBenchmark {
         return blocks(16, false);
     }
 
-    /** Blocks of 4 x 4, those that are hidden rejected. */
+    /** Blocks of 4 x 4, with hidden blocks rejected. */
     @Benchmark
     public long[] rejecting4() {
         return blocks(4, true);
@@ -202,7 +203,7 @@ public class CoverageBenchmark {
         }
     }
 
-    /** Draws the covered samples of a rectangle, each tested. */
+    /** Draws the covered samples of a rectangle, testing each sample. */
     private void part(int i, int fromX, int fromY, int toX, int toY) {
         TileTriangles t = triangles;
         for (int y = fromY; y <= toY; y++) {
@@ -223,7 +224,7 @@ public class CoverageBenchmark {
         }
     }
 
-    /** Draws a span, whose samples are all covered. */
+    /** Draws a span whose samples are all covered. */
     private void span(int i, int y, int left, int right) {
         long step = triangles.zdx[i];
         long depth = triangles.z[i] + step * left + triangles.zdy[i] * y;

@@ -14,7 +14,9 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Whether to sort before drawing, where blocks of 8 x 8 samples reject what lies behind them; sorting is timed too. */
+/**
+ * Whether to sort before drawing if blocks of 8 x 8 samples reject what lies behind them. The time includes sorting.
+ */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 @Fork(1)
@@ -27,7 +29,7 @@ public class DrawingOrderBenchmark {
     private static final int COLUMNS = TileTriangles.SIDE / BLOCK;
     private static final int PLACES = 256;
 
-    /** Fragments a sample. */
+    /** Fragments per sample. */
     @Param({"4", "32", "256"})
     public int depth;
 
@@ -39,7 +41,7 @@ public class DrawingOrderBenchmark {
     private long[] sorted;
     private int[] order;
 
-    /** Makes the triangles, and refuses to measure variants that differ. */
+    /** Creates the triangles, and fails if variants differ. */
     @Setup
     public void setUp() {
         int count = depth * TileTriangles.SIZE / AREA;
@@ -78,7 +80,7 @@ public class DrawingOrderBenchmark {
         return keys;
     }
 
-    /** Draws from near to far by eight bits of the nearest depth: counted, not compared. */
+    /** Draws from near to far by eight bits of the nearest depth, with a counting sort. */
     @Benchmark
     public long[] roughlySorted() {
         clear();
@@ -123,7 +125,7 @@ public class DrawingOrderBenchmark {
         }
     }
 
-    /** Draws a block, and returns the greatest key that is left in it. */
+    /** Draws a block, and returns the greatest remaining key in it. */
     private long draw(int i, int fromX, int fromY) {
         TileTriangles t = triangles;
         long most = Long.MIN_VALUE;

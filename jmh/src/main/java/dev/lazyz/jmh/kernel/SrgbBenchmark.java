@@ -14,7 +14,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** How a linear component becomes an 8-bit sRGB code, exactly: 4096 of them. */
+/** Ways to convert a linear component to an 8-bit sRGB code, exactly. Measures 4096 conversions. */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 @Fork(1)
@@ -24,14 +24,14 @@ import org.openjdk.jmh.annotations.Warmup;
 public class SrgbBenchmark {
     private static final int COUNT = 4096;
 
-    /** Below which the code is 0. */
+    /** Below this value the code is 0. */
     private static final float LEAST = 1f / 8192f;
 
     private static final int LEAST_BITS = Float.floatToRawIntBits(LEAST);
     private static final int BUCKET_SHIFT = 23 - 8;
     private static final int CODE_SHIFT = BUCKET_SHIFT + 1;
 
-    /** What comes: anything, or values of which each is near the one before. */
+    /** The input: random values, or values that are each close to the previous one. */
     @Param({"random", "smooth"})
     public String values;
 
@@ -40,7 +40,7 @@ public class SrgbBenchmark {
     private final int[] buckets = new int[13 << 8];
     private final int[] summands = new int[buckets.length];
 
-    /** Makes values and tables, and refuses to measure variants that differ. */
+    /** Creates values and tables, and fails if variants differ. */
     @Setup
     public void setUp() {
         for (int code = 1; code < 256; code++) {
@@ -76,7 +76,7 @@ public class SrgbBenchmark {
         return hash;
     }
 
-    /** Halves the table of the values at which the code changes, eight times. */
+    /** Binary search, in eight steps, in the table of the values at which the code changes. */
     @Benchmark
     public long search() {
         long hash = 0;
@@ -92,7 +92,7 @@ public class SrgbBenchmark {
         return hash;
     }
 
-    /** Goes through that table from the code before. */
+    /** Linear search in the same table, starting from the previous code. */
     @Benchmark
     public long searchFromTheLast() {
         long hash = 0;
@@ -109,7 +109,7 @@ public class SrgbBenchmark {
         return hash;
     }
 
-    /** Looks the upper bits of the float up, and compares the lower ones once. */
+    /** Looks up the upper bits of the float in a table, and compares the lower bits once. */
     @Benchmark
     public long buckets() {
         long hash = 0;
@@ -119,7 +119,10 @@ public class SrgbBenchmark {
         return hash;
     }
 
-    /** Looks up what to add to the float's bits so that their carry is the comparison: what the library does. */
+    /**
+     * Looks up a number to add to the float's bits, so that the carry is the comparison. The library uses this
+     * variant.
+     */
     @Benchmark
     public long carry() {
         long hash = 0;

@@ -3,10 +3,10 @@ package dev.lazyz.jmh.kernel;
 import java.util.Random;
 
 /**
- * Random triangles within one tile, as forms: what all variants draw.
+ * Random triangles within one tile, as linear forms: the input of all variants.
  *
- * <p>Vertices lie on a grid of 1/16 of a sample's distance. Edge functions are exact and at least 0 inside, with the
- * top-left rule in their constants; depth is a form of its own, 31 bits.
+ * <p>Vertices lie on a grid of 1/16 of the sample distance. Edge functions are exact and at least 0 inside, with the
+ * top-left rule in their constants. Depth is also a linear form, 31 bits.
  */
 final class TileTriangles {
     /** Width and height of the tile, samples. */
@@ -19,7 +19,7 @@ final class TileTriangles {
 
     final int count;
 
-    /** The triangle's box in samples, both ends included. */
+    /** Bounding box of each triangle in samples, inclusive. */
     final int[] minX, minY, maxX, maxY;
 
     /** The three edge functions at sample (0, 0), and their steps: at 3 i, 3 i + 1 and 3 i + 2 for triangle i. */
@@ -28,7 +28,7 @@ final class TileTriangles {
     /** Depth at sample (0, 0), and its steps. */
     final long[] z, zdx, zdy;
 
-    /** Makes {@code count} triangles of {@code area} samples each, give or take a half. */
+    /** Creates {@code count} triangles of {@code area} samples each, plus or minus 50 %. */
     TileTriangles(int count, double area, long seed) {
         this.count = count;
         minX = new int[count];
@@ -47,7 +47,7 @@ final class TileTriangles {
         for (int i = 0; i < count; i++) {
             double wanted = GRID * GRID * area * (0.5 + random.nextDouble());
             while (!place(random, x, y, wanted)) {
-                // Some shapes are too long for the tile
+                // Try again: some shapes are too long for the tile
             }
             add(i, x, y);
             zdx[i] = random.nextInt(1 << 16) - (1 << 15);
@@ -56,12 +56,15 @@ final class TileTriangles {
         }
     }
 
-    /** Key of triangle {@code i} at a sample where its depth is {@code depth}: the nearest and first is a minimum. */
+    /**
+     * Returns the key of triangle {@code i} at a sample with depth {@code depth}. The minimum key is the nearest
+     * triangle, and the first among equals.
+     */
     static long key(long depth, int i) {
         return depth << Integer.SIZE | i;
     }
 
-    /** The least depth of triangle {@code i} within a rectangle, both ends included: at one of its corners. */
+    /** Returns the least depth of triangle {@code i} within a rectangle, inclusive. It occurs at a corner. */
     long nearest(int i, int fromX, int fromY, int toX, int toY) {
         long x = zdx[i] > 0 ? fromX : toX;
         long y = zdy[i] > 0 ? fromY : toY;

@@ -14,7 +14,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Where a triangle's vertices are fetched from: the area and the box of every triangle of a mesh of a million. */
+/** Memory layouts of vertices: computes the area and the bounding box of every triangle of a mesh of a million. */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 @Fork(1)
@@ -26,7 +26,7 @@ public class VertexLayoutBenchmark {
     private static final int VERTICES = SIDE * SIDE;
     private static final int STRIDE = 4;
 
-    /** In what order a mesh has its triangles: each beside the one before, or at random. */
+    /** The order of the mesh's triangles: each next to the previous one, or random. */
     @Param({"strips", "random"})
     public String order;
 
@@ -37,7 +37,7 @@ public class VertexLayoutBenchmark {
     private final int[] interleaved = new int[STRIDE * VERTICES];
     private int[] indices;
 
-    /** Makes the mesh, and refuses to measure variants that differ. */
+    /** Creates the mesh, and fails if variants differ. */
     @Setup
     public void setUp() {
         Random random = new Random(3);
@@ -57,7 +57,7 @@ public class VertexLayoutBenchmark {
         Agreement.of(objects(), structureOfArrays(), interleaved());
     }
 
-    /** An object a vertex. */
+    /** One object per vertex. */
     @Benchmark
     public long objects() {
         long sum = 0;
@@ -70,7 +70,7 @@ public class VertexLayoutBenchmark {
         return sum;
     }
 
-    /** An array a coordinate. */
+    /** One array per coordinate. */
     @Benchmark
     public long structureOfArrays() {
         long sum = 0;
@@ -83,7 +83,7 @@ public class VertexLayoutBenchmark {
         return sum;
     }
 
-    /** One array, a vertex's coordinates side by side. */
+    /** One array, with the coordinates of a vertex next to each other. */
     @Benchmark
     public long interleaved() {
         long sum = 0;

@@ -16,7 +16,10 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** How a sample remembers what it shows: spans against what was drawn before. The nearest wins, and of equals the first. */
+/**
+ * Ways to store the visible primitive of a sample, measured by drawing spans. The nearest wins, and among equals the
+ * first.
+ */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 @Fork(1)
@@ -28,7 +31,7 @@ public class VisibilityKeyBenchmark {
     private static final int SIZE = 1 << 14;
     private static final int LONGEST = 128;
 
-    /** In what order spans come: at random, from near to far, or from far to near. */
+    /** The order of the spans: random, from near to far, or from far to near. */
     @Param({"random", "near", "far"})
     public String order;
 
@@ -40,7 +43,7 @@ public class VisibilityKeyBenchmark {
     private final int[] depths = new int[SIZE];
     private final int[] owners = new int[SIZE];
 
-    /** Makes the spans, and refuses to measure variants that differ. */
+    /** Creates the spans, and fails if variants differ. */
     @Setup
     public void setUp() {
         Random random = new Random(1);
@@ -62,7 +65,7 @@ public class VisibilityKeyBenchmark {
         Agreement.of(Arrays.hashCode(oneLong()), Arrays.hashCode(oneLongWithBranch()), hashOfPairs(twoInts()));
     }
 
-    /** Depth above, number below: one minimum, no branch. */
+    /** Depth in the upper bits, number in the lower bits: one minimum operation, no branch. */
     @Benchmark
     public long[] oneLong() {
         Arrays.fill(keys, Long.MAX_VALUE);
@@ -77,7 +80,7 @@ public class VisibilityKeyBenchmark {
         return keys;
     }
 
-    /** The same, stored only if it is less. */
+    /** The same, but stores only if the key is less. */
     @Benchmark
     public long[] oneLongWithBranch() {
         Arrays.fill(keys, Long.MAX_VALUE);
@@ -94,7 +97,7 @@ public class VisibilityKeyBenchmark {
         return keys;
     }
 
-    /** Depths in one array and numbers in another: half the bytes to compare, two stores. */
+    /** Depths in one array and numbers in another: half the bytes to compare, but two stores. */
     @Benchmark
     public int[] twoInts() {
         Arrays.fill(depths, Integer.MAX_VALUE);
@@ -112,7 +115,7 @@ public class VisibilityKeyBenchmark {
         return owners;
     }
 
-    /** What the hash of keys would be. */
+    /** Returns the hash that the equivalent keys would have. */
     private long hashOfPairs(int[] owners) {
         int hash = 1;
         for (int at = 0; at < SIZE; at++) {

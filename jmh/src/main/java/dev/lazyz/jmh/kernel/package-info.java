@@ -1,7 +1,7 @@
 /**
- * Inner loops in plain Java, each beside the ways of doing the same that lost: what decided how {@code tiled} is written, and
- * what to run again before it is written otherwise. Nothing here is used by the library.
+ * Inner loops in plain Java, each with slower alternatives. These benchmarks determined how {@code tiled} is written.
+ * Run them again before rewriting it. The library does not use this package.
  *
- * <p>A benchmark refuses to measure variants that do not give the same result.
+ * <p>A benchmark fails if its variants do not give the same result.
  */
 package dev.lazyz.jmh.kernel;

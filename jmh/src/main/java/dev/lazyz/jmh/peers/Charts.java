@@ -14,7 +14,7 @@ import org.knowm.xchart.CategoryChartBuilder;
 import org.knowm.xchart.ChartEncoder;
 import org.knowm.xchart.style.Styler;
 
-/** Draws how many times faster than the base each renderer is, scene by scene. */
+/** Draws bar charts of how many times faster than the base each renderer is, for each scene. */
 final class Charts {
     private static final int WIDTH = 1000;
     private static final int HEIGHT = 420;
@@ -43,8 +43,8 @@ final class Charts {
     }
 
     /**
-     * Returns the name of the chart of a table's times, if it has one: {@code compared-1024-1.png} is S1 to S6 at 1024 x
-     * 1024, one thread. Without times of the base there is nothing to draw.
+     * Returns the name of the chart of a table's times, if it has a chart: {@code compared-1024-1.png} is S1 to S6 at
+     * 1024 x 1024, one thread. A table without times of the base has no chart.
      */
     static Optional<String> fileName(List<Results.Time> times) {
         if (times.stream().noneMatch(time -> time.contender().equals(Results.BASE))) {
@@ -89,7 +89,7 @@ final class Charts {
             }
         }
 
-        // Whole decades, because bars begin at the lower end of the axis
+        // Full decades, because bars begin at the lower end of the axis
         chart.getStyler().setYAxisMin(Math.pow(10, Math.floor(Math.log10(least))));
         chart.getStyler().setYAxisMax(Math.pow(10, Math.ceil(Math.log10(greatest))));
         return chart;

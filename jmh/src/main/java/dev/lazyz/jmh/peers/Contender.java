@@ -9,8 +9,8 @@ import java.util.List;
 /**
  * A program that is measured.
  *
- * @param name as tables show it
- * @param kind what it can do
+ * @param name name in tables
+ * @param kind the kind of program, which determines what it supports
  * @param command its command line, without options
  */
 record Contender(String name, Kind kind, List<String> command) {
@@ -19,23 +19,23 @@ record Contender(String name, Kind kind, List<String> command) {
         /** {@code llvmpipe.c}. */
         LLVMPIPE,
 
-        /** {@code llvmpipe.c}, shading after visibility is decided. */
+        /** {@code llvmpipe.c} with shading after visibility is determined. */
         LLVMPIPE_VISIBILITY,
 
-        /** {@code euc}: one thread; it does not clip. */
+        /** {@code euc}: one thread; does not clip. */
         EUC,
 
-        /** {@code vtk_peer.py}: no shader for the rounds; its picture is not sRGB. */
+        /** {@code vtk_peer.py}: no shader for the rounds; its image is not sRGB. */
         VTK,
 
-        /** {@code JmolPeer.java}: one thread, no perspective, no shader, a colour a triangle that is not sRGB. */
+        /** {@code JmolPeer.java}: one thread, no perspective, no shader, one colour per triangle, not sRGB. */
         JMOL,
 
         /** {@link PeerRun} on some JVM. */
         OURS,
     }
 
-    /** Returns the contender that {@code NAME=COMMAND} describes, the command's words separated by blanks. */
+    /** Returns the contender for {@code NAME=COMMAND}; the words of the command are separated by spaces. */
     static Contender parse(Kind kind, String text) {
         int at = text.indexOf('=');
         if (at < 1) {
@@ -45,7 +45,7 @@ record Contender(String name, Kind kind, List<String> command) {
         return new Contender(text.substring(0, at), kind, command);
     }
 
-    /** Whether this program can draw the triangles with so many threads. */
+    /** Whether this program can draw the triangles with this number of threads. */
     boolean canDraw(Triangles triangles, boolean isPerspective, int threads) {
         boolean isExpensive = triangles.coloring() == Coloring.ROUNDS;
         return switch (kind) {
@@ -57,17 +57,17 @@ record Contender(String name, Kind kind, List<String> command) {
         };
     }
 
-    /** Whether this is ours, or what ours are compared with first of all. */
+    /** Whether this is Lazy Z, or a program that Lazy Z is primarily compared with. */
     boolean isOursOrBase() {
         return kind == Kind.OURS || kind == Kind.LLVMPIPE || kind == Kind.LLVMPIPE_VISIBILITY;
     }
 
-    /** Whether colours of its pictures can be compared with ours. */
+    /** Whether the colours of its images can be compared with Lazy Z's. */
     boolean isSrgb() {
         return kind != Kind.VTK && kind != Kind.JMOL;
     }
 
-    /** Returns the command line that draws a scene, given by name for ours and by file for peers. */
+    /** Returns the command line that draws a scene. Lazy Z gets the scene's name, other programs get the file. */
     List<String> drawing(String scene, String file, int side, int threads) {
         List<String> words = new ArrayList<>(command);
         if (kind == Kind.OURS) {

@@ -4,7 +4,7 @@ import dev.lazyz.jmh.workload.Triangles;
 import java.io.IOException;
 import java.nio.file.Path;
 
-/** Writes triangles to a file for peers: {@code Export NAME FILE}. */
+/** Writes triangles to a file for other renderers: {@code Export NAME FILE}. */
 public final class Export {
     private Export() {}
 

@@ -25,24 +25,24 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * Renders one scene again and again, as a peer's program does, and prints one line of JSON about it.
+ * Renders one scene repeatedly, like the programs of other renderers, and prints one line of JSON with the results.
  *
- * <p>A frame is what it takes from a scene in memory to its rows: {@code scene.frame(raster)}, which transforms the
- * vertices and sets all primitives up, and a rendering into a sink that drops the rows. Nothing is kept from frame to frame
- * but the renderer. Times are milliseconds of wall clock, in steady state: after a warm-up that goes on, to eight times its
- * length at most, until Java's compilers have been idle for two seconds.
+ * <p>A frame is the work from a scene in memory to its rows: {@code scene.frame(raster)}, which transforms the
+ * vertices and sets up all primitives, and a rendering into a sink that discards the rows. Only the renderer is kept
+ * between frames. Times are wall-clock milliseconds in steady state: they are measured after a warm-up that continues
+ * until Java's compilers have been idle for two seconds, but at most for eight times its length.
  */
 public final class PeerRun {
     private static final Set<String> OPTIONS =
             Set.of("scene", "side", "threads", "strategy", "warm-up", "measure", "picture");
 
-    /** Fewest frames that are measured, however long they take. */
+    /** Minimum number of measured frames, however long they take. */
     private static final int LEAST_FRAMES = 5;
 
-    /** How long compilers must have been idle before times are taken, nanoseconds. */
+    /** Time for which the compilers must have been idle before times are measured, nanoseconds. */
     private static final long IDLE = 2_000_000_000L;
 
-    /** The most that a warm-up may be longer than asked for. */
+    /** Maximum length of the warm-up, as a multiple of the requested length. */
     private static final int LONGEST = 8;
 
     private final Scene scene;
@@ -102,7 +102,7 @@ public final class PeerRun {
                 Runtime.version());
     }
 
-    /** Renders for so many nanoseconds, and on while Java's compilers are at work. */
+    /** Renders for at least {@code least} nanoseconds, and longer while Java's compilers are active. */
     private void warmUp(long least) {
         CompilationMXBean compilers = ManagementFactory.getCompilationMXBean();
         long start = System.nanoTime();
@@ -128,7 +128,9 @@ public final class PeerRun {
         return (System.nanoTime() - start) / 1e6;
     }
 
-    /** Writes the picture as peers do: red, green, blue, alpha, a byte each, sRGB, in rows from the top. */
+    /**
+     * Writes the image like the other renderers: red, green, blue, alpha, one byte each, sRGB, in rows from the top.
+     */
     private String write(Path file) throws IOException {
         PixelHash hash = new PixelHash();
         long[] covered = new long[1];

@@ -12,9 +12,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Predicate;
 
-/**
- * Writes the tables of {@code docs/performance.md}, and the charts beside it, from the results of {@link SideBySide}.
- */
+/** Writes the tables of {@code docs/performance.md}, and its charts, from the results of {@link SideBySide}. */
 public final class PerformancePage {
     private final Results results;
 
@@ -22,7 +20,7 @@ public final class PerformancePage {
         this.results = results;
     }
 
-    /** Two arguments: the page and the file of results; charts go beside the latter. */
+    /** Two arguments: the page and the results file, whose folder also receives the charts. */
     public static void main(String[] args) throws IOException {
         if (args.length != 2) {
             throw new IllegalArgumentException("give the page and the file of results");
@@ -35,7 +33,7 @@ public final class PerformancePage {
     }
 
     /**
-     * Returns the page with its tables renewed.
+     * Returns the page with updated tables.
      *
      * @throws IllegalArgumentException if a table has no end or an unknown name
      */
@@ -68,7 +66,7 @@ public final class PerformancePage {
         return time.scene().contains(".");
     }
 
-    /** Whether a time belongs to another scene. */
+    /** Whether a time belongs to a scene other than S1 to S6 and mesh files. */
     static boolean isOther(Results.Time time) {
         return !isCompared(time) && !isMesh(time);
     }
@@ -105,7 +103,7 @@ public final class PerformancePage {
         return GeneratedPage.table(head, rows);
     }
 
-    /** A table for each raster and number of threads: medians, and how many times faster than the base. */
+    /** Returns a table for each raster and number of threads: medians, and how many times faster than the base. */
     private String times(Predicate<Results.Time> which) {
         StringBuilder text = new StringBuilder();
         for (Map.Entry<String, List<Results.Time>> group : groups(which).entrySet()) {
@@ -134,7 +132,7 @@ public final class PerformancePage {
         return text.toString();
     }
 
-    /** A row for each mesh and raster, a column for each renderer. */
+    /** Returns a table with a row for each mesh and raster, and a column for each renderer. */
     private String meshes() {
         List<Results.Time> all =
                 results.times().stream().filter(PerformancePage::isMesh).toList();
@@ -159,7 +157,7 @@ public final class PerformancePage {
         return GeneratedPage.table(head, rows);
     }
 
-    /** Times by raster and threads, in the order in which they were measured. */
+    /** Groups times by raster and threads, in the order of measurement. */
     Map<String, List<Results.Time>> groups(Predicate<Results.Time> which) {
         Map<String, List<Results.Time>> groups = new LinkedHashMap<>();
         for (Results.Time time : results.times()) {
@@ -187,7 +185,7 @@ public final class PerformancePage {
         return ratios.length == 0 ? cell : cell + ", **" + ratio(ratios) + "**";
     }
 
-    /** How many times faster than the base, round by round, in ascending order; empty if one was not measured. */
+    /** Returns how many times faster than the base, per round, in ascending order; empty if one was not measured. */
     static double[] ratios(List<Results.Time> times, String scene, String contender) {
         List<Double> ratios = new ArrayList<>();
         for (Results.Time own : of(times, scene, contender)) {
@@ -200,7 +198,7 @@ public final class PerformancePage {
         return sorted(ratios.stream().mapToDouble(Double::doubleValue).toArray());
     }
 
-    /** What two threads gain over one, for each scene and renderer that has both. */
+    /** Returns the table of the speedup of two threads over one, for each scene and renderer that has both. */
     private String gain() {
         List<List<String>> rows = new ArrayList<>();
         List<Results.Time> all = results.times();

@@ -5,15 +5,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * What differs between two pictures of one size, given as files of red, green, blue, alpha, a byte each.
+ * The difference between two images of the same size, given as files of red, green, blue, alpha, one byte each.
  *
- * @param oursOnly samples that only the first covers
- * @param theirsOnly samples that only the second covers
+ * @param oursOnly samples that only the first image covers
+ * @param theirsOnly samples that only the second image covers
  * @param unequal samples covered in both with a component that differs by more than {@value #TOLERANCE} of 255
- * @param mean difference of components of samples covered in both, of 255
+ * @param mean mean difference of the components of samples covered in both, of 255
  */
 record PictureDifference(long oursOnly, long theirsOnly, long unequal, double mean) {
-    /** What rounding may do: colours are encoded with the sRGB curve, by approximations of it in some programs. */
+    /** Differences that rounding can cause: some programs approximate the sRGB curve. */
     static final int TOLERANCE = 2;
 
     /** Compares two files. */
@@ -22,9 +22,9 @@ record PictureDifference(long oursOnly, long theirsOnly, long unequal, double me
     }
 
     /**
-     * Compares two pictures.
+     * Compares two images.
      *
-     * @throws IllegalArgumentException if they are not of one size
+     * @throws IllegalArgumentException if their sizes differ
      */
     static PictureDifference of(byte[] ours, byte[] theirs) {
         if (ours.length != theirs.length) {

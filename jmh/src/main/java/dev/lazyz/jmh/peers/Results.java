@@ -12,33 +12,33 @@ import java.util.TreeMap;
 import kotlinx.serialization.json.JsonObject;
 
 /**
- * Everything that was measured in one run, as it is kept in a JSON file: facts about the machine and the run by name, and
- * one line for each measurement.
+ * All measurements of one run, stored in a JSON file: facts about the machine and the run by name, and one line for
+ * each measurement.
  *
  * @param facts machine, versions, settings, commands
- * @param times of frames in steady state
- * @param pictures compared with ours
- * @param starts of whole processes
+ * @param times times of frames in steady state
+ * @param pictures comparisons with Lazy Z's images
+ * @param starts times of whole processes
  */
 record Results(Map<String, String> facts, List<Time> times, List<Picture> pictures, List<Start> starts) {
     /** The renderer that others are compared with. */
     static final String BASE = "llvmpipe";
 
     /**
-     * Frames of one process.
+     * Times of the frames of one process.
      *
-     * @param scene its name, without a folder
+     * @param scene name of the scene or mesh file, without a folder
      * @param side width and height of the raster, samples
-     * @param threads of the renderer; the process has as many processors
-     * @param contender who rendered
-     * @param round in which round, from 1; within one, processes follow each other closely
-     * @param median milliseconds a frame
+     * @param threads number of threads of the renderer; the process has as many processors
+     * @param contender name of the renderer
+     * @param round number of the round, from 1; within a round, processes run directly one after the other
+     * @param median milliseconds per frame
      * @param q1 first quartile, milliseconds
      * @param q3 third quartile, milliseconds
      * @param min shortest, milliseconds
      * @param max longest, milliseconds
      * @param first the process's first frame, milliseconds
-     * @param frames how many were measured
+     * @param frames number of measured frames
      */
     record Time(
             String scene,
@@ -55,17 +55,18 @@ record Results(Map<String, String> facts, List<Time> times, List<Picture> pictur
             int frames) {}
 
     /**
-     * A contender's picture, sample by sample beside ours.
+     * A contender's image, compared with Lazy Z's sample by sample.
      *
-     * @param scene its name, without a folder
+     * @param scene name of the scene or mesh file, without a folder
      * @param side width and height of the raster, samples
-     * @param contender who rendered
+     * @param contender name of the renderer
      * @param covered samples covered
-     * @param oursOnly samples covered in our picture and not in this one
-     * @param theirsOnly samples covered in this picture and not in ours
-     * @param unequal samples covered in both with a component that differs by more than {@link PictureDifference#TOLERANCE}
-     *     of 255; -1 if colours cannot be compared
-     * @param mean difference of components of samples covered in both, of 255; -1 if colours cannot be compared
+     * @param oursOnly samples covered in Lazy Z's image but not in this one
+     * @param theirsOnly samples covered in this image but not in Lazy Z's
+     * @param unequal samples covered in both with a component that differs by more than
+     *     {@link PictureDifference#TOLERANCE} of 255; -1 if colours cannot be compared
+     * @param mean mean difference of the components of samples covered in both, of 255; -1 if colours cannot be
+     *     compared
      */
     record Picture(
             String scene,
@@ -78,20 +79,20 @@ record Results(Map<String, String> facts, List<Time> times, List<Picture> pictur
             double mean) {}
 
     /**
-     * A process from its start to its end, with one small picture in between.
+     * The time of a process that renders one small image, from its start to its end.
      *
-     * @param contender who rendered
-     * @param round in which round, from 1
+     * @param contender name of the renderer
+     * @param round number of the round, from 1
      * @param time milliseconds
      */
     record Start(String contender, int round, double time) {}
 
-    /** Results without any. */
+    /** Returns empty results. */
     static Results empty() {
         return new Results(new TreeMap<>(), new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
     }
 
-    /** Reads what {@link #write} wrote. */
+    /** Reads a file written by {@link #write}. */
     static Results read(Path file) throws IOException {
         JsonObject root = JsonRecords.parse(Files.readString(file));
         return new Results(
@@ -101,7 +102,7 @@ record Results(Map<String, String> facts, List<Time> times, List<Picture> pictur
                 JsonRecords.records(root, "starts", Start.class));
     }
 
-    /** Writes JSON, a measurement a line. */
+    /** Writes JSON with one measurement per line. */
     void write(Path file) throws IOException {
         Map<String, List<? extends Record>> lists = new LinkedHashMap<>();
         lists.put("times", times);

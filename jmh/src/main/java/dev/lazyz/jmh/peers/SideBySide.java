@@ -23,13 +23,14 @@ import java.util.stream.IntStream;
 import kotlinx.serialization.json.JsonObject;
 
 /**
- * Measures ours and peers alternately: round by round, scene by scene, one process after the other, each on its own
- * processors. {@code peers/run} starts it.
+ * Measures Lazy Z and other renderers alternately: round by round, scene by scene, one process after the other, each
+ * pinned to its own processors. {@code peers/run} starts it.
  *
- * <p>First every peer's picture is compared with ours; a peer that covers other samples than we do has done other work.
+ * <p>First the image of every other renderer is compared with Lazy Z's; if a renderer covers other samples, its times
+ * are for different work.
  *
- * <p>All of this is done with the first raster. Further rasters, and mesh files, are measured once, by ours and
- * by llvmpipe with one thread: a day is not long enough for everything.
+ * <p>All of this is done with the first raster. Further rasters, and mesh files, are measured once, with Lazy Z and
+ * llvmpipe on one thread, because everything would take more than a day.
  */
 public final class SideBySide {
     private static final Set<String> OPTIONS = Set.of(
@@ -50,10 +51,10 @@ public final class SideBySide {
             "measure",
             "results",
             "fact");
-    /** What processes render that are timed from start to end. */
+    /** The scene of the processes that are timed from start to end. */
     private static final String COLD_SCENE = "teapot";
 
-    /** Longer than any process may take. */
+    /** Maximum time of a process; longer than any should take. */
     private static final long MINUTES = 10;
 
     private final Options options;
@@ -97,7 +98,7 @@ public final class SideBySide {
         List<Integer> sides = integers("sides", "1024");
         List<Integer> otherSides = integers("other-sides", "1024");
         List<Integer> threads = integers("threads", "1,2");
-        state();
+        recordFacts();
         for (String scene : compared) {
             export(scene);
         }
@@ -135,8 +136,8 @@ public final class SideBySide {
         return options.list(name, otherwise).stream().map(Integer::valueOf).toList();
     }
 
-    /** Notes what must be known to judge the figures. */
-    private void state() throws IOException {
+    /** Records the facts that are needed to judge the figures. */
+    private void recordFacts() throws IOException {
         for (String fact : options.all("fact")) {
             int at = fact.indexOf('=');
             results.facts().put(fact.substring(0, at), fact.substring(at + 1));
@@ -163,7 +164,10 @@ public final class SideBySide {
         return contender.canDraw(drawn, isPerspective, threads);
     }
 
-    /** Draws each scene once by every contender that can; all JVMs give the same bits, so ours by one. */
+    /**
+     * Draws each scene once with every contender that can. All JVMs give the same bits, so only one Lazy Z contender
+     * draws.
+     */
     private void comparePictures(List<String> scenes, int side, Predicate<Contender> which)
             throws IOException, InterruptedException {
         Contender ours = contenders.stream()
@@ -186,8 +190,8 @@ public final class SideBySide {
             throws IOException, InterruptedException {
         List<String> command = contender.drawing(scene, file(scene).toString(), side, 1);
         command.addAll(List.of("--picture", theirs.toString()));
-        JsonObject said = process(command, 1);
-        if (said == null) {
+        JsonObject printed = process(command, 1);
+        if (printed == null) {
             return;
         }
         PictureDifference difference = PictureDifference.of(ours, theirs);
@@ -196,7 +200,7 @@ public final class SideBySide {
                         TriangleSource.label(scene),
                         side,
                         contender.name(),
-                        (long) JsonRecords.real(said, "covered"),
+                        (long) JsonRecords.real(printed, "covered"),
                         difference.oursOnly(),
                         difference.theirsOnly(),
                         contender.isSrgb() ? difference.unequal() : -1,
@@ -215,7 +219,7 @@ public final class SideBySide {
                 }
             }
 
-            // A long run that is broken off has results, too
+            // If a long run is stopped, the results so far are kept
             results.write(file);
         }
     }
@@ -224,8 +228,8 @@ public final class SideBySide {
             throws IOException, InterruptedException {
         List<String> command = contender.drawing(scene, file(scene).toString(), side, threads);
         command.addAll(List.of("--warm-up", options.get("warm-up", "3"), "--measure", options.get("measure", "4")));
-        JsonObject said = process(command, threads);
-        if (said == null) {
+        JsonObject printed = process(command, threads);
+        if (printed == null) {
             return;
         }
         Results.Time time = new Results.Time(
@@ -234,21 +238,21 @@ public final class SideBySide {
                 threads,
                 contender.name(),
                 round,
-                JsonRecords.real(said, "median"),
-                JsonRecords.real(said, "q1"),
-                JsonRecords.real(said, "q3"),
-                JsonRecords.real(said, "min"),
-                JsonRecords.real(said, "max"),
-                JsonRecords.real(said, "first"),
-                JsonRecords.integer(said, "frames"));
+                JsonRecords.real(printed, "median"),
+                JsonRecords.real(printed, "q1"),
+                JsonRecords.real(printed, "q3"),
+                JsonRecords.real(printed, "min"),
+                JsonRecords.real(printed, "max"),
+                JsonRecords.real(printed, "first"),
+                JsonRecords.integer(printed, "frames"));
         results.times().add(time);
-        results.facts().putIfAbsent("version of " + contender.name(), JsonRecords.text(said, "version"));
+        results.facts().putIfAbsent("version of " + contender.name(), JsonRecords.text(printed, "version"));
         System.out.printf(
                 "round %d  %-16s %5d  %d thread%s  %-24s %10.2f ms%n",
                 round, time.scene(), side, threads, threads == 1 ? " " : "s", contender.name(), time.median());
     }
 
-    /** Times whole processes, from start to end, that render one picture into a file. */
+    /** Times whole processes, from start to end, that render one image to a file. */
     private void start(int round) throws IOException, InterruptedException {
         for (String text : options.all("cold")) {
             Contender contender = Contender.parse(Contender.Kind.OURS, text);
@@ -284,19 +288,21 @@ public final class SideBySide {
         return file.toString();
     }
 
-    /** Runs a program on as many processors as it has threads; returns what it printed, or null if it failed. */
+    /**
+     * Runs a program on as many processors as it has threads; returns the JSON that it printed, or null if it failed.
+     */
     private JsonObject process(List<String> command, int threads) throws IOException, InterruptedException {
         Path output = folder.resolve("output");
         Process process =
                 builder(command, threads).redirectOutput(output.toFile()).start();
         boolean hasEnded = process.waitFor(MINUTES, TimeUnit.MINUTES);
-        String said = Files.readString(output, StandardCharsets.UTF_8).trim();
+        String printed = Files.readString(output, StandardCharsets.UTF_8).trim();
         if (!hasEnded || process.exitValue() != 0) {
             process.destroyForcibly();
             System.err.println("failed: " + String.join(" ", command));
             return null;
         }
-        return JsonRecords.parse(said.substring(said.lastIndexOf('\n') + 1));
+        return JsonRecords.parse(printed.substring(printed.lastIndexOf('\n') + 1));
     }
 
     private static ProcessBuilder builder(List<String> command, int threads) {

@@ -11,7 +11,7 @@ import java.nio.file.Path;
 final class TriangleSource {
     private TriangleSource() {}
 
-    /** Returns the triangles called {@code name}; a name with a dot is a file's. */
+    /** Returns the triangles called {@code name}; a name with a dot is a file. */
     static Triangles find(String name) {
         if (Workloads.COMPARED.contains(name)) {
             return Workloads.triangles(name);
@@ -20,7 +20,7 @@ final class TriangleSource {
         return Baked.of(label(name), scene);
     }
 
-    /** Returns the name as tables show it: a file's without its folder. */
+    /** Returns the name as tables show it: a file name without its folder. */
     static String label(String name) {
         return Path.of(name).getFileName().toString();
     }

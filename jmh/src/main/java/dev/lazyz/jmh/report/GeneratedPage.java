@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.function.Function;
 
 /**
- * A page of Markdown with generated parts: what stands between {@code <!-- generated: NAME -->} and {@code <!-- end -->} is
- * replaced; the rest of the page is left as it is.
+ * A page of Markdown with generated parts: the text between {@code <!-- generated: NAME -->} and {@code <!-- end -->}
+ * is replaced; the rest of the page stays unchanged.
  */
 public final class GeneratedPage {
     private static final String BEGIN = "<!-- generated: ";
@@ -14,9 +14,10 @@ public final class GeneratedPage {
     private GeneratedPage() {}
 
     /**
-     * Returns the page with its generated parts renewed.
+     * Returns the page with its generated parts updated.
      *
-     * @param section text of a part by its name, ending with a line break; null if it is to stay as it is
+     * @param section returns the text of a part by name, ending with a line break, or null to leave the part
+     *     unchanged
      * @throws IllegalArgumentException if a part has no end
      */
     public static String fill(String page, Function<String, String> section) {

@@ -13,18 +13,18 @@ import kotlinx.serialization.json.JsonElementKt;
 import kotlinx.serialization.json.JsonObject;
 
 /**
- * Measurements as JSON: an object with facts by name, and lists of records, a record a line. A record's components are
- * texts and numbers, and are told by their names.
+ * Measurements as JSON: an object with facts by name, and lists of records, one record per line. A record's
+ * components are texts and numbers, stored by component name.
  */
 public final class JsonRecords {
     private JsonRecords() {}
 
-    /** Returns the object that {@code text} is. */
+    /** Parses {@code text} as a JSON object. */
     public static JsonObject parse(String text) {
         return JsonElementKt.getJsonObject(Json.Default.parseToJsonElement(text));
     }
 
-    /** Returns a file's text: {@code facts}, then the lists, by their names. */
+    /** Returns the text of a file: {@code facts}, then the lists, by name. */
     public static String write(Map<String, String> facts, Map<String, List<? extends Record>> lists) {
         StringBuilder text = new StringBuilder("{\n\"facts\": {\n");
         text.append(lines(new ArrayList<>(facts.entrySet()), e -> quoted(e.getKey()) + ": " + quoted(e.getValue())));

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** A command line of {@code --name value} pairs; a name may come more than once. */
+/** A command line of {@code --name value} pairs; a name can occur more than once. */
 public final class Options {
     private final Map<String, List<String>> values = new HashMap<>();
 
@@ -39,7 +39,7 @@ public final class Options {
         return values.getOrDefault(name, List.of());
     }
 
-    /** Returns the comma-separated parts of an option, none if it is empty. */
+    /** Returns the comma-separated parts of an option; an empty list if it is empty. */
     public List<String> list(String name, String otherwise) {
         String value = get(name, otherwise);
         return value.isEmpty() ? List.of() : List.of(value.split(","));

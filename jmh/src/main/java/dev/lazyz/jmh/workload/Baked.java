@@ -16,11 +16,11 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Turns any scene into {@link Triangles}: what nobody made for a benchmark, as work that a peer can do as well.
+ * Converts any scene to {@link Triangles}, so that other renderers can draw scenes that were not made for benchmarks.
  *
- * <p>Light is baked into vertex colours: a lamp at the eye, and the material's colour; textures are left out. Vertices stay
- * shared. A sphere becomes {@value #STEPS} by {@value #RINGS} quadrilaterals, a polygon a fan around its first vertex. Not
- * thread safe.
+ * <p>Light is baked into vertex colours: a light source at the eye, and the material's colour. Textures are omitted.
+ * Shared vertices stay shared. A sphere becomes {@value #STEPS} by {@value #RINGS} quadrilaterals, a polygon a fan
+ * around its first vertex. Not thread safe.
  */
 public final class Baked {
     private static final int STEPS = 64;
@@ -36,9 +36,9 @@ public final class Baked {
     }
 
     /**
-     * Returns the triangles of a scene as its own camera sees them on a square raster.
+     * Returns the triangles of a scene, seen by the scene's camera on a square raster.
      *
-     * @throws IllegalArgumentException if a surface is of a kind that cannot be turned into triangles
+     * @throws IllegalArgumentException if a surface is of a kind that cannot be converted to triangles
      */
     public static Triangles of(String id, Scene scene) {
         Baked baked = new Baked(scene.camera(1, 1));

@@ -1,6 +1,6 @@
 package dev.lazyz.jmh.workload;
 
-/** A sphere with bumps, made of a cube's six faces, each a grid; neighbouring triangles share their vertices. */
+/** A sphere with bumps, made from the six faces of a cube, each a grid. Neighbouring triangles share their vertices. */
 final class BumpySphere {
     /** Squares along a face's side: 6 x 289 x 289 x 2 = 1,002,252 triangles. */
     private static final int SQUARES = 289;
@@ -25,7 +25,7 @@ final class BumpySphere {
         int first = 0;
         for (int row = 0; row <= SQUARES; row++) {
             for (int column = 0; column <= SQUARES; column++) {
-                // Equal angles, not equal lengths, so that squares in a face's corners are not much smaller
+                // Equal angles instead of equal lengths, so that squares in a face's corners are not much smaller
                 p[axis] = side;
                 p[(axis + 1) % 3] = StrictMath.tan((2.0 * column / SQUARES - 1) * StrictMath.PI / 4);
                 p[(axis + 2) % 3] = side * StrictMath.tan((2.0 * row / SQUARES - 1) * StrictMath.PI / 4);
@@ -53,7 +53,7 @@ final class BumpySphere {
         double bump = StrictMath.sin(9 * x + 1) * StrictMath.sin(11 * y) * StrictMath.sin(7 * z + 2);
         double radius = RADIUS * (1 + BUMP * bump);
 
-        // Seen from a corner of no face in particular: turned around y, then around x
+        // An oblique view: rotate around y, then around x
         double turnedX = 0.8 * x + 0.6 * z;
         double turnedZ = 0.8 * z - 0.6 * x;
         double turnedY = 0.8 * y - 0.6 * turnedZ;

@@ -1,13 +1,13 @@
 package dev.lazyz.jmh.workload;
 
-/** How triangles get their colours. */
+/** The source of the triangles' colours. */
 public enum Coloring {
-    /** One colour a triangle: that of its vertices, which are the same. */
+    /** One colour per triangle; its three vertices have the same colour. */
     FLAT,
 
     /** Vertex colours, interpolated. */
     SMOOTH,
 
-    /** Vertex colours, interpolated and put through {@link RoundsShader}. */
+    /** Vertex colours, interpolated and processed by {@link RoundsShader}. */
     ROUNDS,
 }

@@ -2,14 +2,14 @@ package dev.lazyz.jmh.workload;
 
 import java.util.SplittableRandom;
 
-/** Triangles of random place, turn, size and depth; none is a sliver, and all lie within the raster. */
+/** Triangles with random position, rotation, size and depth. None is a sliver, and all lie within the raster. */
 final class Confetti {
     private static final long SEED = 20_260_101L;
 
-    /** The least angle between two corners, seen from the middle of the circle through all three: 50 degrees. */
+    /** The least angle between two corners, seen from the centre of the circumscribed circle: 50 degrees. */
     private static final double LEAST_GAP = StrictMath.PI * 50 / 180;
 
-    /** The scenes' triangles have their size in pixels of this raster. */
+    /** Width and height of the raster to which the sizes of triangles in pixels refer. */
     private static final double SIDE = 1024;
 
     private final SplittableRandom places = new SplittableRandom(SEED);
@@ -20,10 +20,10 @@ final class Confetti {
     private Confetti() {}
 
     /**
-     * Makes {@code count} triangles of {@code area} pixels each, give or take a half, at 1024 x 1024.
+     * Creates {@code count} triangles of {@code area} pixels each, plus or minus 50 %, at 1024 x 1024.
      *
-     * @param tilt how far a vertex may be before or behind the triangle's middle, in units of normalised depth
-     * @param coloring with {@link Coloring#FLAT} a colour a triangle, otherwise one a vertex
+     * @param tilt maximum distance of a vertex before or behind the triangle's middle, in units of normalised depth
+     * @param coloring {@link Coloring#FLAT} for one colour per triangle, otherwise one colour per vertex
      */
     static Triangles of(String id, int count, double area, double tilt, Coloring coloring) {
         Confetti confetti = new Confetti();
@@ -58,7 +58,7 @@ final class Confetti {
         triangles.triangle(first, first + 1, first + 2);
     }
 
-    /** Puts the corners on a circle, at random angles, and makes it as large as the area asks for. */
+    /** Places the corners at random angles on a circle whose size gives the triangle its area. */
     private void shape(double area) {
         double spare = 2 * StrictMath.PI - 3 * LEAST_GAP;
         double a = places.nextDouble();
@@ -76,7 +76,7 @@ final class Confetti {
         }
     }
 
-    /** Moves coordinates to a random place within the raster. */
+    /** Moves coordinates to a random position within the raster. */
     private void place(double[] coordinates) {
         double least = Math.min(coordinates[0], Math.min(coordinates[1], coordinates[2]));
         double greatest = Math.max(coordinates[0], Math.max(coordinates[1], coordinates[2]));

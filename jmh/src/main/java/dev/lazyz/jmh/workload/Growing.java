@@ -5,7 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 
-/** Scenes of any size, for measuring how cost grows: one number varies, the others stay. */
+/** Scenes of any size, for measuring the growth of costs: one number varies, the others are constant. */
 public final class Growing {
     private static final long SEED = 20_260_102L;
     private static final double SAMPLES = 1024.0 * 1024.0;
@@ -13,16 +13,17 @@ public final class Growing {
     private Growing() {}
 
     /**
-     * Makes random triangles in smooth colours.
+     * Creates random triangles in smooth colours.
      *
-     * @param count how many; with few, a small depth complexity: a triangle must fit into the raster
-     * @param depthComplexity mean number of triangles that cover a sample, whatever the count
+     * @param count number of triangles; a small count requires a small depth complexity, because a triangle must fit
+     *     into the raster
+     * @param depthComplexity mean number of triangles that cover a sample, for any count
      */
     public static Triangles confetti(int count, double depthComplexity) {
         return Confetti.of("confetti", count, depthComplexity * SAMPLES / count, 0.02, Coloring.SMOOTH);
     }
 
-    /** Makes layers that fill the raster, two triangles each, and come in random order of depth. */
+    /** Creates layers that fill the raster, of two triangles each, in random order of depth. */
     public static Triangles layers(int count) {
         List<Integer> order = new ArrayList<>();
         for (int i = 0; i < count; i++) {

@@ -15,7 +15,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** A hilly landscape, written as a file of any of the formats OBJ, binary STL, binary PLY and GLB. */
+/** A hilly landscape that can be written as OBJ, binary STL, binary PLY and GLB files. */
 public final class MeshFiles {
     private static final int JSON_CHUNK = 0x4E4F534A;
     private static final int BINARY_CHUNK = 0x004E4942;
@@ -23,7 +23,7 @@ public final class MeshFiles {
     private final float[] positions;
     private final int[] triangles;
 
-    /** Makes a landscape of {@code squares} by {@code squares} squares. */
+    /** Creates a landscape of {@code squares} by {@code squares} squares. */
     public MeshFiles(int squares) {
         int stride = squares + 1;
         positions = new float[3 * stride * stride];
@@ -47,17 +47,17 @@ public final class MeshFiles {
         }
     }
 
-    /** Returns the landscape itself. */
+    /** Returns the landscape as a scene. */
     public Scene scene() {
         return Scene.builder().add(new Mesh(positions, triangles)).build();
     }
 
-    /** Returns the plain loops that read its files. */
+    /** Returns the plain loops that read the files of this landscape. */
     public PlainLoops plainLoops() {
         return new PlainLoops(positions.length, triangles.length);
     }
 
-    /** Returns a scene with its meshes' shapes alone, each triangle by its own normal, seen from the front. */
+    /** Returns a scene with only the shapes of the meshes, flat-shaded, seen from the front. */
     public static Scene facets(Scene scene) {
         Scene.Builder facets = Scene.builder()
                 .viewpoint(Camera.fit(0.0, 0.0, 1.0, Fit.ORTHOGRAPHIC))
@@ -72,9 +72,10 @@ public final class MeshFiles {
     }
 
     /**
-     * Writes the landscape in the format that the file's name ends in.
+     * Writes the landscape in the format given by the extension of the file name.
      *
-     * @throws IllegalArgumentException if the name ends in none of {@code .obj}, {@code .stl}, {@code .ply} and {@code .glb}
+     * @throws IllegalArgumentException if the extension is not {@code .obj}, {@code .stl}, {@code .ply} or
+     *     {@code .glb}
      */
     public void write(Path file) throws IOException {
         String name = file.toString();

@@ -10,12 +10,12 @@ import java.nio.file.Path;
 import java.util.Arrays;
 
 /**
- * The least that a reader of the files of {@link MeshFiles} could do: from the file's bytes to a mesh without normals, in
- * one loop that knows how the file is written and how much is in it, checks nothing, and leaves the corners of STL as they
- * are.
+ * The minimum work for reading the files of {@link MeshFiles}: from the file's bytes to a mesh without normals, in
+ * one loop that assumes how the file is written and how much it contains, checks nothing, and does not merge the
+ * corners of STL.
  *
- * <p>Binary formats: floats and vertex numbers are copied to arrays, one by one. OBJ: they are parsed, each number from
- * its digits, its point and its exponent, with one division; not always to the nearest float.
+ * <p>Binary formats: floats and vertex numbers are copied to arrays one by one. OBJ: each number is parsed from its
+ * digits, point and exponent, with one division; the result is not always the nearest float.
  */
 public final class PlainLoops {
     private static final byte[] END_OF_HEADER = "end_header\n".getBytes(StandardCharsets.US_ASCII);
@@ -36,16 +36,17 @@ public final class PlainLoops {
     private final int positionCount;
     private final int cornerCount;
 
-    /** Makes loops for files of so many coordinates and so many corners of triangles. */
+    /** Creates loops for files with this number of coordinates and of triangle corners. */
     PlainLoops(int positionCount, int cornerCount) {
         this.positionCount = positionCount;
         this.cornerCount = cornerCount;
     }
 
     /**
-     * Reads a file in the format that its name ends in.
+     * Reads a file in the format given by the extension of its name.
      *
-     * @throws IllegalArgumentException if the name ends in none of {@code .obj}, {@code .stl}, {@code .ply} and {@code .glb}
+     * @throws IllegalArgumentException if the extension is not {@code .obj}, {@code .stl}, {@code .ply} or
+     *     {@code .glb}
      */
     public Mesh read(Path file) throws IOException {
         byte[] bytes = Files.readAllBytes(file);

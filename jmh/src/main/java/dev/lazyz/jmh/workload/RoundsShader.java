@@ -13,29 +13,30 @@ import dev.lazyz.FragmentBatch;
  * s(t) = t (1 - t^2 (1/6 - t^2 (1/120 - t^2 / 5040)))
  * </pre>
  *
- * <p>s is nowhere steeper than 1 in the range of t, so a round brings two neighbouring points at least 1/0.45 times closer:
- * rounding errors die out, and pictures of programs that round otherwise can be compared. {@code peers/llvmpipe.c} has
- * the same formula.
+ * <p>The slope of s is at most 1 in the range of t, so a round brings two neighbouring points at least 1/0.45 times
+ * closer: rounding errors vanish, and images of programs with other rounding can be compared.
+ * {@code peers/llvmpipe.c} has the same formula.
  */
 public final class RoundsShader implements BatchShader {
-    /** Rounds a sample where nothing else is said. */
+    /** Default number of rounds per sample. */
     public static final int ROUNDS = 64;
 
     private final int rounds;
 
-    /** A shader of {@value #ROUNDS} rounds. */
+    /** Creates a shader of {@value #ROUNDS} rounds. */
     public RoundsShader() {
         this(ROUNDS);
     }
 
-    /** A shader of the given number of rounds. */
+    /** Creates a shader of the given number of rounds. */
     public RoundsShader(int rounds) {
         this.rounds = rounds;
     }
 
     /**
-     * Colours of samples with the given interpolated colours; blue stays as it is. Rounds outside, samples inside, in loops
-     * that are short: the compiler of JDK 17 gives up vectorising one that does all of a round.
+     * Computes the colours of samples from their interpolated colours; blue stays unchanged. The outer loop runs over
+     * rounds. The inner loops over samples are short, because the compiler of JDK 17 does not vectorise a loop that
+     * contains a whole round.
      */
     @Override
     public void shade(FragmentBatch batch) {
@@ -45,9 +46,9 @@ public final class RoundsShader implements BatchShader {
         System.arraycopy(batch.vertexRed, 0, x, 0, size);
         System.arraycopy(batch.vertexGreen, 0, y, 0, size);
         for (int round = 0; round < rounds; round++) {
-            turn(size, x, y, batch.vertexBlue);
-            bend(size, x, batch.vertexRed);
-            bend(size, y, batch.vertexGreen);
+            linearPart(size, x, y, batch.vertexBlue);
+            blendWave(size, x, batch.vertexRed);
+            blendWave(size, y, batch.vertexGreen);
         }
         for (int i = 0; i < size; i++) {
             x[i] = 0.25f + 0.75f * x[i];
@@ -56,8 +57,8 @@ public final class RoundsShader implements BatchShader {
         System.arraycopy(batch.vertexBlue, 0, batch.blue, 0, size);
     }
 
-    /** The linear part of a round: what is put through s. */
-    private static void turn(int size, float[] x, float[] y, float[] blue) {
+    /** The linear part of a round: computes the arguments of s. */
+    private static void linearPart(int size, float[] x, float[] y, float[] blue) {
         for (int i = 0; i < size; i++) {
             float s = 0.5f * x[i] + 0.3f * y[i] - 0.4f * blue[i];
             y[i] = 0.4f * y[i] - 0.5f * x[i] + 0.3f * blue[i];
@@ -65,8 +66,8 @@ public final class RoundsShader implements BatchShader {
         }
     }
 
-    /** The other part of a round, for one of x and y: s, and the mean with what it began as. */
-    private static void bend(int size, float[] values, float[] first) {
+    /** The other part of a round, for x or y: applies s, and averages the result with the initial value. */
+    private static void blendWave(int size, float[] values, float[] first) {
         for (int i = 0; i < size; i++) {
             values[i] = 0.5f * first[i] + 0.5f * wave(values[i]);
         }

@@ -5,8 +5,8 @@ import java.util.Arrays;
 import org.joml.Vector3d;
 
 /**
- * Collects triangles that are given in normalised device coordinates: x to the right and y up, -1..1, and z from -1, near,
- * to 1, far. The camera maps them to a square raster, so a larger raster is the same scene larger. Not thread safe.
+ * Collects triangles in normalised device coordinates: x to the right and y up, -1..1, and z from -1, near, to 1,
+ * far. The camera maps them to a square raster, so a larger raster shows the same scene enlarged. Not thread safe.
  */
 final class ScreenTriangles {
     /** Looks along -z at the cube of -1..1, where far is z = -1. */
@@ -45,7 +45,7 @@ final class ScreenTriangles {
         indices[indexCount++] = c;
     }
 
-    /** Returns the triangles so far. */
+    /** Returns the triangles added so far. */
     Triangles toTriangles(String id, Coloring coloring) {
         return new Triangles(
                 id,

@@ -17,18 +17,18 @@ import java.nio.file.Path;
 import org.joml.Matrix4d;
 
 /**
- * Triangles with a colour a vertex and nothing else: work that any renderer can do, ours and a peer's.
+ * Triangles with one colour per vertex and no other attributes, which any renderer can draw.
  *
  * @param id name on command lines
  * @param positions x, y, z for each vertex, world space
- * @param indices three vertex numbers a triangle, in the order of submission
+ * @param indices three vertex numbers per triangle, in the order of submission
  * @param rgb red, green, blue for each vertex, 8 bits each, linear light
- * @param coloring how triangles get their colours
- * @param viewpoint what they are seen from
+ * @param coloring the source of the triangles' colours
+ * @param viewpoint the viewpoint from which the triangles are seen
  */
 public record Triangles(
         String id, float[] positions, int[] indices, byte[] rgb, Coloring coloring, Viewpoint viewpoint) {
-    /** First bytes of a file of {@link #write}. */
+    /** The first bytes of a file written by {@link #write}. */
     static final String MAGIC = "LZTRI001";
 
     /** Number of vertices. */
@@ -51,7 +51,7 @@ public record Triangles(
         return scene(material());
     }
 
-    /** Returns the scene of these triangles in a material of the caller's. */
+    /** Returns the scene of these triangles with the given material. */
     public Scene scene(Material material) {
         float[] colors = new float[4 * vertexCount()];
         for (int vertex = 0; vertex < vertexCount(); vertex++) {
@@ -73,11 +73,12 @@ public record Triangles(
     }
 
     /**
-     * Writes the triangles as a peer reads them, for a raster as wide as it is high.
+     * Writes the triangles to a file that other renderers read, for a square raster.
      *
-     * <p>Little-endian: {@value #MAGIC}; 32-bit integers: coloring (0 flat, 1 smooth, 2 rounds), 1 under perspective and 0
-     * otherwise, number of vertices, number of indices or 0 if vertices are not shared; the matrix from world to clip
-     * space, 16 floats, column by column; for each vertex three floats and the bytes red, green, blue, 255; the indices.
+     * <p>Little-endian: {@value #MAGIC}; 32-bit integers: coloring (0 flat, 1 smooth, 2 rounds), 1 for perspective
+     * and 0 otherwise, number of vertices, number of indices or 0 if vertices are not shared; the matrix from world
+     * to clip space, 16 floats, column by column; for each vertex three floats and the bytes red, green, blue, 255;
+     * the indices.
      */
     public void write(Path file) throws IOException {
         Camera camera = scene().camera(1, 1);

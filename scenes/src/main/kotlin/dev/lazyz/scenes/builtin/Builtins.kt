@@ -7,7 +7,7 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Surface
 
-/** The list of the built-in scenes, and how scene files ask for them. */
+/** The list of built-in scenes, and their creation for scene files. */
 internal object Builtins {
     private val size = ImageSize(640, 480)
 
@@ -38,10 +38,7 @@ internal object Builtins {
 
     fun layers(count: Int): Scene = LayersScene.scene(count)
 
-    /**
-     * Returns the surfaces of the scene called [id], with the parameters that a scene file gives it; [source] is that
-     * file.
-     */
+    /** Returns the surfaces of the scene called [id], with the [parameters] from the scene file [source]. */
     fun surfaces(source: Source, node: JsonNode, id: String, parameters: Map<String, JsonNode>): List<Surface> {
         val builtin = all.firstOrNull { it.id == id }
             ?: node.fail("there is no built-in scene \"$id\"", "known: ${all.joinToString { it.id }}")
@@ -68,7 +65,9 @@ internal object Builtins {
         }
     }
 
-    /** How many triangles a scene of a [size] has; none are counted of those that have few. */
+    /**
+     * Returns the number of triangles of scene [id] with parameter [size]; 0 for the scenes that have few triangles.
+     */
     private fun triangles(id: String, size: Int?): Long = when (id) {
         "teapot" -> (size ?: TEAPOT_SEGMENTS).toLong().let { 64 * it * it - 8 * it }
         "city" -> (size ?: CITY_BLOCKS).toLong().let { 40 * it * it }

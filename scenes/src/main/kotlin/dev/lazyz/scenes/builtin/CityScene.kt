@@ -10,10 +10,11 @@ import dev.lazyz.world.Surface
 import org.joml.Vector3d
 
 /**
- * Blocks of four houses each, [blocks] by [blocks] of them, in metres; streets run along x and z.
+ * A city of [blocks] by [blocks] blocks with four houses each, in metres. Streets run along x and z.
  *
- * The main street is the line x = 0, and the viewer stands at its near end. Houses come in the order of their blocks,
- * from the far end to the near one, one mesh for each kind of wall, so order says little about depth.
+ * The main street is the line x = 0, and the viewer stands at its near end. Houses are added in the order of their
+ * blocks, from the far end to the near one, with one mesh for each kind of wall, so the submission order says little
+ * about depth.
  */
 internal class CityScene(private val blocks: Int, seed: Long) {
     private val random = SplitMix(seed)
@@ -66,7 +67,7 @@ internal class CityScene(private val blocks: Int, seed: Long) {
         far = 60.0 + 2 * blocks * PITCH,
     )
 
-    /** One block, whose corner next to the streets is ([x], [z]). */
+    /** Adds one block. ([x], [z]) is the corner next to the streets. */
     private fun block(x: Double, z: Double) {
         val low = STREET / 2
         val high = PITCH - STREET / 2
@@ -92,7 +93,7 @@ internal class CityScene(private val blocks: Int, seed: Long) {
         val depth = side - random.between(0.0, 1.5)
         val width = side - random.between(0.0, 1.5)
 
-        // Most houses are low, and some are towers: the square of a random number
+        // The square of a random number makes most houses low and some of them towers
         val chance = random.between(0.0, 1.0)
         val floors = 3 + (chance * chance * MAX_FLOORS).toInt()
         val height = floors * Facade.FLOOR
@@ -102,7 +103,7 @@ internal class CityScene(private val blocks: Int, seed: Long) {
         roofs.floor(x, z, x + width, z + depth, KERB + height)
     }
 
-    /** The white dashes along the middle of the main street, a thumb above the ground. */
+    /** Adds the white dashes along the middle of the main street, 3 cm above the ground. */
     private fun dashes() {
         lines.color = Rgba.ofRgb(0xE6E4DC)
         var z = 12.0
@@ -120,7 +121,7 @@ internal class CityScene(private val blocks: Int, seed: Long) {
         const val FACADES = 4
         const val MAX_FLOORS = 17.0
 
-        /** From the middle of a street to the middle of the next. */
+        /** Distance from the middle of a street to the middle of the next. */
         const val PITCH = 40.0
         const val STREET = 9.0
         const val PAVEMENT = 2.0

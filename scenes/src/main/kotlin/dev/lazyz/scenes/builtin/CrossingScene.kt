@@ -9,7 +9,7 @@ import dev.lazyz.world.Scene
 import dev.lazyz.world.Shading
 import org.joml.Vector3d
 
-/** Three large triangles around the origin, one across each axis. */
+/** Three large triangles around the origin, one perpendicular to each axis. */
 internal object CrossingScene {
     fun scene(): Scene = Scene(
         surfaces = listOf(
@@ -26,7 +26,7 @@ internal object CrossingScene {
         background = Rgba.ofRgb(0xF2F0EB),
     )
 
-    /** An equilateral triangle of radius 1 about the origin, across the axis with number [axis]. */
+    /** Returns an equilateral triangle of radius 1 about the origin, perpendicular to the axis with number [axis]. */
     private fun triangle(axis: Int, color: Rgba, name: String): Mesh {
         val corners = doubleArrayOf(0.0, 1.0, -HALF_SIDE, -0.5, HALF_SIDE, -0.5)
         val positions = FloatArray(9) {

@@ -11,7 +11,7 @@ import dev.lazyz.world.Shading
 import dev.lazyz.world.Vertex
 import org.joml.Vector3d
 
-/** Three bars along the sides of a triangle; each begins in front of the one before and ends behind the next. */
+/** Three bars along the sides of a triangle. Each begins in front of the previous bar and ends behind the next. */
 internal object CycleScene {
     private const val HALF_LENGTH = 1.3
     private const val HALF_WIDTH = 0.2
@@ -32,7 +32,9 @@ internal object CycleScene {
         background = Rgba.ofRgb(0xF4F1EA),
     )
 
-    /** A bar that runs in direction ([c], [s]) of the picture, to the left of its middle, and away from the viewer. */
+    /**
+     * Returns a bar in direction ([c], [s]) of the image plane, to the left of its middle, receding from the viewer.
+     */
     private fun bar(c: Double, s: Double, color: Rgba, name: String): Polygon {
         fun corner(along: Double, across: Double): Vertex = Vertex(
             c * along - s * (across - DISTANCE),

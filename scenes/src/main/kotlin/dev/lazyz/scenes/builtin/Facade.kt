@@ -4,14 +4,14 @@ import dev.lazyz.world.Texture
 import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap
 
-/** Walls with windows, as textures: four by four windows, the colours left pale for the house to tint. */
+/** Textures of walls with windows: four by four windows, in pale colours that the house tints. */
 internal object Facade {
-    /** Height of a storey, and width of a window with the wall beside it, in metres. */
+    /** Height of a storey, and width of a window including the wall beside it, in metres. */
     const val FLOOR = 3.2
 
     private const val WINDOWS = 4
 
-    /** Metres of wall that one texture covers in either direction. */
+    /** Width and height of wall that one texture covers, in metres. */
     const val TILE = FLOOR * WINDOWS
 
     private const val CELL = 16

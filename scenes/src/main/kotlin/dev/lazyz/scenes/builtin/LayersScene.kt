@@ -27,7 +27,10 @@ internal object LayersScene {
         )
     }
 
-    /** The layer at [height], 0..1: a square turned by as much of half a circle, and a little smaller than the last. */
+    /**
+     * Returns the layer at [height], 0..1: a square rotated by [height] times 180 degrees, slightly smaller than the
+     * one below.
+     */
     private fun layer(height: Double): Mesh {
         val angle = height * StrictMath.PI
         val radius = 1.3 - 0.5 * height
@@ -43,7 +46,10 @@ internal object LayersScene {
         return Mesh(positions, intArrayOf(0, 1, 2, 0, 2, 3), Material(color(height), shading = Shading.FLAT))
     }
 
-    /** From violet over blue, green and yellow to red: a wave for each component, a third of a circle apart. */
+    /**
+     * Returns a colour from violet over blue, green and yellow to red: one cosine wave per component, 120 degrees
+     * apart.
+     */
     private fun color(height: Double): Rgba {
         val hue = (0.78 - 0.78 * height) * 2.0 * StrictMath.PI
         fun wave(shift: Double): Float = (0.45 + 0.40 * StrictMath.cos(hue - shift)).toFloat()

@@ -4,7 +4,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
 
-/** Collects quads with texture coordinates and colours, and makes one mesh of them. */
+/** Collects quads with texture coordinates and colours, and builds one mesh from them. */
 internal class MeshBuilder {
     private var positions = FloatArray(256)
     private var uvs = FloatArray(256)
@@ -13,12 +13,12 @@ internal class MeshBuilder {
     private var vertexCount = 0
     private var indexCount = 0
 
-    /** Colour of the vertices to come. */
+    /** Colour of the vertices that are added next. */
     var color: Rgba = Rgba.WHITE
 
     /**
-     * Adds a rectangle from [corner], spanned by the vectors [a] to the right and [b] up as seen from outside; the texture
-     * is repeated [across] times across and [down] times down.
+     * Adds a rectangle from [corner], spanned by the vectors [a] to the right and [b] up as seen from outside. The
+     * texture is repeated [across] times horizontally and [down] times vertically.
      */
     fun rectangle(corner: DoubleArray, a: DoubleArray, b: DoubleArray, across: Double = 1.0, down: Double = 1.0) {
         val first = vertexCount
@@ -30,7 +30,7 @@ internal class MeshBuilder {
         triangle(first, first + 2, first + 3)
     }
 
-    /** Adds the four walls of an upright box; the texture is repeated once in [tile] units. */
+    /** Adds the four walls of an upright box. The texture repeats every [tile] units. */
     fun walls(x0: Double, z0: Double, x1: Double, z1: Double, y0: Double, y1: Double, tile: Double) {
         val up = doubleArrayOf(0.0, y1 - y0, 0.0)
         val u = (x1 - x0) / tile
@@ -42,7 +42,7 @@ internal class MeshBuilder {
         rectangle(doubleArrayOf(x0, y0, z0), doubleArrayOf(0.0, 0.0, z1 - z0), up, w, v)
     }
 
-    /** Adds a level rectangle that is seen from above. */
+    /** Adds a horizontal rectangle that is seen from above. */
     fun floor(x0: Double, z0: Double, x1: Double, z1: Double, y: Double, repeats: Double = 1.0) {
         rectangle(
             doubleArrayOf(x0, y, z1),

@@ -10,8 +10,8 @@ import dev.lazyz.world.Sphere
 import org.joml.Vector3d
 
 /**
- * Caffeine, C8H10N4O2, every atom a sphere of its van der Waals radius: the space-filling model of Corey, Pauling and
- * Koltun, in their colours.
+ * Caffeine, C8H10N4O2. Every atom is a sphere of its van der Waals radius: the space-filling model of Corey, Pauling
+ * and Koltun, in their colours.
  *
  * Source: coordinates in angstrom of the conformer of compound 2519 in PubChem; radii by A. Bondi, "van der Waals
  * Volumes and Radii", Journal of Physical Chemistry 68 (1964).

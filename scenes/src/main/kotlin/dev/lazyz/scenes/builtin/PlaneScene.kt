@@ -13,7 +13,7 @@ import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap
 import org.joml.Vector3d
 
-/** A chequered plane of two triangles, and a few things on it. */
+/** A chequered plane of two triangles, with some objects on it. */
 internal object PlaneScene {
     private const val HALF_SIDE = 300.0
     private const val DARK = 0x39536B
@@ -43,7 +43,7 @@ internal object PlaneScene {
         background = Rgba.ofRgb(0xB7D0E2),
     )
 
-    /** Squares of one unit; two by two make the texture. */
+    /** Returns the plane, with squares of one unit. The texture consists of two by two squares. */
     private fun ground(): Surface {
         val texture = Texture(
             2, 2, intArrayOf(opaque(DARK), opaque(LIGHT), opaque(LIGHT), opaque(DARK)),
@@ -66,7 +66,7 @@ internal object PlaneScene {
         ),
     )
 
-    /** A cube turned by the angle of a triangle with sides 3, 4 and 5. */
+    /** Returns a cube rotated by the angle of a triangle with sides 3, 4 and 5. */
     private fun crate(): Surface {
         val a = doubleArrayOf(1.6 * 0.8, 0.0, -1.6 * 0.6)
         val b = doubleArrayOf(-1.6 * 0.6, 0.0, -1.6 * 0.8)
@@ -81,7 +81,7 @@ internal object PlaneScene {
         return builder.build(Material(texture = boards(), name = "crate"))
     }
 
-    /** Boards within a frame, 16 x 16 texels. */
+    /** Returns a texture of boards within a frame, 16 x 16 texels. */
     private fun boards(): Texture {
         val texels = IntArray(16 * 16) {
             val x = it % 16

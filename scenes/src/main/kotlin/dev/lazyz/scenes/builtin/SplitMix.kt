@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.builtin
 
 /**
- * Random numbers that are the same everywhere and always.
+ * Random numbers that are the same on every machine.
  *
  * Source: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014 (SplitMix64).
  */

@@ -11,7 +11,10 @@ import dev.lazyz.world.Shading
 import dev.lazyz.world.Vertex
 import org.joml.Vector3d
 
-/** A star with a round hole (even-odd rule), and behind it one drawn in one stroke, its middle filled (non-zero rule). */
+/**
+ * A star with a round hole (even-odd rule), and behind it a star that crosses itself, with a filled middle (non-zero
+ * rule).
+ */
 internal object StarScene {
     fun scene(): Scene = Scene(
         surfaces = listOf(
@@ -34,17 +37,17 @@ internal object StarScene {
         background = Rgba.ofRgb(0xF3EFE6),
     )
 
-    /** Ten corners, the outer and the inner ones in turn. */
+    /** Returns ten corners, outer and inner ones alternating. */
     private fun star(): List<Vertex> = List(10) { at(0.5 + it / 10.0, if (it % 2 == 0) 1.0 else 0.45, 0.0) }
 
     private fun circle(radius: Double, corners: Int): List<Vertex> = List(corners) {
         at(it / corners.toDouble(), radius, 0.0)
     }
 
-    /** Five corners, each joined to the second next. */
+    /** Returns five corners, each joined to the corner after the next. */
     private fun stroke(): List<Vertex> = List(5) { at(2 * it / 5.0, 1.25, -0.35) }
 
-    /** A point at a part of a full turn, counter-clockwise from the top. */
+    /** Returns the point at [turn] of a full turn, counter-clockwise from the top. */
     private fun at(turn: Double, radius: Double, z: Double): Vertex {
         val angle = turn * 2.0 * StrictMath.PI
         return Vertex(-radius * StrictMath.sin(angle), radius * StrictMath.cos(angle), z)

@@ -22,7 +22,7 @@ internal object TeapotScene {
             name = "pottery",
         )
 
-        // The patches' v runs up, a texture's runs down
+        // v increases upwards in the patches, downwards in a texture
         val uvs = FloatArray(teapot.uvs.size) { if (it % 2 == 0) teapot.uvs[it] else 1f - teapot.uvs[it] }
         return Scene(
             surfaces = listOf(Mesh(teapot.positions, teapot.triangles, material, teapot.normals, uvs)),

@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.collections
 
-/** Numbers that grow in number at the end, unboxed. Not thread safe. */
+/** A growing list of floats, unboxed. Not thread safe. */
 internal class Floats(capacity: Int = INITIAL_CAPACITY) {
     private var values = FloatArray(capacity)
 
@@ -18,7 +18,7 @@ internal class Floats(capacity: Int = INITIAL_CAPACITY) {
         size = 0
     }
 
-    /** Returns the numbers, in the same array each time; add no more. */
+    /** Returns the numbers in the list's own array, trimmed to [size]. Do not add numbers afterwards. */
     fun toArray(): FloatArray {
         if (size < values.size) values = values.copyOf(size)
         return values

@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.collections
 
-/** Whole numbers that grow in number at the end, unboxed. Not thread safe. */
+/** A growing list of integers, unboxed. Not thread safe. */
 internal class Ints(capacity: Int = INITIAL_CAPACITY) {
     private var values = IntArray(capacity)
 
@@ -13,7 +13,7 @@ internal class Ints(capacity: Int = INITIAL_CAPACITY) {
         values[index] = value
     }
 
-    /** Makes room for [capacity] numbers in all. */
+    /** Ensures that the list has room for [capacity] numbers in total. */
     fun ensure(capacity: Int) {
         if (capacity > values.size) values = values.copyOf(capacity)
     }
@@ -37,7 +37,7 @@ internal class Ints(capacity: Int = INITIAL_CAPACITY) {
         return true
     }
 
-    /** Returns the numbers, in the same array each time; add no more. */
+    /** Returns the numbers in the list's own array, trimmed to [size]. Do not add numbers afterwards. */
     fun toArray(): IntArray {
         if (size < values.size) values = values.copyOf(size)
         return values

@@ -1,10 +1,10 @@
 package dev.lazyz.scenes.collections
 
-/** How often each kind of thing in a file was passed over, for one warning about all of them. Not thread safe. */
+/** Counts the ignored elements of a file by kind, for one warning about all of them. Not thread safe. */
 internal class KindCounts {
     private val counts = LinkedHashMap<String, Int>()
 
-    /** How many things were added. */
+    /** Number of elements that were added. */
     var total = 0
         private set
 
@@ -13,7 +13,7 @@ internal class KindCounts {
         if (counts.size < MOST_KINDS || kind in counts) counts.merge(kind, 1, Int::plus)
     }
 
-    /** Lists the kinds in the order of the file, `2 curv, 8 vp`; those after the first [MOST_KINDS] are `others`. */
+    /** Lists the kinds in the order of the file, `2 curv, 8 vp`; kinds after the first [MOST_KINDS] are `others`. */
     override fun toString(): String {
         val named = counts.entries.joinToString { (kind, count) -> "$count $kind" }
         val others = total - counts.values.sum()

@@ -6,7 +6,7 @@ import dev.lazyz.scenes.text.TextEncoding
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
-/** Tells a file's format from its first bytes, for files whose name does not. */
+/** Detects a file's format from its first bytes, for files whose name does not determine it. */
 internal object FormatSniffer {
     private const val HEAD = 4096
     private const val STL_HEADER = 84
@@ -36,7 +36,7 @@ internal object FormatSniffer {
         else -> null
     }
 
-    /** A binary STL has no mark of its own, but its length says how many facets it has. */
+    /** A binary STL has no signature, but its length must match its number of facets. */
     private fun isBinaryStl(bytes: ByteArray): Boolean {
         if (bytes.size < STL_HEADER) return false
         val facets =
@@ -46,7 +46,7 @@ internal object FormatSniffer {
 
     private fun isOff(head: String): Boolean = OffHeader.isKeyword(head.trimStart().takeWhile { !it.isWhitespace() })
 
-    /** The first line that says something must be a statement of OBJ. */
+    /** The first line that is not empty and not a comment must be an OBJ statement. */
     private fun isObj(head: String): Boolean {
         val first = head.lineSequence().map { it.trim() }.firstOrNull { it.isNotEmpty() && !it.startsWith('#') }
         return first?.matches(objLine) == true

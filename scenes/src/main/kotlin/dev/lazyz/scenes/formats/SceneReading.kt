@@ -20,18 +20,18 @@ import java.nio.file.AccessDeniedException
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** From a file or a stream to the parser of its format. */
+/** Reads a file or a stream and passes it to the parser of its format. */
 internal object SceneReading {
-    /** Bytes that the system is asked for at a time. */
+    /** Maximum number of bytes per read call. */
     private const val PIECE = 1 shl 20
 
-    /** Reads a file of the given format, or of the one that its content looks like. */
+    /** Reads a file of the given format, or of the format detected from its content if [format] is null. */
     fun read(path: Path, format: SceneFormat?, options: LoadOptions): LoadedScene {
         val folder = path.toAbsolutePath().parent
         return read(path, format, Loading(options), folder)
     }
 
-    /** Reads a file as a part of a larger reading, whose references must not lead out of [root]. */
+    /** Reads a file as part of a larger [loading]. Its references must not lead out of [root]. */
     fun read(path: Path, format: SceneFormat?, loading: Loading, root: Path?): LoadedScene {
         val name = path.toString()
         val source = Source(bytes(path, name, format), name, path.toAbsolutePath().parent, loading, root)
@@ -65,7 +65,7 @@ internal object SceneReading {
             SceneFormat.SCENE -> return SceneFileReader(source).read()
         }
         if (parser != GltfParser && source.loading.options.animationTime != null) {
-            source.warn("files of this format have no animation, so that the time of one changes nothing")
+            source.warn("files of this format have no animation, so the requested time has no effect")
         }
         try {
             return LoadedScene(parser.parse(source), source.warnings.toList())
@@ -92,7 +92,10 @@ internal object SceneReading {
         }
     }
 
-    /** Reads all of [input]: the [expected] bytes straight into their array, and what a stream has besides. */
+    /**
+     * Reads all of [input]: first the [expected] bytes, directly into their array, then any further bytes of the
+     * stream.
+     */
     private fun bytes(input: InputStream, expected: Int, name: String, format: SceneFormat?): ByteArray {
         val bytes = ByteArray(expected)
         var count = 0
@@ -107,7 +110,10 @@ internal object SceneReading {
         return if (rest.isEmpty()) bytes else bytes + rest
     }
 
-    /** Most bytes of a file of [format]: an array must hold them, and the memory what becomes of them. */
+    /**
+     * Maximum bytes of a file of [format]: it must fit into an array, and its decoded contents must fit into the
+     * heap.
+     */
     private fun mostBytes(format: SceneFormat?): Long =
         minOf(Int.MAX_VALUE - 16L, Runtime.getRuntime().maxMemory() / LoadingMemory.perByte(format))
 

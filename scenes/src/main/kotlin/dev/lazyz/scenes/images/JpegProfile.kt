@@ -3,8 +3,8 @@ package dev.lazyz.scenes.images
 import java.io.ByteArrayOutputStream
 
 /**
- * Takes the colour profile out of a JPEG file, because the JDK's decoder applies it, in floating point, and cannot be
- * told not to (ITU-T T.81, annex B, for the segments; ICC.1:2022, annex B.4, for the profile in them).
+ * Removes the colour profile from a JPEG file, because the JDK's decoder applies the profile in floating point, and
+ * this cannot be disabled (ITU-T T.81, annex B, for the segments; ICC.1:2022, annex B.4, for the profile in them).
  */
 internal object JpegProfile {
     private const val MARK = 0xFF
@@ -13,14 +13,15 @@ internal object JpegProfile {
     private const val APPLICATION_2 = 0xE2
     private val name = "ICC_PROFILE\u0000".toByteArray(Charsets.ISO_8859_1)
 
-    /** Returns [bytes] without profile segments; [bytes] itself if there are none or it is no JPEG. */
+    /** Returns [bytes] without profile segments, or [bytes] itself if there are none or it is not a JPEG. */
     fun remove(bytes: ByteArray): ByteArray {
         if (bytes.size < 2 || at(bytes, 0) != MARK || at(bytes, 1) != START_OF_IMAGE) return bytes
         val kept = ByteArrayOutputStream(bytes.size)
         var from = 0
         var position = 2
 
-        // Walk the segments before the picture: a mark, a kind, and a length that counts its own two bytes
+        // Go through the segments before the image data: a marker, a kind, and a length that includes its own two
+        // bytes
         while (position + 4 <= bytes.size && at(bytes, position) == MARK && at(bytes, position + 1) != START_OF_SCAN) {
             val end = position + 2 + (at(bytes, position + 2) shl 8 or at(bytes, position + 3))
             if (at(bytes, position + 1) == APPLICATION_2 && isNamed(bytes, position + 4)) {

@@ -1,14 +1,14 @@
 package dev.lazyz.scenes.images
 
 /**
- * The way from sRGB-encoded numbers, as files give colours, to linear light (IEC 61966-2-1).
+ * Converts sRGB-encoded numbers, as files store colours, to linear light (IEC 61966-2-1).
  *
- * The power is [StrictMath]'s, so that a colour is the same bits on every machine.
+ * Uses [StrictMath.pow], so that a colour is bit for bit the same on every machine.
  */
 internal object SrgbDecoding {
     private val ofByte = FloatArray(256) { decode(it / 255.0) }
 
-    /** Decodes a number in 0..1; outside it is clamped, and NaN gives 0. */
+    /** Decodes a number in 0..1. Numbers outside the range are clamped, and NaN gives 0. */
     fun decode(encoded: Double): Float = when {
         !(encoded > 0.0) -> 0f
         encoded >= 1.0 -> 1f
@@ -16,6 +16,6 @@ internal object SrgbDecoding {
         else -> StrictMath.pow((encoded + 0.055) / 1.055, 2.4).toFloat()
     }
 
-    /** Decodes an 8-bit code, 0..255: the value that core gives a texel with this code. */
+    /** Decodes an 8-bit code, 0..255, to the same value that the core module gives a texel with this code. */
     fun decodeByte(code: Int): Float = ofByte[code]
 }

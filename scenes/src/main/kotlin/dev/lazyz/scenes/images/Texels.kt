@@ -5,10 +5,11 @@ import java.awt.image.IndexColorModel
 import java.awt.image.Raster
 
 /**
- * Pictures as `0xAARRGGBB` texels, straight from the numbers that the file stores.
+ * Converts images to `0xAARRGGBB` texels, directly from the numbers that the file stores.
  *
- * No colour management: codes are taken as sRGB whatever profile or gamma the file claims. `BufferedImage.getRGB` will
- * not do, for it takes grey to be linear light and makes 128 into 188, and converts from profiles in floating point.
+ * There is no colour management: codes are taken as sRGB, whatever profile or gamma the file states.
+ * `BufferedImage.getRGB` is not suitable, because it treats grey as linear light, which turns 128 into 188, and
+ * converts from profiles in floating point.
  */
 internal object Texels {
     /** Returns the texels of [image] in rows from the top. */
@@ -40,7 +41,7 @@ internal object Texels {
         raster.getPixels(raster.minX, raster.minY + y, raster.width, 1, row)
     }
 
-    /** Scales a sample of any depth to 0..255, to the nearest. */
+    /** Scales a sample of any bit depth to 0..255, rounded to the nearest. */
     private fun byte(sample: Int, bits: Int): Int {
         if (bits == 8) return sample
         val most = (1L shl bits) - 1

@@ -11,27 +11,28 @@ import javax.imageio.ImageIO
 import javax.imageio.stream.MemoryCacheImageInputStream
 
 /**
- * Textures from image files: PNG, JPEG, and what else the JDK reads (BMP, GIF).
+ * Reads textures from image files: PNG, JPEG, and the other formats that the JDK reads (BMP, GIF).
  *
- * Texels are the file's own codes, see [Texels]; profiles are passed over. A JPEG's codes are what the JDK's decoder
- * makes of it, which need not be the same on every JDK.
+ * Texels are the codes that the file stores, see [Texels]; colour profiles are ignored. The codes of a JPEG are those
+ * that the JDK's decoder computes, which can differ between JDKs.
  */
 internal object TextureFiles {
-    /** What a warning says of a picture that is there and cannot be read. */
+    /** The text of a warning about an image that exists but cannot be decoded. */
     const val NOT_DECODED: String = "cannot be decoded and is left out; save it as PNG or JPEG"
 
-    /** An array cannot be longer. */
+    /** The maximum length of an array. */
     private const val MAX_TEXELS = Int.MAX_VALUE - 8L
 
     /**
-     * Most texels a byte of a file can stand for. Compression ends near 1032:1 for PNG (RFC 1951), 8 texels of 1 bit a
-     * byte; a header that promises more is a trap, and a picture of it would fill memory before it failed.
+     * The maximum number of texels per byte of a file. PNG compression reaches at most about 1032:1 (RFC 1951), with
+     * 8 texels of 1 bit per byte. A header that claims more is malicious or damaged, and decoding it would fill
+     * memory before it failed.
      */
     private const val MAX_TEXELS_PER_BYTE = 16384L
 
     /**
-     * Returns the picture in [bytes], which [source] holds or refers to, as a texture called [name]; null if it cannot be
-     * decoded.
+     * Returns the image in [bytes], which [source] contains or refers to, as a texture called [name]; null if it
+     * cannot be decoded.
      */
     fun decode(source: Source, bytes: ByteArray, name: String): Texture? = try {
         read(source, JpegProfile.remove(bytes), name)
@@ -40,16 +41,17 @@ internal object TextureFiles {
     } catch (_: IOException) {
         null
     } catch (_: RuntimeException) {
-        // A damaged file makes some of the JDK's decoders fail at an index or a negative size
+        // Some decoders of the JDK fail on a damaged file with an index out of bounds or a negative size
         null
     } catch (_: LinkageError) {
-        // A JDK cut down to run without java.desktop
+        // A reduced JDK without java.desktop
         null
     }
 
     /**
-     * Returns the texture in the file that [reference] stands for, looked for in [folders]; null, with a warning, if there
-     * is no such file or it cannot be decoded. A file is decoded once, however it is spelt.
+     * Returns the texture in the file that [reference] names, searched for in [folders]; null, with a warning, if
+     * there is no such file or it cannot be decoded. A file is decoded only once, even if its references are spelt
+     * differently.
      */
     fun find(source: Source, reference: String, folders: List<Path> = listOfNotNull(source.folder)): Texture? {
         val found = source.references.find(reference, folders)

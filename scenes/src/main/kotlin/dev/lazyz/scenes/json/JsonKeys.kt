@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.json
 
-/** Questions about the text of keys and numbers. */
+/** Helpers for JSON paths, misspelt keys and the grammar of numbers. */
 internal object JsonKeys {
     private val identifier = Regex("[A-Za-z_][A-Za-z0-9_-]*")
 
@@ -11,7 +11,7 @@ internal object JsonKeys {
         else -> "$path.$key"
     }
 
-    /** Returns the word of [known] that [key] is a misspelling of, by at most two letters, or null. */
+    /** Returns the word of [known] that differs from [key] by at most two letters, or null. */
     fun nearest(key: String, known: List<String>): String? =
         known.filter { StrictMath.abs(it.length - key.length) <= MAX_EDITS }
             .map { it to edits(key, it) }
@@ -46,7 +46,7 @@ internal object JsonKeys {
         return i
     }
 
-    /** Counts the letters to insert, delete or replace between two words (Levenshtein's distance). */
+    /** Returns the number of letters to insert, delete or replace between two words (Levenshtein distance). */
     private fun edits(a: String, b: String): Int {
         var previous = IntArray(b.length + 1) { it }
         for (i in 1..a.length) {

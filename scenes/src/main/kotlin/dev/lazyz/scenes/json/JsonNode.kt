@@ -9,9 +9,9 @@ import kotlinx.serialization.json.JsonPrimitive
 import org.joml.Vector3d
 
 /**
- * A value of a scene file together with the way to it, so that a complaint can say where.
+ * A value of a scene file together with its path, so that error messages can state the location.
  *
- * @property path such as `surfaces[2].material`; empty for the whole file
+ * @property path for example `surfaces[2].material`; empty for the whole file
  */
 internal class JsonNode(private val source: Source, val path: String, private val element: JsonElement) {
     val isText: Boolean get() = element is JsonPrimitive && element.isString
@@ -20,14 +20,14 @@ internal class JsonNode(private val source: Source, val path: String, private va
 
     fun fail(problem: String, remedy: String? = null): Nothing = source.fail(path.ifEmpty { null }, problem, remedy)
 
-    /** Runs [block]; an argument that the library refuses becomes a complaint about this value. */
+    /** Runs [block]. If the block throws [IllegalArgumentException], reports it as an error in this value. */
     inline fun <T> checked(block: () -> T): T = try {
         block()
     } catch (e: IllegalArgumentException) {
         source.fail(path.ifEmpty { null }, e.message ?: "not a legal value", cause = e)
     }
 
-    /** Returns the members of an object; one that is not [known] is an error. */
+    /** Returns the members of an object. A member that is not in [known] is an error. */
     fun members(vararg known: String): JsonMembers {
         if (element !is JsonObject) wrongType("an object with ${known.joinToString()}")
         for (key in element.keys) {
@@ -43,7 +43,7 @@ internal class JsonNode(private val source: Source, val path: String, private va
         return JsonMembers(this, known.asList(), element.mapValues { (key, value) -> child(key, value) })
     }
 
-    /** Returns the members of an object whose keys are names of the user's choice, in the order of the file. */
+    /** Returns the members of an object whose keys are user-defined names, in the order of the file. */
     fun named(): Map<String, JsonNode> {
         if (element !is JsonObject) wrongType("an object of names")
         return element.mapValues { (key, value) -> child(key, value) }
@@ -59,7 +59,7 @@ internal class JsonNode(private val source: Source, val path: String, private va
         return element.content
     }
 
-    /** Returns the constant of an enum that is written as one of the [names]. */
+    /** Returns the enum constant for this text, which must be one of the [names]. */
     fun <T> choice(names: Map<String, T>): T {
         val text = text()
         val known = names.keys.joinToString { "\"$it\"" }
@@ -106,7 +106,7 @@ internal class JsonNode(private val source: Source, val path: String, private va
         return item.content.toIntOrNull()
     }
 
-    /** The short way for the long lists of meshes: no path, no node. */
+    /** Fast path for the long lists of meshes: needs no path and no node. Null if [item] is not a finite number. */
     private fun finiteOrNull(item: JsonElement): Float? {
         if (item !is JsonPrimitive || item.isString || !JsonKeys.isNumber(item.content)) return null
         return item.content.toFloat().takeIf { it.isFinite() }
@@ -117,7 +117,7 @@ internal class JsonNode(private val source: Source, val path: String, private va
         return element.content
     }
 
-    /** What JSON has no number for is written in quotes. */
+    /** Returns NaN or an infinity, which are written in quotes because JSON has no such numbers; otherwise null. */
     private fun special(): Double? = when {
         element !is JsonPrimitive || !element.isString -> null
         element.content == "NaN" -> Double.NaN
@@ -141,7 +141,7 @@ internal class JsonNode(private val source: Source, val path: String, private va
     override fun toString(): String = "JsonNode($path)"
 
     private companion object {
-        const val TOO_LARGE_REMEDY = "write \"Infinity\" if that is what it is to be"
+        const val TOO_LARGE_REMEDY = "write \"Infinity\" if infinity is intended"
     }
 }
 
@@ -155,10 +155,10 @@ internal class JsonMembers(
 
     fun required(key: String): JsonNode = values[key] ?: node.fail("\"$key\" is missing", "add it")
 
-    /** Returns what positions are relative to. */
+    /** Returns the origin that positions are relative to. */
     fun origin(): Vector3d = values["origin"]?.doubles(3)?.let { Vector3d(it[0], it[1], it[2]) } ?: Vector3d()
 
-    /** Returns the one member of those that exclude each other. */
+    /** Returns the only member present out of [kinds], which exclude each other. */
     fun one(vararg kinds: String): Pair<String, JsonNode> {
         val present = kinds.filter { it in values }
         val choices = kinds.joinToString { "\"$it\"" }

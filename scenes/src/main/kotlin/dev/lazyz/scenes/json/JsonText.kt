@@ -9,7 +9,7 @@ import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonDecodingException
 import kotlinx.serialization.json.JsonElement
 
-/** From bytes to a tree of JSON, with a place for every fault. */
+/** Parses bytes to a JSON tree, and reports the place of every error. */
 internal object JsonText {
     @OptIn(ExperimentalSerializationApi::class)
     fun parse(source: Source): JsonElement {
@@ -47,11 +47,11 @@ internal object JsonText {
 }
 
 /**
- * Looks through a text for what the parser would not complain about: nesting that is too deep for its stack, and a key
- * given twice in one object, of which it would keep the last.
+ * Checks a text for two errors that the parser does not report: nesting that is too deep for the parser's stack, and
+ * a key that occurs twice in one object, of which the parser would keep the last.
  */
 private class NestingCheck(private val source: Source, private val text: String) {
-    /** Keys of the objects around the current place; null stands for a list. */
+    /** Keys of the objects around the current position; null stands for a list. */
     private val around = ArrayList<HashSet<String>?>()
 
     fun run() {
@@ -75,7 +75,7 @@ private class NestingCheck(private val source: Source, private val text: String)
         around.add(keys)
     }
 
-    /** Passes over the string that starts at [start] and returns where it ends; a colon behind it makes it a key. */
+    /** Skips the string that starts at [start] and returns its end. A string followed by a colon is a key. */
     private fun string(start: Int): Int {
         var end = start + 1
         while (end < text.length && text[end] != '"') end += if (text[end] == '\\') 2 else 1

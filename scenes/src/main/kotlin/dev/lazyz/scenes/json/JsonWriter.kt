@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.json
 
-/** Writes JSON as it comes, so that a large mesh is never in memory as text; indented for people to read. */
+/** Writes indented JSON incrementally, so that the text of a large mesh is never in memory. */
 internal class JsonWriter(private val out: Appendable) {
     private var depth = 0
     private var isFirst = true
@@ -12,7 +12,7 @@ internal class JsonWriter(private val out: Appendable) {
         close('}')
     }
 
-    /** Writes a list, each item on a line of its own. */
+    /** Writes a list, with each item on its own line. */
     inline fun <T> items(items: Iterable<T>, write: JsonWriter.(T) -> Unit) {
         open('[')
         for (item in items) {
@@ -22,7 +22,7 @@ internal class JsonWriter(private val out: Appendable) {
         close(']')
     }
 
-    /** Writes a member's key; its value has to follow. */
+    /** Writes a member's key. The caller must write the value next. */
     fun key(name: String): JsonWriter = apply {
         next()
         text(name)
@@ -58,7 +58,7 @@ internal class JsonWriter(private val out: Appendable) {
     /** Writes a short list on one line. */
     fun integers(vararg values: Int) = inline(values.size) { integer(values[it]) }
 
-    /** Writes a long list, [PER_LINE] numbers a line: a whole number of points, of pairs and of colours. */
+    /** Writes a long list with [PER_LINE] numbers per line: a whole number of points, of pairs and of colours. */
     inline fun long(count: Int, write: (Int) -> Unit) {
         if (count == 0) return inline(0) { }
         open('[')
@@ -102,7 +102,7 @@ internal class JsonWriter(private val out: Appendable) {
         out.append(text)
     }
 
-    /** A whole number loses its `.0`; what JSON has no number for is put in quotes. */
+    /** Removes the `.0` of whole numbers, and puts numbers that JSON cannot represent in quotes. */
     private fun literal(text: String, isFinite: Boolean) {
         if (isFinite) out.append(text.removeSuffix(".0")) else text(text)
     }

@@ -4,14 +4,14 @@ import dev.lazyz.geometry.Box
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
-/** Keeps the details of files with decimal or 64-bit positions that lie far away from the world's origin. */
+/** Keeps the precision of files whose decimal or 64-bit positions are far from the world's origin. */
 internal object FarOrigin {
     /**
-     * Returns what [read] makes of a file, given what it subtracts from all positions. That is nothing at first. If the
-     * model then lies so far away that 32-bit positions are too coarse, what was read is dropped, the file is read once
-     * more, and its middle is subtracted.
+     * Returns the result of [read], whose argument is the vector that [read] subtracts from all positions. First the
+     * vector is zero. If the model is so far from the origin that 32-bit positions are too coarse, the result is
+     * discarded, and the file is read again with the model's centre subtracted.
      *
-     * @param bounds the box around what was read, or null if there is nothing
+     * @param bounds the bounding box of a result, or null if it is empty
      */
     fun <T : Any> reading(read: (Vector3dc) -> T, bounds: (T) -> Box?): T {
         val first = First(read(Vector3d()))
@@ -21,7 +21,7 @@ internal object FarOrigin {
         return read(origin)
     }
 
-    /** Not a variable, which would hold what was read as long as the call lasts. */
+    /** Holds the first result. A local variable would keep it in memory until the call ends. */
     private class First<T : Any>(private var found: T?) {
         fun found(): T = checkNotNull(found)
 

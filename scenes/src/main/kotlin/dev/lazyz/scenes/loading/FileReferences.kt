@@ -9,13 +9,13 @@ import java.nio.file.Path
 /**
  * Finds the files that a model refers to.
  *
- * A reference is looked up relative to a folder, with `/` or `\` between its parts; the exact name first, then one that
- * differs in case only (the first in alphabetical order). An absolute path, a drive letter or a URL names a place on the
- * author's machine: it is used if it lies within the folder, and otherwise the file of the same name in the folder is.
- * Only regular files count. Nothing is ever fetched from a network.
+ * A reference is resolved relative to a folder, with `/` or `\` as separator: first the exact name, then a name that
+ * differs only in case (the first in alphabetical order). An absolute path, a drive letter or a URL refers to a place
+ * on the author's machine. Such a path is used if it lies within the folder; otherwise the file with the same name in
+ * the folder is used. Only regular files count. Nothing is ever fetched from a network.
  *
- * @param folder where to look, or null for a stream that has no place
- * @param root the folder that a file must lie in, links resolved, if the [policy] says so
+ * @param folder the folder to search, or null for a stream, which has no folder
+ * @param root the folder that must contain the file, symbolic links resolved, if the [policy] requires it
  */
 internal class FileReferences(
     private val folder: Path?,
@@ -23,18 +23,18 @@ internal class FileReferences(
     private val policy: ReferencePolicy,
 ) {
     /**
-     * What came of a reference.
+     * The result of a search.
      *
-     * @property file the regular file that it stands for, or null
-     * @property problem if there is none, what is wrong: "is missing"
-     * @property remedy and what to do about it
+     * @property file the regular file that the reference names, or null
+     * @property problem if there is no file, what is wrong: "is missing"
+     * @property remedy if there is no file, what to do about it
      */
     class Found(val file: Path?, val problem: String = "", val remedy: String = "") {
-        /** What a warning says of a reference that is not followed. */
+        /** The text of a warning about a reference that is ignored. */
         val warning: String get() = "$problem and is left out; $remedy"
     }
 
-    /** Looks for [reference] in [folders], by default the one folder, in order. */
+    /** Searches for [reference] in [folders] in order, by default only in this object's folder. */
     fun find(reference: String, folders: List<Path> = listOfNotNull(folder)): Found {
         val files = folders.mapNotNull { resolve(it, reference) }
         val allowed = files.firstOrNull { isAllowed(it) }
@@ -80,7 +80,7 @@ internal class FileReferences(
     }
 
     private fun lookUp(folder: Path, name: String): Path? {
-        // Walk down the parts, so that `.` and empty parts fall out and each part may differ in case
+        // Resolve part by part, so that `.` and empty parts are skipped and each part can differ in case
         var place = folder.toAbsolutePath().normalize()
         for (part in name.split('/')) {
             place = when (part) {
@@ -100,11 +100,11 @@ internal class FileReferences(
     }
 
     companion object {
-        /** What to do about a reference that leads out of the model's folder. */
+        /** Remedy for a reference that leads out of the model's folder. */
         private const val REMEDY =
             "copy it there, or if the model can be trusted set LoadLimits.references (zcli: --allow-outside)"
 
-        /** Largest file that is read, for it has to fit an array. */
+        /** Maximum size of a file, because it must fit into an array. */
         private const val MAX_BYTES = Int.MAX_VALUE - 8L
 
         private val drive = Regex("[A-Za-z]:/.*")

@@ -8,13 +8,13 @@ import dev.lazyz.world.Texture
 import java.nio.file.Path
 
 /**
- * One call of [Scenes.load]: its [options], what it has used of them so far, and the textures that it has read. All sources
- * of the call share it. Not thread safe.
+ * One call of [Scenes.load]: its [options], the amount of each limit that is used so far, and the textures that it
+ * has read. All sources of the call share this object. Not thread safe.
  */
 internal class Loading(val options: LoadOptions = LoadOptions()) {
     val limits: LoadLimits = options.limits
 
-    /** Textures by the files' real paths; null for one that cannot be decoded. */
+    /** Textures by the real path of the file; null for a texture that cannot be decoded. */
     val textures: MutableMap<Path, Texture?> = HashMap()
 
     private val start = System.nanoTime()
@@ -24,40 +24,40 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     private var vertices = 0L
     private var texels = 0L
 
-    /** How many milliseconds are left for reading; null without a limit. */
+    /** Milliseconds left for reading; null without a limit. */
     val millisecondsLeft: Long?
         get() = limits.time?.let { maxOf(it.toMillis() - (System.nanoTime() - start) / NANOSECONDS, 0) }
 
-    /** So many [bytes] of a file were read. */
+    /** Records that [bytes] bytes of a file were read. */
     fun read(bytes: Int) {
         read += bytes
     }
 
-    /** Fails if [source] must not decode so many more vertices; call it before memory is allocated for them. */
+    /** Adds [count] vertices; fails if [source] then exceeds a limit. Call it before allocating memory for them. */
     fun vertices(source: Source, count: Long) {
         vertices += count
         check(source, vertices, limits.vertices, "vertices", "vertices", "--max-vertices")
         decode(source, count * VERTEX_BYTES)
     }
 
-    /** Fails if [source] must not decode so many more triangles; call it before memory is allocated for them. */
+    /** Adds [count] triangles; fails if [source] then exceeds a limit. Call it before allocating memory for them. */
     fun triangles(source: Source, count: Long) {
         triangles += count
         check(source, triangles, limits.triangles, "triangles", "triangles", "--max-triangles")
         decode(source, count * TRIANGLE_BYTES)
     }
 
-    /** As [triangles], for so many segments of lines, each of which counts as a triangle. */
+    /** Like [triangles], for [count] line segments, each of which counts as a triangle. */
     fun segments(source: Source, count: Long): Unit = triangles(source, count)
 
-    /** Fails if [source] must not decode so many more texels; call it before memory is allocated for them. */
+    /** Adds [count] texels; fails if [source] then exceeds a limit. Call it before allocating memory for them. */
     fun texels(source: Source, count: Long) {
         texels += count
         check(source, texels, limits.texels, "pixels of textures", "texels", "--max-texels")
         decode(source, count * TEXEL_BYTES)
     }
 
-    /** Fails if [source] must not decode so many [bytes] more; call it before memory is allocated for them. */
+    /** Adds decoded [bytes]; fails if [source] then exceeds a limit. Call it before allocating memory for them. */
     fun decode(source: Source, bytes: Long) {
         decoded += bytes
         val most = limits.decodedBytes ?: LoadLimits.defaultDecodedBytes(read)
@@ -68,7 +68,10 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
         }
     }
 
-    /** Returns [mesh] with smooth normals, unless it has normals or is to have none; fails if the memory is too small. */
+    /**
+     * Returns [mesh] with smooth normals, or [mesh] itself if it has normals or the options disable smooth normals.
+     * Fails if the memory is too small.
+     */
     fun smoothed(source: Source, mesh: Mesh, creaseAngle: Double): Mesh {
         if (mesh.normals != null || !options.smoothNormals) return mesh
         val need = LoadingMemory.normals(mesh.triangleCount.toLong(), mesh.vertexCount.toLong())
@@ -88,16 +91,16 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
         source.fail(null, problem, "if it can be trusted, raise LoadLimits.$limit (zcli: $flag), and -Xmx if need be")
 
     companion object {
-        /** What to do about JSON that is nested too deep. */
+        /** Remedy for JSON that is nested too deeply. */
         const val NESTING_REMEDY: String = "if it can be trusted, raise LoadLimits.nesting (zcli: --max-nesting)"
 
-        /** In a millisecond. */
+        /** Nanoseconds per millisecond. */
         private const val NANOSECONDS = 1_000_000L
 
         private const val TRIANGLE_BYTES = 12L
         private const val VERTEX_BYTES = 32L
 
-        /** While it is decoded: the decoder's picture, and a copy. */
+        /** During decoding: the decoder's image and a copy. */
         private const val TEXEL_BYTES = 12L
     }
 }

@@ -9,12 +9,13 @@ import dev.lazyz.world.Scene
 import java.nio.file.Path
 
 /**
- * Bytes to read a scene from, with what a reader needs to complain about them and to find what they refer to.
+ * The bytes of a scene, with the data that a reader needs to report errors and to find the files that the scene
+ * refers to.
  *
  * @param bytes the whole file
  * @property name the file's name as the caller gave it
- * @property folder where relative references are looked up, or null for a stream that has no place
- * @property loading the call of [Scenes.load] that reads it
+ * @property folder the folder for relative references, or null for a stream, which has no folder
+ * @property loading the call of [Scenes.load] that reads this source
  * @param root the folder that references must not lead out of
  */
 internal class Source(
@@ -35,17 +36,17 @@ internal class Source(
         loading.read(bytes.size)
     }
 
-    /** What had to be passed over so far; reported by [LoadedScene.warnings]. */
+    /** Warnings about what was ignored so far; reported by [LoadedScene.warnings]. */
     val warnings = ArrayList<String>()
 
-    /** Turns text with a byte order mark into UTF-8 without one. */
+    /** Converts text with a byte order mark into UTF-8 without one. */
     fun decodeText() {
         if (!TextEncoding.hasMark(bytes)) return
         loading.decode(this, 2L * bytes.size)
         content = TextEncoding.utf8(bytes)
     }
 
-    /** Lets go of the bytes, which have been read, to leave memory for what becomes of them. */
+    /** Releases the bytes after they have been read, to free memory for the decoded data. */
     fun release() {
         content = null
     }
@@ -58,7 +59,7 @@ internal class Source(
         throw SceneFormatException(name, location, problem, remedy, cause)
 }
 
-/** Reads one format. Throws [SceneFormatException] for bad input, and nothing else. */
+/** A parser of one format. Throws only [SceneFormatException] for bad input. */
 internal fun interface SceneParser {
     fun parse(source: Source): Scene
 }

@@ -7,10 +7,10 @@ import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
 
 /**
- * Triangles whose corners may have a colour and texture coordinates of their own, instead of their vertex's. Corners of
- * one vertex that agree in both are one vertex of the mesh. Not thread safe.
+ * Triangles whose corners can have their own colour and texture coordinates instead of those of their vertex. Corners
+ * of one vertex that have the same colour and coordinates become one vertex of the mesh. Not thread safe.
  *
- * @param vertices what corners refer to
+ * @param vertices the vertices that corners refer to
  * @param colors the colours of corners
  * @param places the texture coordinates of corners
  */
@@ -24,17 +24,20 @@ internal class CornerMesh(
     private var hasColors = vertices.colors != null
     private var hasPlaces = vertices.uvs != null
 
-    /** How many triangles there are. */
+    /** Number of triangles. */
     val triangleCount: Int get() = triangles.size / 3
 
-    /** Adds a corner of [vertex]; three make a triangle. Numbers of colour and texture coordinates are -1 for the vertex's. */
+    /**
+     * Adds a corner of [vertex]; three corners make a triangle. [color] and [place] are numbers in the palette and in
+     * the texture coordinates, or -1 to use those of the vertex.
+     */
     fun add(vertex: Int, color: Int = -1, place: Int = -1) {
         if (color >= 0) hasColors = true
         if (place >= 0) hasPlaces = true
         triangles.add(corners.add(vertex, color, place))
     }
 
-    /** Returns the mesh, if [source] may have one so large; add no more corners then. */
+    /** Returns the mesh; fails if it exceeds a limit of [source]. Do not add corners afterwards. */
     fun mesh(source: Source, material: Material = Material()): Mesh {
         source.loading.decode(source, corners.size * CORNER_BYTES)
         return Mesh(
@@ -62,7 +65,9 @@ internal class CornerMesh(
         }
     }
 
-    /** Returns the [width] numbers of each corner's vertex, or [missing] ones where vertices have none. */
+    /**
+     * Returns the [width] numbers of each corner's vertex, or [missing] for all if the vertices have no such numbers.
+     */
     private fun gathered(from: FloatArray?, width: Int, missing: Float): FloatArray {
         val result = FloatArray(width * corners.size)
         if (from == null) {
@@ -77,7 +82,7 @@ internal class CornerMesh(
     }
 
     private companion object {
-        /** Of a vertex, and of what finds it. */
+        /** Bytes of a vertex and of its entry in the hash table. */
         const val CORNER_BYTES = 80L
     }
 }

@@ -4,15 +4,15 @@ import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.world.Mesh
 
 /**
- * Takes a mesh apart into groups of its triangles, each with the vertices that it uses. Not thread safe.
+ * Splits a mesh into groups of triangles, each with the vertices that it uses. Not thread safe.
  *
- * @param whole its vertices are numbered in the order of their first use, and all are used
+ * @param whole the mesh; its vertices must be numbered in the order of their first use, and all must be used
  * @param groupOf number of each triangle's group, 0 until [groupCount]
  */
 internal class MeshParts(private val whole: Mesh, groupOf: Ints, private val groupCount: Int) {
     private val members = List(groupCount) { Ints() }
 
-    /** By vertex of the whole: its number in the part at hand, or -1. */
+    /** For each vertex of the whole mesh: its number in the current part, or -1. */
     private val newNumber = IntArray(if (groupCount == 1) 0 else whole.vertexCount) { -1 }
 
     init {
@@ -21,11 +21,11 @@ internal class MeshParts(private val whole: Mesh, groupOf: Ints, private val gro
         }
     }
 
-    /** Returns the triangles of [group], in order; the whole itself if it has but one group. */
+    /** Returns the triangles of [group], in order; the whole mesh if there is only one group. */
     fun part(group: Int): Mesh {
         if (groupCount == 1) return whole
 
-        // Number the vertices anew in the order in which they are used
+        // Renumber the vertices in the order in which they are used
         val used = Ints()
         val triangles = IntArray(3 * members[group].size)
         for (i in triangles.indices) {

@@ -5,19 +5,19 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
 
-/** Cuts [polygons] into triangles, and makes a mesh of them. Not thread safe. */
+/** Triangulates [polygons] and builds a mesh from the triangles. Not thread safe. */
 internal class PolygonMesh(
     private val source: Source,
     private val vertices: VertexArrays,
     private val polygons: Polygons,
 ) {
-    /** Whether the polygons are the triangles, so that nothing is cut and nothing left out. */
+    /** Whether all polygons are triangles with valid vertices, so that none is triangulated or skipped. */
     private val areTriangles = polygons.areTriangles && polygons.areBelow(vertices.count)
 
-    /** By triangle and corner: the corner's number among those of all polygons; empty if [areTriangles]. */
+    /** By triangle and corner: the corner's number among the corners of all polygons; empty if [areTriangles]. */
     private val corners = Ints(if (areTriangles) 0 else polygons.cornerCount)
 
-    /** By triangle: its polygon; empty if [areTriangles]. */
+    /** By triangle: number of its polygon; empty if [areTriangles]. */
     private val polygonOf = Ints()
 
     init {
@@ -25,15 +25,18 @@ internal class PolygonMesh(
         source.loading.triangles(source, triangleCount.toLong())
     }
 
-    /** How many triangles there are. */
+    /** Number of triangles. */
     val triangleCount: Int get() = if (areTriangles) polygons.count else corners.size / 3
 
     /** Returns the number of a triangle's texture, or -1. */
     fun textureOf(triangle: Int): Int = polygons.textureOf(polygon(triangle))
 
-    /** Returns all triangles in the order of their polygons. Colours of vertices hide those of polygons, as in MeshLab. */
+    /**
+     * Returns all triangles in the order of their polygons. Vertex colours take precedence over polygon colours, as
+     * in MeshLab.
+     */
     fun mesh(material: Material): Mesh {
-        if (!polygons.haveLooks) {
+        if (!polygons.haveAttributes) {
             val triangles =
                 if (areTriangles) polygons.vertices() else IntArray(corners.size) { polygons.vertex(corners[it]) }
             return Mesh(
@@ -52,7 +55,7 @@ internal class PolygonMesh(
 
     private fun polygon(triangle: Int): Int = if (areTriangles) triangle else polygonOf[triangle]
 
-    /** Cuts all polygons whose vertices are there. */
+    /** Triangulates all polygons whose vertices exist. */
     private fun cut() {
         var withoutVertices = 0
         for (polygon in 0 until polygons.count) {
@@ -68,7 +71,7 @@ internal class PolygonMesh(
             while (3 * polygonOf.size < corners.size) polygonOf.add(polygon)
         }
         if (withoutVertices > 0) {
-            source.warn("$withoutVertices faces are left out, because vertices of theirs are missing")
+            source.warn("$withoutVertices faces are left out, because some of their vertices are missing")
         }
     }
 

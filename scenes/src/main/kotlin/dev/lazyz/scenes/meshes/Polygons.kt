@@ -2,12 +2,12 @@ package dev.lazyz.scenes.meshes
 
 import dev.lazyz.scenes.collections.Ints
 
-/** The polygons of a file, one after the other, with what they and their corners look like. Not thread safe. */
+/** The polygons of a file, in order, with their colours and textures. Not thread safe. */
 internal class Polygons {
     /** The vertex numbers of all corners. */
     private val corners = Ints()
 
-    /** By polygon: number of its first corner; null as long as all polygons are triangles. */
+    /** By polygon: number of its first corner; null while all polygons are triangles. */
     private var starts: Ints? = null
 
     /** By corner: number of its texture coordinates, or -1. */
@@ -23,12 +23,12 @@ internal class Polygons {
     val colors = Palette()
     val places = TexturePlaces()
 
-    /** How many polygons there are. */
+    /** Number of polygons. */
     var count = 0
         private set
 
-    /** Whether a polygon has a colour, or its corners texture coordinates. */
-    val haveLooks: Boolean get() = colorNumbers.size > 0 || placeNumbers.size > 0
+    /** Whether a polygon has a colour, or corners have texture coordinates. */
+    val haveAttributes: Boolean get() = colorNumbers.size > 0 || placeNumbers.size > 0
 
     /** Whether corners have texture coordinates. */
     val havePlaces: Boolean get() = placeNumbers.size > 0
@@ -36,13 +36,13 @@ internal class Polygons {
     /** Whether all polygons are triangles. */
     val areTriangles: Boolean get() = starts == null
 
-    /** How many corners there are. */
+    /** Number of corners. */
     val cornerCount: Int get() = corners.size
 
-    /** Makes room for so many further corners. */
+    /** Reserves space for [cornerCount] more corners. */
     fun expect(cornerCount: Int) = corners.ensure(corners.size + cornerCount)
 
-    /** Begins a polygon of so many corners, which are to be added next. */
+    /** Begins a polygon of [cornerCount] corners. The caller must add the corners next. */
     fun begin(cornerCount: Int) {
         if (cornerCount != 3 && starts == null) {
             starts = Ints().also { for (triangle in 0 until count) it.add(3 * triangle) }
@@ -61,13 +61,16 @@ internal class Polygons {
         corners.add(a, b, c)
     }
 
-    /** Gives [polygon] a colour; those before it have got theirs. */
+    /** Sets the colour of [polygon]. Call it in the order of the polygons. */
     fun color(polygon: Int, number: Int) {
         while (colorNumbers.size < polygon) colorNumbers.add(-1)
         colorNumbers.add(number)
     }
 
-    /** Gives the polygon that was added last a texture; the texture coordinates of its corners are to be added next. */
+    /**
+     * Sets the texture of the polygon that was added last. The caller must add the texture coordinates of its corners
+     * next.
+     */
     fun texture(number: Int) {
         while (textureNumbers.size < count - 1) textureNumbers.add(-1)
         textureNumbers.add(number)
@@ -78,13 +81,13 @@ internal class Polygons {
         placeNumbers.add(number)
     }
 
-    /** Returns the number of a polygon's first corner; the others follow it. */
+    /** Returns the number of a polygon's first corner. Its other corners follow. */
     fun start(polygon: Int): Int {
         val places = starts
         return if (places == null) 3 * polygon else places[polygon]
     }
 
-    /** Returns the number behind that of a polygon's last corner. */
+    /** Returns the number of a polygon's last corner plus 1. */
     fun end(polygon: Int): Int = if (polygon + 1 < count) start(polygon + 1) else corners.size
 
     /** Returns the vertex number of a corner. */
@@ -93,7 +96,7 @@ internal class Polygons {
     /** Whether the vertex numbers of all corners are below [limit]. */
     fun areBelow(limit: Int): Boolean = corners.areBelow(limit)
 
-    /** Returns the vertex numbers of all corners; add no more. */
+    /** Returns the vertex numbers of all corners. Do not add corners afterwards. */
     fun vertices(): IntArray = corners.toArray()
 
     /** Returns the number of a corner's texture coordinates, or -1. */

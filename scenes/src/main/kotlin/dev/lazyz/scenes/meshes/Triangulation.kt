@@ -3,23 +3,24 @@ package dev.lazyz.scenes.meshes
 import earcut4j.Earcut
 
 /**
- * Cuts polygons into triangles with the polygon's own corners and no others.
+ * Triangulates polygons, using only the polygon's own corners.
  *
- * The polygon is seen along its normal (M. E. Newell's: the sum over the edges, see I. E. Sutherland, R. F. Sproull and
- * R. A. Schumacker, "A Characterization of Ten Hidden-Surface Algorithms", 1974), with the coordinate
- * dropped in which the normal is longest. A convex polygon becomes a fan around its first corner, any other is cut by
- * ear clipping (earcut4j). The result runs the same way round as the polygon.
+ * The polygon is projected along its normal (M. E. Newell's: the sum over the edges, see I. E. Sutherland, R. F.
+ * Sproull and R. A. Schumacker, "A Characterization of Ten Hidden-Surface Algorithms", 1974), by dropping the
+ * coordinate in which the normal is longest. A convex polygon becomes a fan around its first corner. Any other
+ * polygon is triangulated by ear clipping (earcut4j). The triangles have the same orientation as the polygon.
  *
- * A polygon of no area, or with a corner that is NaN or infinite, becomes a fan too, so that its number of triangles is
- * what a reader expects. One that crosses itself becomes some triangles within its outline.
+ * A polygon with no area, or with a corner that is NaN or infinite, also becomes a fan, so that it has the number of
+ * triangles that a reader expects. A polygon that crosses itself becomes triangles within its outline.
  */
 internal object Triangulation {
-    /** Most corners of a polygon that is not convex: a crossing outline costs the cube of their number at worst. */
+    /** Maximum corners of a concave polygon. An outline that crosses itself takes cubic time in the worst case. */
     const val MAX_CONCAVE_CORNERS = 4096
 
     /**
-     * Returns three corner numbers a triangle for the polygon with the corners [xyz] (x, y, z for each), or null if it
-     * is concave and has more than [MAX_CONCAVE_CORNERS] corners. Fewer than three corners make no triangle.
+     * Returns the triangles, three corner numbers each, of the polygon with the corners [xyz] (x, y, z for each), or
+     * null if it is concave and has more than [MAX_CONCAVE_CORNERS] corners. Fewer than three corners make no
+     * triangle.
      */
     fun triangles(xyz: DoubleArray): IntArray? {
         val corners = xyz.size / 3
@@ -43,8 +44,8 @@ internal object Triangulation {
 
     /** Returns x, y for each corner, counter-clockwise, or null if the polygon has no normal. */
     private fun project(xyz: DoubleArray): DoubleArray? {
-        // Newell's normal: twice the areas of the polygon's shadows on the three coordinate planes, seen from corner 0
-        // so that a polygon far from the origin loses no digits
+        // Newell's normal: twice the areas of the polygon's projections on the three coordinate planes. Coordinates
+        // are relative to corner 0, so that a polygon far from the origin loses no precision
         val local = DoubleArray(xyz.size) { xyz[it] - xyz[it % 3] }
         val normal = DoubleArray(3)
         var from = local.size - 3
@@ -64,7 +65,7 @@ internal object Triangulation {
         return DoubleArray(xyz.size / 3 * 2) { local[it / 2 * 3 + if (it % 2 == 0) first else second] }
     }
 
-    /** Whether the outline turns left at every corner, or not at all, and goes around only once. */
+    /** Whether the outline turns left or continues straight at every corner, and goes around only once. */
     private fun isConvex(xy: DoubleArray): Boolean {
         var turnsOfDirection = 0
         var lastSign = 0
@@ -81,7 +82,7 @@ internal object Triangulation {
             val isBackward = turn == 0.0 && dx * nextX + dy * nextY < 0.0
             if (turn < 0.0 || isBackward) return false
 
-            // A convex outline runs to the right once and to the left once
+            // The x direction of a convex outline changes its sign only twice
             val sign = if (dx > 0.0) {
                 1
             } else if (dx < 0.0) {
@@ -95,7 +96,7 @@ internal object Triangulation {
         return turnsOfDirection <= 2
     }
 
-    /** Turns triangles that run clockwise; the ones without area stay as they are. */
+    /** Reverses clockwise triangles. Triangles without area stay unchanged. */
     private fun counterClockwise(xy: DoubleArray, triangles: List<Int>): IntArray {
         val result = triangles.toIntArray()
         for (i in result.indices step 3) {

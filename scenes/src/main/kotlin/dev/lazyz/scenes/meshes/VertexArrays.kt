@@ -4,12 +4,12 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * The vertices of a file: arrays as [dev.lazyz.world.Mesh] wants them, null for what the file does not have.
+ * The vertices of a file, as arrays for [dev.lazyz.world.Mesh]; null for attributes that the file does not have.
  *
- * @property positions x, y, z of each
- * @property normals x, y, z of each
- * @property uvs u, v of each, v downward
- * @property colors red, green, blue, alpha of each, linear light
+ * @property positions x, y, z of each vertex
+ * @property normals x, y, z of each vertex
+ * @property uvs u, v of each vertex, v downward
+ * @property colors red, green, blue, alpha of each vertex, in linear light
  * @property origin what positions are relative to
  */
 internal class VertexArrays(
@@ -19,7 +19,7 @@ internal class VertexArrays(
     val colors: FloatArray? = null,
     val origin: Vector3dc = Vector3d(),
 ) {
-    /** How many vertices there are. */
+    /** Number of vertices. */
     val count: Int get() = positions.size / 3
 
     /** Returns the first [count] vertices. */

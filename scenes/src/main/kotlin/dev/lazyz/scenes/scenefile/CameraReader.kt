@@ -9,7 +9,7 @@ import dev.lazyz.world.Light
 import dev.lazyz.world.Viewpoint
 import org.joml.Vector3d
 
-/** Reads where a scene is seen from and what lights it. */
+/** Reads the cameras and lights of a scene file. */
 internal class CameraReader(private val up: UpAxis) {
     fun viewpoint(node: JsonNode): Viewpoint {
         val kinds = arrayOf("perspective", "orthographic", "screen", "fit")
@@ -51,7 +51,7 @@ internal class CameraReader(private val up: UpAxis) {
     }
 
     private fun screen(node: JsonNode): Camera {
-        if (up != UpAxis.Y) node.fail("is down the picture, whatever the file's \"up\" is", "remove \"up\"")
+        if (up != UpAxis.Y) node.fail("cannot be combined with \"up\": its y points down", "remove \"up\"")
         val members = node.members("near", "far")
         return node.checked { Camera.screen(members["near"]?.double() ?: 0.0, members["far"]?.double() ?: 1.0) }
     }

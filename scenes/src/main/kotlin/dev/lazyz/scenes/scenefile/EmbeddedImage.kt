@@ -10,7 +10,7 @@ import dev.lazyz.world.TextureWrap
 import java.io.ByteArrayOutputStream
 import java.util.Base64
 
-/** A picture within a scene file: a PNG as a `data:` URI (RFC 2397), with every texel as it was. */
+/** An image within a scene file: a PNG as a `data:` URI (RFC 2397) that keeps every texel unchanged. */
 internal object EmbeddedImage {
     private const val PREFIX = "data:image/png;base64,"
 
@@ -36,9 +36,9 @@ internal object EmbeddedImage {
         val bytes = try {
             Base64.getDecoder().decode(reference.substring(PREFIX.length))
         } catch (e: IllegalArgumentException) {
-            node.fail("embedded picture is not base64: ${e.message}", "embed it anew")
+            node.fail("embedded picture is not base64: ${e.message}", "embed it again")
         }
-        return TextureFiles.decode(source, bytes, "") ?: node.fail("embedded picture is not a PNG", "embed it anew")
+        return TextureFiles.decode(source, bytes, "") ?: node.fail("embedded picture is not a PNG", "embed it again")
     }
 
     /** Returns [picture] with other sampling rules and another name. */

@@ -9,17 +9,17 @@ import dev.lazyz.world.Texture
 import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap
 
-/** Reads materials and the textures they wear; a picture that several wear is read once. */
+/** Reads materials and their textures. An image that several materials use is read once. */
 internal class MaterialReader(private val source: Source) {
     private val named = HashMap<String, Material>()
     private val pictures = HashMap<String, Texture?>()
 
-    /** Reads the materials that surfaces may refer to by name. */
+    /** Reads the materials that surfaces can refer to by name. */
     fun readNamed(node: JsonNode) {
         for ((name, value) in node.named()) named[name] = material(value, name)
     }
 
-    /** Reads a reference to a named material, or a material on the spot. */
+    /** Reads a reference to a named material, or an inline material. */
     fun read(node: JsonNode): Material {
         if (!node.isText) return material(node, "")
         val name = node.text()
@@ -69,7 +69,7 @@ internal class MaterialReader(private val source: Source) {
         return items[0].choice(SceneFileNames.wraps) to items[1].choice(SceneFileNames.wraps)
     }
 
-    /** Returns the picture, or null with a warning if its file is missing or cannot be read. */
+    /** Returns the image, or null with a warning if its file is missing or cannot be read. */
     private fun picture(node: JsonNode): Texture? {
         val reference = node.text()
         if (reference !in pictures) {

@@ -8,9 +8,9 @@ import dev.lazyz.world.Texture
 import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap
 
-/** Gives every material of a scene a name, and writes them. */
+/** Assigns a name to every material of a scene, and writes the materials. */
 internal class MaterialWriter(materials: Iterable<Material>) {
-    /** Materials that look alike share a name; the plain one has none and is left out. */
+    /** Equal materials share a name. The default material has no name and is not written. */
     private val names = LinkedHashMap<Look, String>()
     private val byName = LinkedHashMap<String, Material>()
     private val plain = Look(Material())
@@ -27,7 +27,7 @@ internal class MaterialWriter(materials: Iterable<Material>) {
 
     val isEmpty: Boolean get() = byName.isEmpty()
 
-    /** Returns the name that stands for [material] in the file, or null if it is the plain one. */
+    /** Returns the name of [material] in the file, or null if it is the default material. */
     fun name(material: Material): String? = names[Look(material)]
 
     fun write(out: JsonWriter) = out.members {
@@ -62,13 +62,13 @@ internal class MaterialWriter(materials: Iterable<Material>) {
         key("image").text(EmbeddedImage.write(texture))
     }
 
-    /** Returns [wish] if it is a name that is not taken, otherwise a new one. */
+    /** Returns [wish] if it is not empty and not in use, otherwise a new name. */
     private fun free(wish: String): String {
         if (wish.isNotEmpty() && wish !in byName) return wish
         return generateSequence(byName.size + 1) { it + 1 }.map { "material-$it" }.first { it !in byName }
     }
 
-    /** Compares materials by what they are; a texture, which may be large, by being the same object. */
+    /** Compares materials by their properties, but textures, which can be large, by identity. */
     private class Look(val material: Material) {
         private val parts = material.run {
             listOf(
@@ -84,7 +84,7 @@ internal class MaterialWriter(materials: Iterable<Material>) {
     }
 }
 
-/** Writes a colour in linear light, the alpha only where it is not 1. */
+/** Writes a colour in linear light. Alpha is omitted if it is 1. */
 internal fun JsonWriter.color(color: Rgba) {
     if (color.alpha ==
         1f

@@ -6,7 +6,7 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Points
 
-/** Reads points and lines that a scene file has as numbers. */
+/** Reads points and lines that are inline in a scene file. */
 internal class PointReader(private val source: Source) {
     fun points(node: JsonNode): Points {
         val members = node.members("origin", "positions", "size", "normals", "colors")

@@ -4,7 +4,7 @@ import dev.lazyz.scenes.json.JsonWriter
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Points
 
-/** Writes points and lines as numbers. */
+/** Writes points and lines inline, as numbers. */
 internal object PointWriter {
     fun write(out: JsonWriter, points: Points) = out.members {
         key("size").double(points.size)

@@ -25,24 +25,25 @@ import java.nio.channels.Channels
 import java.nio.file.Path
 
 /**
- * Lazy Z's own scene file: a whole [Scene] as JSON, to keep, to send, and to write by hand. docs/scene-file.md of the
- * project describes the format.
+ * Lazy Z's scene file format: a whole [Scene] as JSON, to store, to send, and to write by hand. docs/scene-file.md of
+ * the project describes the format.
  *
- * What [write] writes, [read] reads back to a scene that renders to the same bits. A written file needs no other:
- * meshes are in it as numbers and textures as embedded PNG. Large meshes are better kept in files of their own kind,
- * to which a scene file written by hand may refer: as JSON they take several times the space and the time.
+ * [read] returns a scene that renders bit for bit like the scene that [write] wrote. A written file needs no other
+ * files: it contains meshes as numbers and textures as embedded PNG. Large meshes are better kept in separate mesh
+ * files, which a scene file written by hand can refer to: as JSON they take several times the space and the time.
  */
 public object SceneFile {
-    /** The version of the format that is written, and the only one that is read. */
+    /** The format version that is written, and the only one that can be read. */
     public const val VERSION: Int = 1
 
     /**
      * Reads a scene file and the mesh and texture files that it refers to.
      *
-     * Cost: linear in the size of the file; memory about ten times its size while it is read.
+     * Cost: linear in the size of the file; memory about ten times its size during reading.
      *
-     * @param limits how much the file may ask for
-     * @throws SceneFormatException if a file is missing, cannot be read, or is not what it should be
+     * @param limits limits on what the file can request
+     * @throws SceneFormatException if the file is missing, cannot be read, is invalid, or exceeds one of the
+     *   [limits], or if a file that it refers to does so; a missing or unreadable texture is only a warning
      */
     @JvmStatic
     @JvmOverloads
@@ -50,12 +51,13 @@ public object SceneFile {
         SceneReading.read(path, SceneFormat.SCENE, LoadOptions(limits))
 
     /**
-     * Reads a scene file's text.
+     * Reads a scene from the text of a scene file.
      *
-     * @param name what messages call it
-     * @param folder where the files that it refers to are, or null if it must not refer to any
-     * @param limits how much it may ask for
-     * @throws SceneFormatException if it, or a file that it refers to, is not what it should be
+     * @param name name of the text in messages
+     * @param folder the folder of the files that the text refers to, or null if it must not refer to any
+     * @param limits limits on what the text can request
+     * @throws SceneFormatException if the text is invalid or exceeds one of the [limits], or if a file that it refers
+     *   to is missing, invalid, or exceeds them; a missing or unreadable texture is only a warning
      */
     @JvmStatic
     @JvmOverloads
@@ -67,16 +69,17 @@ public object SceneFile {
     ): LoadedScene = SceneFileReader(Source(text.toByteArray(), name, folder, Loading(LoadOptions(limits)))).read()
 
     /**
-     * Writes [scene] to a file, whole or not at all.
+     * Writes [scene] to a file, either completely or not at all.
      *
-     * Every number is written so that it reads back to the same bits; where it is not finite, as the text `"NaN"`,
-     * `"Infinity"` or `"-Infinity"`.
+     * Every number is written so that it reads back bit for bit the same. Numbers that are not finite are written as
+     * the text `"NaN"`, `"Infinity"` or `"-Infinity"`.
      *
-     * @param size how large the picture is to be, or null to leave it to the reader
-     * @param depth how depths are compared
-     * @throws IllegalArgumentException if a surface is no [Mesh], [Polygon], [Sphere], [Points] or [Lines], the viewpoint is no [Camera]
-     * and no [FittedViewpoint], or a material has a shader other than [Tint]: there is no way to write those
-     * @throws IOException if the file cannot be written; the message says which file, why, and what to do
+     * @param size the size of the image, or null to let the reader of the file choose it
+     * @param depth the depth rules
+     * @throws IllegalArgumentException if a surface is not a [Mesh], [Polygon], [Sphere], [Points] or [Lines], the
+     *   viewpoint is not a [Camera] or [FittedViewpoint], or a material has a shader other than [Tint]: the format
+     *   cannot represent those
+     * @throws IOException if the file cannot be written; the message states which file, why, and what to do
      */
     @JvmStatic
     @JvmOverloads
@@ -88,7 +91,7 @@ public object SceneFile {
     }
 
     /**
-     * Returns what [write] writes as text.
+     * Returns the text that [write] would write.
      *
      * @throws IllegalArgumentException as [write] does
      */

@@ -10,7 +10,7 @@ import dev.lazyz.world.Sides
 import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap
 
-/** How a scene file spells the library's enums: lower case, with hyphens. */
+/** The names of the library's enum constants in scene files: lower case, with hyphens. */
 internal object SceneFileNames {
     val projections: Map<String, Fit> = names(Fit.entries)
     val shadings: Map<String, Shading> = names(Shading.entries)

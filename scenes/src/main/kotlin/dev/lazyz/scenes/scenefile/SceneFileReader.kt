@@ -12,19 +12,19 @@ import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import kotlinx.serialization.json.JsonObject
 
-/** Reads a whole scene file; docs/scene-file.md describes it. */
+/** Reads a whole scene file; docs/scene-file.md describes the format. */
 internal class SceneFileReader(private val source: Source) {
     fun read(): LoadedScene {
         val element = JsonText.parse(source)
         val root = JsonNode(source, "", element)
 
-        // The version first: another version may have other keys
+        // Check the version first: another version can have other keys
         if (element is JsonObject && "lazyz" !in element) missingVersion(root, element)
         if (element is JsonObject) version(root.named().getValue("lazyz"))
         val members =
             root.members("lazyz", "size", "up", "background", "depth", "camera", "lights", "materials", "surfaces")
 
-        // Then what the rest depends on, then the rest
+        // Read what surfaces and lights depend on first
         val up = members["up"]?.choice(UpAxis.byId) ?: UpAxis.Y
         val cameras = CameraReader(up)
         val materials = MaterialReader(source)

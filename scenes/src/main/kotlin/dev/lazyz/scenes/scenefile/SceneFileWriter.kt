@@ -129,7 +129,7 @@ internal class SceneFileWriter(private val out: Appendable) {
     }
 
     companion object {
-        /** Throws unless the format has words for all of [scene]. */
+        /** Throws [IllegalArgumentException] unless the format can represent all of [scene]. */
         fun requireWritable(scene: Scene) {
             val viewpoint = scene.viewpoint
             require(viewpoint is Camera || viewpoint is FittedViewpoint) {

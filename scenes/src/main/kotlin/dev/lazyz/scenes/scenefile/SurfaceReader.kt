@@ -19,7 +19,7 @@ import java.nio.file.Path
 import org.joml.Matrix4d
 import org.joml.Vector3d
 
-/** Reads surfaces, in the order of the file; a mesh file that several refer to is read once. */
+/** Reads surfaces in the order of the file. A mesh file that several surfaces refer to is read once. */
 internal class SurfaceReader(
     private val source: Source,
     private val materials: MaterialReader,
@@ -28,7 +28,7 @@ internal class SurfaceReader(
     private val files = HashMap<String, List<Surface>>()
     private val points = PointReader(source)
 
-    /** Returns what one entry stands for: one surface, or all those of a mesh file or a built-in scene. */
+    /** Returns the surfaces of one entry: one surface, or all surfaces of a mesh file or a built-in scene. */
     fun read(node: JsonNode): List<Surface> {
         val members = node.members(*KINDS, "material", "transform", "smoothNormals")
         val (kind, value) = members.one(*KINDS)
@@ -42,7 +42,7 @@ internal class SurfaceReader(
             else -> builtin(value)
         }
 
-        // Smooth, then paint, then move
+        // Compute normals, then set the material, then transform
         val smoothed = members["smoothNormals"]?.let { smooth(surfaces, kind, it) } ?: surfaces
         val painted = if (material != null) smoothed.map { it.withMaterials { material } } else smoothed
         val transform = up.toWorld(members["transform"]?.let(TransformReader::read)) ?: return painted

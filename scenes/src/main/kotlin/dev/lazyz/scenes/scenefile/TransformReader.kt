@@ -5,13 +5,13 @@ import dev.lazyz.scenes.json.JsonNode
 import org.joml.Matrix4d
 
 /**
- * Reads a list of movements and multiplies them out.
+ * Reads a list of transforms and multiplies them.
  *
- * Only products and sums, written out, and [StrictMath]: the numbers must be the same on every machine, and JOML's own
- * rotations and products are not made for that.
+ * Uses only explicit products and sums and [StrictMath], because the numbers must be the same on every machine.
+ * JOML's rotations and products do not guarantee that.
  */
 internal object TransformReader {
-    /** Returns the matrix that applies the movements of [node], the first one first. */
+    /** Returns the matrix that applies the transforms of [node], the first one first. */
     fun read(node: JsonNode): Matrix4d =
         node.items().fold(Matrix4d()) { before, step -> Transforms.product(step(step), before) }
 
@@ -44,7 +44,7 @@ internal object TransformReader {
         )
     }
 
-    /** Rodrigues' formula. */
+    /** Returns a rotation matrix by Rodrigues' formula. */
     private fun rotation(node: JsonNode): Matrix4d {
         val members = node.members("axis", "degrees")
         val axisNode = members.required("axis")
@@ -66,7 +66,7 @@ internal object TransformReader {
         )
     }
 
-    /** Quarter turns are exact. */
+    /** Returns cosine and sine; exact for quarter turns. */
     private fun cosineAndSine(degrees: Double): Pair<Double, Double> = when (degrees % 360.0) {
         0.0 -> 1.0 to 0.0
         90.0, -270.0 -> 0.0 to 1.0

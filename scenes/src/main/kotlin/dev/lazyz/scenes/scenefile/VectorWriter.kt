@@ -8,7 +8,7 @@ private val WORLD_ORIGIN = Vector3d()
 
 internal fun JsonWriter.vector(v: Vector3dc) = doubles(v.x(), v.y(), v.z())
 
-/** Writes the key `origin`, unless it is the world's. */
+/** Writes the key `origin`, unless it is the world's origin. */
 internal fun JsonWriter.origin(origin: Vector3dc) {
     if (origin != WORLD_ORIGIN) key("origin").vector(origin)
 }

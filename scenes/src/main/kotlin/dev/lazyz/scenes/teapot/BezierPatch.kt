@@ -8,14 +8,14 @@ internal enum class Axis { X, Y, Z }
  *
  * u runs along a row, v from row to row.
  *
- * @property controlPoints the 48 coordinates; owned by the patch, not to be changed.
+ * @property controlPoints the 48 coordinates; owned by the patch, must not be changed.
  */
 internal class BezierPatch(val controlPoints: DoubleArray) {
     init {
         require(controlPoints.size == SIZE) { "a patch has $SIZE coordinates: ${controlPoints.size}" }
     }
 
-    /** The mirror image along [axis], its rows reversed, so that outside stays outside. */
+    /** Returns the mirror image along [axis], with its rows reversed so that the outside stays outside. */
     fun mirrored(axis: Axis): BezierPatch {
         val image = DoubleArray(SIZE)
         for (point in 0 until SIDE * SIDE) {
@@ -24,7 +24,7 @@ internal class BezierPatch(val controlPoints: DoubleArray) {
             val from = AXES * (row * SIDE + SIDE - 1 - column)
             for (coordinate in 0 until AXES) {
                 val value = controlPoints[from + coordinate]
-                // Subtract rather than negate: the mirror image of 0 is 0, not -0
+                // Subtract instead of negating: the mirror image of 0 is 0, not -0
                 image[AXES * point + coordinate] = if (coordinate == axis.ordinal) 0.0 - value else value
             }
         }

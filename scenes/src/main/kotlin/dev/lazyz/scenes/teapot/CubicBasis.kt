@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.teapot
 
 /**
- * The cubic Bernstein polynomials and the quadratic ones of the derivative, at the parameters 0, 1/n, ..., 1.
+ * The cubic Bernstein polynomials, and the quadratic ones of their derivative, at the parameters 0, 1/n, ..., 1.
  *
- * Only `+ - * /` in double precision, so the values are the same bits on every machine. A curve and the same curve with
- * its control points reversed meet in the same bits at mirrored parameters, and a curve starts and ends exactly at its
- * outer control points; together they make patches with a common border meet without a crack.
+ * Uses only `+ - * /` in double precision, so the values are bit for bit the same on every machine. A curve and its
+ * reverse (control points in reverse order) have bit for bit the same points at mirrored parameters, and a curve
+ * starts and ends exactly at its outer control points. Therefore patches with a common border meet without a crack.
  *
  * Source: Gerald Farin, "Curves and Surfaces for CAGD", the chapter on the Bernstein form.
  */
@@ -15,7 +15,7 @@ internal class CubicBasis(segments: Int) {
 
     init {
         for (step in 0..segments) {
-            // Divide twice: 1 - t would round differently from the t of the opposite step
+            // Two divisions: 1 - t would round differently from the t of the opposite step
             val t = step.toDouble() / segments
             val s = (segments - step).toDouble() / segments
             weights[4 * step] = s * s * s
@@ -28,17 +28,19 @@ internal class CubicBasis(segments: Int) {
         }
     }
 
-    /** The value at [step] of the cubic with the four coefficients at [first], [first] + [stride], ... */
+    /** Returns the value at [step] of the cubic with the four coefficients at [first], [first] + [stride], ... */
     fun value(coefficients: DoubleArray, first: Int, stride: Int, step: Int): Double {
         val at = 4 * step
-        // Pair the outer and the inner terms: the sum is then the same in reverse
+        // Add the outer and the inner terms in pairs: the sum is then the same for the reversed curve
         val outer = weights[at] * coefficients[first] + weights[at + 3] * coefficients[first + 3 * stride]
         val inner =
             weights[at + 1] * coefficients[first + stride] + weights[at + 2] * coefficients[first + 2 * stride]
         return outer + inner
     }
 
-    /** The derivative of [value] by the parameter. Zero, and not nearly zero, where the coefficients are equal. */
+    /**
+     * Returns the derivative of [value] with respect to the parameter. Exactly zero where the coefficients are equal.
+     */
     fun slope(coefficients: DoubleArray, first: Int, stride: Int, step: Int): Double {
         val at = 3 * step
         val c1 = coefficients[first + stride]

@@ -1,22 +1,24 @@
 package dev.lazyz.scenes.teapot
 
-/** The Utah teapot as triangles. Its numbers and their source: [TeapotControlPoints]. */
+/** The Utah teapot as triangles. For the control points and their source see [TeapotControlPoints]. */
 internal object Teapot {
-    /** The finest tessellation: some two million vertices. */
+    /** The finest tessellation: about two million vertices. */
     const val MAX_SEGMENTS: Int = 256
 
     /**
-     * Cuts each side of each of the 32 patches into [segments].
+     * Divides each side of each of the 32 patches into [segments].
      *
      * With n [segments] there are `32 (n + 1)^2` vertices, patch after patch in the order of [TeapotPatches.all], and
-     * `64 n^2 - 8 n` triangles; the missing `8 n` have collapsed at the knob and at the centre of the bottom.
-     * Neighbouring patches have vertices of their own along the common border, in the same positions bit for bit.
+     * `64 n^2 - 8 n` triangles; the missing `8 n` are degenerate, at the knob and at the centre of the bottom, and
+     * are omitted. Neighbouring patches have separate vertices along their common border, at positions that are bit
+     * for bit the same.
      *
-     * The published axes (x, y, z), z up, become (x, z, -y), y up: the pot stands on y = 0, spout towards +x. Heights are
-     * as published. The surface is open between rim and lid, at both ends of the handle, where the spout enters the body,
-     * and inside its lip; through the gap at the rim and the mouth of the spout its inside is seen.
+     * The published axes (x, y, z), z up, become (x, z, -y), y up: the pot stands on y = 0, with the spout towards
+     * +x. Heights are as published. The surface is open between rim and lid, at both ends of the handle, where the
+     * spout enters the body, and inside the lip of the spout. The inside is visible through the gap at the rim and
+     * through the mouth of the spout.
      *
-     * Cost: linear in the number of vertices. Thread-safe; every call returns a mesh of its own.
+     * Cost: linear in the number of vertices. Thread-safe; every call returns a new mesh.
      *
      * @throws IllegalArgumentException if [segments] is not in 1..[MAX_SEGMENTS].
      */

@@ -1,28 +1,28 @@
 package dev.lazyz.scenes.teapot
 
 /**
- * The published numbers of the Utah teapot, z up, as profiles.
+ * The published control points of the Utah teapot, z up, reduced to profiles.
  *
- * The published list is 306 control points and 32 patches of sixteen indices. Its points are not independent: the pot is
- * symmetric about the plane y = 0, its body and lid about x = 0 too, every ring of the body is one radius at one height,
- * and every cross-section of handle and spout is one width between two points. Kept here is what is left after that, and
- * it yields the same 32 patches, number for number. (Of the 306 points, four belong to no patch, and twelve repeat the
- * base where the bottom joins it: 290 are distinct.)
+ * The published list has 306 control points and 32 patches of sixteen indices. The points are not independent: the
+ * pot is symmetric about the plane y = 0, its body and lid also about x = 0, every ring of the body is one radius at
+ * one height, and every cross-section of handle and spout is one width between two points. This object stores only
+ * the independent numbers, which yield the same 32 patches, number for number. (Of the 306 points, four belong to no
+ * patch, and twelve repeat the base where the bottom joins it: 290 are distinct.)
  *
  * Consecutive patches share their border row, so a chain of `3 k + 1` rows makes `k` patches.
  *
- * Heights are those published: the base stands on z = 0 and the knob ends at z = 3.15. The porcelain pot is taller by a
- * factor of about 1.3; the squat form is the one that was published and became known.
+ * Heights are as published: the base is at z = 0 and the top of the knob at z = 3.15. The real porcelain pot is
+ * taller by a factor of about 1.3, but the published, lower shape is the well-known one.
  *
- * Source: Martin Newell, "The Utilization of Procedure Models in Digital Image Synthesis", 1975; the numbers as printed by
- * Frank Crow, "The Origins of the Teapot", IEEE Computer Graphics and Applications, 1987. Newell's pot has no underside:
- * the four bottom patches, which are not flat, came later.
+ * Source: Martin Newell, "The Utilization of Procedure Models in Digital Image Synthesis", 1975; the numbers as
+ * printed by Frank Crow, "The Origins of the Teapot", IEEE Computer Graphics and Applications, 1987. Newell's pot has
+ * no underside: the four bottom patches, which are not flat, were added later.
  */
 internal object TeapotControlPoints {
     /**
      * Rings from the inside of the rim over the body to the centre of the bottom: radius, tangent, height.
      *
-     * The tangent places the inner control points of a quarter circle, about 0.56 of the radius.
+     * The tangent gives the inner control points of a quarter circle. It is about 0.56 of the radius.
      */
     val bodyRings: DoubleArray =
         doubleArrayOf(

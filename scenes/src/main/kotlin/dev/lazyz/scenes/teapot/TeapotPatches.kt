@@ -19,10 +19,10 @@ internal object TeapotPatches {
     /** Stem (2), lip (2). */
     val spout: List<BezierPatch> = swept(TeapotControlPoints.spoutSections)
 
-    /** All of them: body, lid, handle, spout. */
+    /** All patches: body, lid, handle, spout. */
     val all: List<BezierPatch> = body + lid + handle + spout
 
-    /** One patch per quadrant and per three rings, counter-clockwise from +x seen from above. */
+    /** Returns one patch per quadrant and per three rings, counter-clockwise from +x seen from above. */
     private fun revolved(rings: DoubleArray): List<BezierPatch> {
         val rows = ArrayList<Double>()
         for (at in rings.indices step 3) {
@@ -41,7 +41,7 @@ internal object TeapotPatches {
         }
     }
 
-    /** One patch per side and per three sections, the side of +y first. */
+    /** Returns one patch per side and per three sections, the +y side first. */
     private fun swept(sections: DoubleArray): List<BezierPatch> {
         val rows = ArrayList<Double>()
         for (at in sections.indices step 5) {
@@ -55,7 +55,7 @@ internal object TeapotPatches {
         return patchesOf(rows).flatMap { patch -> listOf(patch, patch.mirrored(Axis.Y)) }
     }
 
-    /** Cuts a chain of `3 k + 1` rows into `k` patches. */
+    /** Splits a chain of `3 k + 1` rows into `k` patches. */
     private fun patchesOf(rows: List<Double>): List<BezierPatch> {
         val rowSize = BezierPatch.SIDE * BezierPatch.AXES
         val last = rows.size - rowSize

@@ -3,7 +3,7 @@ package dev.lazyz.scenes.teapot
 import kotlin.math.sqrt
 
 /**
- * Patches, each cut into [segments] by [segments] cells, as one mesh turned y up.
+ * Tessellates patches into [segments] by [segments] cells each, as one mesh with y up.
  *
  * Every patch has u to the right and v down, seen from outside.
  */
@@ -17,11 +17,11 @@ internal class TeapotTessellation(private val segments: Int, patches: List<Bezie
     private var vertexCount = 0
     private var indexCount = 0
 
-    // The four rows at one u: points and their derivatives by u
+    // The points of the four rows at one u, and their derivatives with respect to u
     private val rowPoints = DoubleArray(BezierPatch.SIDE * BezierPatch.AXES)
     private val rowTangents = DoubleArray(BezierPatch.SIDE * BezierPatch.AXES)
 
-    /** The mesh of all patches, in their order. */
+    /** The mesh of all patches, in order. */
     val mesh: TeapotMesh
 
     init {
@@ -52,26 +52,26 @@ internal class TeapotTessellation(private val segments: Int, patches: List<Bezie
     }
 
     private fun addVertex(vertex: Int, column: Int, row: Int) {
-        // Place the point
+        // Position
         storeYUp(positions, vertex, along(rowPoints, 0, row), along(rowPoints, 1, row), along(rowPoints, 2, row))
         uvs[2 * vertex] = (column.toDouble() / segments).toFloat()
         uvs[2 * vertex + 1] = ((segments - row).toDouble() / segments).toFloat()
-        // Differentiate by u
+        // Derivative with respect to u
         var ux = along(rowTangents, 0, row)
         var uy = along(rowTangents, 1, row)
         var uz = along(rowTangents, 2, row)
         if (ux == 0.0 && uy == 0.0 && uz == 0.0) {
-            // Take the next control row where the border row is a single point: the limit has its direction
+            // The border row is a single point: use the next control row, which has the direction of the limit
             val next = BezierPatch.AXES * if (row == 0) 1 else BezierPatch.SIDE - 2
             ux = rowTangents[next]
             uy = rowTangents[next + 1]
             uz = rowTangents[next + 2]
         }
-        // Differentiate by v, which runs down
+        // Derivative with respect to v, which runs down
         val vx = basis.slope(rowPoints, 0, BezierPatch.AXES, row)
         val vy = basis.slope(rowPoints, 1, BezierPatch.AXES, row)
         val vz = basis.slope(rowPoints, 2, BezierPatch.AXES, row)
-        // Cross down with right: outward
+        // The cross product of down and right points outward
         val nx = vy * uz - vz * uy
         val ny = vz * ux - vx * uz
         val nz = vx * uy - vy * ux
@@ -83,7 +83,7 @@ internal class TeapotTessellation(private val segments: Int, patches: List<Bezie
     private fun along(rows: DoubleArray, axis: Int, row: Int): Double = basis.value(rows, axis, BezierPatch.AXES, row)
 
     private fun storeYUp(target: FloatArray, vertex: Int, x: Double, y: Double, z: Double) {
-        // Add 0 to the unsigned ones: -0 becomes 0, and equal points have equal bits
+        // Adding 0 to x and z turns -0 into 0, so that equal points have equal bits
         target[3 * vertex] = (x + 0.0).toFloat()
         target[3 * vertex + 1] = (z + 0.0).toFloat()
         target[3 * vertex + 2] = (0.0 - y).toFloat()

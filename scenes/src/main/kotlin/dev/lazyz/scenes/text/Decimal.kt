@@ -1,18 +1,21 @@
 package dev.lazyz.scenes.text
 
 /**
- * A decimal number within bytes, made a binary one by the machine's arithmetic where that is certain to give the nearest,
- * which is what Java's own parser gives (W. D. Clinger, "How to Read Floating Point Numbers Accurately", 1990, section 3).
- * Used over and over. Not thread safe.
+ * Converts a decimal number in a byte array to binary with ordinary arithmetic, if the result is certain to be the
+ * nearest, which is also the result of Java's parser (W. D. Clinger, "How to Read Floating Point Numbers Accurately",
+ * 1990, section 3). An instance can be reused. Not thread safe.
  */
 internal class Decimal {
     private var isNegative = false
 
-    /** The number is these digits times ten to the power of [exponent]. */
+    /** The number is [digits] times ten to the power of [exponent]. */
     private var digits = 0L
     private var exponent = 0
 
-    /** Returns the float nearest to the number from [from] until [until]; NaN if it is none, or one that is uncertain. */
+    /**
+     * Returns the float nearest to the number in [from] until [until]; NaN if it is not a number or the result is
+     * uncertain.
+     */
     fun float(bytes: ByteArray, from: Int, until: Int): Float {
         if (!scan(bytes, from, until) || exponent < -2 * MOST_POWER) return Float.NaN
         val product = if (exponent < -MOST_POWER) {
@@ -21,31 +24,35 @@ internal class Decimal {
             product()
         }
 
-        // The product is off by less than 3 in its last place, so the float is certain unless it is close to the middle
-        // between two floats; a float that has fewer digits for being so small has another middle
+        // The product is wrong by less than 3 units in its last place, so the float is certain unless the product is
+        // close to the midpoint of two floats. Subnormal floats have fewer digits and other midpoints, so they count
+        // as uncertain
         val rest = product.toRawBits() and REST
         val isUncertain = rest in HALF - DOUBT..HALF + DOUBT || (product < LEAST_FLOAT && digits != 0L)
         if (isUncertain) return Float.NaN
         return (if (isNegative) -product else product).toFloat()
     }
 
-    /** Returns the double nearest to the number from [from] until [until]; NaN if it is none, or one that is uncertain. */
+    /**
+     * Returns the double nearest to the number in [from] until [until]; NaN if it is not a number or the result is
+     * uncertain.
+     */
     fun double(bytes: ByteArray, from: Int, until: Int): Double {
         if (!scan(bytes, from, until) || digits > MOST_EXACT || exponent < -MOST_POWER) return Double.NaN
         val product = product()
         return if (isNegative) -product else product
     }
 
-    /** One rounding, if the digits are a double. */
+    /** Rounds only once, if [digits] is exact as a double. */
     private fun product(): Double = if (exponent < 0) digits / POWERS[-exponent] else digits * POWERS[exponent]
 
-    /** Takes a number apart; false if it is none, or has too many digits or too large an exponent. */
+    /** Parses a number; returns false if it is not a number, or has too many digits or too large an exponent. */
     private fun scan(bytes: ByteArray, from: Int, until: Int): Boolean {
         var at = from
         isNegative = at < until && bytes[at] == MINUS
         if (isNegative || (at < until && bytes[at] == PLUS)) at++
 
-        // The digits, of which leading zeros do not count
+        // The digits; leading zeros do not count
         var value = 0L
         val start = at
         var point = -1
@@ -92,25 +99,28 @@ internal class Decimal {
         const val SMALL_E = 'e'.code.toByte()
         const val LARGE_E = 'E'.code.toByte()
 
-        /** From here on there may be no room for a digit more. */
+        /** From this value on, another digit could overflow. */
         const val ROOM = Long.MAX_VALUE / 10 - 1
 
-        /** Up to here every whole number is a double. */
+        /** Up to this value, every integer is exact as a double. */
         const val MOST_EXACT = 1L shl 53
 
-        /** Powers of ten up to here are doubles. */
+        /** Up to this exponent, powers of ten are exact as doubles. */
         const val MOST_POWER = 22
         val POWERS = DoubleArray(MOST_POWER + 1).also { powers ->
             powers[0] = 1.0
             for (i in 1..MOST_POWER) powers[i] = powers[i - 1] * 10.0
         }
 
-        /** The places of a double that a float does not have, their middle, and how far from it a float is certain. */
+        /**
+         * The bits of a double that a float does not have, their midpoint, and the distance from it that makes a
+         * float uncertain.
+         */
         const val REST = (1L shl 29) - 1
         const val HALF = 1L shl 28
         const val DOUBT = 8L
 
-        /** From here on floats have all their places. */
+        /** The smallest normal float: from this value on, floats have full precision. */
         const val LEAST_FLOAT = 1.1754945e-38
     }
 }

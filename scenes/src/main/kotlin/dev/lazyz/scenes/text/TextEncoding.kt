@@ -7,8 +7,8 @@ import java.io.OutputStreamWriter
 import java.nio.charset.Charset
 
 /**
- * Texts that begin with Unicode's byte order mark, U+FEFF: UTF-16 of either byte order, and UTF-8 (The Unicode Standard,
- * section 23.8). A text without a mark is left alone.
+ * Text that begins with Unicode's byte order mark, U+FEFF: UTF-16 of either byte order, or UTF-8 (The Unicode
+ * Standard, section 23.8). Text without a mark stays unchanged.
  */
 internal object TextEncoding {
     private val marks = mapOf(
@@ -17,10 +17,10 @@ internal object TextEncoding {
         Charsets.UTF_16BE to byteArrayOf(0xFE.toByte(), 0xFF.toByte()),
     )
 
-    /** Whether [bytes] begin with a mark. */
+    /** Whether [bytes] begin with a byte order mark. */
     fun hasMark(bytes: ByteArray): Boolean = charset(bytes) != null
 
-    /** Returns the text in [bytes] as UTF-8 without a mark; [bytes] themselves if they have none. */
+    /** Returns the text in [bytes] as UTF-8 without a mark; [bytes] itself if there is no mark. */
     fun utf8(bytes: ByteArray): ByteArray {
         val charset = charset(bytes) ?: return bytes
         val mark = marks.getValue(charset).size
@@ -32,7 +32,10 @@ internal object TextEncoding {
         return out.toByteArray()
     }
 
-    /** Returns the text in the first [count] of [bytes] without a mark; as ISO 8859-1, which any bytes are, if it has none. */
+    /**
+     * Returns the text in the first [count] of [bytes] without a mark. Without a mark, decodes as ISO 8859-1, which
+     * accepts any bytes.
+     */
     fun start(bytes: ByteArray, count: Int): String {
         val length = minOf(bytes.size, count)
         val charset = charset(bytes) ?: return String(bytes, 0, length, Charsets.ISO_8859_1)

@@ -3,42 +3,42 @@ package dev.lazyz.scenes.text
 import java.util.StringTokenizer
 
 /**
- * The lines of a text within bytes, with their numbers, and the words of a line; a line ends at a line feed, a carriage
- * return, or both, and a word at white space.
+ * Splits the text in a byte array into numbered lines, and lines into words. A line ends at a line feed, a carriage
+ * return, or both. Words are separated by white space.
  *
- * Bytes are taken as ISO 8859-1, which any bytes are. Not thread safe.
+ * Bytes are decoded as ISO 8859-1, which accepts any bytes. Not thread safe.
  *
- * @param position where the first line begins
- * @param firstLine its number
+ * @param position index of the first line's first byte
+ * @param firstLine number of the first line
  */
 internal class TextLines(val bytes: ByteArray, position: Int = 0, firstLine: Int = 1) {
-    /** Where the next line begins. */
+    /** Index where the next line begins. */
     var position = position
         private set
 
-    /** Number of the line that was read last; lines count from 1. */
+    /** Number of the line that was read last; lines are numbered from 1. */
     var number = firstLine - 1
         private set
 
     private var lineStart = position
     private var lineEnd = position
 
-    /** Where the word that was read last begins. */
+    /** Index where the word that was read last begins. */
     var wordStart = position
         private set
 
-    /** Where the word that was read last ends. */
+    /** Index where the word that was read last ends (exclusive). */
     var wordEnd = position
         private set
 
-    /** Whether the line that was read last is cut off by the end of the text: it has no line end. */
+    /** Whether the line that was read last has no line terminator, because the text ends there. */
     val isCutOff: Boolean get() = lineEnd == bytes.size
 
-    /** Returns the next line without its end, or null after the last. */
+    /** Returns the next line without its terminator, or null after the last line. */
     fun next(): String? =
         if (nextLine()) String(bytes, lineStart, lineEnd - lineStart, Charsets.ISO_8859_1) else null
 
-    /** Moves to the next line, before its first word; false after the last. */
+    /** Moves to the next line, before its first word; returns false after the last line. */
     fun nextLine(): Boolean {
         if (position >= bytes.size) return false
         var end = position
@@ -52,7 +52,7 @@ internal class TextLines(val bytes: ByteArray, position: Int = 0, firstLine: Int
         return true
     }
 
-    /** Moves to the next word of the line; false after the last. */
+    /** Moves to the next word of the line; returns false after the last word. */
     fun nextWord(): Boolean {
         var start = wordEnd
         while (start < lineEnd && isSpace(bytes[start])) start++
@@ -63,7 +63,7 @@ internal class TextLines(val bytes: ByteArray, position: Int = 0, firstLine: Int
         return start < end
     }
 
-    /** Moves to the next word of the text, on this line or a later one; false after the last. */
+    /** Moves to the next word of the text, on this line or a later one; returns false after the last word. */
     fun nextWordOfText(): Boolean {
         while (!nextWord()) {
             if (!nextLine()) return false
@@ -71,13 +71,13 @@ internal class TextLines(val bytes: ByteArray, position: Int = 0, firstLine: Int
         return true
     }
 
-    /** Whether no word follows on the line. */
+    /** Whether the rest of the line has no words. */
     fun isBlank(): Boolean {
         for (i in wordEnd until lineEnd) if (!isSpace(bytes[i])) return false
         return true
     }
 
-    /** Returns how many words follow on the line. Cost: linear in their length. */
+    /** Returns the number of words in the rest of the line. Cost: linear in their length. */
     fun countWords(): Int {
         var count = 0
         for (i in wordEnd until lineEnd) {
@@ -86,7 +86,7 @@ internal class TextLines(val bytes: ByteArray, position: Int = 0, firstLine: Int
         return count
     }
 
-    /** Whether the word that was read last is [word], which is in lower case and ASCII, in any case. */
+    /** Whether the word that was read last equals [word], ignoring case. [word] must be lower-case ASCII. */
     fun isWord(word: String): Boolean {
         if (wordEnd - wordStart != word.length) return false
         for (i in word.indices) {
@@ -100,7 +100,7 @@ internal class TextLines(val bytes: ByteArray, position: Int = 0, firstLine: Int
     /** Returns the word that was read last. */
     fun word(): String = String(bytes, wordStart, wordEnd - wordStart, Charsets.ISO_8859_1)
 
-    /** Returns the words that follow on the line, one space between them, and moves to its end. */
+    /** Returns the words in the rest of the line, separated by single spaces, and moves to the end of the line. */
     fun restOfLine(): String {
         val rest = words(String(bytes, wordEnd, lineEnd - wordEnd, Charsets.ISO_8859_1)).joinToString(" ")
         wordEnd = lineEnd
@@ -122,7 +122,7 @@ internal class TextLines(val bytes: ByteArray, position: Int = 0, firstLine: Int
         /** Whether [byte] is white space within a line. */
         fun isSpace(byte: Byte): Boolean = byte == SPACE || byte == TAB || byte == FORM_FEED
 
-        /** Splits at white space. */
+        /** Splits [line] at white space. */
         fun words(line: String): List<String> {
             val tokens = StringTokenizer(line)
             return List(tokens.countTokens()) { tokens.nextToken() }

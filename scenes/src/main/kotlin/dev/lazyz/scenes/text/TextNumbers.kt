@@ -1,17 +1,17 @@
 package dev.lazyz.scenes.text
 
 /**
- * Numbers as programs of many kinds write them into mesh files. "Not a number" and infinity are read in C's spellings
- * (`nan`, `-nan(ind)`, `inf`) and in Microsoft's (`1.#QNAN`, `1.#INF`), in any case. A sign before the `e` instead of behind
- * it, `3.1+e2`, is some exporters' misprint of `3.1e+2`.
+ * Parses numbers as various programs write them in mesh files. NaN and infinity are accepted in C's spellings (`nan`,
+ * `-nan(ind)`, `inf`) and in Microsoft's (`1.#QNAN`, `1.#INF`), ignoring case. Some exporters write the sign before
+ * the `e` by mistake: `3.1+e2` is read as `3.1e+2`.
  */
 internal object TextNumbers {
     private val misprint = Regex("([+-]?[0-9.]+)([+-])[eE]([0-9]+)")
 
-    /** Returns the number that [word] spells, or null if it is none. */
+    /** Returns the number that [word] represents, or null if it is not a number. */
     fun parse(word: String): Double? = word.toDoubleOrNull() ?: named(word) ?: corrected(word)?.toDoubleOrNull()
 
-    /** Returns the float nearest to the number that [word] spells, or null if it is none. */
+    /** Returns the float nearest to the number that [word] represents, or null if it is not a number. */
     fun parseFloat(word: String): Float? =
         word.toFloatOrNull() ?: named(word)?.toFloat() ?: corrected(word)?.toFloatOrNull()
 
@@ -30,7 +30,7 @@ internal object TextNumbers {
         }
     }
 
-    /** Says what to do about [word], which is not a number. */
+    /** Returns a remedy for [word], which is not a number, or null. */
     fun remedy(word: String): String? =
         if (',' in word) "write numbers with a decimal point, not a comma" else null
 }

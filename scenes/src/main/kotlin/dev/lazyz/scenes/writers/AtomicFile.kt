@@ -12,18 +12,18 @@ import java.nio.file.StandardCopyOption.REPLACE_EXISTING
 import java.nio.file.StandardOpenOption.WRITE
 
 /**
- * Writes files whole or not at all.
+ * Writes files either completely or not at all.
  *
- * The content goes to a temporary file in the same folder, which takes the name only when it is complete. Whatever goes
- * wrong, the old file is untouched and the temporary one is deleted. A link is followed. What is no ordinary file, such
- * as `/dev/null` or a pipe, is written directly.
+ * The content is written to a temporary file in the same folder, which is renamed only when it is complete. If
+ * writing fails, the old file stays unchanged and the temporary file is deleted. Symbolic links are followed. A
+ * target that is not a regular file, such as `/dev/null` or a pipe, is written directly.
  */
 internal object AtomicFile {
     /**
-     * Opens a file, lets [produce] fill it, and gives it its name.
+     * Opens a temporary file, calls [produce] to fill it, and renames it to [path].
      *
      * @return what [produce] returns
-     * @throws IOException if it cannot be written; the message says which file, why, and what to do
+     * @throws IOException if the file cannot be written; the message states which file, why, and what to do
      */
     fun <R> write(path: Path, produce: (FileChannel) -> R): R {
         val target = try {
@@ -44,7 +44,7 @@ internal object AtomicFile {
         }
     }
 
-    /** Returns where the file will be, with links followed, once it is clear that it may be there. */
+    /** Checks that the file can be created, and returns its path with symbolic links resolved. */
     private fun place(path: Path): Path {
         val absolute = path.toAbsolutePath()
         if (Files.isDirectory(absolute)) {

@@ -6,7 +6,7 @@ import dev.lazyz.Image
 import java.awt.image.BufferedImage
 
 /**
- * Returns the colours as a picture for `java.desktop`, of type [BufferedImage.TYPE_INT_ARGB]; a copy. Java:
+ * Returns a copy of the colours as a `java.desktop` image of type [BufferedImage.TYPE_INT_ARGB]. In Java:
  * `BufferedImages.toBufferedImage(image)`.
  */
 public fun Image.toBufferedImage(): BufferedImage {

@@ -10,26 +10,26 @@ import java.nio.file.Path
 import java.util.function.Function
 
 /**
- * Writes pictures to files, row by row as they are rendered.
+ * Writes images to files, row by row while they are rendered.
  *
- * A file appears when it is complete: until then an old file of the name stays, and after a failure nothing is left
- * behind. To write a picture that is in memory, see [writePng] and its like.
+ * A file appears only when it is complete: until then an old file with the same name stays, and a failure leaves no
+ * partial file. To write an image that is in memory, see [writePng] and the similar functions.
  */
 public object ImageFiles {
     /**
-     * Lets [produce] write a picture's rows to [path].
+     * Writes the rows that [produce] renders to an image file at [path].
      *
-     * For example `ImageFiles.write(path, frame.width, frame.height) { sink -> renderer.render(frame, sink) }`. Memory: a
-     * few rows.
+     * For example `ImageFiles.write(path, frame.width, frame.height) { sink -> renderer.render(frame, sink) }`.
+     * Memory: see the sink of the format, for example [PngSink].
      *
      * @param width number of columns
      * @param height number of rows
-     * @param format the kind of file; by default what the ending of the file name says
+     * @param format the file format; by default determined by the file name extension
      * @param alpha whether a PNG has an alpha channel; other formats have none
      * @param produce renders to the sink it is given, all rows from the top
      * @return what [produce] returns
-     * @throws IllegalArgumentException if [format] is left out and the ending says nothing
-     * @throws IOException if the file cannot be written; the message says which file, why, and what to do
+     * @throws IllegalArgumentException if [format] is omitted and the extension is unknown
+     * @throws IOException if the file cannot be written; the message states which file, why, and what to do
      */
     @JvmStatic
     @JvmOverloads
@@ -43,9 +43,9 @@ public object ImageFiles {
     ): R = AtomicFile.write(path) { channel -> write(channel, width, height, format, alpha, produce) }
 
     /**
-     * Returns the format that the ending of [path] stands for.
+     * Returns the format for the file name extension of [path].
      *
-     * @throws IllegalArgumentException if it stands for none
+     * @throws IllegalArgumentException if the extension is unknown
      */
     @JvmStatic
     public fun formatOf(path: Path): ImageFormat {
@@ -60,9 +60,9 @@ public object ImageFiles {
         AtomicFile.write(path) { write(it, image.width, image.height, format, alpha(image), image::sendTo) }
     }
 
-    /** Writes a PNG to [output], and leaves it open. */
+    /** Writes a PNG to [output] without closing it. */
     internal fun write(image: Image, output: OutputStream) {
-        PngSink(KeptOpen(output), image.width, image.height, alpha(image)).use(image::sendTo)
+        PngSink(NonClosingStream(output), image.width, image.height, alpha(image)).use(image::sendTo)
     }
 
     private fun alpha(image: Image): AlphaChannel =
@@ -82,8 +82,8 @@ public object ImageFiles {
     }
 }
 
-/** Flushes [output] where others would close it. */
-private class KeptOpen(private val output: OutputStream) : OutputStream() {
+/** Flushes [output] on [close] instead of closing it. */
+private class NonClosingStream(private val output: OutputStream) : OutputStream() {
     override fun write(byte: Int) = output.write(byte)
 
     override fun write(bytes: ByteArray, offset: Int, length: Int) = output.write(bytes, offset, length)

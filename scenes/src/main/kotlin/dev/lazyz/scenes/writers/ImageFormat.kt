@@ -1,24 +1,24 @@
 package dev.lazyz.scenes.writers
 
 /**
- * The kinds of file that a picture can be written to.
+ * The file formats that an image can be written to.
  *
- * @property id name on command lines, lower case
- * @property extensions endings of file names, lower case, without a dot
+ * @property id lower-case name, used on command lines
+ * @property extensions file name extensions, lower case, without a dot
  */
 public enum class ImageFormat(public val id: String, public val extensions: List<String>) {
-    /** Portable Network Graphics: colours, compressed without loss, see [PngSink]. */
+    /** Portable Network Graphics: colours, lossless compression, see [PngSink]. */
     PNG("png", listOf("png")),
 
-    /** Portable pixmap: colours, not compressed, see [PpmSink]. */
+    /** Portable pixmap: colours, uncompressed, see [PpmSink]. */
     PPM("ppm", listOf("ppm")),
 
-    /** Portable float map: depths, not compressed, see [PfmSink]. */
+    /** Portable float map: depths, uncompressed, see [PfmSink]. */
     PFM("pfm", listOf("pfm")),
     ;
 
     public companion object {
-        /** Returns the format that a file name's ending stands for, or null. */
+        /** Returns the format that a file name's extension belongs to, or null. */
         @JvmStatic
         public fun ofFileName(name: String): ImageFormat? {
             val extension = name.substringAfterLast('.', "").lowercase()

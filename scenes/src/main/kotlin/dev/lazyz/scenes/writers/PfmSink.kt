@@ -10,18 +10,18 @@ import java.nio.ByteOrder
 import java.nio.channels.SeekableByteChannel
 
 /**
- * Writes the depth of rows to a portable float map (`Pf`): one 32-bit number a pixel, little endian.
+ * Writes the depth of rows to a portable float map (`Pf`): one 32-bit number per pixel, little endian.
  *
- * A number is [Depth.toUnit] of the stored depth: 0 at the near plane, 1 at the far plane (or the other way round in a
- * frame whose larger depths are nearer), linear in screen space; of the 31 bits a float keeps the upper 24. Where no
- * primitive is visible it is +Infinity, which no primitive's depth ever is.
+ * A number is [Depth.toUnit] of the stored depth: 0 at the near plane, 1 at the far plane (or the reverse in a frame
+ * whose larger depths are nearer), linear in screen space. A float keeps the upper 24 of the 31 bits. Where no
+ * primitive is visible the number is +Infinity, which no primitive's depth ever is.
  *
- * The format wants the bottom row first, and rows come from the top, so the sink writes backwards and needs a channel
- * that seeks, such as a file's. Holds one row. [close] closes the channel too. Not thread safe.
+ * The format stores the bottom row first, but rows arrive from the top. Therefore the sink writes backwards and needs
+ * a seekable channel, such as that of a file. Memory: one row. [close] also closes the channel. Not thread safe.
  *
  * Source: Paul Debevec, "PFM Portable FloatMap Image Format"; the Netpbm project, "pfm".
  *
- * @param output where to; the file starts at the channel's current position
+ * @param output the target; the file starts at the channel's current position
  * @param width number of columns
  * @param height number of rows
  * @throws IllegalArgumentException if a side is not positive, or a row does not fit into memory
@@ -46,9 +46,9 @@ public class PfmSink(private val output: SeekableByteChannel, private val width:
     /**
      * Writes row [y]; colours are ignored.
      *
-     * @throws IllegalArgumentException if it is not the row after the last one (the first may have any number), or has fewer than
-     *   [width] columns
-     * @throws IOException if the channel does not take it
+     * @throws IllegalArgumentException if [y] does not follow the previous row (the first row may have any number),
+     *   or the row has fewer than [width] columns
+     * @throws IOException if writing to the channel fails
      */
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         order.take(y, primitive)
@@ -65,7 +65,7 @@ public class PfmSink(private val output: SeekableByteChannel, private val width:
     /**
      * Closes the channel. Closing again does nothing.
      *
-     * @throws IOException if rows are missing, or the channel does not take it; the channel is closed all the same
+     * @throws IOException if rows are missing, or writing to the channel fails; the channel is closed anyway
      */
     override fun close() {
         if (isClosed) return

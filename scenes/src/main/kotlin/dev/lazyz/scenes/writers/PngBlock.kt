@@ -6,13 +6,13 @@ import java.util.zip.Adler32
 import java.util.zip.Deflater
 
 /**
- * Some rows of a picture, filtered and compressed by whichever thread gets round to it.
+ * Filters and compresses some rows of an image, on any thread.
  *
- * Blocks do not refer to each other's bytes, so their compressed forms, one after the other, are the whole picture's
- * whoever made them and when.
+ * Blocks do not refer to each other's bytes. Therefore their compressed bytes, concatenated, are the same for any
+ * assignment of blocks to threads.
  *
- * @param argb the rows, one after the other, with the row above the first one in front
- * @param rows how many rows, without the one above
+ * @param argb the rows in order, preceded by the row above the first one
+ * @param rows number of rows, not counting the row above
  * @param isLast whether the compressed stream ends with this block
  */
 internal class PngBlock(
@@ -23,10 +23,10 @@ internal class PngBlock(
     private val isLast: Boolean,
 ) : RecursiveTask<PngBlock.Compressed>() {
     /**
-     * Bytes of a deflate stream.
+     * Part of a deflate stream.
      *
-     * @property adler check sum of the bytes before compression
-     * @property length how many there were
+     * @property adler checksum of the uncompressed bytes
+     * @property length number of uncompressed bytes
      */
     class Compressed(val bytes: ByteArray, val adler: Int, val length: Int)
 
@@ -56,7 +56,7 @@ internal class PngBlock(
             val compressed = ByteArrayOutputStream()
             val buffer = ByteArray(BUFFER_SIZE)
 
-            // The flush fills up the last byte, so that the next block's bytes may follow
+            // The flush pads to a whole byte, so that the next block's bytes can follow
             val flush = if (isLast) Deflater.NO_FLUSH else Deflater.SYNC_FLUSH
             do {
                 val count = deflater.deflate(buffer, 0, buffer.size, flush)
@@ -69,7 +69,7 @@ internal class PngBlock(
     }
 
     private companion object {
-        /** Takes about half the time of the usual level 6; files of rendered pictures are some 3 % larger. */
+        /** Takes about half the time of the default level 6; files of rendered images are about 3 % larger. */
         const val LEVEL = 5
         const val BUFFER_SIZE = 1 shl 15
     }

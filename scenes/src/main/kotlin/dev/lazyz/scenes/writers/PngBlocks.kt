@@ -4,12 +4,12 @@ import java.util.ArrayDeque
 import java.util.concurrent.ForkJoinPool
 
 /**
- * Collects rows into blocks, has them compressed by several threads, and hands on what they make, in order.
+ * Collects rows into blocks, compresses the blocks on several threads, and writes the results in order.
  *
- * Memory: two blocks of [BLOCK_PIXELS] pixels, or of one row, for each thread of the common pool, at most
- * [MOST_WAITING] in all, and one more; of each its colours and about as many bytes again.
+ * Memory: for each thread of the common pool two blocks of [BLOCK_PIXELS] pixels, or of one row, at most
+ * [MOST_WAITING] blocks in total, plus one. Each block takes its colours and about as many bytes again.
  *
- * @param write gets the bytes of a zlib stream
+ * @param write receives the bytes of a zlib stream
  */
 internal class PngBlocks(
     private val width: Int,
@@ -31,7 +31,7 @@ internal class PngBlocks(
         write(HEADER)
     }
 
-    /** Takes the next row. */
+    /** Adds the next row. */
     fun add(row: IntArray) {
         if (rows == 0) argb = above.copyOf((1 + rowsOfBlock.coerceAtMost(height - taken)) * width)
         System.arraycopy(row, 0, argb, (1 + rows) * width, width)
@@ -47,7 +47,7 @@ internal class PngBlocks(
         rows = 0
         waiting.add(block)
 
-        // The caller compresses too, when all other threads have work or there are no more rows to bring
+        // The calling thread also compresses if all other threads are busy or there are no more rows
         if (isLast || waiting.count { !it.isDone } > threads) block.invoke() else block.fork()
         while (waiting.isNotEmpty() && (isLast || waiting.peek().isDone || waiting.size > mostWaiting)) writeFirst()
         if (isLast) write(adler.toBytes())
@@ -60,11 +60,11 @@ internal class PngBlocks(
     }
 
     private companion object {
-        /** Small enough to keep several threads busy with a picture of 512 x 512, at a cost of 1 % of the file. */
+        /** Small enough to keep several threads busy with a 512 x 512 image; makes the file 1 % larger. */
         const val BLOCK_PIXELS = 1 shl 16
         const val MOST_WAITING = 16
 
-        /** Deflate with a window of 32 KB, by a fast method. */
+        /** Zlib header: deflate with a 32 KB window, fast compression. */
         val HEADER = byteArrayOf(0x78, 0x5E)
     }
 }

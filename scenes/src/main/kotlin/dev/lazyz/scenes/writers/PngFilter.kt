@@ -1,27 +1,29 @@
 package dev.lazyz.scenes.writers
 
 /**
- * Turns rows of colours into filtered rows of bytes, choosing for each row the filter that should compress best.
+ * Converts rows of colours to filtered rows of bytes. For each row it chooses the filter that is likely to compress
+ * best.
  *
- * Three of the five filters are tried, and the one whose differences are least in sum is taken, as the specification
- * advises. Paeth's has to be better by half: its differences are small but less regular, so that they compress worse
- * than their sum says. The other two filters won so few rows of rendered pictures that they are not worth their time.
+ * It tries three of the five filters and takes the one with the smallest sum of absolute differences, as the
+ * specification recommends. The sum of the Paeth filter is multiplied by 1.5: its differences are small but less
+ * regular, so they compress worse than their sum suggests. The other two filters were best for so few rows of
+ * rendered images that they are not worth their time.
  *
- * Source: PNG specification, sections 9 (filters) and 12.8 (how to choose).
+ * Source: PNG specification, sections 9 (filters) and 12.8 (filter selection).
  *
  * @param width number of columns
  * @param channels bytes of a pixel: 3 without alpha, 4 with
  */
 internal class PngFilter(private val width: Int, private val channels: Int) {
-    /** Number of bytes of a row, without the filter's number. */
+    /** Number of bytes of a row, without the filter type. */
     private val size = width * channels
 
-    // A pixel of zeros stands to the left of each row
+    // Each row is preceded by one pixel of zeros
     private var current = ByteArray(channels + size)
     private var above = ByteArray(channels + size)
     private val candidates = Array(FILTERS.size) { ByteArray(size) }
 
-    /** Takes the next row, which begins at [offset] of [argb]; the one before becomes the row above. */
+    /** Loads the next row, which begins at [offset] of [argb]. The previous row becomes the row above. */
     fun load(argb: IntArray, offset: Int) {
         val spare = above
         above = current
@@ -36,7 +38,7 @@ internal class PngFilter(private val width: Int, private val channels: Int) {
         }
     }
 
-    /** Writes the row that was loaded to [output] at [offset]: the number of a filter, then the differences. */
+    /** Writes the loaded row to [output] at [offset]: the filter type, then the differences. */
     fun writeBest(output: ByteArray, offset: Int) {
         var best = 0
         var least = Long.MAX_VALUE
@@ -65,7 +67,7 @@ internal class PngFilter(private val width: Int, private val channels: Int) {
         for (i in 0 until size) differences[i] = (current[i + channels] - above[i + channels]).toByte()
     }
 
-    /** Differences to the neighbour (left, above, above left) that is nearest to left + above - above left. */
+    /** Differences to the neighbour (left, above, above left) that is closest to left + above - above left. */
     private fun paeth(differences: ByteArray) {
         for (i in 0 until size) {
             val left = current[i].toInt() and 0xFF

@@ -8,26 +8,27 @@ import java.io.OutputStream
 import java.nio.ByteBuffer
 import java.util.zip.CRC32
 
-/** What an image file does with alpha. */
+/** How an image file stores alpha. */
 public enum class AlphaChannel {
-    /** Alpha is written beside the colours, which stay straight (not premultiplied). */
+    /** Alpha is written in addition to the colours, which stay straight (not premultiplied). */
     KEEP,
 
-    /** Alpha is dropped; the straight colours are written as they are, not composited over anything. */
+    /** Alpha is dropped. The straight colours are written unchanged, not composited over a background. */
     DROP,
 }
 
 /**
- * Writes rows to a PNG stream as they come: 8 bits a channel, sRGB.
+ * Writes rows to a PNG stream as they arrive: 8 bits per channel, sRGB.
  *
- * Blocks of rows are filtered and compressed at the same time, by the threads of the common pool; the bytes are the same
- * for any number of threads. Holds at most 17 blocks of 65,536 pixels, or of one row, whatever the height, so a picture
- * may be larger than memory. Each row gets the filter that should compress it best (section 12.8 of the specification).
- * Needs no `java.desktop`. [close] after the last row, or the file is cut off; it closes the stream too. Not thread safe.
+ * Blocks of rows are filtered and compressed in parallel on the threads of the common pool; the bytes are the same
+ * for any number of threads. Memory: at most 17 blocks of 65,536 pixels, or of one row, whatever the height, so an
+ * image can be larger than memory. For each row the sink chooses the filter that is likely to compress best (section
+ * 12.8 of the specification). Does not need `java.desktop`. Call [close] after the last row, otherwise the file is
+ * incomplete; it also closes the stream. Not thread safe.
  *
  * Source: "Portable Network Graphics (PNG) Specification", third edition, W3C.
  *
- * @param output where to; buffered here, so it need not be
+ * @param output the target; the sink buffers its writes, so the stream need not be buffered
  * @param width number of columns
  * @param height number of rows
  * @param alpha whether the file has an alpha channel
@@ -59,9 +60,9 @@ public class PngSink @JvmOverloads constructor(
     /**
      * Writes row [y]; depth and primitive are ignored.
      *
-     * @throws IllegalArgumentException if it is not the row after the last one (the first may have any number), or has fewer than
-     *   [width] columns
-     * @throws IOException if the stream does not take it
+     * @throws IllegalArgumentException if [y] does not follow the previous row (the first row may have any number),
+     *   or the row has fewer than [width] columns
+     * @throws IOException if writing to the stream fails
      */
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         order.take(y, argb)
@@ -71,7 +72,7 @@ public class PngSink @JvmOverloads constructor(
     /**
      * Writes the end of the file and closes the stream. Closing again does nothing.
      *
-     * @throws IOException if rows are missing, or the stream does not take it; the stream is closed all the same
+     * @throws IOException if rows are missing, or writing to the stream fails; the stream is closed anyway
      */
     override fun close() {
         if (isClosed) return
@@ -96,7 +97,7 @@ public class PngSink @JvmOverloads constructor(
         compressed.reset()
     }
 
-    /** Writes length, type, data, and the check sum of type and data. */
+    /** Writes length, type, data, and the checksum of type and data. */
     private fun chunk(type: String, data: ByteArray) {
         val name = type.toByteArray(Charsets.US_ASCII)
         val crc = CRC32().apply {

@@ -6,14 +6,14 @@ import java.io.IOException
 import java.io.OutputStream
 
 /**
- * Writes rows to a binary PPM stream (`P6`) as they come: red, green, blue, 8 bits each, sRGB.
+ * Writes rows to a binary PPM stream (`P6`) as they arrive: red, green, blue, 8 bits each, sRGB.
  *
- * The format has no alpha: it is dropped, and the straight colours are written as they are, so what is transparent
- * black looks black. Holds one row. [close] closes the stream too. Not thread safe.
+ * The format has no alpha. Alpha is dropped and the straight colours are written unchanged, so transparent black
+ * becomes black. Memory: one row. [close] also closes the stream. Not thread safe.
  *
  * Source: the Netpbm project, "PPM Format Specification".
  *
- * @param output where to; written one row at a time
+ * @param output the target; the sink writes one row at a time
  * @param width number of columns
  * @param height number of rows
  * @throws IllegalArgumentException if a side is not positive, or a row does not fit into memory
@@ -35,9 +35,9 @@ public class PpmSink(private val output: OutputStream, private val width: Int, p
     /**
      * Writes row [y]; depth and primitive are ignored.
      *
-     * @throws IllegalArgumentException if it is not the row after the last one (the first may have any number), or has fewer than
-     *   [width] columns
-     * @throws IOException if the stream does not take it
+     * @throws IllegalArgumentException if [y] does not follow the previous row (the first row may have any number),
+     *   or the row has fewer than [width] columns
+     * @throws IOException if writing to the stream fails
      */
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         order.take(y, argb)
@@ -53,7 +53,7 @@ public class PpmSink(private val output: OutputStream, private val width: Int, p
     /**
      * Closes the stream. Closing again does nothing.
      *
-     * @throws IOException if rows are missing, or the stream does not take it; the stream is closed all the same
+     * @throws IOException if rows are missing, or writing to the stream fails; the stream is closed anyway
      */
     override fun close() {
         if (isClosed) return

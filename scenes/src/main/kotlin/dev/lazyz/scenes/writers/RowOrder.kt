@@ -3,20 +3,20 @@ package dev.lazyz.scenes.writers
 import java.io.IOException
 
 /**
- * Checks that rows come in order, and with enough columns. The first may have any number: a picture may be a part of a larger
- * raster.
+ * Checks that rows arrive in order and have enough columns. The first row may have any number, because an image can
+ * be a part of a larger raster.
  */
 internal class RowOrder(private val width: Int, private val height: Int) {
     private var firstRow = 0
 
-    /** Number of rows that have come. */
+    /** Number of rows received. */
     var taken: Int = 0
         private set
 
     /**
-     * Takes row [y], of which a sink reads [values].
+     * Checks and counts row [y], of which a sink reads [values].
      *
-     * @throws IllegalArgumentException if it is not the row after the last one, or has too few columns
+     * @throws IllegalArgumentException if [y] does not follow the previous row, or the row has too few columns
      */
     fun take(y: Int, values: IntArray) {
         require(values.size >= width) { "row $y has ${values.size} columns, and the image has $width" }

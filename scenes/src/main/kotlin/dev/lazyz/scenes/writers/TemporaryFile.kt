@@ -11,11 +11,11 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ThreadLocalRandom
 
 /**
- * A file that lasts only while it is written. It is deleted when it is closed, unless it was moved away, and when the
- * process ends in order, as it does on SIGINT, SIGTERM and SIGHUP. What a process leaves behind that was killed, the next
- * one deletes that writes to the same folder.
+ * A temporary file that exists only while it is written. It is deleted when it is closed, unless it was renamed
+ * before, and when the process exits normally or on SIGINT, SIGTERM and SIGHUP. If a process is killed, its temporary
+ * files are deleted by the next process that writes to the same folder.
  *
- * The process that writes such a file holds a lock on it; without a lock it belongs to nobody.
+ * The process that writes such a file holds a lock on it. A file without a lock is no longer in use.
  */
 internal class TemporaryFile private constructor(val path: Path, val channel: FileChannel) : AutoCloseable {
     override fun close() {
@@ -27,28 +27,28 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
     companion object {
         private const val SUFFIX = ".lazyz-tmp"
 
-        /** A new file has no lock for a moment: what is so young is left alone, milliseconds. */
-        private const val YOUNG = 60_000L
+        /** A new file has no lock for a moment, so files younger than this are not deleted. In milliseconds. */
+        private const val MIN_AGE_MILLIS = 60_000L
 
         private val open: MutableSet<Path> = ConcurrentHashMap.newKeySet()
 
-        /** Folders that were looked through for what others left behind. */
-        private val tidied: MutableSet<Path> = ConcurrentHashMap.newKeySet()
+        /** Folders that were already searched for files left by other processes. */
+        private val cleanedFolders: MutableSet<Path> = ConcurrentHashMap.newKeySet()
 
         init {
             try {
                 Runtime.getRuntime().addShutdownHook(Thread(::deleteAll, "lazyz-temporary-files"))
             } catch (_: IllegalStateException) {
-                // The process ends already
+                // The process is already exiting
             }
         }
 
-        /** Creates an empty file beside [target]. */
+        /** Creates an empty file in the folder of [target]. */
         fun beside(target: Path): TemporaryFile {
             val folder = checkNotNull(target.parent) { "the target must be absolute" }
-            if (tidied.add(folder)) tidy(folder)
+            if (cleanedFolders.add(folder)) deleteAbandoned(folder)
 
-            // Ask for no secure random number: its providers take as long to load as a small picture to render
+            // No secure random number: loading its providers takes as long as rendering a small image
             val word = java.lang.Long.toHexString(ThreadLocalRandom.current().nextLong())
             val path = folder.resolve(".${target.fileName}.$word$SUFFIX")
             open.add(path)
@@ -62,26 +62,26 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
             }
         }
 
-        /** Deletes what processes that are no more have left in [folder]. */
-        private fun tidy(folder: Path) {
+        /** Deletes the files that terminated processes left in [folder]. */
+        private fun deleteAbandoned(folder: Path) {
             try {
-                Files.newDirectoryStream(folder, ".*$SUFFIX").use { found -> found.forEach(::deleteIfLeft) }
+                Files.newDirectoryStream(folder, ".*$SUFFIX").use { found -> found.forEach(::deleteIfAbandoned) }
             } catch (_: IOException) {
-                // A folder that cannot be read stays as it is
+                // Ignore a folder that cannot be read
             }
         }
 
-        private fun deleteIfLeft(path: Path) {
+        private fun deleteIfAbandoned(path: Path) {
             try {
                 val age = System.currentTimeMillis() - Files.getLastModifiedTime(path).toMillis()
-                if (age < YOUNG || path in open || !Files.isRegularFile(path)) return
+                if (age < MIN_AGE_MILLIS || path in open || !Files.isRegularFile(path)) return
                 FileChannel.open(path, WRITE).use { if (lock(it)) Files.deleteIfExists(path) }
             } catch (_: IOException) {
-                // Somebody else's, or just gone
+                // The file belongs to another user, or was just deleted
             }
         }
 
-        /** Whether [channel] has been locked; some file systems have no locks. */
+        /** Tries to lock [channel]; returns false also on file systems that have no locks. */
         private fun lock(channel: FileChannel): Boolean = try {
             channel.tryLock() != null
         } catch (_: OverlappingFileLockException) {
@@ -95,7 +95,7 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
                 try {
                     Files.deleteIfExists(path)
                 } catch (_: IOException) {
-                    // The process ends; there is nobody to tell
+                    // The process is exiting, so the error cannot be reported
                 }
             }
         }
