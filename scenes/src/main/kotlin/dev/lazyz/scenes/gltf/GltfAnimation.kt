@@ -21,7 +21,7 @@ internal class GltfAnimation(private val document: GltfDocument, private val acc
             return emptyMap()
         }
         if (animations.isEmpty()) {
-            document.warn("there is no animation, so that the time of one changes nothing")
+            document.warn("there is no animation, so the animation time has no effect")
             return emptyMap()
         }
         if (animations.size > 1) document.warn("only the first of ${animations.size} animations is applied")
