@@ -110,7 +110,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
     ): GltfNumbers {
         val bytes = document.view(view, "$where.bufferView")
         val componentSize = GltfNumbers.sizeOf(componentType)
-            ?: document.fail("$where.componentType", "$componentType is no type of numbers")
+            ?: document.fail("$where.componentType", "$componentType is not a component type")
         val offset = byteOffset ?: 0
         val size = type.numComponents * componentSize
         val stride = byteStride?.takeIf { it != 0 } ?: size
@@ -129,7 +129,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
 
     private fun type(accessor: Accessor, index: Int?): ElementType =
         ElementType.forString(accessor.type)
-            ?: document.fail("accessors[$index].type", "${accessor.type} is no type of elements")
+            ?: document.fail("accessors[$index].type", "${accessor.type} is not an element type")
 
     private companion object {
         /**

@@ -27,7 +27,7 @@ internal class GltfDocument(val source: Source, val json: GlTF, private val bina
     fun <T : Any> element(list: List<T?>?, index: Int?, name: String, where: String): T {
         val count = list?.size ?: 0
         if (index == null || index !in 0 until count) {
-            fail(where, if (index == null) "it is missing" else "$name[$index] does not exist, for there are $count")
+            fail(where, if (index == null) "it is missing" else "$name[$index] does not exist; there are $count")
         }
         return list?.get(index) ?: fail("$name[$index]", "it is null")
     }

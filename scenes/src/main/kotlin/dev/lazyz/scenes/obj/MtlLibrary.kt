@@ -37,7 +37,7 @@ internal class MtlLibrary(private val source: Source) {
 
     /** Returns the material with the given [name], or a plain white one if no library defines it. */
     fun material(name: String?): MtlMaterial = materials[name] ?: missing.getOrPut(name) {
-        if (name != null) source.warn("material $name is defined nowhere and becomes plain white")
+        if (name != null) source.warn("material $name is not defined in any library and becomes plain white")
         MtlMaterial(Material(name = name ?: ""), isDefined = false)
     }
 

@@ -86,7 +86,7 @@ internal class MtlMaterials(private val source: Source, private val folders: Lis
     private fun alpha(mtl: Mtl, hasOpacity: Boolean): Float {
         val alpha = mtl.d?.takeIf { it.isFinite() }?.coerceIn(0f, 1f) ?: 1f
         if (alpha > 0f || hasOpacity) return alpha
-        source.warn("material ${mtl.name}: Tr 1 without d is taken for opaque; to make it invisible, say d 0")
+        source.warn("material ${mtl.name}: Tr 1 without d is treated as opaque; to make it invisible, write d 0")
         return 1f
     }
 

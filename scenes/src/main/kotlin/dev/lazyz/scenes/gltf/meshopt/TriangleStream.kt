@@ -94,7 +94,7 @@ internal class TriangleStream private constructor(private val bytes: ByteArray, 
         }
 
         fun get(age: Int, part: Int): Int {
-            if (age >= count) throw MeshoptException("a triangle refers to what was not there before")
+            if (age >= count) throw MeshoptException("a triangle refers to an edge or vertex that did not occur before")
             return numbers[(count - 1 - age) % SIZE * width + part]
         }
     }
