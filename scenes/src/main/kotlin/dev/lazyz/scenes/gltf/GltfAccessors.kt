@@ -134,7 +134,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
     private companion object {
         /**
          * The maximum number of elements of an accessor without a buffer view, whose elements are all 0. Without this
-         * limit, a few bytes of a file could ask for much memory.
+         * limit, a few bytes of a file could request a lot of memory.
          */
         const val MAX_ZEROS = 1 shl 20
     }

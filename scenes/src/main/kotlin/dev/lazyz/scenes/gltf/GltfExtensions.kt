@@ -2,7 +2,7 @@ package dev.lazyz.scenes.gltf
 
 import de.javagl.jgltf.impl.v2.GlTFProperty
 
-/** Which extensions are supported (section 3.12), and access to their values, which jgltf stores as nested maps. */
+/** The supported extensions (section 3.12), and access to extensions' values, which jgltf stores as nested maps. */
 internal object GltfExtensions {
     /** The extension for lights. Lights are not used, but counted in a separate warning. */
     const val LIGHTS: String = "KHR_lights_punctual"

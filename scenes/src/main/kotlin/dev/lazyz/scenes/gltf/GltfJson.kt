@@ -53,7 +53,7 @@ internal object GltfJson {
             reading.set(source)
             return mapper.treeToValue(tree, GlTF::class.java)
         } catch (e: JsonMappingException) {
-            source.fail(place(e), "the value does not have the type that glTF requires: ${brief(e.originalMessage)}", REMEDY, e)
+            source.fail(place(e), "the type of the value is not allowed here: ${brief(e.originalMessage)}", REMEDY, e)
         } catch (e: IOException) {
             source.fail(null, "the JSON is not glTF: ${brief(e.message)}", REMEDY, e)
         } finally {

@@ -17,7 +17,7 @@ import dev.lazyz.world.Scene
  * the meshes, by material. Free-form geometry and unknown statements are ignored with a warning.
  */
 internal object ObjParser : SceneParser {
-    /** Edges with a larger angle stay sharp, in degrees. */
+    /** The crease angle in degrees: edges that are sharper stay sharp. */
     const val CREASE_ANGLE = 45.0
 
     override fun parse(source: Source): Scene {

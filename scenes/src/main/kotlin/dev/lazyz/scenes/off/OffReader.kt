@@ -30,7 +30,7 @@ internal class OffReader(private val source: Source, private val origin: Vector3
     fun readVertices() {
         val count = header.vertexCount
         if (count > line.bytesLeft / LEAST_VERTEX_BYTES + 1) {
-            line.fail("the header declares $count vertices, but the remaining ${line.bytesLeft} bytes are too few for them")
+            line.fail("$count vertices do not fit into the remaining ${line.bytesLeft} bytes")
         }
         // If the file is read a second time, relative to an origin, its vertices have already been counted
         if (!isFar) source.loading.vertices(source, count.toLong())
@@ -81,7 +81,7 @@ internal class OffReader(private val source: Source, private val origin: Vector3
 
     /** Reads the faces into [polygons], and reports the numbers that were ignored. */
     fun readFaces() {
-        if (longRows > 0) source.warn("$longRows vertices have numbers that do not fit the header; these numbers are ignored")
+        if (longRows > 0) source.warn("$longRows vertices have numbers that do not fit the header and are ignored")
         val colors = OffColors()
 
         // For each colour, the number of its polygon

@@ -27,7 +27,7 @@ import dev.lazyz.world.Scene
  * degrees. If the file is truncated, the part that is present is shown.
  */
 internal object PlyParser : SceneParser {
-    /** Edges with a larger angle stay sharp, in degrees. */
+    /** The crease angle in degrees: edges that are sharper stay sharp. */
     const val CREASE_ANGLE = 45.0
 
     override fun parse(source: Source): Scene {

@@ -16,7 +16,7 @@ import dev.lazyz.world.Scene
  * become vertex colours, see [StlColors].
  */
 internal object StlParser : SceneParser {
-    /** Edges with a larger angle stay sharp, in degrees. Printed parts have chamfers of 45 degrees. */
+    /** The crease angle in degrees: edges that are sharper stay sharp. Printed parts have chamfers of 45 degrees. */
     const val CREASE_ANGLE = 30.0
 
     override fun parse(source: Source): Scene {

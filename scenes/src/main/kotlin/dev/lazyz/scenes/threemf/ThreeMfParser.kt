@@ -19,7 +19,7 @@ import dev.lazyz.world.Scene
  * The file's z axis points upward. It is not converted.
  */
 internal object ThreeMfParser : SceneParser {
-    /** Edges with a larger angle stay sharp, in degrees. Printed parts have chamfers of 45 degrees. */
+    /** The crease angle in degrees: edges that are sharper stay sharp. Printed parts have chamfers of 45 degrees. */
     const val CREASE_ANGLE = 30.0
 
     override fun parse(source: Source): Scene {

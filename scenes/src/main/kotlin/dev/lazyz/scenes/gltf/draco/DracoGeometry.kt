@@ -54,7 +54,7 @@ internal class DracoGeometry private constructor(private val mesh: DracoMesh) {
         private const val FACE_BYTES = 120L
         private const val VERTEX_BYTES = 120L
 
-        /** Time limit in milliseconds, about a thousand times what undamaged data needs. */
+        /** Time limit: a base and an amount for each byte, about a thousand times what undamaged data needs. */
         private const val BASE_MILLISECONDS = 5_000L
         private const val MILLISECONDS_PER_BYTE = 1L
 
