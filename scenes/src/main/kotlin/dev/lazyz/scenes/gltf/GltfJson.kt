@@ -80,9 +80,9 @@ internal object GltfJson {
                 source.fail(null, "the JSON is nested more than $most deep", Loading.NESTING_REMEDY, e)
             }
             val place = e.location?.let { "line ${it.lineNr}, column ${it.columnNr}" }
-            source.fail(place, "this is not JSON: ${brief(e.originalMessage)}", REMEDY, e)
+            source.fail(place, "this is no JSON: ${brief(e.originalMessage)}", REMEDY, e)
         } catch (e: IOException) {
-            source.fail(null, "this is not JSON: ${brief(e.message)}", REMEDY, e)
+            source.fail(null, "this is no JSON: ${brief(e.message)}", REMEDY, e)
         }
         if (tree?.isObject != true) source.fail(null, "the file holds no JSON object", "check what kind of file it is")
         return tree

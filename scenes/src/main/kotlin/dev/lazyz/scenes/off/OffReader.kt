@@ -30,7 +30,7 @@ internal class OffReader(private val source: Source, private val origin: Vector3
     fun readVertices() {
         val count = header.vertexCount
         if (count > line.bytesLeft / LEAST_VERTEX_BYTES + 1) {
-            line.fail("$count vertices do not fit into the remaining ${line.bytesLeft} bytes")
+            line.fail("$count vertices are announced, but the remaining ${line.bytesLeft} bytes are too few for them")
         }
         // If the file is read a second time, relative to an origin, its vertices have already been counted
         if (!isFar) source.loading.vertices(source, count.toLong())
