@@ -58,7 +58,7 @@ internal class Version1Json private constructor(
         for (key in names.getValue(name).keys) {
             val where = "$name.$key"
             val copy = old.path(name).path(key).deepCopy<JsonNode>()
-            if (copy !is ObjectNode) fail(where, "it is not a JSON object")
+            if (copy !is ObjectNode) fail(where, "it is no JSON object")
             change(where, copy)
             list(name).add(copy)
         }
@@ -97,7 +97,7 @@ internal class Version1Json private constructor(
     private fun mesh(where: String, mesh: ObjectNode) {
         for ((i, primitive) in mesh.path("primitives").withIndex()) {
             val here = "$where.primitives[$i]"
-            if (primitive !is ObjectNode) fail(here, "it is not a JSON object")
+            if (primitive !is ObjectNode) fail(here, "it is no JSON object")
             refer(primitive, "indices", "accessors", here)
             refer(primitive, "material", "materials", here)
             val attributes = primitive["attributes"] as? ObjectNode ?: continue
