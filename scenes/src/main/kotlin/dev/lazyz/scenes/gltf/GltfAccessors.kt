@@ -6,19 +6,19 @@ import de.javagl.jgltf.model.ElementType
 import de.javagl.jgltf.model.GltfConstants
 
 /**
- * Reads accessors (section 3.6.2) into arrays, each once.
+ * Reads accessors (section 3.6.2) into arrays. Each accessor is read once.
  *
- * That the numbers lie within their buffer view is checked before anything is allocated. Sparse accessors (3.6.2.3) are
- * put together here.
+ * Nothing is allocated before the numbers are known to lie within their buffer view. Sparse accessors (3.6.2.3) are
+ * resolved here.
  */
 internal class GltfAccessors(private val document: GltfDocument) {
     private val floats = HashMap<Int, FloatArray>()
 
     /**
-     * Returns the numbers of an accessor, normalized integers as fractions (3.11), row by row.
+     * Returns the numbers of an accessor, row by row. Normalized integers are returned as fractions (3.11).
      *
-     * @param where the place that refers to it
-     * @param types what its elements may be
+     * @param where the place in the file that refers to the accessor
+     * @param types the element types that are allowed
      */
     fun floats(index: Int?, where: String, vararg types: ElementType): FloatArray {
         val accessor = document.element(document.json.accessors, index, "accessors", where)
@@ -29,7 +29,9 @@ internal class GltfAccessors(private val document: GltfDocument) {
         return floats.getOrPut(checkNotNull(index)) { read(accessor, index, type) }
     }
 
-    /** Returns the whole numbers of a scalar accessor; one beyond 31 bits comes out negative. */
+    /**
+     * Returns the integers of a scalar accessor. A number that needs more than 31 bits is returned as a negative one.
+     */
     fun indices(index: Int, where: String): IntArray {
         val accessor = document.element(document.json.accessors, index, "accessors", where)
         val here = "accessors[$index]"
@@ -54,7 +56,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
         return result
     }
 
-    /** Puts the sparse values into [result], in the places that the sparse indices name. */
+    /** Writes the sparse values into [result], at the positions that the sparse indices give. */
     private fun substitute(
         sparse: AccessorSparse,
         accessor: Accessor,
@@ -83,7 +85,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
         }
     }
 
-    /** Returns the numbers in the buffer view, or null if there is none and all are 0. */
+    /** Returns the numbers in the buffer view, or null if there is no buffer view, in which case all numbers are 0. */
     private fun dense(accessor: Accessor, index: Int, type: ElementType): GltfNumbers? {
         val here = "accessors[$index]"
         val count = count(accessor, here)
@@ -108,7 +110,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
     ): GltfNumbers {
         val bytes = document.view(view, "$where.bufferView")
         val componentSize = GltfNumbers.sizeOf(componentType)
-            ?: document.fail("$where.componentType", "$componentType is no type of numbers")
+            ?: document.fail("$where.componentType", "$componentType is not a component type")
         val offset = byteOffset ?: 0
         val size = type.numComponents * componentSize
         val stride = byteStride?.takeIf { it != 0 } ?: size
@@ -127,10 +129,13 @@ internal class GltfAccessors(private val document: GltfDocument) {
 
     private fun type(accessor: Accessor, index: Int?): ElementType =
         ElementType.forString(accessor.type)
-            ?: document.fail("accessors[$index].type", "${accessor.type} is no type of elements")
+            ?: document.fail("accessors[$index].type", "${accessor.type} is not an element type")
 
     private companion object {
-        /** Most elements of an accessor that only says how many zeros there are: a few bytes could ask for much. */
+        /**
+         * The maximum number of elements of an accessor without a buffer view, whose elements are all 0. Without this
+         * limit, a few bytes of a file could request a lot of memory.
+         */
         const val MAX_ZEROS = 1 shl 20
     }
 }

@@ -8,9 +8,12 @@ import dev.lazyz.scenes.gltf.animation.Interpolation
 import dev.lazyz.scenes.gltf.animation.Keyframes
 import dev.lazyz.scenes.gltf.animation.NodePose
 
-/** The first animation of the file at a moment (section 3.11). Channels of other things than nodes are passed over. */
+/** The first animation of the file at one moment (section 3.11). Channels that do not target nodes are ignored. */
 internal class GltfAnimation(private val document: GltfDocument, private val accessors: GltfAccessors) {
-    /** Returns what the animation makes of nodes at [time] in seconds, by their numbers; nothing if [time] is null. */
+    /**
+     * Returns the values that the animation gives to nodes at [time] in seconds, by node number. The map is empty if
+     * [time] is null.
+     */
     fun poses(time: Double?): Map<Int, NodePose> {
         val animations: List<Animation?> = document.json.animations.orEmpty()
         if (time == null) {
@@ -18,7 +21,7 @@ internal class GltfAnimation(private val document: GltfDocument, private val acc
             return emptyMap()
         }
         if (animations.isEmpty()) {
-            document.warn("there is no animation, so that the time of one changes nothing")
+            document.warn("there is no animation, so the animation time has no effect")
             return emptyMap()
         }
         if (animations.size > 1) document.warn("only the first of ${animations.size} animations is applied")

@@ -8,10 +8,11 @@ import org.joml.Matrix4dc
 import org.joml.Vector3d
 
 /**
- * Cameras (section 3.10). The file's aspect ratio is passed over: its height counts, and the raster decides the width.
+ * Reads cameras (section 3.10). The aspect ratio in the file is ignored: the camera's height is used, and the raster
+ * determines the width.
  *
- * A perspective camera without a far plane gets one behind all there is to see. A camera that cannot be (no angle, no
- * direction) is passed over with a warning.
+ * A perspective camera without a far plane gets one behind the whole scene. An invalid camera (without an angle or a
+ * direction) is ignored with a warning.
  */
 internal class GltfCameras(private val document: GltfDocument) {
     /** Returns the first camera among [nodes], or null. */
@@ -31,7 +32,7 @@ internal class GltfCameras(private val document: GltfDocument) {
     }
 
     private fun viewpoint(json: CameraJson, toWorld: Matrix4dc): Viewpoint {
-        // The camera looks along its -z with y up
+        // The camera looks along its -z axis, with y up
         val eye = Vector3d(toWorld.m30(), toWorld.m31(), toWorld.m32())
         val up = Vector3d(toWorld.m10(), toWorld.m11(), toWorld.m12())
         val target = Vector3d(eye.x - toWorld.m20(), eye.y - toWorld.m21(), eye.z - toWorld.m22())
@@ -46,7 +47,7 @@ internal class GltfCameras(private val document: GltfDocument) {
         val far = perspective.zfar?.toDouble()
         if (far != null) return Camera.perspective(eye, target, up, degrees, near, far)
 
-        // Try it once now, so that an impossible camera is found while there is a file to complain about
+        // Create the camera once now, so that an invalid one is reported while the file is being read
         Camera.perspective(eye, target, up, degrees, near, 2 * near)
         return Viewpoint { bounds, _ ->
             Camera.perspective(eye, target, up, degrees, near, farthest(eye, bounds, near))

@@ -6,11 +6,14 @@ import dev.lazyz.scenes.gltf.meshopt.MeshoptException
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
-/** Buffer views that are compressed: `EXT_meshopt_compression`, `KHR_meshopt_compression`. Each is decoded once. */
+/**
+ * Decodes buffer views that are compressed with `EXT_meshopt_compression` or `KHR_meshopt_compression`. Each is decoded
+ * once.
+ */
 internal class GltfCompressedViews(private val document: GltfDocument) {
     private val views = HashMap<Int, ByteBuffer>()
 
-    /** Returns the content of a compressed buffer view, or null if it is not compressed. */
+    /** Returns the decoded content of a compressed buffer view, or null if the view is not compressed. */
     fun view(view: BufferView, index: Int): ByteBuffer? {
         val name = NAMES.firstOrNull { GltfExtensions.of(view, it) != null } ?: return null
         val elements = views.getOrPut(index) {
@@ -31,7 +34,7 @@ internal class GltfCompressedViews(private val document: GltfDocument) {
             val count = whole(json, "count", where, null)
             val data = MeshoptData(json["mode"] as? String ?: "", filter, count, whole(json, "byteStride", where, null))
 
-            // What the view has is read from the data, so the two must be equally long
+            // The view is read from the decoded data, so both must have the same length
             val size = data.count.toLong() * data.stride
             if (size != view.byteLength?.toLong()) {
                 val problem = "it is ${view.byteLength}, but $size bytes are compressed"

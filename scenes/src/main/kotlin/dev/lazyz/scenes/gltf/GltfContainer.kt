@@ -5,8 +5,8 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
 /**
- * Opens a file of either kind: finds the JSON text and the binary chunk (section 4). The chunks are walked here,
- * because jgltf's reader goes round in circles at a chunk of negative length.
+ * Opens a glTF file in JSON or binary form and finds the JSON text and the binary chunk (section 4). The chunks are
+ * read here because jgltf's reader does not terminate on a chunk of negative length.
  */
 internal object GltfContainer {
     private const val MAGIC = 0x46546C67
@@ -21,7 +21,7 @@ internal object GltfContainer {
         val isBinary = source.bytes.size >= 4 && buffer.getInt(0) == MAGIC
         if (!isBinary) return GltfDocument(source, GltfJson.read(source, 0, source.bytes.size), null)
 
-        // The header: magic, version, length of all
+        // The header: magic number, version, total length
         if (source.bytes.size < HEADER) {
             source.fail("byte ${source.bytes.size}", "the file ends within its header of $HEADER bytes", COPY_AGAIN)
         }
@@ -39,14 +39,17 @@ internal object GltfContainer {
         if (text.type != JSON_CHUNK) source.fail("byte $HEADER", "the first chunk is not JSON", COPY_AGAIN)
         val gltf = GltfJson.read(source, text.start, text.length)
 
-        // Any chunk after the second is an extension's and passed over
+        // Chunks after the second belong to extensions and are ignored
         val next = text.start + text.length
         if (next + CHUNK_HEADER > length) return GltfDocument(source, gltf, null)
         val binary = chunk(source, buffer, next).takeIf { it.type == BINARY_CHUNK }
         return GltfDocument(source, gltf, binary?.let { buffer.slice(it.start, it.length) })
     }
 
-    /** glTF 1.0 has two more words, the length and kind of its JSON, and the data behind that. */
+    /**
+     * Reads a binary file of glTF 1.0. Its header has two more words, the length and the format of the JSON; the data
+     * follows the JSON.
+     */
     private fun version1(source: Source, buffer: ByteBuffer, length: Int): GltfDocument {
         val start = HEADER + CHUNK_HEADER
         val end = if (length < start) -1L else start + (buffer.getInt(HEADER).toLong() and 0xFFFFFFFFL)

@@ -9,10 +9,10 @@ import java.nio.ByteOrder
 import java.util.Base64
 
 /**
- * A glTF file that was opened: its JSON, and the bytes that the JSON refers to. Not thread safe.
+ * An opened glTF file: its JSON, and the bytes that the JSON refers to. Not thread safe.
  *
- * @property source for warnings, errors, and the folder of other files
- * @property json the JSON in jgltf's classes; anything in it may be missing
+ * @property source the file, for warnings, errors and the folder of referenced files
+ * @property json the JSON as jgltf's classes; any value in it may be missing
  */
 internal class GltfDocument(val source: Source, val json: GlTF, private val binary: ByteBuffer?) {
     private val buffers = HashMap<Int, ByteBuffer>()
@@ -20,16 +20,19 @@ internal class GltfDocument(val source: Source, val json: GlTF, private val bina
     private val warned = HashSet<String>()
     private val counts = LinkedHashMap<String, Int>()
 
-    /** Returns `list[index]`, or fails: [where] is the place that refers to it, [name] the list's. */
+    /**
+     * Returns `list[index]`, or fails if it does not exist. [where] is the place that refers to it, and [name] the name
+     * of the list.
+     */
     fun <T : Any> element(list: List<T?>?, index: Int?, name: String, where: String): T {
         val count = list?.size ?: 0
         if (index == null || index !in 0 until count) {
-            fail(where, if (index == null) "it is missing" else "$name[$index] does not exist, for there are $count")
+            fail(where, if (index == null) "it is missing" else "$name[$index] does not exist; there are $count")
         }
         return list?.get(index) ?: fail("$name[$index]", "it is null")
     }
 
-    /** Returns the bytes of a buffer view, little endian; [where] is the place that refers to it. */
+    /** Returns the bytes of a buffer view, little endian. [where] is the place that refers to it. */
     fun view(index: Int?, where: String): ByteBuffer {
         val view = element(json.bufferViews, index, "bufferViews", where)
         compressed.view(view, checkNotNull(index))?.let { return it }
@@ -38,7 +41,7 @@ internal class GltfDocument(val source: Source, val json: GlTF, private val bina
         return bytes(view.buffer, view.byteOffset ?: 0, length, here)
     }
 
-    /** Returns bytes of a buffer, little endian; [here] is the place that refers to them. */
+    /** Returns bytes of a buffer, little endian. [here] is the place that refers to them. */
     fun bytes(index: Int?, offset: Int, length: Int, here: String): ByteBuffer {
         val buffer = buffer(index, "$here.buffer")
         if (offset < 0 || length < 0 || offset.toLong() + length > buffer.capacity()) {
@@ -75,7 +78,7 @@ internal class GltfDocument(val source: Source, val json: GlTF, private val bina
         return bytes
     }
 
-    /** Returns the file that [uri] stands for, with `%20` and the like decoded. */
+    /** Returns the file that [uri] refers to. Percent escapes such as `%20` are decoded. */
     fun find(uri: String): FileReferences.Found {
         val found = source.references.find(decoded(uri))
         return if (found.file != null) found else source.references.find(uri)
@@ -87,7 +90,7 @@ internal class GltfDocument(val source: Source, val json: GlTF, private val bina
         uri
     }
 
-    /** Whether [uri] holds its data itself. */
+    /** Whether [uri] is a data URI, which contains its data. */
     fun isData(uri: String): Boolean = uri.startsWith("data:", ignoreCase = true)
 
     /** Returns the bytes of a data URI, or null if they are not in Base64. */
@@ -101,17 +104,17 @@ internal class GltfDocument(val source: Source, val json: GlTF, private val bina
         }
     }
 
-    /** Warns, once for each [sentence]. */
+    /** Reports a warning, once for each [sentence]. */
     fun warn(sentence: String) {
         if (warned.add(sentence)) source.warn(sentence)
     }
 
-    /** Counts [more] of what [sentence] says; [warnOfCounts] tells how many there were. */
+    /** Adds [more] to the count of [sentence]. [warnOfCounts] reports the totals. */
     fun count(sentence: String, more: Int = 1) {
         if (more > 0) counts.merge(sentence, more, Int::plus)
     }
 
-    /** Warns of everything that was counted, once each. */
+    /** Reports one warning for each sentence that was counted. */
     fun warnOfCounts() = counts.forEach { (sentence, count) -> warn("$sentence: $count") }
 
     fun fail(where: String, problem: String): Nothing = source.fail(where, problem, "export the model again")

@@ -2,9 +2,9 @@ package dev.lazyz.scenes.gltf
 
 import de.javagl.jgltf.impl.v2.GlTFProperty
 
-/** What is known of extensions (section 3.12), which jgltf keeps as maps of maps. */
+/** The supported extensions (section 3.12), and access to extensions' values, which jgltf stores as nested maps. */
 internal object GltfExtensions {
-    /** Lights; they are not used, and counted in a warning of their own. */
+    /** The extension for lights. Lights are not used, but counted in a separate warning. */
     const val LIGHTS: String = "KHR_lights_punctual"
 
     private val known = setOf(
@@ -18,11 +18,14 @@ internal object GltfExtensions {
 
     private const val MOST_SHOWN = 20
 
-    /** Without these the picture has the right shapes, and other colours. */
+    /**
+     * Prefixes of extensions that change only the appearance: without them the shapes are right, but colours may
+     * differ.
+     */
     private val appearance =
         listOf("KHR_materials_", "KHR_techniques_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "EXT_lights_")
 
-    /** Fails if the file requires an extension without which its shapes cannot be read. */
+    /** Fails if the file requires an unsupported extension without which its shapes cannot be read. */
     fun check(document: GltfDocument) {
         for (name in document.json.extensionsRequired.orEmpty().filterNotNull()) {
             if (name in known || appearance.any { name.startsWith(it) }) continue
@@ -34,7 +37,7 @@ internal object GltfExtensions {
         }
     }
 
-    /** Warns of the extensions that the file uses and that are not known. */
+    /** Reports the unsupported extensions that the file uses, in one warning. */
     fun warnOfUnknown(document: GltfDocument) {
         val used: List<String?> = document.json.extensionsUsed.orEmpty() + document.json.extensionsRequired.orEmpty()
         val unknown = used.filterNotNull().distinct() - known
@@ -43,14 +46,14 @@ internal object GltfExtensions {
         document.warn("extensions that are not known are passed over, ${unknown.size} in all: $shown")
     }
 
-    /** Returns an extension's object on [property], or null. */
+    /** Returns the object of the extension [name] on [property], or null. */
     fun of(property: GlTFProperty?, name: String): Map<*, *>? = property?.extensions?.get(name) as? Map<*, *>
 
-    /** Returns a number in an extension's object, or [missing]. */
+    /** Returns a number in an extension's object, or [missing] if there is no finite number. */
     fun number(extension: Map<*, *>, name: String, missing: Double): Double =
         (extension[name] as? Number)?.toDouble()?.takeIf { it.isFinite() } ?: missing
 
-    /** Returns a pair of numbers in an extension's object, or [missing] twice. */
+    /** Returns a pair of numbers in an extension's object. [missing] replaces each that is not a finite number. */
     fun pair(extension: Map<*, *>, name: String, missing: Double): List<Double> =
         List(2) {
             ((extension[name] as? List<*>)?.getOrNull(it) as? Number)?.toDouble()?.takeIf { n -> n.isFinite() }

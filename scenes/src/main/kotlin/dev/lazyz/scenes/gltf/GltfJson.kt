@@ -18,23 +18,24 @@ import java.io.IOException
 /**
  * Reads the JSON of a glTF file into jgltf's classes.
  *
- * A value of the wrong type is an error. One of the right type that the specification does not allow, such as a factor
- * above 1 or an empty list, is passed over with a warning, for such files are many. Unknown properties are allowed.
+ * A value of the wrong type is an error. A value of the right type that the specification does not allow, such as a
+ * factor above 1 or an empty list, is ignored with a warning, because many files contain such values. Unknown
+ * properties are allowed.
  */
 internal object GltfJson {
-    /** Made once: it finds out much about jgltf's classes, and remembers it. */
+    /** Created once, because it analyses jgltf's classes and caches the results. */
     private val mapper: ObjectMapper by lazy {
         JacksonUtils.createObjectMapper { error -> reading.get()?.let { report(it, error) } }
     }
 
-    /** What this thread is reading. */
+    /** The source that the current thread is reading. */
     private val reading = ThreadLocal<Source>()
 
     private const val REMEDY = "correct it or export the model again"
 
-    /** What the JSON is in. */
+    /** The kind of file that contains the JSON. */
     enum class Container {
-        /** A file of its own, or a binary file of version 2. */
+        /** A separate JSON file, or a binary file of version 2. */
         USUAL,
 
         /** A binary file of version 1. */
@@ -43,7 +44,7 @@ internal object GltfJson {
 
     fun read(source: Source, start: Int, length: Int, container: Container = Container.USUAL): GlTF {
         val found = tree(source, start, length)
-        val tree = if (Version1Json.isMeant(found)) version2(source, found, container) else found
+        val tree = if (Version1Json.isVersion1(found)) version2(source, found, container) else found
         val version = tree.path("asset").path("version").asText("")
         if (!version.startsWith("2.")) {
             source.fail("asset.version", "the version is \"$version\", not 2.0", "export the model as glTF 2.0")
@@ -52,7 +53,7 @@ internal object GltfJson {
             reading.set(source)
             return mapper.treeToValue(tree, GlTF::class.java)
         } catch (e: JsonMappingException) {
-            source.fail(place(e), "the value is not what glTF has here: ${brief(e.originalMessage)}", REMEDY, e)
+            source.fail(place(e), "the type of the value is not allowed here: ${brief(e.originalMessage)}", REMEDY, e)
         } catch (e: IOException) {
             source.fail(null, "the JSON is not glTF: ${brief(e.message)}", REMEDY, e)
         } finally {
@@ -87,7 +88,10 @@ internal object GltfJson {
         return tree
     }
 
-    /** Takes what jgltf reports: an unknown property, a value that a setter refuses, or a value of another type. */
+    /**
+     * Handles an error that jgltf reports: an unknown property, a value that a setter rejects, or a value of the wrong
+     * type.
+     */
     private fun report(source: Source, error: JsonError) {
         val cause = error.throwable ?: return
         if (cause.cause !is IllegalArgumentException) throw cause
@@ -95,11 +99,11 @@ internal object GltfJson {
         source.warn("$place is passed over: ${brief(cause.cause?.message)}")
     }
 
-    /** Returns the way to the value as `meshes[0].primitives[1].mode`. */
+    /** Returns the path to the value, for example `meshes[0].primitives[1].mode`. */
     private fun place(e: JsonMappingException): String =
         e.path.joinToString("") { if (it.fieldName == null) "[${it.index}]" else ".${it.fieldName}" }.removePrefix(".")
 
-    /** Jackson's messages may hold much of the file, and say in brackets where else to look. */
+    /** Shortens one of Jackson's messages, which may quote much of the file and end in references in brackets. */
     private fun brief(message: String?): String {
         val line = message.orEmpty().trim().lineSequence().first()
         return line.substringBefore(" (start marker").substringBefore(" (for ").take(MAX_MESSAGE)

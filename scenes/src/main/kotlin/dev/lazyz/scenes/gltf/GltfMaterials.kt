@@ -8,31 +8,35 @@ import dev.lazyz.world.Shading
 import dev.lazyz.world.Sides
 
 /**
- * A material and where its texture's coordinates come from.
+ * A material and the source of its texture coordinates.
  *
  * @property texCoordSet number of the set, as in `TEXCOORD_0`
- * @property transform what is done to the coordinates
+ * @property transform the transform to apply to the coordinates
  */
 internal class GltfMaterial(val material: Material, val texCoordSet: Int, val transform: TextureTransform)
 
 /**
- * Materials (section 3.9) as Blinn-Phong ones. Factors are linear light already.
+ * Converts materials (section 3.9) to Blinn-Phong materials. Factors are already linear.
  *
- * - The base colour is the diffuse colour, for metals too: with nothing around to mirror, they would be black else.
- * - The highlight has exponent `n = 2 / roughness^4 - 2` (B. Walter et al., "Microfacet Models for Refraction", 2007,
- *   section 5.2), clamped to 1..1024, and the colour `F0 (n + 2) / 8 (1 - roughness)`, never above 1: the reflectance
- *   at normal incidence (0.04, or the base colour of an untextured metal), by the peak of a lobe that wide (N. Hoffman,
- *   "Crafting Physically Motivated Shading Models for Game Development", SIGGRAPH 2010), fading out where the lobe is
- *   as wide as diffuse light.
- * - Light that a texture of its own gives off is left out, because the factor alone would make all of the surface glow.
- *   Metallic-roughness, normal and occlusion textures are left out, too; [GltfOmissions] warns of all four.
- * - `KHR_materials_unlit` is [Shading.CONSTANT].
+ * - The base colour becomes the diffuse colour, also for metals: there is no environment to reflect, so they would
+ *   otherwise be black.
+ * - The highlight has the exponent `n = 2 / roughness^4 - 2` (B. Walter et al., "Microfacet Models for Refraction",
+ *   2007, section 5.2), clamped to 1..1024, and the colour `F0 (n + 2) / 8 (1 - roughness)`, at most 1. F0 is the
+ *   reflectance at normal incidence: 0.04, or the base colour of an untextured metal. `(n + 2) / 8` is the peak of a
+ *   lobe of that width (N. Hoffman, "Crafting Physically Motivated Shading Models for Game Development", SIGGRAPH
+ *   2010). `1 - roughness` fades the highlight out where the lobe is as wide as diffuse reflection.
+ * - A material with an emissive texture emits no light, because the factor alone would make the whole surface glow.
+ *   Metallic-roughness, normal and occlusion textures are not used either. [GltfOmissions] warns of all four.
+ * - `KHR_materials_unlit` becomes [Shading.CONSTANT].
  */
 internal class GltfMaterials(private val document: GltfDocument) {
     private val textures = GltfTextures(document)
     private val materials = HashMap<Int?, GltfMaterial>()
 
-    /** Returns material number [index], or the specification's default material for null; [where] refers to it. */
+    /**
+     * Returns the material with number [index], or the specification's default material if it is null. [where] is the
+     * place that refers to it.
+     */
     fun material(index: Int?, where: String): GltfMaterial {
         if (index == null) return materials.getOrPut(null) { read(MaterialJson(), "") }
         val json = document.element(document.json.materials, index, "materials", where)
@@ -112,7 +116,7 @@ internal class GltfMaterials(private val document: GltfDocument) {
         number?.takeIf { it.isFinite() }?.coerceIn(0f, 1f) ?: missing
 
     private companion object {
-        /** Reflectance of glass, plastic and the like, appendix B.2. */
+        /** Reflectance of dielectrics such as glass and plastic, appendix B.2. */
         const val DIELECTRIC = 0.04f
     }
 }

@@ -9,8 +9,8 @@ import dev.lazyz.world.Points
 import dev.lazyz.world.Surface
 
 /**
- * Meshes (section 3.7): each primitive becomes a [Mesh], without the texture if it has no coordinates for it, or [Points]
- * or [Lines].
+ * Reads meshes (section 3.7). Each primitive becomes a [Mesh], [Points] or [Lines]. A mesh without texture coordinates
+ * has no texture.
  */
 internal class GltfMeshes(
     private val document: GltfDocument,
@@ -20,7 +20,7 @@ internal class GltfMeshes(
     private val materials = GltfMaterials(document)
     private val meshes = HashMap<Int, List<GltfPart>>()
 
-    /** Returns what a node shows, in world space. */
+    /** Returns the surfaces of a node, in world space. */
     fun of(placed: PlacedNode): List<Surface> {
         val index = placed.node.mesh ?: return emptyList()
         val mesh = document.element(document.json.meshes, index, "meshes", "nodes[${placed.index}].mesh")
@@ -76,7 +76,7 @@ internal class GltfMeshes(
         )
     }
 
-    /** Returns colours with an alpha of 1 if they have none. */
+    /** Returns RGBA colours. RGB colours get an alpha of 1. */
     private fun opaque(numbers: FloatArray, count: Int): FloatArray {
         if (numbers.size != 3 * count) return numbers
         return FloatArray(4 * count) { if (it % 4 == 3) 1f else numbers[it / 4 * 3 + it % 4] }

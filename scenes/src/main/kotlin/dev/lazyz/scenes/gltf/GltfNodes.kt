@@ -7,15 +7,15 @@ import org.joml.Matrix4d
 import org.joml.Matrix4dc
 
 /**
- * A node where it stands in the world.
+ * A node with its position in the world.
  *
- * @property node as the file has it
+ * @property node the node as stored in the file
  * @property index its number
- * @property toWorld from its own space to world space; affine
+ * @property toWorld transform from the node's space to world space; affine
  */
 internal class PlacedNode(val node: Node, val index: Int, val toWorld: Matrix4dc)
 
-/** Walks the nodes of the scene that is to be seen (section 3.5). */
+/** Walks the nodes of the default scene (section 3.5). */
 internal class GltfNodes(private val document: GltfDocument, private val poses: Map<Int, NodePose>) {
     private val nodes: List<Node?> = document.json.nodes.orEmpty()
     private val toWorld = HashMap<Int, Matrix4d>()
@@ -24,13 +24,14 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
     }
 
     /**
-     * Returns the nodes of the default scene, or if the file names none all nodes that are no one's child, each before
-     * its children. Fails at a node that is met twice, for nodes form trees (3.5.2).
+     * Returns the nodes of the default scene, each before its children. If the file has no default scene, returns all
+     * nodes: the roots are those that are not a child of another node. Fails if a node is reached twice, because nodes
+     * must form trees (3.5.2).
      */
     fun walk(): List<PlacedNode> {
         class Pending(val index: Int, val where: String, val toParent: Matrix4dc)
 
-        // A stack of one's own: a chain of nodes may be longer than the machine's
+        // An explicit stack, because a chain of nodes may be deeper than the call stack allows
         val pending = ArrayDeque<Pending>()
         val identity = Matrix4d()
         for ((index, where) in roots().asReversed()) pending.addLast(Pending(index, where, identity))
@@ -51,11 +52,11 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
     }
 
     /**
-     * Returns the transform from a node's space to world space, also of one that the scene does not have; [where] is the
-     * place that refers to it. Fails if a node holds itself.
+     * Returns the transform from a node's space to world space, also for a node that is not part of the scene. [where]
+     * is the place that refers to the node. Fails if a node is its own ancestor.
      */
     fun toWorld(index: Int, where: String): Matrix4d {
-        // Climb to the first node whose place is known, then go down again
+        // Climb to the first ancestor whose transform is known, then come back down
         val unknown = LinkedHashSet<Int>()
         var next: Int? = index
         while (next != null && next !in toWorld) {

@@ -4,13 +4,14 @@ import de.javagl.jgltf.model.GltfConstants
 import java.nio.ByteBuffer
 
 /**
- * The numbers of an accessor (section 3.6.2), elements of several components; the caller has made sure that they are all
- * within [bytes].
+ * The numbers of an accessor (section 3.6.2), whose elements have one or more components. The caller must check that
+ * all of them lie within [bytes].
  *
  * @param bytes little endian
+ * @param componentType type of the numbers, one of the `GL_` constants
  * @param componentSize see [sizeOf]
- * @param offset where the first element is
- * @param stride from one element to the next, bytes
+ * @param offset position of the first element, in bytes
+ * @param stride distance from one element to the next, in bytes
  */
 internal class GltfNumbers(
     private val bytes: ByteBuffer,
@@ -19,7 +20,7 @@ internal class GltfNumbers(
     private val offset: Int,
     private val stride: Int,
 ) {
-    /** Returns the whole number of a scalar element; -1 for one beyond 31 bits. */
+    /** Returns the integer of a scalar element, or -1 if it needs more than 31 bits. */
     fun whole(element: Int): Int {
         val at = offset + element * stride
         return when (componentType) {
@@ -29,17 +30,17 @@ internal class GltfNumbers(
         }
     }
 
-    /** Returns a number, or if [isNormalized] the fraction that a small whole number stands for (3.11). */
+    /** Returns a number. If [isNormalized], returns the fraction that an 8-bit or 16-bit integer stands for (3.11). */
     fun number(element: Int, component: Int, isNormalized: Boolean): Float {
         val at = offset + element * stride + component * componentSize
         return when (componentType) {
             GltfConstants.GL_FLOAT -> bytes.getFloat(at)
             GltfConstants.GL_UNSIGNED_INT -> (bytes.getInt(at).toLong() and 0xFFFFFFFFL).toFloat()
-            else -> if (isNormalized) maxOf(small(at) / most(), -1f) else small(at).toFloat()
+            else -> if (isNormalized) maxOf(small(at) / largest(), -1f) else small(at).toFloat()
         }
     }
 
-    /** Returns the whole numbers of [count] scalar elements; those beyond 31 bits are negative. */
+    /** Returns the integers of [count] scalar elements. Those that need more than 31 bits are negative. */
     fun wholes(count: Int): IntArray {
         val result = IntArray(count)
         when {
@@ -53,7 +54,7 @@ internal class GltfNumbers(
         return result
     }
 
-    /** Writes the numbers of [count] elements, [width] each, to [to]; see [number]. */
+    /** Writes the numbers of [count] elements to [to], [width] numbers for each element; see [number]. */
     fun copy(count: Int, width: Int, isNormalized: Boolean, to: FloatArray) {
         if (count == 0) return
         if (componentType == GltfConstants.GL_FLOAT && stride == width * Float.SIZE_BYTES) {
@@ -77,8 +78,8 @@ internal class GltfNumbers(
         else -> bytes.getShort(at).toInt() and 0xFFFF
     }
 
-    /** What stands for 1. */
-    private fun most(): Float = when (componentType) {
+    /** The integer that stands for 1 when numbers are normalized. */
+    private fun largest(): Float = when (componentType) {
         GltfConstants.GL_BYTE -> 127f
         GltfConstants.GL_UNSIGNED_BYTE -> 255f
         GltfConstants.GL_SHORT -> 32767f
@@ -86,7 +87,7 @@ internal class GltfNumbers(
     }
 
     companion object {
-        /** Returns the bytes of a number of this type, or null if there is no such type. */
+        /** Returns the size of a number of this type in bytes, or null if there is no such type. */
         fun sizeOf(componentType: Int): Int? = when (componentType) {
             GltfConstants.GL_BYTE, GltfConstants.GL_UNSIGNED_BYTE -> 1
             GltfConstants.GL_SHORT, GltfConstants.GL_UNSIGNED_SHORT -> 2

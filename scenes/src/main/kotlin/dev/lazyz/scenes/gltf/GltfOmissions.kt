@@ -2,7 +2,7 @@ package dev.lazyz.scenes.gltf
 
 import de.javagl.jgltf.impl.v2.Material
 
-/** Counts what other viewers show of a file and this library does not, so that there is one warning of each kind. */
+/** Counts the features of a file that other viewers show and this library does not, for one warning of each kind. */
 internal object GltfOmissions {
     fun count(document: GltfDocument) {
         val materials: List<Material?> = document.json.materials.orEmpty()

@@ -5,14 +5,15 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Scene
 
 /**
- * Reads glTF 2.0, as JSON (`.gltf`) and in one binary file (`.glb`); which one is told from the content (Khronos Group,
- * "glTF 2.0 Specification", version 2.0.1; section numbers in this package are of that document).
+ * Reads glTF 2.0, as JSON (`.gltf`) or as one binary file (`.glb`). The content decides which of the two it is (Khronos
+ * Group, "glTF 2.0 Specification", version 2.0.1; section numbers in this package refer to that document).
  *
  * It reads the default scene, or all nodes without a parent if there is none: node transforms, triangles of all three
- * kinds, points, lines of all three kinds, normals (flat without them, 3.7.2.1), one set of texture coordinates, `COLOR_0`, and materials as
- * [GltfMaterials] says. The first camera met becomes the viewpoint, see [GltfCameras]; without one the scene is fitted.
- * Skins and morph targets are applied, at rest or at a moment of the first animation ([GltfAnimation], [GltfPoses]).
- * [GltfExtensions] names the extensions that are known, and what is passed over gives a warning.
+ * modes, points, lines of all three modes, normals (without them, shading is flat, 3.7.2.1), one set of texture
+ * coordinates, `COLOR_0`, and materials as described at [GltfMaterials]. The first camera in the scene becomes the
+ * viewpoint, see [GltfCameras]; without one, the camera is fitted to the scene. Skins and morph targets are applied, at
+ * rest or at a moment of the first animation ([GltfAnimation], [GltfPoses]). [GltfExtensions] lists the supported
+ * extensions. Features that are ignored give a warning.
  */
 internal object GltfParser : SceneParser {
     override fun parse(source: Source): Scene {

@@ -6,14 +6,15 @@ import dev.lazyz.world.Material
 import dev.lazyz.world.Points
 import dev.lazyz.world.Surface
 
-/** Points, and the three ways to string vertices together to lines (section 3.7.2.1). */
+/** Points, and the three modes that join vertices to lines (section 3.7.2.1). */
 internal object GltfPoints {
     const val POINTS = 0
     private const val LINES = 1
     private const val LOOP = 2
 
     /**
-     * Returns the points or lines that vertex numbers stand for; a rest falls away.
+     * Returns the points or lines that the vertex numbers [indices] describe. An incomplete last line segment is
+     * dropped.
      *
      * @param material null if the file gives none
      */
@@ -37,7 +38,7 @@ internal object GltfPoints {
         )
     }
 
-    /** Returns two vertex numbers a segment. */
+    /** Returns vertex numbers, two for each segment. */
     fun segments(mode: Int, indices: IntArray): IntArray {
         if (mode == LINES) return indices.copyOf(indices.size / 2 * 2)
         val isClosed = mode == LOOP && indices.size > 1

@@ -13,10 +13,11 @@ import dev.lazyz.world.Points
 import dev.lazyz.world.Surface
 
 /**
- * A primitive as the file stores it.
+ * A primitive as stored in the file.
  *
  * @property surface a mesh, points or lines, in its own space
- * @property vertices where its further attributes are
+ * @property vertices gives access to the other attributes
+ * @property where the place of the primitive in the file
  */
 internal class GltfPart(
     val surface: Surface,
@@ -24,18 +25,21 @@ internal class GltfPart(
     val vertices: GltfVertices,
     val where: String,
 ) {
-    /** The surface, where it is a mesh. */
+    /** The surface, which must be a mesh. */
     val mesh: Mesh get() = surface as Mesh
 }
 
-/** From meshes as they are stored to meshes as nodes show them: morph targets, then skin or node transform. */
+/**
+ * Converts meshes from their stored form to the form that a node shows: applies morph targets, then the skin or the
+ * node's transform.
+ */
 internal class GltfPoses(
     private val document: GltfDocument,
     private val accessors: GltfAccessors,
     private val skins: GltfSkins,
     private val poses: Map<Int, NodePose>,
 ) {
-    /** Returns [part] of the mesh [json] as the node [placed] shows it, in world space. */
+    /** Returns [part] of the mesh [json] as shown by the node [placed], in world space. */
     fun posed(part: GltfPart, json: MeshJson, placed: PlacedNode): Surface {
         if (part.surface !is Mesh) return moved(part, placed)
         val morphed = morphed(part, json, placed)
@@ -55,7 +59,7 @@ internal class GltfPoses(
         return morphed.transformed(placed.toWorld)
     }
 
-    /** Points and lines are moved by the node's transform alone. */
+    /** Returns points or lines moved by the node's transform. Skins and morph targets are not applied to them. */
     private fun moved(part: GltfPart, placed: PlacedNode): Surface {
         if (placed.node.skin != null || !part.primitive.targets.isNullOrEmpty()) {
             document.count("skins and morph targets of points and lines are not applied")
@@ -72,7 +76,7 @@ internal class GltfPoses(
         }
     }
 
-    /** A mesh takes memory again wherever it is placed. */
+    /** Counts the memory of one more copy of the mesh: each node that shows it needs its own. */
     private fun copied(part: GltfPart) =
         document.source.loading.vertices(document.source, part.mesh.vertexCount.toLong())
 
@@ -106,7 +110,7 @@ internal class GltfPoses(
         return MorphTarget(additions("POSITION"), additions("NORMAL"))
     }
 
-    /** Returns as many sets as there are, one after the other. */
+    /** Returns the sets of joints and weights, in the order of their numbers. */
     private fun jointWeights(part: GltfPart): List<JointWeights> {
         val vertices = part.vertices
         val count = part.mesh.vertexCount

@@ -4,7 +4,7 @@ import de.javagl.jgltf.model.ElementType
 import dev.lazyz.geometry.Transforms
 import org.joml.Matrix4d
 
-/** Skins (section 3.7.3): where the joints have moved to. */
+/** Skins (section 3.7.3): the current transforms of joints. */
 internal class GltfSkins(
     private val document: GltfDocument,
     private val accessors: GltfAccessors,
@@ -12,7 +12,10 @@ internal class GltfSkins(
 ) {
     private val skins = HashMap<Int, List<DoubleArray>>()
 
-    /** Returns a matrix for each joint of skin number [index], which [where] refers to: from the mesh's to world space. */
+    /**
+     * Returns a matrix for each joint of the skin with number [index], from the mesh's space to world space. [where] is
+     * the place that refers to the skin.
+     */
     fun matrices(index: Int, where: String): List<DoubleArray> {
         val skin = document.element(document.json.skins, index, "skins", where)
         val here = "skins[$index]"

@@ -9,16 +9,20 @@ import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap
 
 /**
- * Textures (section 3.8): images in buffer views, data URIs and files, each decoded once, with their samplers.
+ * Textures (section 3.8): images in buffer views, data URIs and files, with their samplers. Each image is decoded once.
  *
- * The magnification filter decides; mipmaps are not a thing here. An image that is missing or cannot be decoded gives a warning and no texture.
+ * The magnification filter is used for all sizes, because mipmaps are not supported. An image that is missing or cannot
+ * be decoded gives a warning and no texture.
  */
 internal class GltfTextures(private val document: GltfDocument) {
-    /** By the place of their bytes, which images may share: the number of a buffer view, or a URI. */
+    /**
+     * Decoded images by the location of their bytes, which several images may share: the number of a buffer view, or a
+     * URI.
+     */
     private val images = HashMap<Any, Texture?>()
     private val undecoded = HashSet<Int>()
 
-    /** Returns texture number [index], which [where] refers to. */
+    /** Returns the texture with number [index]. [where] is the place that refers to it. */
     fun texture(index: Int?, where: String): Texture? {
         val texture = document.element(document.json.textures, index, "textures", where)
         val source = texture.source ?: return withoutImage(texture, checkNotNull(index))
@@ -34,7 +38,10 @@ internal class GltfTextures(private val document: GltfDocument) {
         )
     }
 
-    /** An extension may name an image of a format that is not decoded, and leave out the usual one. */
+    /**
+     * Reports a texture without an image that can be decoded. An extension may give the only image, in an unsupported
+     * format.
+     */
     private fun withoutImage(texture: TextureJson, index: Int): Texture? {
         val extension = formats.keys.firstOrNull { GltfExtensions.of(texture, it) != null }
         when {
@@ -79,7 +86,7 @@ internal class GltfTextures(private val document: GltfDocument) {
         return texture
     }
 
-    /** The bytes that are in the model itself. */
+    /** Returns the bytes of an image that is stored in the model itself. */
     private fun bytes(image: Image, index: Int): ByteArray? {
         if (image.bufferView == null) return image.uri?.let { document.data(it) }
         val view = document.view(image.bufferView, "images[$index].bufferView")
@@ -87,7 +94,10 @@ internal class GltfTextures(private val document: GltfDocument) {
     }
 
     companion object {
-        /** Extensions that name images of further formats, and the formats; the usual image beside them is shown. */
+        /**
+         * Extensions that refer to images in other formats, and the names of these formats. If a texture also has an
+         * image in a usual format, that one is used.
+         */
         val formats = mapOf(
             "KHR_texture_basisu" to "KTX2",
             "EXT_texture_webp" to "WebP",

@@ -1,12 +1,15 @@
 package dev.lazyz.scenes.gltf
 
-/** The three ways to string vertices together to triangles (section 3.7.2.1). */
+/** The three modes that join vertices to triangles (section 3.7.2.1). */
 internal object GltfTriangles {
     const val TRIANGLES = 4
     const val STRIP = 5
     const val FAN = 6
 
-    /** Returns three vertex numbers a triangle, each triangle the same way round as the first; a rest falls away. */
+    /**
+     * Returns vertex numbers, three for each triangle. All triangles have the same winding as the first. Vertices of an
+     * incomplete last triangle are dropped.
+     */
     fun of(mode: Int, indices: IntArray): IntArray {
         if (mode == TRIANGLES) return if (indices.size % 3 == 0) indices else indices.copyOf(indices.size / 3 * 3)
         val triangles = IntArray(3 * maxOf(indices.size - 2, 0))

@@ -7,8 +7,7 @@ import dev.lazyz.scenes.gltf.draco.DracoException
 import dev.lazyz.scenes.gltf.draco.DracoGeometry
 
 /**
- * The attributes and vertex numbers of one primitive: from accessors, or out of the compression of
- * `KHR_draco_mesh_compression`.
+ * The attributes and vertex numbers of one primitive, read from accessors or decoded from `KHR_draco_mesh_compression`.
  */
 internal class GltfVertices(
     private val document: GltfDocument,
@@ -36,18 +35,21 @@ internal class GltfVertices(
         return numbers
     }
 
-    /** Returns the vertex numbers, or null if vertices follow each other; one beyond 31 bits comes out negative. */
+    /**
+     * Returns the vertex numbers, or null if vertices are used in their order. A number that needs more than 31 bits is
+     * negative.
+     */
     fun indices(): IntArray? =
         geometry?.triangles ?: primitive.indices?.let { accessors.indices(it, "$where.indices") }
 
-    /** Fails if [numbers], [width] a vertex, are not for [count] vertices. */
+    /** Fails if [numbers], [width] for each vertex, are not for [count] vertices. */
     fun checkCount(numbers: FloatArray?, width: Int, count: Int, where: String) {
         if (numbers != null && numbers.size != width * count) {
             document.fail(where, "there are ${numbers.size / width} elements for $count positions")
         }
     }
 
-    /** Counts the sets of colours and texture coordinates that are not shown; [texCoords] is the one that is. */
+    /** Counts the unused sets of colours and texture coordinates. [texCoords] is the set that is used. */
     fun countUnused(texCoords: String) {
         for (name in attributes.keys) {
             if (name.endsWith("_0") || name == texCoords) continue

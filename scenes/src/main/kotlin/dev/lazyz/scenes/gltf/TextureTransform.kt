@@ -3,9 +3,9 @@ package dev.lazyz.scenes.gltf
 import de.javagl.jgltf.impl.v2.TextureInfo
 
 /**
- * What `KHR_texture_transform` does to texture coordinates: scale, then rotation, then offset.
+ * The transform of texture coordinates by `KHR_texture_transform`: scale, then rotation, then offset.
  *
- * @property texCoordSet the set that replaces the one named by the texture, or null
+ * @property texCoordSet the set of coordinates that replaces the one given by the texture, or null
  */
 internal class TextureTransform private constructor(
     private val scale: List<Double>,
@@ -13,7 +13,7 @@ internal class TextureTransform private constructor(
     private val offset: List<Double>,
     val texCoordSet: Int?,
 ) {
-    /** Returns [uvs] transformed; the array itself if there is nothing to do. */
+    /** Returns [uvs] transformed, or the array itself if there is no transform. */
     fun applyTo(uvs: FloatArray): FloatArray {
         if (this === NONE) return uvs
         val sine = StrictMath.sin(rotation)
@@ -31,7 +31,7 @@ internal class TextureTransform private constructor(
     companion object {
         private val NONE = TextureTransform(listOf(1.0, 1.0), 0.0, listOf(0.0, 0.0), null)
 
-        /** Returns the transform that a reference to a texture asks for. */
+        /** Returns the transform that a reference to a texture specifies. */
         fun of(info: TextureInfo?): TextureTransform {
             val extension = GltfExtensions.of(info, "KHR_texture_transform") ?: return NONE
             return TextureTransform(

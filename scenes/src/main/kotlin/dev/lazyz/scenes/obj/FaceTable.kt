@@ -3,24 +3,24 @@ package dev.lazyz.scenes.obj
 import dev.lazyz.scenes.collections.Ints
 
 /**
- * What a run of faces has in common.
+ * The properties that a group of faces has in common.
  *
- * @property objectNumber how many `o` statements stand before
+ * @property objectNumber number of `o` statements before the faces
  * @property material name given by `usemtl`, or null before the first
- * @property isSmooth whether it is to look smooth if it has no normals
+ * @property isSmooth whether the faces are shaded smoothly if they have no normals
  */
 internal data class Part(val objectNumber: Int, val material: String?, val isSmooth: Boolean)
 
-/** The faces of an OBJ file in order, as plain arrays. Numbers count from 0, and -1 stands for none. */
+/** The faces of an OBJ file in order, as plain arrays. Numbers count from 0, and -1 means none. */
 internal class FaceTable {
-    /** The different parts, in the order of the file. */
+    /** The distinct parts, in the order of the file. */
     val parts = ArrayList<Part>()
     private val partNumbers = HashMap<Part, Int>()
     private val starts = Ints()
     private val lines = Ints()
     private val partOfFace = Ints()
 
-    /** By corner: number of its position, texture coordinate and normal. */
+    /** For each corner, the numbers of its position, texture coordinate and normal. */
     val positions = Ints()
     val textures = Ints()
     val normals = Ints()
@@ -28,13 +28,16 @@ internal class FaceTable {
     /** Number of faces. */
     val size: Int get() = starts.size
 
-    /** Returns the number of [part], a new one if it is not there yet. */
+    /** Returns the number of [part]. Adds the part if it is new. */
     fun partNumber(part: Part): Int = partNumbers.getOrPut(part) {
         parts.add(part)
         parts.size - 1
     }
 
-    /** Begins a face that the file has on [line]; its corners are those that are added next. */
+    /**
+     * Begins a face. [part] is the number of its part, and [line] its line in the file. The corners that are added next
+     * belong to this face.
+     */
     fun begin(part: Int, line: Int) {
         starts.add(positions.size)
         lines.add(line)
@@ -47,10 +50,10 @@ internal class FaceTable {
         normals.add(normal)
     }
 
-    /** Returns the number of a face's first corner. */
+    /** Returns the index of a face's first corner. */
     fun start(face: Int): Int = starts[face]
 
-    /** Returns the number behind that of a face's last corner. */
+    /** Returns the index after a face's last corner. */
     fun end(face: Int): Int = if (face + 1 < size) starts[face + 1] else positions.size
 
     /** Returns the number of a face's part. */

@@ -11,17 +11,19 @@ import java.io.IOException
 import java.nio.file.Path
 
 /**
- * The materials of an OBJ file's libraries, by name (Alias|Wavefront, "MTL material format", version 4.2, 1995). The
- * first definition of a name counts.
+ * The materials of an OBJ file's libraries, by name (Alias|Wavefront, "MTL material format", version 4.2, 1995). If a
+ * name is defined more than once, the first definition is used.
  *
- * A library that is missing, and a name that none defines, give a warning and plain white. Textures are looked for in
- * the library's folder first, then in the OBJ file's.
+ * A missing library, or a name that no library defines, gives a warning, and the material is plain white. Textures are
+ * searched for first in the library's folder, then in the OBJ file's folder.
  */
 internal class MtlLibrary(private val source: Source) {
     private val materials = HashMap<String, MtlMaterial>()
     private val missing = HashMap<String?, MtlMaterial>()
 
-    /** Reads the library that an `mtllib` statement names: one file whose name may contain spaces, or several. */
+    /**
+     * Reads the libraries of an `mtllib` statement. [reference] is one file name, which may contain spaces, or several.
+     */
     fun add(reference: String) {
         val whole = source.references.find(reference)
         if (whole.file != null) return read(whole.file)
@@ -33,9 +35,9 @@ internal class MtlLibrary(private val source: Source) {
         }
     }
 
-    /** Returns the material called [name]; a plain one if no library has it. */
+    /** Returns the material with the given [name], or a plain white one if no library defines it. */
     fun material(name: String?): MtlMaterial = materials[name] ?: missing.getOrPut(name) {
-        if (name != null) source.warn("material $name is defined nowhere and becomes plain white")
+        if (name != null) source.warn("material $name is not defined in any library and becomes plain white")
         MtlMaterial(Material(name = name ?: ""), isDefined = false)
     }
 

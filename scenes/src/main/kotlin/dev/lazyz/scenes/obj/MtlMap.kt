@@ -6,13 +6,13 @@ import dev.lazyz.scenes.text.TextLines
  * A texture statement of a material library.
  *
  * @property file the file's name, which may contain spaces
- * @property isClamped whether the texture is not repeated
+ * @property isClamped whether the texture is clamped instead of repeated
  * @property scale factors of u and v
- * @property offset what is added to u and v after that
+ * @property offset offsets of u and v, added after scaling
  */
 internal class MtlMap(val file: String, val isClamped: Boolean, val scale: List<Double>, val offset: List<Double>) {
     companion object {
-        /** The options and how many words follow each at most. */
+        /** The options, and the maximum number of words that follow each. */
         private val options = mapOf(
             "-blendu" to 1,
             "-blendv" to 1,
@@ -31,7 +31,7 @@ internal class MtlMap(val file: String, val isClamped: Boolean, val scale: List<
         )
         private val vectors = listOf("-o", "-s", "-t")
 
-        /** Parses what follows the keyword: options, then a file name. */
+        /** Parses the part after the keyword: options, then a file name. */
         fun parse(arguments: String): MtlMap {
             val given = HashMap<String, List<String>>()
             var rest = arguments.trim()
@@ -40,7 +40,7 @@ internal class MtlMap(val file: String, val isClamped: Boolean, val scale: List<
                 val option = words.firstOrNull()?.lowercase()
                 val most = options[option] ?: break
 
-                // A vector may be shorter than three numbers; the last word of all is the file
+                // A vector may have fewer than three numbers; the last word of the statement is the file name
                 val following = words.drop(1).take(most).take(maxOf(words.size - 2, 0))
                 val values = if (option in vectors) following.takeWhile { it.toDoubleOrNull() != null } else following
                 given[checkNotNull(option)] = values

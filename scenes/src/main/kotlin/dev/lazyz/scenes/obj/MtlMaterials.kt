@@ -16,11 +16,14 @@ import dev.lazyz.world.TextureWrap
 import java.nio.file.Path
 
 /**
- * A material as a library defines it.
+ * A material as defined in a library.
  *
- * @property material how it looks
- * @property scaleU what texture coordinates (v upward) are multiplied by, before the offset is added
- * @property isDefined whether some library defines it
+ * @property material the material
+ * @property scaleU factor of u (v points upward), applied before the offset
+ * @property scaleV factor of v, applied before the offset
+ * @property offsetU offset of u
+ * @property offsetV offset of v
+ * @property isDefined whether a library defines the material
  */
 internal class MtlMaterial(
     val material: Material,
@@ -32,22 +35,25 @@ internal class MtlMaterial(
 )
 
 /**
- * Turns the entries of one material library into materials.
+ * Converts the entries of one material library to materials.
  *
- * Numbers in a library are what its author saw on a screen, so `Kd`, `Ks` and `Ke` are taken as sRGB-encoded. `Kd`
- * multiplies the texture, except that a black `Kd` beside `map_Kd` counts as white, which is what programs mean that
- * write it (drawn to the letter, the texture would be invisible). The highlight is `Ks` by the halfway vector with
- * exponent `Ns`, as `illum 2` defines it; `illum 0` means no light at all and `illum 1` no highlight. `d` below 1 makes
- * a translucent material; so does `Tr`, which is 1 - `d`, except that `Tr 1` without a `d` counts as opaque, because
- * some programs write it for opaque materials. A texture's alpha counts only if `map_d` names the same file, and then as a mask.
+ * Authors of libraries choose numbers by their appearance on a screen, so `Kd`, `Ks` and `Ke` are sRGB-encoded. `Kd`
+ * multiplies the texture, except that a black `Kd` with a `map_Kd` is treated as white: programs that write it mean the
+ * unchanged texture, and black would make it invisible. The highlight is `Ks` by the halfway vector with exponent `Ns`,
+ * as `illum 2` defines it. `illum 0` means no lighting, and `illum 1` no highlight. `d` below 1 makes a translucent
+ * material. So does `Tr`, which is 1 - `d`, except that `Tr 1` without a `d` is treated as opaque, because some
+ * programs write it for opaque materials. The alpha of a texture is used only if `map_d` names the same file, and then
+ * as a mask.
  *
- * @param folders where textures are looked for, in order
+ * @param folders folders to search for textures, in order
  */
 internal class MtlMaterials(private val source: Source, private val folders: List<Path>) {
     private val textures = HashMap<String, Texture?>()
 
-    /** Returns the material of [mtl] with the texture statements [maps]; [hasOpacity] if it has a `d`. A mask that is
-     * not used is added to [unused]. */
+    /**
+     * Returns the material of [mtl] with the texture statements [maps]. [hasOpacity] is true if the entry has a `d`. A
+     * mask that is not used is added to [unused].
+     */
     fun material(mtl: Mtl, maps: Map<String, MtlMap>, hasOpacity: Boolean, unused: KindCounts): MtlMaterial {
         val map = maps["map_kd"]
         val texture = map?.let(::texture)
@@ -80,7 +86,7 @@ internal class MtlMaterials(private val source: Source, private val folders: Lis
     private fun alpha(mtl: Mtl, hasOpacity: Boolean): Float {
         val alpha = mtl.d?.takeIf { it.isFinite() }?.coerceIn(0f, 1f) ?: 1f
         if (alpha > 0f || hasOpacity) return alpha
-        source.warn("material ${mtl.name}: Tr 1 without d is taken for opaque; to make it invisible, say d 0")
+        source.warn("material ${mtl.name}: Tr 1 without d is treated as opaque; to make it invisible, write d 0")
         return 1f
     }
 

@@ -7,11 +7,11 @@ import java.io.BufferedReader
 import java.io.Reader
 
 /**
- * The statements of a material library that say colours and numbers, one at each [readLine], for `MtlReader`; texture
- * statements are kept here instead, because that parser takes the last word for the file's name.
+ * The statements of a material library that give colours and numbers, one for each [readLine], for `MtlReader`. Texture
+ * statements are stored in [maps] instead, because that parser takes the last word as the file name.
  *
- * Where both `d` (opacity) and `Tr` (its opposite, not in the specification) are given, `d` counts. The parser behind
- * knows no line numbers; [number] tells which line it is at, also while it fails.
+ * If an entry has both `d` (opacity) and `Tr` (its opposite, not in the specification), `d` is used. `MtlReader` does
+ * not report line numbers; [number] is the current line, also after `MtlReader` has failed.
  */
 internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader()) {
     private val statements = Statements(text)
@@ -22,14 +22,14 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
     /** For each `newmtl` so far, whether it has a `d`. */
     val haveOpacity = ArrayList<Boolean>()
 
-    /** The statement that was handed out last. */
+    /** The statement that was returned last. */
     var statement = ""
         private set
 
-    /** Number of the line on which the statement that was read last begins; lines count from 1. */
+    /** The first line of the statement that was read last, counted from 1. */
     val number: Int get() = statements.number
 
-    /** Statements of textures for what is not drawn. */
+    /** Texture statements for features that are not rendered. */
     val unused = KindCounts()
 
     private var current = HashMap<String, MtlMap>()
@@ -43,7 +43,10 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
         return null
     }
 
-    /** Returns [statement], which begins with [keyword] in any case, as the parser should see it; null drops it. */
+    /**
+     * Returns [statement] in the form that the parser expects, or null to drop it. [keyword] is its first word in lower
+     * case.
+     */
     private fun prepared(keyword: String, statement: String): String? {
         if (keyword == "newmtl") {
             current = HashMap()
@@ -54,7 +57,7 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
         }
         this.statement = statement
         return when (keyword) {
-            // The parser knows the keyword in lower case only
+            // The parser accepts the keyword in lower case only
             "newmtl" -> "newmtl" + statement.substring(keyword.length)
             "d" -> numbers().also { haveOpacity[haveOpacity.size - 1] = true }
             "tr" -> numbers().takeUnless { haveOpacity.last() }
@@ -64,13 +67,13 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
         }
     }
 
-    /** Returns the statement with the spellings of numbers that the parser does not know replaced. */
+    /** Returns the statement with numbers rewritten if the parser does not accept their spelling. */
     private fun numbers(): String = TextLines.words(statements.withoutComment()).joinToString(" ") { word ->
         if (word.toFloatOrNull() != null) word else TextNumbers.parseFloat(word)?.toString() ?: word
     }
 
     private companion object {
-        /** Keywords of textures that do not begin with `map_`. */
+        /** Keywords of texture statements that do not begin with `map_`. */
         val MAPS = setOf("bump", "decal", "disp", "norm", "refl")
     }
 }

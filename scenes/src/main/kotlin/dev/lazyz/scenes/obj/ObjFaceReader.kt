@@ -4,27 +4,27 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.text.TextLines
 
 /**
- * Reads faces, whose corners are `v`, `v/vt`, `v//vn` or `v/vt/vn`. What only some corners of a face have is left out
- * of all.
+ * Reads faces, whose corners are `v`, `v/vt`, `v//vn` or `v/vt/vn`. If only some corners of a face have texture
+ * coordinates or normals, the face has none.
  */
 internal class ObjFaceReader(
     private val source: Source,
     private val statements: Statements,
     private val model: ObjModel,
 ) {
-    /** Number of the part that faces belong to. */
+    /** Number of the part to which the next faces belong. */
     var part = 0
 
     private var hasTextures = false
     private var hasNormals = false
 
-    /** Of the face at hand, three numbers a corner. */
+    /** Three numbers for each corner of the current face. */
     private var numbers = IntArray(3 * LEAST)
 
-    /** Reads the statement at hand. */
+    /** Reads the current statement. */
     fun read() {
         statements.nextWord()
-        val count = plainCorners()
+        val count = readPlainCorners()
         if (count >= 3) {
             model.faces.begin(part, statements.number)
             for (i in 0 until 3 * count step 3) model.faces.addCorner(numbers[i], numbers[i + 1], numbers[i + 2])
@@ -35,10 +35,10 @@ internal class ObjFaceReader(
     }
 
     /**
-     * Reads the corners into [numbers] and returns how many there are; -1 unless all have the same numbers, which count
-     * forward and have up to nine digits, as those of most files. What [readAny] does, sooner.
+     * A fast path for [readAny] that handles the faces of most files. Reads the corners into [numbers] and returns
+     * their count. Returns -1 unless all corners have the same form, and only positive numbers of at most nine digits.
      */
-    private fun plainCorners(): Int {
+    private fun readPlainCorners(): Int {
         val bytes = statements.bytes
         val end = statements.contentEnd()
         var at = statements.wordEnd
@@ -75,7 +75,7 @@ internal class ObjFaceReader(
         }
     }
 
-    /** Reads the statement at hand, whose first word was read. */
+    /** Reads the current statement, whose first word has been read. */
     private fun readAny() {
         val count = survey()
         if (count < 3) {
@@ -87,7 +87,7 @@ internal class ObjFaceReader(
         while (statements.nextWord()) corner()
     }
 
-    /** Returns the number of corners, and finds out what all of them have. */
+    /** Returns the number of corners, and determines whether all of them have texture coordinates and normals. */
     private fun survey(): Int {
         hasTextures = true
         hasNormals = true
@@ -114,10 +114,10 @@ internal class ObjFaceReader(
         )
     }
 
-    /** Returns the number of the vertex that the word at hand names, of a [what]. */
+    /** Returns the vertex number in the current word. [what] is the kind of statement, for error messages. */
     fun vertex(what: String): Int = position(statements.wordStart, slash(statements.wordStart), what)
 
-    /** Returns where the word has its next slash from [from] on, or where it ends. */
+    /** Returns the position of the next slash in the current word at [from] or after it, or the end of the word. */
     private fun slash(from: Int): Int {
         var at = from
         while (at < statements.wordEnd && statements.bytes[at] != SLASH) at++
@@ -138,8 +138,9 @@ internal class ObjFaceReader(
     }
 
     /**
-     * Returns the number that stands from [from] until [until], counted from 0; [count] stand before.
-     * [ObjModel.NOWHERE] if it is 0, too large for any file, or counts backward beyond the first.
+     * Parses the bytes from [from] to [until] (exclusive) and returns the number, counted from 0. [count] elements have
+     * been read so far. Returns [ObjModel.NOWHERE] if the number is 0, too large for any file, or counts backward
+     * beyond the first element.
      */
     private fun number(from: Int, until: Int, count: Int): Int {
         val isBackward = from < until && statements.bytes[from] == MINUS
@@ -169,10 +170,10 @@ internal class ObjFaceReader(
     )
 
     private companion object {
-        /** Corners that faces have room for at first. */
+        /** Initial capacity, in corners. */
         const val LEAST = 4
 
-        /** Numbers of so many digits are whole numbers in 32 bits. */
+        /** Numbers of up to this many digits fit into 32 bits. */
         const val MOST_DIGITS = 9
         const val ZERO = '0'.code
         const val MINUS = '-'.code.toByte()

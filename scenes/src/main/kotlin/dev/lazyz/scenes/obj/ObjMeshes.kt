@@ -8,10 +8,10 @@ import dev.lazyz.scenes.meshes.Triangulation
 import dev.lazyz.world.Mesh
 
 /**
- * Makes meshes of faces: for each object, in the order of the file, one for each material and kind of normals, in the
- * order of their first face, with its faces in the order of the file.
+ * Builds meshes from faces. Each object, in the order of the file, becomes one mesh for each material and kind of
+ * normals. Meshes are in the order of their first face, and faces in the order of the file.
  *
- * Faces of one object that have no normals are made smooth together, so that a change of material is no crease.
+ * Normals of faces without any are computed for each object as a whole, so a change of material does not make a crease.
  */
 internal class ObjMeshes(
     private val source: Source,
@@ -41,7 +41,7 @@ internal class ObjMeshes(
     private fun batchesByObject(): List<Collection<Batch>> {
         val objects = LinkedHashMap<Int, LinkedHashMap<Normals, Batch>>()
 
-        // Faces of one part with or without normals are of one batch, which is looked up once
+        // Faces of one part that all have normals, or all have none, belong to one batch; look it up only once
         val batchOf = arrayOfNulls<Batch>(2 * faces.parts.size)
         for (face in 0 until faces.size) {
             val hasNormals = faces.normals[faces.start(face)] >= 0
@@ -60,7 +60,7 @@ internal class ObjMeshes(
     private fun without(part: Part): Normals = if (part.isSmooth) Normals.SMOOTH else Normals.FLAT
 
     private fun meshes(batch: Batch): List<Placed> {
-        // Cut all faces into triangles, and remember which group each triangle belongs to
+        // Triangulate all faces, and record the group of each triangle
         val vertices = CornerVertices(minOf(batch.faces.size, positions.size / 3))
         val groups = LinkedHashMap<Group, Int>()
         val firstFaces = ArrayList<Int>()
@@ -84,7 +84,7 @@ internal class ObjMeshes(
             while (3 * groupOf.size < triangles.size) groupOf.add(group)
         }
 
-        // Normals first, then the groups, for normals do not end where a material does
+        // Compute the normals before dividing into groups, because smooth surfaces continue across materials
         val whole = Mesh(
             vertices.positions(positions),
             triangles.toArray(),
@@ -97,15 +97,16 @@ internal class ObjMeshes(
         val shaded = if (isSmooth) source.loading.smoothed(source, whole, ObjParser.CREASE_ANGLE) else whole
         val parts = MeshParts(shaded, groupOf, groups.size)
         return groups.map { (group, number) ->
-            Placed(firstFaces[number], coated(parts.part(number), materialOf(group.material), group.isTextured))
+            Placed(firstFaces[number], withMaterial(parts.part(number), materialOf(group.material), group.isTextured))
         }
     }
 
     /**
-     * Returns [part] with a material of its own. Texture coordinates, v upward so far, are scaled and moved as the material
-     * says and turned to v downward; unless [isTextured] they and the texture fall away.
+     * Returns [part] with [material]. Texture coordinates, whose v points upward so far, are scaled and offset as the
+     * material specifies, and v is flipped to point downward. Unless [isTextured], texture coordinates and texture are
+     * removed.
      */
-    private fun coated(part: Mesh, material: MtlMaterial, isTextured: Boolean): Mesh = Mesh(
+    private fun withMaterial(part: Mesh, material: MtlMaterial, isTextured: Boolean): Mesh = Mesh(
         part.positions,
         part.triangles,
         if (isTextured) material.material else material.material.withoutTexture(),

@@ -5,12 +5,12 @@ import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source
 import org.joml.Vector3dc
 
-/** What an OBJ file says, as plain arrays. */
+/** The content of an OBJ file, as plain arrays. */
 internal class ObjModel(private val source: Source, val origin: Vector3dc) {
     /** x, y, z of each `v`, relative to [origin]. */
     val positions = Floats()
 
-    /** Linear red, green, blue of each `v` up to the last that has a colour; white where it has none. */
+    /** Linear red, green, blue of each `v` up to the last one that has a colour; white for those without one. */
     val colors = Floats()
 
     /** u, v of each `vt`, v upward. */
@@ -23,10 +23,13 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) {
 
     val points = ObjPoints()
 
-    /** What `mtllib` statements say, in order. */
+    /** The arguments of the `mtllib` statements, in order. */
     val libraries = ArrayList<String>()
 
-    /** Returns red, green, blue, alpha of [count] vertices whose positions [positionOf] numbers; null without colours. */
+    /**
+     * Returns red, green, blue, alpha of [count] vertices, or null if the file has no colours. [positionOf] returns the
+     * number of a vertex's position.
+     */
     fun colors(count: Int, positionOf: (Int) -> Int): FloatArray? {
         if (colors.size == 0) return null
         return FloatArray(4 * count) {
@@ -36,8 +39,8 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) {
     }
 
     /**
-     * Fails if a face refers to a vertex that no line of the file, before it or after, defines. Of texture coordinates and
-     * normals that are not there, faces lose the references, with a warning.
+     * Fails if a face refers to a vertex that the file does not define, before or after the face. References to missing
+     * texture coordinates or normals are removed from the face, with a warning.
      */
     fun checkReferences() {
         val count = positions.size / 3
@@ -68,7 +71,7 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) {
     companion object {
         const val REFERENCE_REMEDY = "correct the face or export the model again"
 
-        /** The number of what is not there, for certain. */
+        /** A number that no element has: a reference to it is always invalid. */
         const val NOWHERE = Int.MAX_VALUE
     }
 }

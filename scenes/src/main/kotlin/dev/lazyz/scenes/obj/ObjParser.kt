@@ -10,15 +10,14 @@ import dev.lazyz.world.Scene
  * Reads Wavefront OBJ files with their material libraries (Wavefront Technologies, "Advanced Visualizer" manual,
  * appendix B1, "Object Files", version 3.0).
  *
- * Polygons with any number of corners, and all that makes them look: normals, texture coordinates (v upward, turned to
- * `1 - v`), materials, and vertex colours `v x y z red green blue`, which are taken as sRGB-encoded numbers in 0..1.
- * Groups are passed over; objects and materials divide the file into meshes, see [ObjMeshes]. Faces without normals are
- * made smooth up to creases of [CREASE_ANGLE] degrees, or flat after `s off`; the numbers of smoothing groups are
- * passed over otherwise. Points and lines follow the meshes, by material. Free-form geometry and unknown statements are
- * passed over with a warning.
+ * It reads polygons with any number of corners, normals, texture coordinates (v upward, converted to `1 - v`),
+ * materials, and vertex colours `v x y z red green blue`, which are sRGB-encoded numbers in 0..1. Groups are ignored.
+ * Objects and materials divide the file into meshes, see [ObjMeshes]. Faces without normals are smooth up to creases of
+ * [CREASE_ANGLE] degrees, or flat after `s off`; other numbers of smoothing groups are ignored. Points and lines follow
+ * the meshes, by material. Free-form geometry and unknown statements are ignored with a warning.
  */
 internal object ObjParser : SceneParser {
-    /** Edges sharper than this stay sharp, degrees. */
+    /** The crease angle in degrees: edges that are sharper stay sharp. */
     const val CREASE_ANGLE = 45.0
 
     override fun parse(source: Source): Scene {

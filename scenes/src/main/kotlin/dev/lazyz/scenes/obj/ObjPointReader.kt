@@ -2,20 +2,23 @@ package dev.lazyz.scenes.obj
 
 import dev.lazyz.scenes.loading.Source
 
-/** Reads the statements `p v1 v2 ...` and `l v1 v2 ...`, whose vertices may be `v/vt`; the texture coordinates are not used. */
+/**
+ * Reads the statements `p v1 v2 ...` and `l v1 v2 ...`. Vertices may be written as `v/vt`; texture coordinates are not
+ * used.
+ */
 internal class ObjPointReader(
     private val source: Source,
     private val statements: Statements,
     private val model: ObjModel,
     private val faces: ObjFaceReader,
 ) {
-    /** Reads the points of the statement at hand. */
+    /** Reads the points of the current statement. */
     fun readPoints(material: String?) {
         statements.nextWord()
         while (statements.nextWord()) model.points.add(material, statements.number, faces.vertex("point"))
     }
 
-    /** Reads the polyline of the statement at hand. */
+    /** Reads the polyline of the current statement. */
     fun readLine(material: String?) {
         statements.nextWord()
         var previous = -1

@@ -8,10 +8,13 @@ import dev.lazyz.world.Material
 import dev.lazyz.world.Points
 import dev.lazyz.world.Surface
 
-/** Points and lines of an OBJ file, by material in the order of the file; without texture coordinates. Not thread safe. */
+/**
+ * Points and lines of an OBJ file, by material, in the order of the file. Texture coordinates are not kept. Not thread
+ * safe.
+ */
 internal class ObjPoints {
     private class Numbers {
-        /** Vertex numbers, one a point or two a segment, and the lines of the file that they stand on. */
+        /** Vertex numbers, one for each point or two for each segment, and the lines of the file that contain them. */
         val vertices = Ints()
         val lines = Ints()
     }
@@ -21,7 +24,7 @@ internal class ObjPoints {
 
     val isEmpty: Boolean get() = points.isEmpty() && segments.isEmpty()
 
-    /** Adds the point or segment between the vertices [ends], which stands on [line]. */
+    /** Adds the point, or the segment between two vertices, given by [ends]. [line] is its line in the file. */
     fun add(material: String?, line: Int, vararg ends: Int) {
         val numbers = (if (ends.size == 1) points else segments).getOrPut(material) { Numbers() }
         for (end in ends) {
@@ -30,7 +33,10 @@ internal class ObjPoints {
         }
     }
 
-    /** Fails if one refers to a vertex that is not there, and counts what the points and segments take. */
+    /**
+     * Fails if a point or segment refers to a vertex that does not exist. Counts points and segments towards the
+     * limits.
+     */
     fun check(source: Source, vertexCount: Int) {
         for (numbers in points.values + segments.values) {
             val wrong = (0 until numbers.vertices.size).firstOrNull { numbers.vertices[it] >= vertexCount } ?: continue
@@ -41,7 +47,7 @@ internal class ObjPoints {
         source.loading.segments(source, segments.values.sumOf { it.vertices.size / 2L })
     }
 
-    /** Returns what has been added, points first. */
+    /** Returns the surfaces of all points, then those of all lines. */
     fun surfaces(model: ObjModel, materialOf: (String?) -> MtlMaterial): List<Surface> {
         val positions = model.positions.toArray()
 

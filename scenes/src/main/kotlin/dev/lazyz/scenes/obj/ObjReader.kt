@@ -8,9 +8,9 @@ import dev.lazyz.scenes.text.TextNumbers
 import org.joml.Vector3d
 
 /**
- * Reads the statements of an OBJ file that carry polygons, points and lines into [model].
+ * Reads the statements of an OBJ file for polygons, points and lines into [model].
  *
- * Free-form geometry and statements that it does not know are passed over, with a warning for each kind.
+ * Free-form geometry and unknown statements are ignored, with a warning for each kind.
  */
 internal class ObjReader(private val source: Source, val model: ObjModel) {
     private val statements = Statements(source.bytes)
@@ -21,7 +21,7 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
     private val freeForm = KindCounts()
     private val unknown = KindCounts()
 
-    // What holds for the faces that follow: how many `o` statements stand before, the last `usemtl`, no `s off`
+    // State for the following faces: number of `o` statements so far, last `usemtl`, and false after `s off`
     private var objectNumber = 0
     private var material: String? = null
     private var isSmooth = true
@@ -40,7 +40,7 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
         }
     }
 
-    /** Warns of what was passed over. */
+    /** Reports the statements that were ignored. */
     fun warn() {
         if (freeForm.total > 0) {
             source.warn("free-form curves and surfaces are not drawn; their statements are passed over: $freeForm")
@@ -65,14 +65,14 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
             }
             statements.hasKeyword("p") -> points.readPoints(material)
             statements.hasKeyword("l") -> points.readLine(material)
-            !statements.hasKeyword("g") -> passOver(statements.keyword())
+            !statements.hasKeyword("g") -> ignore(statements.keyword())
         }
     }
 
-    private fun passOver(keyword: String) {
+    private fun ignore(keyword: String) {
         when (keyword) {
             in FREE_FORM -> freeForm.add(keyword)
-            !in UNSEEN -> unknown.add(keyword)
+            !in IRRELEVANT -> unknown.add(keyword)
         }
     }
 
@@ -94,7 +94,7 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
         val green = double()
         if (!statements.nextWord()) return
         val blue = double()
-        passRest()
+        checkRest()
 
         // Vertices before the first coloured one are white
         while (model.colors.size < model.positions.size - 3) model.colors.add(1f)
@@ -108,7 +108,7 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
         if (!statements.nextWord()) fail("\"vt\" needs 1 numbers, not 0")
         model.textures.add(number())
         model.textures.add(if (statements.nextWord()) number() else 0f)
-        passRest()
+        checkRest()
     }
 
     private fun normal() {
@@ -117,11 +117,11 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
             if (!statements.nextWord()) fail("\"vn\" needs 3 numbers, not $axis")
             model.normals.add(number())
         }
-        passRest()
+        checkRest()
     }
 
-    /** Whatever else stands there must be numbers, too. */
-    private fun passRest() {
+    /** Checks that all remaining words are numbers. */
+    private fun checkRest() {
         while (statements.nextWord()) number()
     }
 
@@ -139,7 +139,7 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
 
     private fun failAtNumber(): Nothing {
         val word = statements.word()
-        if (word.all { it in PLAIN }) fail("the line cannot be understood, for \"$word\" is not a number")
+        if (word.all { it in NUMBER_CHARACTERS }) fail("the line cannot be understood, for \"$word\" is not a number")
         fail("\"$word\" is not a number", TextNumbers.remedy(word))
     }
 
@@ -147,14 +147,14 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
         source.fail("line ${statements.number}", problem, remedy ?: "correct the line or export the model again")
 
     private companion object {
-        /** What numbers are made of. */
-        const val PLAIN = "0123456789+-.eE"
+        /** The characters that numbers consist of. */
+        const val NUMBER_CHARACTERS = "0123456789+-.eE"
         val FREE_FORM = setOf(
             "bmat", "bsp", "bzp", "cdc", "cdp", "con", "cstype", "ctech", "curv", "curv2", "deg", "end", "hole", "parm",
             "res", "scrv", "sp", "stech", "step", "surf", "trim", "vp",
         )
 
-        /** What is not seen in the picture of polygons: how they belong together, and how some programs show them. */
-        val UNSEEN = setOf("bevel", "c_interp", "d_interp", "lod", "mg")
+        /** Statements that do not affect the rendering of polygons: grouping, and display settings of some programs. */
+        val IRRELEVANT = setOf("bevel", "c_interp", "d_interp", "lod", "mg")
     }
 }

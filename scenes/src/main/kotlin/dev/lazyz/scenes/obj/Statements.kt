@@ -8,37 +8,38 @@ import java.nio.CharBuffer
 /**
  * The statements of an OBJ or MTL text, and their words.
  *
- * Lines that end with a backslash are joined with the next, the space around a statement is cut off, empty lines and
- * comment lines are passed over. The text has no byte order mark. Names are UTF-8, or ISO 8859-1 where the text is not UTF-8 throughout. Not thread safe.
+ * A line that ends with a backslash is joined with the next one. White space around a statement is removed. Empty lines
+ * and comment lines are skipped. The text must not have a byte order mark. Names are UTF-8, or ISO 8859-1 if the text
+ * is not valid UTF-8. Not thread safe.
  */
 internal class Statements(private val text: ByteArray) {
     private val charset by lazy { if (isUtf8(text)) Charsets.UTF_8 else Charsets.ISO_8859_1 }
     private var position = 0
     private var lines = 0
 
-    /** Number of the line on which the statement that was read last begins; lines count from 1. */
+    /** The first line of the statement that was read last, counted from 1. */
     var number = 0
         private set
 
-    /** What the statement's words are in: the text, or lines of it that were joined. */
+    /** The bytes that contain the statement's words: the text, or a copy of several joined lines. */
     var bytes: ByteArray = text
         private set
     private var start = 0
     private var end = 0
 
-    /** Where the statement ends without the comment behind it; -1 as long as that was not asked for. */
+    /** The end of the statement without a trailing comment, or -1 until it is computed. */
     private var knownEnd = 0
     private var mayHaveComment = false
 
-    /** Where the word that was read last begins. */
+    /** The start of the word that was read last. */
     var wordStart = 0
         private set
 
-    /** Where the word that was read last ends. */
+    /** The end (exclusive) of the word that was read last. */
     var wordEnd = 0
         private set
 
-    /** Moves to the next statement, before its first word; false after the last. */
+    /** Moves to the next statement, before its first word. Returns false after the last one. */
     fun next(): Boolean {
         do {
             if (position >= text.size) return false
@@ -53,7 +54,10 @@ internal class Statements(private val text: ByteArray) {
         return true
     }
 
-    /** Whether the statement begins with [keyword], which is in lower case, in any case; a space ends a keyword. */
+    /**
+     * Whether the statement begins with [keyword], which is given in lower case. Case is ignored. A keyword ends at a
+     * space.
+     */
     fun hasKeyword(keyword: String): Boolean {
         val after = start + keyword.length
         if (after > end || (after < end && bytes[after] != SPACE && bytes[after] != TAB)) return false
@@ -65,16 +69,16 @@ internal class Statements(private val text: ByteArray) {
         return true
     }
 
-    /** Returns the statement with spaces for tabs. */
+    /** Returns the statement with tabs replaced by spaces. */
     fun statement(): String = decoded(start, end)
 
     /**
-     * Returns the statement without a comment at its end; not for names, which may hold a `#`. Behind a point the `#`
-     * belongs to Microsoft's `1.#IND`.
+     * Returns the statement without a trailing comment. Not for names, which may contain a `#`. A `#` after a point
+     * does not begin a comment: it is part of Microsoft's `1.#IND`.
      */
     fun withoutComment(): String = decoded(start, contentEnd()).trimEnd()
 
-    /** Moves to the next word, the keyword first; false after the last before the end or a comment. */
+    /** Moves to the next word; the first is the keyword. Returns false at the end of the statement or at a comment. */
     fun nextWord(): Boolean {
         val limit = contentEnd()
         var from = wordEnd
@@ -92,7 +96,7 @@ internal class Statements(private val text: ByteArray) {
         return word().lowercase()
     }
 
-    /** Makes the keyword the word that was read last. */
+    /** Moves back to the keyword, so that it is the word that was read last. */
     fun restart() {
         wordEnd = start
         nextWord()
@@ -101,10 +105,10 @@ internal class Statements(private val text: ByteArray) {
     /** Returns the word that was read last. */
     fun word(): String = decoded(wordStart, wordEnd)
 
-    /** Returns the text from [from] until [until] of [bytes], with spaces for tabs. */
+    /** Returns the text of [bytes] from [from] to [until] (exclusive), with tabs replaced by spaces. */
     fun decoded(from: Int, until: Int): String = String(bytes, from, until - from, charset).replace('\t', ' ')
 
-    /** Returns where the statement ends in [bytes], without a comment behind it. */
+    /** Returns the end of the statement in [bytes], without a trailing comment. */
     fun contentEnd(): Int {
         if (knownEnd < 0) {
             knownEnd = start
@@ -115,7 +119,7 @@ internal class Statements(private val text: ByteArray) {
 
     private fun isComment(at: Int): Boolean = bytes[at] == HASH && (at == start || bytes[at - 1] != POINT)
 
-    /** Finds the next line of the text, without the space around it. */
+    /** Finds the next line of the text, without the white space around it. */
     private fun readLine() {
         var after = position
         while (after < text.size) {
@@ -132,7 +136,7 @@ internal class Statements(private val text: ByteArray) {
         lines++
     }
 
-    /** Joins the line with the next, with a space between them, and so on. */
+    /** Joins the line with the next one, separated by a space, for as long as lines end with a backslash. */
     private fun join() {
         val joined = ByteArrayOutputStream()
         var isOpen = true
@@ -163,7 +167,7 @@ internal class Statements(private val text: ByteArray) {
         const val HASH = '#'.code.toByte()
         const val POINT = '.'.code.toByte()
 
-        /** A space or a control character. */
+        /** Whether [byte] is a space or a control character. */
         fun isBlank(byte: Byte) = byte in 0..SPACE
 
         fun isUtf8(bytes: ByteArray): Boolean {

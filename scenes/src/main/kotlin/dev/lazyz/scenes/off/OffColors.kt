@@ -5,21 +5,22 @@ import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.images.SrgbDecoding
 
 /**
- * Colours as the file has them: whole numbers in 0..255, or fractions in 0..1. What `1 0 0` is only the others tell: it is
- * whole numbers if all colours are, and one has a number above 1. All are sRGB-encoded, but alpha. Not thread safe.
+ * Colours as stored in the file: integers in 0..255, or fractions in 0..1. A colour such as `1 0 0` can be either. It
+ * is read as integers if some other colour has an integer above 1 and no colour has a fraction. All channels except
+ * alpha are sRGB-encoded. Not thread safe.
  */
 internal class OffColors {
     private val numbers = Floats()
 
-    /** By colour: one of [SURELY_WHOLE], [SURELY_FRACTIONS] and [EITHER]. */
+    /** For each colour: [SURELY_WHOLE], [SURELY_FRACTIONS] or [EITHER]. */
     private val kinds = Ints()
     private var haveWhole = false
     private var haveFractions = false
 
-    /** How many colours there are. */
+    /** Number of colours. */
     val size: Int get() = kinds.size
 
-    /** Adds the colour of [count] numbers, three or four, that stands at [from] in [line]. */
+    /** Adds a colour of [count] numbers, three or four, which begin at index [from] of [line]. */
     fun add(line: OffLine, from: Int, count: Int) {
         var kind = EITHER
         for (i in from until from + count) {
@@ -36,14 +37,16 @@ internal class OffColors {
         if (kind == SURELY_FRACTIONS) haveFractions = true
     }
 
-    /** Adds white, for what has no colour. */
+    /** Adds white, for an element without a colour. */
     fun addWhite() {
         repeat(3) { numbers.add(1f) }
         numbers.add(OPAQUE)
         kinds.add(SURELY_FRACTIONS)
     }
 
-    /** Returns red (0), green (1), blue (2) or alpha (3) of a colour, in linear light; when all were added. */
+    /**
+     * Returns red (0), green (1), blue (2) or alpha (3) of a colour, linear. Call it only after all colours were added.
+     */
     fun channel(color: Int, channel: Int): Float {
         val number = numbers[4 * color + channel]
         val kind = kinds[color]
@@ -62,7 +65,7 @@ internal class OffColors {
         const val SURELY_FRACTIONS = 2
         const val MOST_CODE = 255f
 
-        /** Stands for an alpha that is not given. */
+        /** Stands for a missing alpha. */
         const val OPAQUE = -1f
     }
 }

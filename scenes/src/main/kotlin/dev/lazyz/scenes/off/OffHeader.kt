@@ -3,11 +3,13 @@ package dev.lazyz.scenes.off
 import dev.lazyz.scenes.loading.Source
 
 /**
- * What stands before the tables: a word that says what each vertex has, and how many vertices and faces there are.
+ * The part before the tables: a word that gives the attributes of vertices, and the numbers of vertices and faces.
  *
  * @property hasNormals whether each vertex has a normal
- * @property hasColors whether each has a colour
- * @property hasPlaces whether each has texture coordinates
+ * @property hasColors whether each vertex has a colour
+ * @property hasPlaces whether each vertex has texture coordinates
+ * @property vertexCount number of vertices
+ * @property faceCount number of faces
  */
 internal class OffHeader private constructor(
     val hasNormals: Boolean,
@@ -16,16 +18,19 @@ internal class OffHeader private constructor(
     val vertexCount: Int,
     val faceCount: Int,
 ) {
-    /** Numbers of a vertex, without its colour. */
+    /** Number of numbers for each vertex, without its colour. */
     val plainNumbers: Int get() = 3 + (if (hasNormals) 3 else 0) + (if (hasPlaces) 2 else 0)
 
     companion object {
         private val keyword = Regex("((?:ST|C|N|4|n)*)(?:OFF|off)(\\d*)")
 
-        /** Whether [word] is the first word of such a file. */
+        /** Whether [word] is the first word of a file of this format. */
         fun isKeyword(word: String): Boolean = keyword.matches(word)
 
-        /** Reads the header from [line], whose first line it is. The word may be missing: vertices are plain then. */
+        /**
+         * Reads the header. [line] must be at the start of the file. The first word may be missing; vertices then have
+         * only positions.
+         */
         fun read(source: Source, line: OffLine): OffHeader {
             val word = line.firstWord() ?: source.fail(null, "there are no words in the file", "export the model again")
             val match = keyword.matchEntire(word)
@@ -35,7 +40,7 @@ internal class OffHeader private constructor(
                 line.fail("\"$word\" has vertices of other than three dimensions", "export them with three, as OFF")
             }
 
-            // Some programs do not part the word from the counts; the number of edges is never needed
+            // Some programs write no space between the word and the counts; the number of edges is not used
             val first = behind.ifEmpty { line.wordOfLine() }
             if (first.equals("BINARY", ignoreCase = true)) {
                 line.fail("the file is binary OFF, which is not read", "export the model as ASCII OFF")

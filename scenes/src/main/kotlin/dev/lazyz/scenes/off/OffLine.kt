@@ -6,29 +6,32 @@ import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.scenes.text.TextNumbers
 
 /**
- * The numbers of a line, one line after the other; empty lines, and comments from a `#` to the end of a line, are passed
- * over. Not thread safe.
+ * Reads the numbers of the file line by line. Empty lines and comments, from a `#` to the end of the line, are skipped.
+ * Not thread safe.
  */
 internal class OffLine(private val source: Source) {
     private val lines = TextLines(source.bytes)
     private val decimal = Decimal()
     private var areFractions = BooleanArray(LEAST)
 
-    /** The numbers of the line that was read last, and what longer lines before left behind them. */
+    /** The numbers of the line that was read last. Elements from [count] on are left over from earlier lines. */
     var numbers = DoubleArray(LEAST)
         private set
 
-    /** How many numbers there are. */
+    /** Number of numbers in the line. */
     var count = 0
         private set
 
-    /** How many bytes follow the line. */
+    /** Number of bytes after the line. */
     val bytesLeft: Int get() = source.bytes.size - lines.position
 
-    /** Moves to the next line that has words, without reading them, and returns the first; null after the last. */
+    /**
+     * Moves to the next line that has words, without reading them, and returns its first word. Returns null at the end
+     * of the file.
+     */
     fun firstWord(): String? = if (nextWordOfText()) lines.word() else null
 
-    /** Reads the numbers of the next line that has any; false after the last. */
+    /** Reads the numbers of the next line that is not empty. Returns false at the end of the file. */
     fun next(): Boolean {
         count = 0
         if (!nextWordOfText()) return false
@@ -37,7 +40,7 @@ internal class OffLine(private val source: Source) {
         return true
     }
 
-    /** Reads following lines, too, until there are [least] numbers; false if the file ends before. */
+    /** Also reads the following lines, until there are [least] numbers. Returns false if the file ends earlier. */
     fun extend(least: Int): Boolean {
         while (count < least) {
             if (!nextWordOfText()) return false
@@ -47,13 +50,13 @@ internal class OffLine(private val source: Source) {
         return true
     }
 
-    /** Reads the numbers that follow the word that was read last; there may be none. */
+    /** Reads the numbers after the word that was read last; there may be none. */
     fun readRest() {
         while (lines.nextWord() && !isComment()) add()
         lines.endLine()
     }
 
-    /** Returns the next word of the line, or an empty one after the last. */
+    /** Returns the next word of the line, or an empty string after the last. */
     fun wordOfLine(): String = if (lines.nextWord() && !isComment()) lines.word() else "".also { lines.endLine() }
 
     /** Makes [word] the line's first number, and reads the others. */
@@ -63,10 +66,12 @@ internal class OffLine(private val source: Source) {
         readRest()
     }
 
-    /** Whether the number at [index] can only be a fraction: it is written with a point, an exponent or letters. */
+    /** Whether the number at [index] is written as a fraction: with a point, an exponent or letters. */
     fun isFraction(index: Int): Boolean = areFractions[index]
 
-    /** Returns the whole number at [index], from 0 to [most]; [what] it is meant to be. */
+    /**
+     * Returns the integer at [index], or fails if it is not an integer in 0..[most]. [what] describes it in the error.
+     */
     fun whole(index: Int, what: String, most: Int = Int.MAX_VALUE): Int {
         val number = numbers[index]
         if (number >= 0.0 && number <= most && number == number.toInt().toDouble()) return number.toInt()

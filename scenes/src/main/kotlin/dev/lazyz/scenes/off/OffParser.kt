@@ -12,15 +12,16 @@ import dev.lazyz.world.Scene
  * Reads the Object File Format in its ASCII form (M. Phillips, S. Levy and T. Munzner, "Geomview Manual", version 1.9,
  * section 4.2.5).
  *
- * The file becomes one mesh. Of vertices, one a line, it takes x, y, z, and what the first word announces, in this order:
- * the normal (`N`), the colour (`C`), and texture coordinates (`ST`, v upward, turned to `1 - v`). Faces, one a line or
- * over several, may have any number of corners and a colour, which counts where vertices have none. Colours of three or
- * four numbers are sRGB-encoded, see [OffColors]; numbers of a colour map are passed over with a warning. Alpha goes into
- * the vertex colours as it is, and the material stays opaque. Without normals in the file they are made smooth up to
- * creases of [CREASE_ANGLE] degrees. Vertices of other than three dimensions, and the binary form, are refused.
+ * The file becomes one mesh. Each vertex is one line with x, y, z and the attributes that the first word of the file
+ * declares, in this order: the normal (`N`), the colour (`C`), and texture coordinates (`ST`, v upward, converted to
+ * `1 - v`). A face, on one or more lines, can have any number of corners and a colour, which is used if vertices have
+ * none. Colours of three or four numbers are sRGB-encoded, see [OffColors]; indices into a colour map are ignored with
+ * a warning. Alpha is stored unchanged in the vertex colours, and the material stays opaque. If the file has no
+ * normals, they are computed, smooth up to creases of [CREASE_ANGLE] degrees. Vertices that are not three-dimensional,
+ * and the binary form, are rejected.
  */
 internal object OffParser : SceneParser {
-    /** Edges sharper than this stay sharp, degrees. */
+    /** The crease angle in degrees: edges that are sharper stay sharp. */
     const val CREASE_ANGLE = 45.0
 
     override fun parse(source: Source): Scene {

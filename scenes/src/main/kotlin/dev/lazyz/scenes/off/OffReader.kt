@@ -8,9 +8,9 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * Reads the tables of a file: a vertex a line, and a face that begins on a line of its own. Not thread safe.
+ * Reads the tables of a file: each vertex is one line, and each face begins on a new line. Not thread safe.
  *
- * @param origin what is subtracted from all positions
+ * @param origin the point to subtract from all positions
  */
 internal class OffReader(private val source: Source, private val origin: Vector3dc) {
     private val line = OffLine(source)
@@ -19,20 +19,20 @@ internal class OffReader(private val source: Source, private val origin: Vector3
     private val isFar = origin != Vector3d()
     private var longRows = 0
 
-    /** The vertices, when they are read. */
+    /** The vertices, after they have been read. */
     lateinit var vertices: VertexArrays
         private set
 
-    /** The faces, when they are read. */
+    /** The faces, after they have been read. */
     val polygons = Polygons()
 
-    /** Reads the vertices; the faces follow. */
+    /** Reads the vertices. Call [readFaces] afterwards. */
     fun readVertices() {
         val count = header.vertexCount
         if (count > line.bytesLeft / LEAST_VERTEX_BYTES + 1) {
-            line.fail("$count vertices are announced, for which the remaining ${line.bytesLeft} bytes are too few")
+            line.fail("$count vertices are announced, but the remaining ${line.bytesLeft} bytes are too few for them")
         }
-        // A file that is read a second time, relative to an origin, has no more vertices for that
+        // If the file is read a second time, relative to an origin, its vertices have already been counted
         if (!isFar) source.loading.vertices(source, count.toLong())
         vertices = VertexArrays(
             FloatArray(3 * count),
@@ -49,7 +49,9 @@ internal class OffReader(private val source: Source, private val origin: Vector3
         vertices.colors?.let { for (i in it.indices) it[i] = colors.channel(i / 4, i % 4) }
     }
 
-    /** Reads a vertex out of the line; false if numbers are left over, or are no colour. */
+    /**
+     * Reads a vertex from the line. Returns false if numbers are left over, for example because they are not a colour.
+     */
     private fun readVertex(to: VertexArrays, vertex: Int, colors: OffColors): Boolean {
         val plain = header.plainNumbers
         if (line.count < plain) line.fail("the vertex has ${line.count} numbers, not $plain")
@@ -77,12 +79,12 @@ internal class OffReader(private val source: Source, private val origin: Vector3
         for (i in 0 until count) to[at + i] = line.numbers[from + i].toFloat()
     }
 
-    /** Reads the faces into [polygons], and warns of what was passed over. */
+    /** Reads the faces into [polygons], and reports the numbers that were ignored. */
     fun readFaces() {
-        if (longRows > 0) source.warn("$longRows vertices have numbers that their kind has not, which are passed over")
+        if (longRows > 0) source.warn("$longRows vertices have numbers that do not fit the header and are ignored")
         val colors = OffColors()
 
-        // By colour: its polygon
+        // For each colour, the number of its polygon
         val polygonOf = Ints()
         var tooSmall = 0
         var oddColors = 0

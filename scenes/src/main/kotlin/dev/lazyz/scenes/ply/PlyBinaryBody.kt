@@ -4,12 +4,12 @@ import dev.lazyz.scenes.loading.Source
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
-/** A body of numbers without anything between them. */
+/** A body in one of the binary forms: numbers without separators. */
 internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder) : PlyBody(source, header) {
     private val buffer = ByteBuffer.wrap(source.bytes).order(order)
     val end = source.bytes.size
 
-    /** Where the next number stands. */
+    /** Position of the next number, in bytes from the start of the file. */
     var position = header.bodyPosition
         private set
 
@@ -40,11 +40,14 @@ internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder
         return 3 * minOf(element.count.toLong(), (end - position) / triangle).toInt()
     }
 
-    /** Whether rows of [element] are nothing but a list of whole numbers in 32 bits, which [readLists] reads. */
+    /** Whether each row of [element] is just one list of 32-bit integers, which [readLists] can read. */
     fun areLists(element: PlyElement): Boolean =
         element.properties.size == 1 && element.hasLists && element.properties[0].type == PlyType.INT
 
-    /** As [readRows] for lists, sooner: hands where their numbers stand, and how many they are, to [use], which reads them. */
+    /**
+     * A fast path for [readRows] that reads lists. Calls [use] for each list, with the position of its first number in
+     * bytes and the count of its numbers.
+     */
     inline fun readLists(element: PlyElement, use: (Int, Int) -> Unit) {
         var rows = 0
         while (rows < element.count) {
@@ -56,7 +59,7 @@ internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder
         note(element, rows)
     }
 
-    /** Moves behind the list at hand and returns its length; -1 if the file ends before it does. */
+    /** Moves past the current list and returns its length, or -1 if the file ends within it. */
     fun nextList(list: PlyProperty): Int {
         if (end - position < list.leastSize) return -1.also { cutOff() }
         val count = listLength(list, next(checkNotNull(list.countType)))
@@ -65,10 +68,13 @@ internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder
         return count
     }
 
-    /** Returns the number of type [PlyType.INT] that stands at a byte. */
+    /** Returns the number of type [PlyType.INT] at byte [at]. */
     fun int(at: Int): Int = buffer.getInt(at)
 
-    /** As [readRows] for rows without lists, which are of one size, sooner: hands their numbers, and where they stand, to [use], which reads them. */
+    /**
+     * A fast path for [readRows] that reads rows without lists, which all have the same size. Calls [use] for each row
+     * that is present, with its number and its position in bytes. Returns the number of rows.
+     */
     inline fun eachRow(element: PlyElement, use: (Int, Int) -> Unit): Int {
         val size = element.properties.sumOf { it.type.size }
         val start = position
@@ -83,10 +89,10 @@ internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder
         this.position = position
     }
 
-    /** Returns the number of type [PlyType.FLOAT] that stands at a byte. */
+    /** Returns the number of type [PlyType.FLOAT] at byte [at]. */
     fun float(at: Int): Float = buffer.getFloat(at)
 
-    /** Returns the number of type [PlyType.UCHAR] that stands at a byte. */
+    /** Returns the number of type [PlyType.UCHAR] at byte [at]. */
     fun code(at: Int): Int = buffer.get(at).toInt() and 0xFF
 
     private fun cutOff(): Boolean {

@@ -3,24 +3,33 @@ package dev.lazyz.scenes.ply
 import dev.lazyz.scenes.loading.Source
 import java.nio.ByteOrder
 
-/** Hands out the rows of the body, one after the other, up to the end of the file. Not thread safe. */
+/** Reads the rows of the body in order, up to the end of the file. Not thread safe. */
 internal abstract class PlyBody(protected val source: Source, private val header: PlyHeader) {
-    /** Where the row that was read last stands. */
+    /** The position of the row that was read last, for error messages. */
     abstract val location: String
 
-    /** By element: how many rows were read. */
+    /** For each element, the number of rows that were read. */
     private val present = HashMap<PlyElement, Int>()
 
-    /** Reads the next row into [row]; false if the file ends before it does. */
+    /** Reads the next row into [row]. Returns false if the file ends within it. */
     abstract fun read(row: PlyRow): Boolean
 
-    /** Returns for how many rows of [element] what is left of the file has room; make no more for them. */
+    /**
+     * Returns the maximum number of rows of [element] that the rest of the file can hold. Reserve memory for no more
+     * rows.
+     */
     abstract fun room(element: PlyElement): Int
 
-    /** Returns how many corners of triangles the rows of [element] have at least, if all have the same number. */
+    /**
+     * Returns the minimum number of triangle corners in the rows of [element] if all lists have the same length, or 0
+     * if it is not known.
+     */
     open fun cornerRoom(element: PlyElement): Int = 0
 
-    /** Hands all rows of [element] that are there, with their numbers, to [use]; returns how many there are. */
+    /**
+     * Calls [use] for each row of [element] that is present, with its number, counted from 0. Returns the number of
+     * rows. The row is reused for the next call.
+     */
     inline fun readRows(element: PlyElement, use: (Int, PlyRow) -> Unit): Int {
         val row = PlyRow(element)
         var count = 0
@@ -33,7 +42,7 @@ internal abstract class PlyBody(protected val source: Source, private val header
         present[element] = count
     }
 
-    /** Tells what was wrong with the rows, after the last. */
+    /** Reports problems with the rows. Call it after the last row. */
     open fun warn() {
         val isCut = present.any { (element, count) -> count < element.count }
         if (!isCut) return
@@ -41,7 +50,10 @@ internal abstract class PlyBody(protected val source: Source, private val header
         source.warn("the file is cut short and has only these rows: $rows; export or copy the model again")
     }
 
-    /** Returns how long a list is whose length the file gives as [count]; Int.MAX_VALUE if it is longer than any. */
+    /**
+     * Returns the length of a list, which the file gives as [count]. Returns `Int.MAX_VALUE` if [count] is larger.
+     * Fails if [count] is not an integer, 0 or more.
+     */
     protected fun listLength(property: PlyProperty, count: Double): Int {
         if (!(count >= 0.0) || (count < Int.MAX_VALUE && count != count.toInt().toDouble())) {
             source.fail(location, "the length of list ${property.name} is $count", "export the model again")
@@ -49,7 +61,10 @@ internal abstract class PlyBody(protected val source: Source, private val header
         return count.toInt()
     }
 
-    /** Returns the [number] of one of [count] vertices, as a row of this body gives it for a [part] such as a face. */
+    /**
+     * Returns the vertex number [number] of the current row as an integer. Fails if it is not a number of one of
+     * [count] vertices. [part], such as a face, describes the row in the error.
+     */
     fun vertexNumber(number: Double, count: Int, part: String): Int {
         if (number >= 0.0 && number < count && number == number.toInt().toDouble()) return number.toInt()
         val shown = if (number == StrictMath.rint(number)) number.toLong().toString() else number.toString()
@@ -61,7 +76,7 @@ internal abstract class PlyBody(protected val source: Source, private val header
     }
 
     companion object {
-        /** Returns the body that [header] describes. */
+        /** Returns the body in the form that [header] specifies. */
         fun of(source: Source, header: PlyHeader): PlyBody = when (header.format) {
             PlyFormat.ASCII -> PlyTextBody(source, header)
             PlyFormat.LITTLE_ENDIAN -> PlyBinaryBody(source, header, ByteOrder.LITTLE_ENDIAN)

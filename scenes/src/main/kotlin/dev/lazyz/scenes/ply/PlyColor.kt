@@ -3,18 +3,18 @@ package dev.lazyz.scenes.ply
 import dev.lazyz.scenes.images.SrgbDecoding
 
 /**
- * The columns of a colour: sRGB-encoded, whole numbers in the range of their type or fractions in 0..1. Alpha is taken as
- * it is.
+ * The columns of a colour. Red, green and blue are sRGB-encoded; alpha is linear. Numbers are integers in the range of
+ * their type, or fractions in 0..1.
  */
 internal class PlyColor private constructor(private val channels: IntArray, private val alpha: Int?) {
     /** The numbers of all columns. */
     val columns: List<Int> = channels.toList() + listOfNotNull(alpha)
 
-    /** Returns red (0), green (1) or blue (2) of [row] in linear light, or its alpha (3). */
+    /** Returns red (0), green (1), blue (2), all linear, or alpha (3) of [row]. */
     fun channel(row: PlyRow, channel: Int): Float {
         if (channel == 3) return if (alpha == null) 1f else (row.numbers[alpha] / most(row, alpha)).toFloat()
 
-        // Codes go by the table, so that they are the colours of the same codes in a texture
+        // Bytes are decoded with a table, so that they give the same colours as the same bytes in a texture
         val column = channels[channel]
         val number = row.numbers[column]
         val isCode = row.properties[column].type == PlyType.UCHAR

@@ -7,18 +7,21 @@ import dev.lazyz.scenes.meshes.VertexArrays
 import dev.lazyz.world.Lines
 
 /**
- * The edges of a file, each between two vertices. They are kept until the vertices are known, which may stand behind
- * them. Not thread safe.
+ * The edges of a file, each between two vertices. They are stored until the vertices are known, because the vertices
+ * may follow them in the file. Not thread safe.
  *
- * @param vertexCount how many vertices there are or will be
- * @param isAgain whether the file is read a second time, so that what limits are about was counted
+ * @param vertexCount number of vertices that the header declares
+ * @param isAgain whether the file is read a second time, so that its edges have already been counted towards the limits
  */
 internal class PlyEdges(private val source: Source, private val vertexCount: Int, private val isAgain: Boolean) {
     private val segments = Ints()
 
     val isEmpty: Boolean get() = segments.size == 0
 
-    /** Reads all rows of element `edge`; returns the numbers of the columns that it read, none if it names no vertices. */
+    /**
+     * Reads all rows of element `edge`. Returns the numbers of the columns that were used; none if the element has no
+     * columns for vertices.
+     */
     fun read(element: PlyElement, body: PlyBody): Set<Int> {
         val columns = listOf("vertex1", "vertex2").mapNotNull { element.column(listOf(it)) }
         if (columns.size < 2) {

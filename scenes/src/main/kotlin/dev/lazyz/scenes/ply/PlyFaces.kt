@@ -4,23 +4,23 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.Polygons
 
 /**
- * Reads the faces of a file: polygons, and strips of triangles with -1 where a new strip begins. They are kept until the
- * vertices are known, which may stand behind them. Not thread safe.
+ * Reads the faces of a file: polygons, and triangle strips, which are separated by -1. They are stored until the
+ * vertices are known, because the vertices may follow them in the file. Not thread safe.
  *
- * @param vertexCount how many vertices there are or will be
+ * @param vertexCount number of vertices that the header declares
  */
 internal class PlyFaces(private val source: Source, private val vertexCount: Int) {
     val polygons = Polygons()
     private var tooSmall = 0
     private var wrongTexture = 0
 
-    /** Warns of what was left out. */
+    /** Reports the faces and lists that were left out. */
     fun warn() {
         if (tooSmall > 0) source.warn("$tooSmall faces of fewer than 3 corners are left out")
         if (wrongTexture > 0) source.warn("$wrongTexture faces have a texcoord list that is not two numbers a corner")
     }
 
-    /** Reads all rows of element `face`; returns the numbers of the columns that it read. */
+    /** Reads all rows of element `face`. Returns the numbers of the columns that were used. */
     fun readFaces(element: PlyElement, body: PlyBody): Set<Int> {
         val column = indexColumn(element)
         val color = PlyColor.of(element)
@@ -59,7 +59,7 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
         return setOf(column) + (color?.columns ?: emptyList()) + listOfNotNull(texture, textureNumber)
     }
 
-    /** Adds the face whose corners stand in [body] from a byte on. */
+    /** Adds a face of [count] corners, whose numbers begin at byte [at] of [body]. */
     private fun face(body: PlyBinaryBody, at: Int, count: Int) {
         if (count == 3) {
             val size = Int.SIZE_BYTES
@@ -83,7 +83,7 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
         }
     }
 
-    /** Reads all rows of element `tristrips`; returns the numbers of the columns that it read. */
+    /** Reads all rows of element `tristrips`. Returns the numbers of the columns that were used. */
     fun readStrips(element: PlyElement, body: PlyBody): Set<Int> {
         val column = indexColumn(element)
         polygons.expect(body.cornerRoom(element))
@@ -113,7 +113,7 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
             val a = corners[i - 2]
             val b = corners[i - 1]
 
-            // A triangle with a corner twice only joins two strips
+            // A triangle with two equal corners only joins two strips
             if (a == b || b == c || a == c) continue
             val isTurned = (i - start) % 2 == 1
             polygons.addTriangle(if (isTurned) b else a, if (isTurned) a else b, c)

@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.ply
 
 /**
- * The types of numbers, each with its two names.
+ * The types of numbers, each with two names.
  *
- * @property names how headers write it: C's name first, then the one with its size in bits
- * @property size bytes in the binary forms
- * @property most the number that means 1 where a colour is of this type
+ * @property names the names used in headers: the C name first, then the one with the size in bits
+ * @property size size in the binary forms, in bytes
+ * @property most the number that stands for 1 in a colour of this type
  */
 internal enum class PlyType(val names: List<String>, val size: Int, val most: Double) {
     CHAR(listOf("char", "int8"), 1, 127.0),
@@ -27,31 +27,38 @@ internal enum class PlyType(val names: List<String>, val size: Int, val most: Do
 /**
  * One column of an element: a number, or a list of numbers.
  *
- * @property name what it is called
- * @property type of the number, or of each number in the list
- * @property countType of the list's length, or null if it is no list
+ * @property name name of the column
+ * @property type type of the number, or of each number in the list
+ * @property countType type of the list's length, or null if the column is not a list
  */
 internal class PlyProperty(val name: String, val type: PlyType, val countType: PlyType?) {
-    /** Least bytes in the binary forms. */
+    /** Minimum size in the binary forms, in bytes. */
     val leastSize: Int get() = (countType ?: type).size
 }
 
 /**
  * A table of the body.
  *
- * @property name what its rows are, such as `vertex`
+ * @property name name of the rows, such as `vertex`
  * @property count number of rows
  * @property properties the columns
  */
 internal class PlyElement(val name: String, val count: Int, val properties: List<PlyProperty>) {
     val hasLists: Boolean = properties.any { it.countType != null }
 
-    /** Returns the number of the column that has one of [names], or null. */
+    /**
+     * Returns the number of the first column whose name is in [names], or null. If [isList], searches only lists,
+     * otherwise only numbers.
+     */
     fun column(names: List<String>, isList: Boolean = false): Int? =
         properties.indexOfFirst { it.name in names && (it.countType != null) == isList }.takeIf { it >= 0 }
 }
 
-/** How the body is written. */
+/**
+ * The forms of the body.
+ *
+ * @property id name in the header
+ */
 internal enum class PlyFormat(val id: String) {
     ASCII("ascii"),
     LITTLE_ENDIAN("binary_little_endian"),
@@ -59,13 +66,13 @@ internal enum class PlyFormat(val id: String) {
 }
 
 /**
- * What stands before the body.
+ * The content of the header.
  *
- * @property format how the body is written
- * @property elements the body's tables in order
- * @property bodyPosition byte where the body begins
+ * @property format form of the body
+ * @property elements the body's tables, in order
+ * @property bodyPosition position of the body's first byte
  * @property bodyLine number of the body's first line
- * @property textureFiles pictures for the surface, from comments of MeshLab's
+ * @property textureFiles names of texture files, from comments that MeshLab writes
  */
 internal class PlyHeader(
     val format: PlyFormat,

@@ -31,7 +31,7 @@ internal class PlyHeaderReader(private val source: Source) {
                 "element" -> element(words)
                 "property" -> property(words)
                 "end_header" -> return header(isMac)
-                else -> fail("\"${words[0]}\" is no word of a PLY header")
+                else -> fail("\"${words[0]}\" is not a keyword of PLY headers")
             }
         }
     }
@@ -42,9 +42,9 @@ internal class PlyHeaderReader(private val source: Source) {
         val vertices = elements.firstOrNull { it.name == "vertex" }
         if (vertices == null) fail("the header has no element vertex")
 
-        // Where lines end with a carriage return alone, a line feed after the last one is the body's first byte
-        val isEaten = isMac && source.bytes[lines.position - 1] == LINE_FEED
-        val position = if (isEaten) lines.position - 1 else lines.position
+        // If lines end with a carriage return alone, a line feed after the last one is the body's first byte
+        val isFirstOfBody = isMac && source.bytes[lines.position - 1] == LINE_FEED
+        val position = if (isFirstOfBody) lines.position - 1 else lines.position
         return PlyHeader(format, elements, position, lines.number + 1, textureFiles)
     }
 

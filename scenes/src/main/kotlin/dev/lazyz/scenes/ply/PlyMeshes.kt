@@ -12,9 +12,9 @@ import dev.lazyz.world.Mesh
 import dev.lazyz.world.Texture
 
 /**
- * Makes meshes of [polygons]: one, or one for each texture.
+ * Builds meshes from [polygons]: one, or one for each texture.
  *
- * @param textureFiles names of pictures; texture numbers count from 0
+ * @param textureFiles names of texture files; texture numbers count from 0
  */
 internal class PlyMeshes(
     private val source: Source,
@@ -31,7 +31,7 @@ internal class PlyMeshes(
         return if (polygons.havePlaces) textured(shaded, triangles) else listOf(shaded)
     }
 
-    /** Returns [whole] in parts, one for each texture. */
+    /** Divides [whole] into one mesh for each texture. */
     private fun textured(whole: Mesh, triangles: PolygonMesh): List<Mesh> {
         val groups = LinkedHashMap<Int, Int>()
         val groupOf = Ints()

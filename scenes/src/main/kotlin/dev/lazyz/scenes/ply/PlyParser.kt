@@ -10,20 +10,24 @@ import dev.lazyz.world.Points
 import dev.lazyz.world.Scene
 
 /**
- * Reads the Polygon File Format (Greg Turk, "The PLY Polygon File Format", Stanford University, 1994) in its ASCII and
- * both binary forms.
+ * Reads the Polygon File Format (Greg Turk, "The PLY Polygon File Format", Stanford University, 1994) in its ASCII form
+ * and both binary forms.
  *
- * The file becomes one mesh, or one for each texture, or points, and lines. Of vertices it takes x, y, z; nx, ny, nz; s, t or
- * u, v (upward, so that v is turned to `1 - v`); red, green, blue, alpha, which are sRGB-encoded, whole numbers in the range
- * of their type or fractions in 0..1. Of faces, which may have any number of corners, it takes colours, where vertices have
- * none, and `texcoord`, two numbers a corner, with `texnumber`; `tristrips` are read too. An element `edge` gives lines
- * between `vertex1` and `vertex2`; a file without faces and edges is a cloud of points. Textures are those that comments
- * `TextureFile` name, with `<this>` for the file's own name. Alpha goes into the vertex colours as it is, and the material
- * stays opaque. Other elements and properties are passed over, with a warning. Without normals in the file they are made
- * smooth up to creases of [CREASE_ANGLE] degrees. Of a file that is cut short, what is there is shown.
+ * The file becomes meshes (one, or one for each texture) and lines, or points if it has no faces and no edges.
+ *
+ * - Properties of vertices: x, y, z; nx, ny, nz; s, t or u, v (upward; v is converted to `1 - v`); red, green, blue and
+ *   alpha. Colours are sRGB-encoded: integers in the range of their type, or fractions in 0..1.
+ * - Properties of faces, which can have any number of corners: colours, used if vertices have none, and `texcoord`, two
+ *   numbers for each corner, with `texnumber`. The element `tristrips` is also read.
+ * - The element `edge` gives lines between `vertex1` and `vertex2`.
+ * - Comments `TextureFile` name the textures; `<this>` stands for the file's own name.
+ *
+ * Alpha is stored unchanged in the vertex colours, and the material stays opaque. Other elements and properties are
+ * ignored with a warning. If the file has no normals, they are computed, smooth up to creases of [CREASE_ANGLE]
+ * degrees. If the file is truncated, the part that is present is shown.
  */
 internal object PlyParser : SceneParser {
-    /** Edges sharper than this stay sharp, degrees. */
+    /** The crease angle in degrees: edges that are sharper stay sharp. */
     const val CREASE_ANGLE = 45.0
 
     override fun parse(source: Source): Scene {

@@ -1,24 +1,24 @@
 package dev.lazyz.scenes.ply
 
-/** One row of an element: [numbers] by column, and [lists] by column where the column is a list. Used over and over. */
+/** One row of an element: [numbers] by column, and [lists] by column for columns that are lists. Rows are reused. */
 internal class PlyRow(val element: PlyElement) {
-    /** By column, as arrays, for they are read for each number. */
+    /** The properties by column, as an array, because they are read for each number. */
     val properties: Array<PlyProperty> = element.properties.toTypedArray()
 
     val numbers = DoubleArray(properties.size)
     val lists = Array(properties.size) { PlyList() }
 }
 
-/** Numbers of a list; longer lists make it longer. */
+/** The numbers of a list. The array grows as needed. */
 internal class PlyList {
-    /** The numbers, and what longer lists before left behind them. */
+    /** The numbers. Elements from [size] on are left over from longer lists. */
     var numbers = DoubleArray(LEAST)
         private set
 
     var size = 0
         private set
 
-    /** Makes room for [size] numbers, which the caller writes. */
+    /** Sets the size to [size] numbers, which the caller must write. */
     fun resize(size: Int) {
         if (size > numbers.size) numbers = DoubleArray(size)
         this.size = size

@@ -6,9 +6,9 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * What stands behind a file's header, as far as it is shown. Not thread safe.
+ * Reads the parts of the body that are shown. Not thread safe.
  *
- * @param origin what is subtracted from all positions
+ * @param origin the point to subtract from all positions
  */
 internal class PlyTables(private val source: Source, private val header: PlyHeader, private val origin: Vector3dc) {
     private val vertexCount = header.elements.first { it.name == "vertex" }.count
@@ -20,7 +20,7 @@ internal class PlyTables(private val source: Source, private val header: PlyHead
     val faces: PlyFaces = PlyFaces(source, vertexCount)
     val edges: PlyEdges = PlyEdges(source, vertexCount, isAgain = origin != Vector3d())
 
-    /** Reads the tables in the order in which they stand. */
+    /** Reads the tables in the order of the file. */
     fun read() {
         for (element in header.elements) {
             val columns = when (element.name) {
@@ -37,7 +37,7 @@ internal class PlyTables(private val source: Source, private val header: PlyHead
         }
     }
 
-    /** Warns of what was passed over. */
+    /** Reports the parts that were ignored. */
     fun warn() {
         body.warn()
         faces.warn()

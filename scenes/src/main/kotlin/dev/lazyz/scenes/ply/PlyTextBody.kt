@@ -5,24 +5,24 @@ import dev.lazyz.scenes.text.Decimal
 import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.scenes.text.TextNumbers
 
-/** A body of lines, one a row. */
+/** A body in the ASCII form: one line for each row. */
 internal class PlyTextBody(source: Source, header: PlyHeader) : PlyBody(source, header) {
     private val lines = TextLines(source.bytes, header.bodyPosition, header.bodyLine)
     private val decimal = Decimal()
 
-    /** How many words of the line were not read yet; only a line with lists is counted. */
+    /** Number of words of the line that have not been read yet. It is valid only for rows with lists. */
     private var wordsLeft = 0
 
-    /** How many rows are to follow, of all elements. */
+    /** Number of rows that follow, of all elements. */
     private var rowsLeft = header.elements.filter { it.properties.isNotEmpty() }.sumOf { it.count.toLong() }
 
-    /** How many rows had words behind their last property. */
+    /** Number of rows with additional words after their last property. */
     private var longRows = 0
 
     override val location get() = "line ${lines.number}"
 
     override fun room(element: PlyElement): Int {
-        // A number and the space behind it take two bytes, except for the very last number
+        // A number and the space after it take two bytes, except for the last number of the file
         val remaining = source.bytes.size - lines.position
         return minOf(element.count.toLong(), (remaining + 1L) / (2L * element.properties.size)).toInt()
     }
@@ -33,7 +33,7 @@ internal class PlyTextBody(source: Source, header: PlyHeader) : PlyBody(source, 
         } while (lines.isBlank())
         rowsLeft--
 
-        // Where the file ends without a line end and with rows still to come, it may end within a number
+        // A file that ends without a line end, and with rows missing, may end within a number
         if (lines.isCutOff && (rowsLeft > 0 || lines.countWords() < row.properties.size)) return false
         if (row.element.hasLists) wordsLeft = lines.countWords()
         for ((column, property) in row.properties.withIndex()) {
@@ -54,7 +54,7 @@ internal class PlyTextBody(source: Source, header: PlyHeader) : PlyBody(source, 
 
     override fun warn() {
         super.warn()
-        if (longRows > 0) source.warn("$longRows rows are longer than their properties; what is behind is passed over")
+        if (longRows > 0) source.warn("$longRows rows have words after their last property; these words are ignored")
     }
 
     private fun tooLong(property: PlyProperty, count: Int): Nothing = source.fail(

@@ -2,11 +2,11 @@ package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.loading.Source
 
-/** The elements and properties of a file that the picture does not show, for one warning about all of them. */
+/** Collects the elements and properties of a file that are not shown, for one warning about all of them. */
 internal class PlyUnused {
     private val unused = ArrayList<String>()
 
-    /** Notes what [element] has besides the columns with the numbers [used]. */
+    /** Adds the columns of [element] whose numbers are not in [used]. */
     fun add(element: PlyElement, used: Set<Int>) {
         if (element.count == 0 || element.properties.isEmpty()) return
         val names = element.properties.filterIndexed { column, _ -> column !in used }.map { it.name }

@@ -20,16 +20,16 @@ internal class PlyVertices(
     private val colorColumns = color?.columns.orEmpty().toIntArray()
     private val isFar = origin != Vector3d()
 
-    /** The numbers of the columns that are read. */
+    /** The numbers of the columns that are used. */
     val columns: Set<Int> =
         setOf(position, normal, texture).filterNotNull().flatMap { it.toList() }.toSet() +
             (color?.columns ?: emptyList())
 
-    /** Reads all rows that are there. */
+    /** Reads all rows that are present. */
     fun read(body: PlyBody): VertexArrays {
         val room = body.room(element)
 
-        // A file that is read a second time, relative to an origin, has no more vertices for that
+        // If the file is read a second time, relative to an origin, its vertices have already been counted
         if (!isFar) source.loading.vertices(source, room.toLong())
         val vertices = VertexArrays(
             FloatArray(3 * room),
@@ -49,14 +49,14 @@ internal class PlyVertices(
         return vertices.first(count)
     }
 
-    /** Whether all that is read is floats, and colours in bytes. */
+    /** Whether all columns in use are floats, and bytes for colours. */
     private fun areFloats(): Boolean {
         val floats = listOfNotNull(position, normal, texture).flatMap { it.toList() }
         return !element.hasLists && floats.all { element.properties[it].type == PlyType.FLOAT } &&
             color?.columns.orEmpty().all { element.properties[it].type == PlyType.UCHAR }
     }
 
-    /** Reads all rows that are there straight from the bytes; returns how many there are. */
+    /** A fast path that reads all rows directly from the bytes. Returns the number of rows that are present. */
     private fun readFloats(body: PlyBinaryBody, to: VertexArrays): Int {
         val places = element.properties.runningFold(0) { place, property -> place + property.type.size }.toIntArray()
         val positionPlaces = IntArray(3) { places[position[it]] }
@@ -98,7 +98,7 @@ internal class PlyVertices(
         }
     }
 
-    /** Returns the numbers of the columns with all of [names], or null. */
+    /** Returns the numbers of the columns called [names], or null unless all of them exist. */
     private fun columns(names: List<String>): IntArray? =
         names.mapNotNull { element.column(listOf(it)) }.takeIf { it.size == names.size }?.toIntArray()
 

@@ -12,15 +12,15 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * Triangles without shared vertices, which find each other: corners with equal coordinates become one vertex.
+ * Triangles that are given without shared vertices. Corners with equal coordinates are merged into one vertex.
  *
- * Equal means equal numbers, with -0 equal to 0 and every NaN equal to every other; nothing is merged for being near.
- * Not thread safe.
+ * Coordinates must be exactly equal, where -0 equals 0 and all NaN are equal. Corners that are only close to each other
+ * are not merged. Not thread safe.
  *
- * @property name what the file calls it
- * @param expectedTriangles how many to make room for
- * @param palette the colours of triangles, if they have any
- * @param origin what was subtracted from all positions
+ * @property name name in the file
+ * @param expectedTriangles number of triangles to reserve memory for
+ * @param palette the colours of triangles, or null if they have none
+ * @param origin the point that was subtracted from all positions
  */
 internal class Solid(
     val name: String,
@@ -28,11 +28,11 @@ internal class Solid(
     private val palette: Palette? = null,
     private val origin: Vector3dc = Vector3d(),
 ) {
-    /** Bits of x, y, z; in a closed mesh there are half as many vertices as triangles. */
+    /** Bits of x, y, z. A closed mesh has half as many vertices as triangles. */
     private val positions = DistinctTriples(expectedTriangles / 2)
     private val triangles = Ints(3 * expectedTriangles)
 
-    /** By triangle: number of its colour, or -1. */
+    /** For each triangle, the number of its colour, or -1. */
     private val colors = Ints()
 
     /** Number of triangles so far. */
@@ -41,13 +41,13 @@ internal class Solid(
     /** Number of vertices so far. */
     val vertexCount: Int get() = positions.size
 
-    /** Adds the next corner; three make a triangle. */
+    /** Adds the next corner. Three corners make a triangle. */
     fun add(x: Float, y: Float, z: Float) {
-        // Adding 0 makes -0 into 0, and toBits all NaN into one
+        // Adding 0 turns -0 into 0, and toBits turns every NaN into the same bits
         triangles.add(positions.add((x + 0f).toBits(), (y + 0f).toBits(), (z + 0f).toBits()))
     }
 
-    /** Gives the triangle that was added last a colour of the palette. */
+    /** Sets the colour of the triangle that was added last; [number] is its number in the palette. */
     fun color(number: Int) {
         colors.add(number)
     }
@@ -61,7 +61,7 @@ internal class Solid(
         return coordinates
     }
 
-    /** Returns the solid, which [source] holds, as a mesh without normals; add no more corners then. */
+    /** Returns the solid, which was read from [source], as a mesh without normals. Do not add corners afterwards. */
     fun mesh(source: Source): Mesh {
         val coordinates = positions()
         val material = Material(name = name)

@@ -10,10 +10,10 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * The ASCII form: any number of solids, each a run of facets. Line breaks are free except after a solid's name. A loop
- * of more than three vertices, which the format does not know but some programs write, is cut into triangles.
+ * Reads the ASCII form: any number of solids, each a sequence of facets. Line breaks can be anywhere; only a solid's
+ * name ends at one. The format allows three vertices in a loop. Some programs write more; such a loop is triangulated.
  *
- * @param origin what is subtracted from all positions
+ * @param origin the point to subtract from all positions
  */
 internal class StlAscii(private val source: Source, private val origin: Vector3dc) {
     private val lines = TextLines(source.bytes)
@@ -21,10 +21,10 @@ internal class StlAscii(private val source: Source, private val origin: Vector3d
 
     private val isFar = origin != Vector3d()
 
-    /** Of the facet at hand. */
+    /** The corners of the current facet. */
     private val corners = Floats()
 
-    /** Whether the word that [lines] read last is yet to be handed out. */
+    /** Whether the word that [lines] read last has not been consumed yet. */
     private var isPeeked = false
 
     /** Reads all solids. */
@@ -53,7 +53,7 @@ internal class StlAscii(private val source: Source, private val origin: Vector3d
     }
 
     private fun facet(solid: Solid) {
-        // The normal's three numbers are passed over, whatever they are
+        // Skip the normal's three numbers without parsing them
         if (advance() && lines.isWord("normal")) repeat(4) { take("the facet's normal") }
         expect("outer")
         expect("loop")
@@ -79,7 +79,7 @@ internal class StlAscii(private val source: Source, private val origin: Vector3d
     private fun add(corner: Int, solid: Solid) =
         solid.add(corners[3 * corner], corners[3 * corner + 1], corners[3 * corner + 2])
 
-    /** Moves to the next word unless there is one to be handed out; false at the end of the file. */
+    /** Moves to the next word, unless there is one that has not been consumed. Returns false at the end of the file. */
     private fun advance(): Boolean {
         if (!isPeeked) isPeeked = lines.nextWordOfText()
         return isPeeked

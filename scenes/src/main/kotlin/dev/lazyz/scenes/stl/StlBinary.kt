@@ -5,7 +5,10 @@ import dev.lazyz.scenes.text.TextEncoding
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
-/** The binary form: 80 bytes of header, a count, and 50 bytes a facet, little endian; for the last two see [StlColors]. */
+/**
+ * Reads the binary form: a header of 80 bytes, a count, and 50 bytes for each facet, little endian. For the last two
+ * bytes of a facet see [StlColors].
+ */
 internal object StlBinary {
     private const val HEADER = 80
     private const val FACETS = HEADER + 4
@@ -13,12 +16,12 @@ internal object StlBinary {
     private const val NORMAL = 12
     private const val WORD = 48
 
-    /** How far a text is searched for bytes that text has not. */
+    /** Number of bytes to search for bytes that do not occur in text. */
     private const val PROBE = 1024
 
     /**
-     * Whether [bytes] are of the binary form. Its header may begin with `solid`, the mark of the ASCII form, but its
-     * count of facets has bytes that no text has, zeros at least.
+     * Whether [bytes] are in the binary form. Its header may also begin with `solid`, like the ASCII form, but its
+     * count of facets contains bytes that do not occur in text, such as zeros.
      */
     fun isBinary(bytes: ByteArray): Boolean {
         val start = TextEncoding.start(bytes, PROBE)
@@ -26,7 +29,7 @@ internal object StlBinary {
         return !isMarked || start.any { it < ' ' && !it.isWhitespace() }
     }
 
-    /** Reads the one solid of the file. */
+    /** Reads the single solid of the file. */
     fun read(source: Source): Solid {
         val bytes = source.bytes
         if (bytes.size < FACETS) {

@@ -5,18 +5,19 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.Palette
 
 /**
- * The colours in the words behind a binary file's facets, of which there are two kinds (A. F. van der Geest, "Colour STL",
- * about 1999, and Materialise, "Colour in binary STL", as VisCAM's and Magics' manuals have them).
+ * The colours in the 16-bit words after a binary file's facets. There are two kinds (A. F. van der Geest, "Colour STL",
+ * about 1999, and Materialise, "Colour in binary STL", as described in the manuals of VisCAM and Magics).
  *
- * - Materialise Magics: the header has `COLOR=` and red, green, blue, alpha of the whole, a byte each. A word with bit 15
- *   clear is a facet's own colour: 5 bits each of red (the lowest), green and blue.
- * - VisCAM, SolidView: the header does not. A word with bit 15 set is a facet's colour: 5 bits each of blue, green, red.
+ * - Materialise Magics: the header contains `COLOR=`, then red, green, blue and alpha of the whole solid, one byte
+ *   each. A word with bit 15 clear is a facet's own colour: 5 bits each of red (the lowest), green and blue.
+ * - VisCAM, SolidView: the header does not contain `COLOR=`. A word with bit 15 set is a facet's colour: 5 bits each of
+ *   blue (the lowest), green and red.
  *
- * Words that are all zero are no colours of either kind. Without `COLOR=` neither are those that have bit 15 clear and are
- * not all the same, for some programs put other numbers there, nor black alone. All numbers are sRGB-encoded; alpha does
- * not count.
+ * Words that are all zero are not colours of either kind. Without `COLOR=`, words are colours only if one of them has
+ * bit 15 set and is not black, and if those with bit 15 clear are all the same, because some programs store other
+ * numbers there. All colours are sRGB-encoded. Alpha is ignored.
  *
- * @property palette the colours that [of] names
+ * @property palette the colours whose numbers [of] returns
  */
 internal class StlColors private constructor(
     private val kind: Kind,
@@ -62,7 +63,7 @@ internal class StlColors private constructor(
                 }
                 val whole = palette.add(red, green, blue, 1f)
 
-                // Programs that write zeros give colours to the whole alone
+                // Programs that write only zeros give a colour to the whole solid, not to its facets
                 return StlColors(if (words.nonZero > 0) Kind.MAGICS else Kind.WHOLE_ONLY, whole, palette)
             }
             if (words.areVisCam) return StlColors(Kind.VISCAM, -1, Palette())

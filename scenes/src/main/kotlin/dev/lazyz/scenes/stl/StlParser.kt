@@ -10,13 +10,13 @@ import dev.lazyz.world.Scene
 /**
  * Reads stereolithography files, ASCII and binary (3D Systems, "Stereolithography Interface Specification", 1989).
  *
- * Each solid becomes a mesh: corners at one position become one vertex, and normals are made smooth up to creases of
- * [CREASE_ANGLE] degrees. The facets' own normals are passed over, because many programs leave them zero or wrong and
- * the corners, counter-clockwise seen from outside, say the same. Colours in the binary form, see [StlColors], become those
- * of vertices.
+ * Each solid becomes a mesh. Corners at the same position become one vertex, and normals are smoothed up to creases of
+ * [CREASE_ANGLE] degrees. The facets' own normals are ignored: many programs leave them zero or wrong, and the order of
+ * the corners, counter-clockwise seen from outside, gives the same information. Colours of facets in the binary form
+ * become vertex colours, see [StlColors].
  */
 internal object StlParser : SceneParser {
-    /** Edges sharper than this stay sharp, degrees: printed parts have chamfers of 45. */
+    /** The crease angle in degrees: edges that are sharper stay sharp. Printed parts have chamfers of 45 degrees. */
     const val CREASE_ANGLE = 30.0
 
     override fun parse(source: Source): Scene {

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.stl
 
-/** What the words behind the facets of a binary file have in common. */
+/** Statistics of the 16-bit words after the facets of a binary file. */
 internal class StlWords {
-    /** How many are not zero. */
+    /** Number of words that are not zero. */
     var nonZero = 0
         private set
 
@@ -10,7 +10,10 @@ internal class StlWords {
     private var firstOther = -1
     private var areOthersEqual = true
 
-    /** Whether they are colours as VisCAM writes them: with bit 15 set, and the others all the same. */
+    /**
+     * Whether the words are colours as VisCAM writes them: at least one has bit 15 set and is not black, and all those
+     * with bit 15 clear are the same.
+     */
     val areVisCam: Boolean get() = hasColors && areOthersEqual
 
     fun add(word: Int) {
@@ -22,7 +25,7 @@ internal class StlWords {
     }
 
     private companion object {
-        /** Bit 15, and no colour else. */
+        /** Bit 15 alone, the colour black. */
         const val BLACK = 1 shl 15
     }
 }

@@ -11,8 +11,8 @@ import javax.xml.stream.XMLStreamException
 import javax.xml.stream.XMLStreamReader
 
 /**
- * The elements of an XML part of a package, one after the other. There are no document type definitions, entities of one's
- * own or references to other files. Names are told without their namespaces. Not thread safe.
+ * Reads the elements of an XML part of a package in order. Document type definitions, custom entities and references to
+ * other files are not supported. Namespaces of names are ignored. Not thread safe.
  *
  * @property path the part's name in the package
  */
@@ -21,22 +21,22 @@ internal class PackagePart(val source: Source, val path: String, input: InputStr
     private val reader: XMLStreamReader = guarded { factory.createXMLStreamReader(text) }
     private val names = HashSet<String>()
 
-    /** How many elements are open. */
+    /** Number of open elements. */
     var depth = 0
         private set
 
-    /** The name of the element at hand. */
+    /** The name of the current element. */
     val name: String get() = local(reader.localName)
 
     val attributeCount: Int get() = reader.attributeCount
 
-    /** Hands the name of each element within the one at hand to [use], and passes over what [use] does not read. */
+    /** Calls [use] with the name of each child of the current element. Content that [use] does not read is skipped. */
     inline fun forEachChild(use: (String) -> Unit) {
         val inside = depth
         while (next(inside)) use(name)
     }
 
-    /** Moves to the next element directly in the one at depth [inside]; false after the last. */
+    /** Moves to the next child of the element at depth [inside]. Returns false after the last one. */
     fun next(inside: Int): Boolean {
         while (true) {
             when (guarded { reader.next() }) {
@@ -63,14 +63,14 @@ internal class PackagePart(val source: Source, val path: String, input: InputStr
         return null
     }
 
-    /** Returns the whole number, 0 or more, that the attribute called [name] is, or null if it is not there. */
+    /** Returns the integer, 0 or more, in the attribute called [name], or null if there is no such attribute. */
     fun number(name: String): Int? = attribute(name)?.let { whole(it) }
 
-    /** Returns the whole number, 0 or more, that [value] is. */
+    /** Parses [value] as an integer, 0 or more. */
     fun whole(value: String): Int = value.trim().toIntOrNull()?.takeIf { it >= 0 }
         ?: fail("\"$value\" is not a whole number in 0..${Int.MAX_VALUE}")
 
-    /** Returns the number that [value] is. */
+    /** Parses [value] as a number. */
     fun float(value: String): Float = try {
         java.lang.Float.parseFloat(value)
     } catch (_: NumberFormatException) {
@@ -92,7 +92,7 @@ internal class PackagePart(val source: Source, val path: String, input: InputStr
         for (i in 0 until attributeCount) checkName(reader.getAttributeLocalName(i))
     }
 
-    /** The parser keeps each different name, so that there must not be too many. */
+    /** Limits the number of different names, because the parser keeps each of them in memory. */
     private fun checkName(name: String) {
         if (names.add(name) && names.size > MOST_NAMES) fail("the part has more than $MOST_NAMES different names")
     }

@@ -8,7 +8,7 @@ import dev.lazyz.world.Mesh
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
 
-/** Puts together what is to be built: objects of any part, each as often as it is placed. Not thread safe. */
+/** Assembles the items of the build: objects of any part, each as many times as it is placed. Not thread safe. */
 internal class ThreeMfBuild(private val source: Source) {
     private val archive = ThreeMfPackage(source)
     private val unused = KindCounts()
@@ -19,7 +19,7 @@ internal class ThreeMfBuild(private val source: Source) {
     private val open = LinkedHashSet<Pair<String, Int>>()
     private var supports = 0
 
-    /** Returns the meshes of all items, in their order. */
+    /** Returns the meshes of all items, in order. */
     fun meshes(): List<Mesh> {
         val root = model(archive.modelPath) ?: source.fail(archive.modelPath, "is missing", "export the model again")
         for (item in root.items) place(item, Matrix4d(), NO_LOOK)
@@ -39,7 +39,10 @@ internal class ThreeMfBuild(private val source: Source) {
         }
     }
 
-    /** Adds what [placement] stands for, in the space that [toWorld] is from; [inherited] are the looks of what it is in. */
+    /**
+     * Adds the object that [placement] refers to. [toWorld] is the transform from the space of the placement to world
+     * space, and [inherited] the default look of the object that contains it.
+     */
     private fun place(placement: Placement, toWorld: Matrix4dc, inherited: DefaultLook) {
         val model = model(placement.path)
             ?: source.fail(placement.path, "is missing from the package", "export the model again")
@@ -65,7 +68,7 @@ internal class ThreeMfBuild(private val source: Source) {
             placed.add(mesh.transformed(transform))
         }
         for (component in found.components) {
-            // Groups have other numbers in other parts
+            // Numbers of groups are local to a part
             val isSamePart = model(component.path) === model
             place(component, transform, if (isSamePart) look else NO_LOOK)
         }

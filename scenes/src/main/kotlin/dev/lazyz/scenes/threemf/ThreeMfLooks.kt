@@ -4,7 +4,7 @@ import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.meshes.Palette
 import dev.lazyz.scenes.meshes.TexturePlaces
 
-/** The groups of colours and texture coordinates of a model part, by number, and what is in them. */
+/** The groups of colours and texture coordinates of a model part, by number, and their content. */
 internal class ThreeMfLooks {
     val palette = Palette()
     val places = TexturePlaces()
@@ -16,7 +16,7 @@ internal class ThreeMfLooks {
     val groups = HashMap<Int, Group>()
 
     /**
-     * What corners can refer to: [numbers] of colours, or of texture coordinates.
+     * A group that corners can refer to: [numbers] of colours, or of texture coordinates.
      *
      * @property texture number of the texture, or -1 for colours
      */
@@ -26,11 +26,11 @@ internal class ThreeMfLooks {
 }
 
 /**
- * A picture in the package.
+ * A texture in the package.
  *
- * @property path the part's name
- * @property wrapU what is beyond its sides: `wrap`, `mirror`, `clamp` or `none`
- * @property wrapV what is above and below it
- * @property isSmooth whether texels are blended
+ * @property path name of the part that contains the image
+ * @property wrapU tiling in the direction of u: `wrap`, `mirror`, `clamp` or `none`; null if not given
+ * @property wrapV tiling in the direction of v; see [wrapU]
+ * @property isSmooth whether texels are interpolated
  */
 internal class ThreeMfTexture(val path: String, val wrapU: String?, val wrapV: String?, val isSmooth: Boolean)

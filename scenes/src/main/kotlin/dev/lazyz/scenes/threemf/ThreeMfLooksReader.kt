@@ -5,17 +5,17 @@ import dev.lazyz.scenes.images.SrgbDecoding
 import dev.lazyz.scenes.text.TextLines
 
 /**
- * Reads the groups of colours and texture coordinates of a model part (core specification, 5, and "Materials and Properties
- * Extension", version 1.2.1). Not thread safe.
+ * Reads the groups of colours and texture coordinates of a model part (core specification, 5, and "Materials and
+ * Properties Extension", version 1.2.1). Not thread safe.
  *
- * @param unused what is there and not shown
+ * @param unused counts the features that are not shown
  */
 internal class ThreeMfLooksReader(
     private val part: PackagePart,
     private val looks: ThreeMfLooks,
     private val unused: KindCounts,
 ) {
-    /** Reads the element at hand if it is one of its own; false if it is not. */
+    /** Reads the current element if it is a group or a texture; returns false otherwise. */
     fun read(name: String): Boolean {
         when (name) {
             "basematerials" -> readColors("base", "displaycolor", isOpaqueWithoutAlpha = true)
@@ -31,7 +31,10 @@ internal class ThreeMfLooksReader(
 
     private fun id(): Int = part.number("id") ?: part.fail("the group has no id")
 
-    /** Some programs write an alpha of 0 for base materials that are opaque, which nobody would see otherwise. */
+    /**
+     * Reads a group of colours. Some programs write an alpha of 0 for opaque base materials, which would be invisible;
+     * with [isOpaqueWithoutAlpha] they are read as opaque.
+     */
     private fun readColors(element: String, attribute: String, isOpaqueWithoutAlpha: Boolean) {
         val group = ThreeMfLooks.Group()
         looks.groups[id()] = group
@@ -42,7 +45,10 @@ internal class ThreeMfLooksReader(
         }
     }
 
-    /** Returns the number of the colour `#RRGGBB` or `#RRGGBBAA`, sRGB-encoded but for alpha; white if it is none. */
+    /**
+     * Returns the number of the colour `#RRGGBB` or `#RRGGBBAA`, or of white if [text] is not a colour. All channels
+     * except alpha are sRGB-encoded.
+     */
     private fun color(text: String?, isOpaqueWithoutAlpha: Boolean): Int {
         val digits = text?.trim()?.let { colorForm.matchEntire(it) }?.groupValues?.get(1)
         if (digits == null && text != null) unused.add("colours that are not #RRGGBB or #RRGGBBAA")
@@ -78,7 +84,7 @@ internal class ThreeMfLooksReader(
         }
     }
 
-    /** Mixes of base materials: the mean of their colours in linear light, weighted. */
+    /** Reads mixes of base materials: the weighted mean of their colours, computed in linear light. */
     private fun readMixes() {
         val group = ThreeMfLooks.Group()
         looks.groups[id()] = group
@@ -101,7 +107,10 @@ internal class ThreeMfLooksReader(
         }
     }
 
-    /** Layers on top of each other, of which the last texture is taken, or the first colour if there is no texture. */
+    /**
+     * Reads layers that lie on top of each other. Uses the last layer with a texture, or the first layer if none has
+     * one.
+     */
     private fun readLayers() {
         val ids = numbers("pids").map { part.whole(it) }
         val shown = ids.indexOfLast { (looks.groups[it]?.texture ?: -1) >= 0 }.coerceAtLeast(0)
@@ -110,7 +119,7 @@ internal class ThreeMfLooksReader(
         looks.groups[id()] = group
         if (ids.size > 1) repeat(ids.size - 1) { unused.add("layers of multiproperties") }
         part.forEachChild {
-            // What a layer does not say is its first
+            // A missing index means the first element of the layer
             val index = numbers("pindices").getOrNull(shown)?.let { part.whole(it) } ?: 0
             if (layer != null && index < layer.numbers.size) group.numbers.add(layer.numbers[index])
         }

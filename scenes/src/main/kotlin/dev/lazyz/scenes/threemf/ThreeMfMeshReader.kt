@@ -6,7 +6,7 @@ import dev.lazyz.scenes.collections.KindCounts
  * Reads the triangles of an object, and the looks of their corners. Not thread safe.
  *
  * @param to the object
- * @param unused what is there and not shown
+ * @param unused counts the features that are not shown
  */
 internal class ThreeMfMeshReader(
     private val part: PackagePart,
@@ -18,7 +18,7 @@ internal class ThreeMfMeshReader(
     private val corners = IntArray(3)
     private val looks = IntArray(3)
 
-    /** Reads the element at hand. */
+    /** Reads the current element. */
     fun read() {
         part.forEachChild { name ->
             when (name) {
@@ -62,7 +62,7 @@ internal class ThreeMfMeshReader(
                 "p2" -> looks[1] = part.whole(part.attribute(i))
                 "p3" -> looks[2] = part.whole(part.attribute(i))
 
-                // Filaments that slicers paint with
+                // Filaments that slicers use for painting
                 "paint_color", "mmu_segmentation" -> unused.add("painted triangles")
             }
         }
@@ -89,7 +89,7 @@ internal class ThreeMfMeshReader(
     }
 
     private companion object {
-        /** A bit for each of three. */
+        /** One bit for each of three corners or coordinates, all set. */
         const val ALL = 7
     }
 }

@@ -9,16 +9,16 @@ import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
 
-/** A group and a number in it, for triangles without looks of their own; the group is -1 if there are none. */
+/** The look of triangles without their own: a group and an index in it. The group is -1 if there is no such look. */
 internal data class DefaultLook(val group: Int, val index: Int)
 
-/** Makes meshes of objects' triangles. Not thread safe. */
+/** Builds meshes from the triangles of objects. Not thread safe. */
 internal class ThreeMfMeshes(private val source: Source, private val textures: ThreeMfTextures) {
-    /** How many triangles refer to looks that are not there. */
+    /** Number of triangles that refer to looks that do not exist. */
     var withoutLooks = 0
         private set
 
-    /** Returns the triangles of [found], which [model] defines, with smooth normals; one mesh for each texture. */
+    /** Returns the triangles of [found], which [model] defines, with smooth normals: one mesh for each texture. */
     fun build(model: ThreeMfModel, found: ThreeMfObject, default: DefaultLook): List<Mesh> {
         if (found.triangles.size == 0) return emptyList()
         val mesh = CornerMesh(found.vertices(), model.looks.palette, model.looks.places)

@@ -7,57 +7,62 @@ import dev.lazyz.scenes.meshes.VertexArrays
 import org.joml.Matrix4d
 import org.joml.Vector3d
 
-/** What a model part defines, by the numbers that the part gives to it. */
+/** The content of a model part. Objects have the numbers that the part gives them. */
 internal class ThreeMfModel(val path: String) {
     val objects = HashMap<Int, ThreeMfObject>()
     val looks = ThreeMfLooks()
 
-    /** The items to build, in order; of the first part only. */
+    /** The items to build, in order. Only those of the package's main part are used. */
     val items = ArrayList<Placement>()
 }
 
 /**
- * An object put somewhere.
+ * A reference to an object, with a transform.
  *
- * @property path the part that the object is in
- * @property number the object's there
- * @property transform where to
+ * @property path the part that contains the object
+ * @property number the object's number in that part
+ * @property transform transform from the object's space to the space of the object or build that contains the reference
  */
 internal class Placement(val path: String, val number: Int, val transform: Matrix4d)
 
 /**
- * A thing to build: triangles, or other objects put together.
+ * An object to build: triangles, or a combination of other objects.
  *
- * @property isSupport whether it is there only to hold up others while they are printed
- * @property name what the file calls it
+ * @property isSupport whether the object only supports others during printing
+ * @property name name in the file
  */
 internal class ThreeMfObject(val isSupport: Boolean, val name: String) {
     val components = ArrayList<Placement>()
 
-    /** x, y, z of each vertex: the nearest floats, and what the numbers in the file are more than those. */
+    /** x, y, z of each vertex as the nearest floats. [remainders] are the numbers in the file minus these floats. */
     val positions = Floats()
     private val remainders = Floats()
 
-    /** Three vertex numbers a triangle. */
+    /** Vertex numbers, three for each triangle. */
     val triangles = Ints()
 
     /**
-     * For each triangle up to the last that has them, the number of the group of its looks, and three numbers in it, one
-     * a corner; the group is -1 where it has none.
+     * Four numbers for each triangle, up to the last triangle with a look: the number of its group, and for each corner
+     * the index in the group. The group is -1 for triangles without their own look.
      */
     val looks = Ints()
 
-    /** The group and the number in it for triangles without looks of their own; the group is -1 if there are none. */
+    /**
+     * The default look for triangles without their own: a group and an index in it. The group is -1 if there is none.
+     */
     var defaultGroup = -1
     var defaultIndex = 0
 
-    /** Adds a coordinate, which is nearest to the float [nearest]. */
+    /** Adds a coordinate. [nearest] is the float that is nearest to it. */
     fun add(coordinate: Double, nearest: Float) {
         positions.add(nearest)
         remainders.add((coordinate - nearest).toFloat())
     }
 
-    /** Returns the vertices; relative to an origin if they are far away from that of the world, for their size. */
+    /**
+     * Returns the vertices. If their distance from the world's origin is large compared to their extent, they are
+     * relative to an origin of their own.
+     */
     fun vertices(): VertexArrays {
         val near = positions.toArray()
         val origin = Box.around(near)?.origin()

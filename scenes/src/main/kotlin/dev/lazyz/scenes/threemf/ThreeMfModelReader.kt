@@ -5,10 +5,10 @@ import dev.lazyz.scenes.text.TextLines
 import org.joml.Matrix4d
 
 /**
- * Reads a model part (3MF Consortium, "3MF Core Specification", version 1.3.0, with "Production Extension", version 1.1.2).
- * Names are told apart without their namespaces. Not thread safe.
+ * Reads a model part (3MF Consortium, "3MF Core Specification", version 1.3.0, with "Production Extension", version
+ * 1.1.2). Namespaces of names are ignored. Not thread safe.
  *
- * @param unused what is there and not shown
+ * @param unused counts the features that are not shown
  */
 internal class ThreeMfModelReader(private val part: PackagePart, path: String, private val unused: KindCounts) {
     private val model = ThreeMfModel(path)
@@ -21,7 +21,7 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
                 when (name) {
                     "resources" -> part.forEachChild { readResource(it) }
                     "build" -> part.forEachChild { if (it == "item") model.items.add(placement()) }
-                    !in SILENT -> unused.add(name)
+                    !in IRRELEVANT -> unused.add(name)
                 }
             }
         }
@@ -32,7 +32,7 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
     private fun readResource(name: String) {
         if (name == "object") {
             readObject()
-        } else if (!looks.read(name) && name !in SILENT) {
+        } else if (!looks.read(name) && name !in IRRELEVANT) {
             unused.add(name)
         }
     }
@@ -49,7 +49,7 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
             when (name) {
                 "mesh" -> ThreeMfMeshReader(part, found, unused).read()
                 "components" -> part.forEachChild { if (it == "component") found.components.add(placement()) }
-                !in SILENT -> unused.add(name)
+                !in IRRELEVANT -> unused.add(name)
             }
         }
     }
@@ -60,8 +60,9 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
     }
 
     /**
-     * Returns what the element's transform says. The file multiplies rows by matrices and gives them row by row, JOML
-     * multiplies matrices by columns and takes them column by column, so that the numbers have the same order.
+     * Returns the transform of the current element, or the identity if it has none. The file multiplies row vectors by
+     * matrices and stores matrices by rows. JOML multiplies matrices by column vectors and stores matrices by columns.
+     * The numbers are therefore in the same order.
      */
     private fun transform(): Matrix4d {
         val text = part.attribute("transform") ?: return Matrix4d()
@@ -75,7 +76,7 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
     }
 
     private companion object {
-        /** Elements that say nothing about the picture. */
-        val SILENT = setOf("metadata", "metadatagroup", "trianglesets")
+        /** Elements that do not affect the picture. */
+        val IRRELEVANT = setOf("metadata", "metadatagroup", "trianglesets")
     }
 }

@@ -7,17 +7,19 @@ import dev.lazyz.world.Scene
 /**
  * Reads the 3D Manufacturing Format: a ZIP archive of XML (3MF Consortium, "3MF Core Specification", version 1.3.0).
  *
- * All items of the build are shown, each object a mesh (one for each texture), with the transforms of components and items,
- * also from other parts of the package (Production Extension). Colours are those of base materials, colour groups and mixes
- * of base materials, sRGB-encoded, and textures of texture groups (Materials Extension); an object without looks has those
- * of what it is a component of. Base materials with an alpha of 0 count as opaque. Where colours or textures let something through, so does the material. Of layers of
- * properties one is shown. Supports, beams, slices and what else is not triangles are passed over, with a warning. Units
- * are passed over, for a picture is the same in all. Normals are made smooth up to creases of [CREASE_ANGLE] degrees.
+ * All items of the build are shown, each object as a mesh (one for each texture), with the transforms of components and
+ * items, also from other parts of the package (Production Extension). Colours come from base materials, colour groups
+ * and mixes of base materials, sRGB-encoded, and from textures of texture groups (Materials Extension). An object
+ * without looks inherits those of the object that contains it as a component. Base materials with an alpha of 0 are
+ * treated as opaque. If colours or textures are translucent, so is the material. Only one of several layers of
+ * properties is shown. Supports, beams, slices and everything else that is not a triangle are ignored with a warning.
+ * Units are ignored, because they do not change the picture. Normals are smoothed up to creases of [CREASE_ANGLE]
+ * degrees.
  *
- * The file's z axis is up, and stays as it is.
+ * The file's z axis points upward. It is not converted.
  */
 internal object ThreeMfParser : SceneParser {
-    /** Edges sharper than this stay sharp, degrees: printed parts have chamfers of 45. */
+    /** The crease angle in degrees: edges that are sharper stay sharp. Printed parts have chamfers of 45 degrees. */
     const val CREASE_ANGLE = 30.0
 
     override fun parse(source: Source): Scene {

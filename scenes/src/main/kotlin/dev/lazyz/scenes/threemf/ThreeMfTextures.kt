@@ -10,7 +10,9 @@ import dev.lazyz.world.TextureWrap
 internal class ThreeMfTextures(private val source: Source, private val archive: ThreeMfPackage) {
     private val decoded = HashMap<String, Texture?>()
 
-    /** Returns the picture that [texture] stands for; null, with a warning, if it is missing or cannot be decoded. */
+    /**
+     * Returns the texture described by [texture]. Returns null, with a warning, if it is missing or cannot be decoded.
+     */
     fun find(texture: ThreeMfTexture): Texture? {
         val picture = decoded.getOrPut(texture.path) { decode(texture.path) } ?: return null
         val filter = if (texture.isSmooth) TextureFilter.BILINEAR else TextureFilter.NEAREST

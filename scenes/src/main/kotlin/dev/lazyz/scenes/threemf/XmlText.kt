@@ -8,12 +8,12 @@ import java.io.InputStreamReader
 import java.io.Reader
 
 /**
- * The characters of an XML part, which is UTF-8 or UTF-16 (Open Packaging Conventions, 6.2.5); what is not becomes U+FFFD.
- * No tag or text is so long that it could fill the memory of a parser.
+ * The characters of an XML part, which is UTF-8 or UTF-16 (Open Packaging Conventions, 6.2.5). Invalid bytes become
+ * U+FFFD. The length of a tag or text is limited, so that a parser cannot run out of memory.
  */
 internal class XmlText private constructor(private val source: Source, private val path: String, reader: Reader,) :
     FilterReader(reader) {
-    /** Characters since the last end of a tag. */
+    /** Number of characters since the last `>`. */
     private var length = 0L
 
     override fun read(): Int = CharArray(1).let { if (read(it, 0, 1) < 0) -1 else it[0].code }
@@ -45,7 +45,7 @@ internal class XmlText private constructor(private val source: Source, private v
         private fun reader(bytes: InputStream, first: ByteArray): Reader = when {
             first.size < 2 -> InputStreamReader(bytes, Charsets.UTF_8)
 
-            // A mark, which is no character of the text, or a first character without one
+            // A byte order mark, which is not part of the text, or a first character without one
             first[0] == 0xFE.toByte() || first[0] == 0xFF.toByte() -> InputStreamReader(bytes, Charsets.UTF_16)
             first[0] == 0.toByte() -> InputStreamReader(bytes, Charsets.UTF_16BE)
             first[1] == 0.toByte() -> InputStreamReader(bytes, Charsets.UTF_16LE)

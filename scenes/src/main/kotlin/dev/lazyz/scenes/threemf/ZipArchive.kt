@@ -9,9 +9,9 @@ import java.util.zip.Inflater
 import java.util.zip.InflaterInputStream
 
 /**
- * The files in a ZIP archive, found by its directory (PKWARE, ".ZIP File Format Specification", version 6.3.10, with the
- * directory's 64-bit numbers). Names are compared without regard to case, as the Open Packaging Conventions say (ECMA-376,
- * part 2, 6.2.2.3). Not thread safe.
+ * The files in a ZIP archive, found through its directory (PKWARE, ".ZIP File Format Specification", version 6.3.10,
+ * including the directory's 64-bit numbers). Names are compared without regard to case, as the Open Packaging
+ * Conventions require (ECMA-376, part 2, 6.2.2.3). Not thread safe.
  */
 internal class ZipArchive(private val source: Source) {
     private class Entry(val name: String, val method: Int, val isEncrypted: Boolean, val size: Long, val position: Long)
@@ -26,7 +26,10 @@ internal class ZipArchive(private val source: Source) {
     /** The names of all files, in the directory's order. */
     val names: List<String> get() = entries.values.map { it.name }
 
-    /** Returns the decoded bytes of the file called [name], or null if there is none; each counts as decoded when it is read. */
+    /**
+     * Returns the decompressed bytes of the file called [name], or null if there is none. Bytes of compressed files
+     * count towards the limits as they are read.
+     */
     fun open(name: String): InputStream? {
         val entry = entries[key(name)] ?: return null
         if (entry.isEncrypted) source.fail(entry.name, "is encrypted", "save the model without a password")
@@ -65,7 +68,7 @@ internal class ZipArchive(private val source: Source) {
         }
     }
 
-    /** Reads the entry of the directory at [at]; returns where the next is. */
+    /** Reads the directory entry at [at], and returns the position of the next one. */
     private fun readEntry(at: Int): Long {
         if (buffer.getInt(at) != DIRECTORY_MARK) damaged()
         val nameLength = short(at + 28)
@@ -74,7 +77,8 @@ internal class ZipArchive(private val source: Source) {
         if (next > buffer.limit()) damaged()
         val name = String(source.bytes, at + DIRECTORY_HEADER, nameLength, Charsets.UTF_8)
 
-        // Numbers that do not fit 32 bits stand in a field of their own: both sizes and the position, where each is needed
+        // Numbers that do not fit into 32 bits are in an extra field, in this order and only where needed: both sizes,
+        // the position
         val length = buffer.getInt(at + 24).toLong() and MOST_INT
         var size = buffer.getInt(at + 20).toLong() and MOST_INT
         var position = buffer.getInt(at + 42).toLong() and MOST_INT
@@ -89,7 +93,10 @@ internal class ZipArchive(private val source: Source) {
         return next
     }
 
-    /** Returns where the 64-bit numbers begin in the extra fields at [start], or the end of the file. */
+    /**
+     * Returns the position of the 64-bit numbers in the extra fields at [start], or the end of the file if there are
+     * none.
+     */
     private fun largeNumbers(start: Int, length: Int): Int {
         var at = start
         while (at + 4 <= start + length) {
@@ -106,7 +113,7 @@ internal class ZipArchive(private val source: Source) {
     private fun damaged(): Nothing =
         source.fail(null, "the ZIP archive's directory is damaged", "export or copy the model again")
 
-    /** Decoded bytes, none of which is made beyond the limits. */
+    /** Decompressed bytes. They are counted towards the limits as they are read. */
     private class Limited(private val source: Source, private val decoded: InputStream) : InputStream() {
         override fun read(): Int = ByteArray(1).let { if (read(it, 0, 1) < 0) -1 else it[0].toInt() and 0xFF }
 

@@ -121,7 +121,7 @@ class PlyErrorsTest {
     fun longRowsGiveOneWarning() {
         val source = TestSources.of(ascii(body = "0 0 0 7\n1 0 0\n0 1 0 x y\n3 0 1 2 9\n"))
         assertEquals(1, PlyParser.parse(source).meshes.single().triangleCount)
-        val expected = "3 rows are longer than their properties; what is behind is passed over"
+        val expected = "3 rows have words after their last property; these words are ignored"
         assertEquals("test: $expected", source.warnings.single())
     }
 

@@ -3,7 +3,11 @@ package dev.lazyz.scenes.gltf.animation
 import kotlin.math.abs
 import kotlin.math.sqrt
 
-/** How values between two keyframes come about (glTF 2.0, appendix C). */
+/**
+ * How values between two keyframes are interpolated (glTF 2.0, appendix C).
+ *
+ * @property valuesPerKey number of stored values for each key
+ */
 internal enum class Interpolation(val valuesPerKey: Int) {
     STEP(1),
     LINEAR(1),
@@ -11,13 +15,14 @@ internal enum class Interpolation(val valuesPerKey: Int) {
 }
 
 /**
- * Values at moments, and what lies between them (glTF 2.0, section 3.11 and appendix C).
+ * Values at given times, and the interpolation between them (glTF 2.0, section 3.11 and appendix C).
  *
- * All arithmetic is in doubles with [StrictMath], so that a moment is the same bits on every machine.
+ * All arithmetic uses doubles and [StrictMath], so results are bit for bit the same on every machine.
  *
- * @param times in seconds, ascending, one at least
- * @param values so many numbers a key as [width] times [Interpolation.valuesPerKey]; for a spline the tangent before the
+ * @param times in seconds, ascending, at least one
+ * @param values for each key, [width] times [Interpolation.valuesPerKey] numbers; for a spline: the tangent before the
  *   key, the value, and the tangent after it
+ * @param width number of components of a value
  */
 internal class Keyframes(
     private val times: FloatArray,
@@ -25,7 +30,10 @@ internal class Keyframes(
     private val width: Int,
     private val interpolation: Interpolation,
 ) {
-    /** Returns the value at [time], which before the first key is the first one's, and after the last the last one's. */
+    /**
+     * Returns the value at [time], in seconds. Before the first key it is the first value, and after the last key the
+     * last value.
+     */
     fun at(time: Double): DoubleArray = between(time) { from, to, fraction ->
         when (interpolation) {
             Interpolation.STEP -> value(from)
@@ -34,7 +42,7 @@ internal class Keyframes(
         }
     }
 
-    /** Returns the unit quaternion at [time]; linear means along the shorter arc. */
+    /** Returns the unit quaternion at [time], in seconds. Linear interpolation follows the shorter arc. */
     fun rotationAt(time: Double): DoubleArray = normalized(
         if (interpolation == Interpolation.LINEAR) {
             between(time) { from, to, fraction -> arc(value(from), value(to), fraction) }
@@ -67,7 +75,7 @@ internal class Keyframes(
     private fun mix(a: DoubleArray, b: DoubleArray, ofA: Double, ofB: Double) =
         DoubleArray(width) { a[it] * ofA + b[it] * ofB }
 
-    /** A Hermite spline; tangents are per second. */
+    /** Interpolates with a cubic Hermite spline. Tangents are per second. */
     private fun spline(from: Int, to: Int, t: Double): DoubleArray {
         val length = times[to].toDouble() - times[from]
         val square = t * t
@@ -92,7 +100,10 @@ internal class Keyframes(
     }
 
     private companion object {
-        /** Above it an arc is as good as a line, and its sine too small to divide by. */
+        /**
+         * If the dot product of two quaternions is at least this large, they are interpolated linearly: the difference
+         * is negligible, and the sine of the angle is too small to divide by.
+         */
         const val NEARLY_EQUAL = 0.9999
     }
 }

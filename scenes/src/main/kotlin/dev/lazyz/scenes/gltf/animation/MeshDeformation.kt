@@ -4,24 +4,27 @@ import dev.lazyz.world.Mesh
 import kotlin.math.sqrt
 
 /**
- * Which joints move a vertex, and how much: four of each for every vertex, as `JOINTS_0` and `WEIGHTS_0` have them.
+ * The joints that move the vertices, and their weights: four of each for every vertex, as in `JOINTS_0` and
+ * `WEIGHTS_0`.
  *
  * @property joints numbers of joints
- * @property weights not yet of sum 1
+ * @property weights weights, whose sum need not be 1
  */
 internal class JointWeights(val joints: FloatArray, val weights: FloatArray)
 
 /**
- * What a morph target adds to a mesh (glTF 2.0, section 3.7.2.2).
+ * The differences that a morph target adds to a mesh (glTF 2.0, section 3.7.2.2).
  *
- * @property positions three numbers a vertex, or null
- * @property normals three numbers a vertex, or null
+ * @property positions three numbers for each vertex, or null
+ * @property normals three numbers for each vertex, or null
  */
 internal class MorphTarget(val positions: FloatArray?, val normals: FloatArray?)
 
-/** Bends meshes; a mesh stays as it is, and another one is made. Doubles, and one order of operations. */
+/**
+ * Deforms meshes. The given mesh is not changed; the result is a new one. All arithmetic uses doubles in a fixed order.
+ */
 internal object MeshDeformation {
-    /** Returns [mesh] with so much of each of [targets] as [weights] say. */
+    /** Returns [mesh] plus the sum of [targets], each multiplied by its number in [weights]. */
     fun morphed(mesh: Mesh, targets: List<MorphTarget>, weights: DoubleArray): Mesh {
         val positions = sums(mesh.positions, targets.map { it.positions }, weights)
         val normals = mesh.normals?.let { sums(it, targets.map { target -> target.normals }, weights) }
@@ -38,11 +41,11 @@ internal object MeshDeformation {
     }
 
     /**
-     * Returns [mesh] as its joints stand (section 3.7.3.3). Weights are made to have the sum 1; a vertex without any
-     * follows its first joint.
+     * Returns [mesh] in the current pose of its joints (section 3.7.3.3). Weights are divided by their sum. A vertex
+     * without weights follows its first joint.
      *
-     * @param matrices from the mesh's space to world space, for each joint
-     * @param isMirror whether triangles are to be turned round
+     * @param matrices for each joint, the transform from the mesh's space to world space
+     * @param isMirror whether to reverse the winding of the triangles
      * @throws IllegalArgumentException if a vertex follows a joint that does not exist
      */
     fun skinned(mesh: Mesh, sets: List<JointWeights>, matrices: List<DoubleArray>, isMirror: Boolean): Mesh {
@@ -90,7 +93,10 @@ internal object MeshDeformation {
         for (row in 0 until 3) to[at + row] = (m[row] * x + m[4 + row] * y + m[8 + row] * z + m[12 + row]).toFloat()
     }
 
-    /** Normals go by the cofactors, which are the inverse transpose but for a factor that may be negative. */
+    /**
+     * Transforms a normal by the cofactors of the matrix. They are the inverse transpose, except for a factor that may
+     * be negative.
+     */
     private fun turn(m: DoubleArray, from: FloatArray, to: FloatArray, at: Int) {
         val cofactors = DoubleArray(9) { i ->
             val c = i / 3

@@ -7,17 +7,17 @@ import com.openize.drako.PointAttribute
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
-/** A mesh out of Draco's compression, decoded by the library drako. */
+/** A mesh that was compressed with Draco and is decoded by the library drako. */
 internal class DracoGeometry private constructor(private val mesh: DracoMesh) {
     /** Number of vertices. */
     val vertexCount: Int = mesh.numPoints
 
-    /** Three vertex numbers a triangle. */
+    /** Vertex numbers, three for each triangle. */
     val triangles: IntArray = IntArray(mesh.numFaces * 3) { mesh.readCorner(it) }
 
     /**
-     * Returns the numbers of the attribute with the given [id], vertex by vertex, or null if there is none; as fractions
-     * if [isNormalized] and they are whole numbers.
+     * Returns the numbers of the attribute with the given [id], vertex by vertex, or null if there is none. If
+     * [isNormalized], integers of 8 and 16 bits are returned as fractions.
      *
      * @throws DracoException if the data is damaged
      */
@@ -50,37 +50,41 @@ internal class DracoGeometry private constructor(private val mesh: DracoMesh) {
     }
 
     companion object {
-        /** What drako takes for a triangle and a vertex while it decodes, with room; measured. */
+        /** Memory that drako needs for a triangle or a vertex while decoding, with a margin; measured. */
         private const val FACE_BYTES = 120L
         private const val VERTEX_BYTES = 120L
 
-        /** Milliseconds; some thousand times what good data takes. */
-        private const val LEAST_TIME = 5_000L
-        private const val TIME_PER_BYTE = 1L
+        /** Time limit: a base and an amount for each byte, about a thousand times what undamaged data needs. */
+        private const val BASE_MILLISECONDS = 5_000L
+        private const val MILLISECONDS_PER_BYTE = 1L
 
         private const val DAMAGED = "the compressed data is damaged"
 
-        /** Damaged data may make drako go round in circles. */
+        /** Limits the decoding time, because drako may not terminate on damaged data. */
         private val steps = EndlessSteps(2)
 
         /**
          * Decodes [bytes].
          *
-         * @param milliseconds how long that may take at most, if it is less than for any data of this size
-         * @param allow is asked before so many bytes are decoded, and throws if they are too many
+         * @param milliseconds time limit, if it is shorter than the usual limit for data of this size; null for no such
+         *   limit
+         * @param allow called with a number of bytes before they are allocated; throws if they are too many
          * @throws DracoException if the data is damaged
          */
         fun decode(bytes: ByteArray, milliseconds: Long?, allow: (Long) -> Unit): DracoGeometry {
             val header = DracoHeader.read(bytes)
             allow(header.faces * FACE_BYTES + header.vertices * VERTEX_BYTES)
-            val most = LEAST_TIME + bytes.size * TIME_PER_BYTE
+            val most = BASE_MILLISECONDS + bytes.size * MILLISECONDS_PER_BYTE
             return guarded {
                 val mesh = steps.run(minOf(most, milliseconds ?: most)) { Draco.decode(bytes) }
                 DracoGeometry(mesh as? DracoMesh ?: throw DracoException(DAMAGED))
             }
         }
 
-        /** Damaged data makes drako fail at an index, a number of bytes, or the depth of its calls. */
+        /**
+         * Converts the exceptions that drako throws for damaged data: for an index, for a size, or for recursion that
+         * is too deep.
+         */
         private fun <T> guarded(step: () -> T): T = try {
             step()
         } catch (e: DracoException) {

@@ -1,14 +1,14 @@
 package dev.lazyz.scenes.gltf.draco
 
-/** What is wrong with compressed data; whoever knows the file says where it is. */
+/** Reports an error in Draco data. The caller adds the place in the file. */
 internal class DracoException(message: String, cause: Throwable? = null) : RuntimeException(message, cause)
 
 /**
- * How much Draco's data says that it holds, read before anything is decoded (Google, "Draco Bitstream Specification",
- * version 2.2, sections 2 to 5).
+ * The numbers of triangles and vertices that Draco data declares. They are read before anything is decoded (Google,
+ * "Draco Bitstream Specification", version 2.2, sections 2 to 5).
  *
  * @property faces number of triangles
- * @property vertices number of vertices at least
+ * @property vertices minimum number of vertices
  */
 internal class DracoHeader private constructor(val faces: Long, val vertices: Long) {
     private class Reader(private val bytes: ByteArray) {
@@ -80,7 +80,10 @@ internal class DracoHeader private constructor(val faces: Long, val vertices: Lo
             }
         }
 
-        /** Each takes a byte at least, so that a number too large fails at the end of the data. */
+        /**
+         * Returns [count] as an `Int`, clamped. Each item takes at least one byte, so a count that is too large fails
+         * at the end of the data.
+         */
         private fun atMost(count: Long): Int = minOf(count, Int.MAX_VALUE.toLong()).toInt()
     }
 }

@@ -6,19 +6,23 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * Gives up on a step that does not end. Java cannot end a thread, so that a step given up goes on in the background at the
- * lowest priority, which does not keep a program from ending; while a few of them go on, no further step is begun.
+ * Runs steps with a time limit. Java cannot stop a thread, so an abandoned step continues in the background, in a
+ * daemon thread of the lowest priority. While the maximum number of abandoned steps are running, no further step is
+ * started.
+ *
+ * @param most maximum number of abandoned steps that are still running
  */
 internal class EndlessSteps(private val most: Int) {
-    private val givenUp = ArrayList<Thread>()
+    private val abandoned = ArrayList<Thread>()
 
     /**
      * Returns what [step] returns, or throws what it throws.
      *
-     * @throws DracoException if it takes more than [milliseconds], or too many others go on
+     * @throws DracoException if the step takes more than [milliseconds], if too many abandoned steps are still running,
+     *   or if the calling thread is interrupted
      */
     fun <T> run(milliseconds: Long, step: () -> T): T {
-        if (countGoingOn() >= most) {
+        if (countRunning() >= most) {
             throw DracoException("the decoder is still busy with damaged data; start the program again")
         }
         val task = FutureTask(step)
@@ -30,7 +34,7 @@ internal class EndlessSteps(private val most: Int) {
         } catch (e: ExecutionException) {
             throw e.cause ?: e
         } catch (e: TimeoutException) {
-            synchronized(givenUp) { givenUp.add(thread) }
+            synchronized(abandoned) { abandoned.add(thread) }
             thread.priority = Thread.MIN_PRIORITY
             throw DracoException("the compressed data is damaged, or takes more than $milliseconds ms to decode", e)
         } catch (e: InterruptedException) {
@@ -39,8 +43,8 @@ internal class EndlessSteps(private val most: Int) {
         }
     }
 
-    private fun countGoingOn(): Int = synchronized(givenUp) {
-        givenUp.removeAll { !it.isAlive }
-        givenUp.size
+    private fun countRunning(): Int = synchronized(abandoned) {
+        abandoned.removeAll { !it.isAlive }
+        abandoned.size
     }
 }

@@ -1,6 +1,9 @@
 package dev.lazyz.scenes.gltf.meshopt
 
-/** Decodes mode `ATTRIBUTES`: elements of any kind, as differences of their bytes (appendix A, "Mode 0: attributes"). */
+/**
+ * Decodes mode `ATTRIBUTES`: elements of any type, stored as differences of their bytes (appendix A, "Mode 0:
+ * attributes").
+ */
 internal object AttributeStream {
     private const val VERSION_0 = 0xA0
     private const val VERSION_1 = 0xA1
@@ -9,7 +12,7 @@ internal object AttributeStream {
     private const val BLOCK_BYTES = 8192
     private const val BLOCK_ELEMENTS = 256
 
-    /** Returns [count] elements of [stride] bytes, which is a multiple of 4 up to 256. */
+    /** Returns [count] elements of [stride] bytes. [stride] is a multiple of 4 up to 256. */
     fun decode(bytes: ByteArray, count: Int, stride: Int): ByteArray {
         val header = if (bytes.isEmpty()) -1 else bytes[0].toInt() and 0xFF
         if (header != VERSION_0 && header != VERSION_1) {
@@ -17,7 +20,7 @@ internal object AttributeStream {
         }
         val isFirst = header == VERSION_0
 
-        // The tail: the element before the first one, and what kind of differences each 4 bytes have
+        // The tail: the element that precedes the first one, then the kind of differences for each 4 bytes
         val tail = if (isFirst) stride else stride + stride / 4
         val paddedTail = maxOf(tail, if (isFirst) LEAST_TAIL_0 else LEAST_TAIL_1)
         val input = CompressedBytes(bytes, 1, bytes.size - paddedTail)

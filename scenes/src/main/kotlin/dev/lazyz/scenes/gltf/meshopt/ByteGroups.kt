@@ -1,13 +1,13 @@
 package dev.lazyz.scenes.gltf.meshopt
 
-/** Reads the differences of one byte of the elements of a block, in groups of 16 (appendix A, "Mode 0: attributes"). */
+/** Reads the differences of one byte of each element of a block, in groups of 16 (appendix A, "Mode 0: attributes"). */
 internal object ByteGroups {
     private const val GROUP = 16
     private val bitsOfVersion0 = intArrayOf(0, 2, 4, 8)
     private val bitsOfControl = arrayOf(intArrayOf(0, 1, 2, 4), intArrayOf(1, 2, 4, 8))
 
     /**
-     * Fills [into] from [from] on with [count] differences.
+     * Fills [into] with [count] differences, starting at index [from].
      *
      * @param control the control mode of version 1, or null in version 0
      */
@@ -20,7 +20,7 @@ internal object ByteGroups {
     }
 
     private fun groups(input: CompressedBytes, widths: IntArray, into: ByteArray, from: Int, count: Int) {
-        // Two bits for each group say how wide its numbers are
+        // Two bits for each group give the width of its numbers
         val groups = (count + GROUP - 1) / GROUP
         val header = IntArray((groups + 3) / 4) { input.next() }
         for (group in 0 until groups) {
@@ -29,14 +29,14 @@ internal object ByteGroups {
         }
     }
 
-    /** Reads 16 numbers; what lies behind [end] is read and forgotten. */
+    /** Reads 16 numbers. Those at [end] and after it are discarded. */
     private fun group(input: CompressedBytes, bits: Int, into: ByteArray, start: Int, end: Int) {
         if (bits == 0) return into.fill(0, start, minOf(start + GROUP, end))
         val packed = IntArray(GROUP * bits / 8) { input.next() }
         val sentinel = (1 shl bits) - 1
         val perByte = 8 / bits
         for (i in 0 until GROUP) {
-            // Single bits begin with the lowest, wider numbers with the highest
+            // Single bits start at the lowest bit, wider numbers at the highest
             val place = i % perByte
             val shift = if (bits == 1) place else 8 - bits * (place + 1)
             val short = packed[i / perByte] shr shift and sentinel

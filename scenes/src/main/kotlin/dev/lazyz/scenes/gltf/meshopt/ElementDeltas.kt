@@ -3,13 +3,13 @@ package dev.lazyz.scenes.gltf.meshopt
 /**
  * Turns differences between elements into the elements (appendix A, "Mode 0: attributes").
  *
- * @param before the element before the next one; is overwritten
- * @param channels for each 4 bytes of an element, what kind of differences they have
+ * @param before the element that precedes the next one; it is overwritten
+ * @param channels the kind of differences for each 4 bytes of an element
  */
 internal class ElementDeltas(private val before: ByteArray, private val channels: ByteArray) {
     private val stride = before.size
 
-    /** How many times 4 bytes an element has. */
+    /** Number of groups of 4 bytes in an element. */
     val channelCount: Int get() = channels.size
 
     init {
@@ -22,9 +22,9 @@ internal class ElementDeltas(private val before: ByteArray, private val channels
     }
 
     /**
-     * Writes 4 bytes of each of [count] elements into [result], whose first element begins at [start].
+     * Writes 4 bytes of each of [count] elements to [result]. The first element begins at [start].
      *
-     * @param columns the differences: all of the first byte, all of the second, and so on
+     * @param columns the differences: all of the first byte, then all of the second, and so on
      */
     fun resolve(channel: Int, columns: ByteArray, count: Int, result: ByteArray, start: Int) {
         val mode = channels[channel].toInt() and 0xFF
@@ -44,7 +44,7 @@ internal class ElementDeltas(private val before: ByteArray, private val channels
         for (byte in 0 until 4) before[offset + byte] = (last shr 8 * byte).toByte()
     }
 
-    /** Adds the differences in parts of so many bits, each for itself. */
+    /** Adds the differences to the corresponding parts of [bits] bits each, without carry between parts. */
     private fun parts(last: Int, delta: Int, bits: Int): Int {
         val mask = (1 shl bits) - 1
         var sum = 0

@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.gltf.meshopt
 
-/** Decodes mode `INDICES`: whole numbers as differences from one of two that went before (appendix A, "Mode 2"). */
+/** Decodes mode `INDICES`: integers stored as differences from one of two earlier values (appendix A, "Mode 2"). */
 internal object IndexStream {
     private const val HEADER = 0xD1
     private const val TAIL = 4
@@ -22,7 +22,7 @@ internal object IndexStream {
     }
 }
 
-/** Room for whole numbers of 2 or 4 bytes, the lowest byte first; higher bits are lost. */
+/** An array of integers of [stride] bytes, 2 or 4, little endian. Higher bits are dropped. */
 internal class IndexBytes(count: Int, private val stride: Int) {
     val bytes = ByteArray(count * stride)
 

@@ -4,13 +4,13 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
 /**
- * What `EXT_meshopt_compression` and `KHR_meshopt_compression` say of a buffer view (Khronos Group,
- * "KHR_meshopt_compression", release candidate; the appendices that this package names are of that document). The two
- * differ in what an encoder may use; either name is decoded with all of it.
+ * The parameters that `EXT_meshopt_compression` or `KHR_meshopt_compression` gives for a buffer view (Khronos Group,
+ * "KHR_meshopt_compression", release candidate; this package refers to the appendices of that document). The two
+ * extensions differ in the features that an encoder may use. All features are decoded under either name.
  *
  * @property count number of elements
- * @property stride bytes of an element
- * @throws MeshoptException if these go together in no way that the extension allows
+ * @property stride size of an element in bytes
+ * @throws MeshoptException if the extension does not allow this combination of parameters
  */
 internal class MeshoptData(private val mode: String, private val filter: String, val count: Int, val stride: Int) {
     init {
@@ -35,7 +35,7 @@ internal class MeshoptData(private val mode: String, private val filter: String,
     }
 
     /**
-     * Returns the elements that are in [bytes].
+     * Returns the elements decoded from [bytes].
      *
      * @throws MeshoptException if the bytes are damaged
      */

@@ -4,9 +4,11 @@ import java.nio.ByteBuffer
 import kotlin.math.abs
 import kotlin.math.sqrt
 
-/** What is done to elements after they were decoded (appendix B), in place, in buffers of little endian. */
+/**
+ * The filters that are applied to elements after decoding (appendix B). They work in place, in little-endian buffers.
+ */
 internal object MeshoptFilter {
-    /** Unit vectors as two coordinates of an octahedron; the third number stands for 1. */
+    /** Decodes unit vectors stored as two coordinates of an octahedron. The third number stands for 1. */
     fun octahedral(numbers: SmallNumbers) {
         for (i in 0 until numbers.count step 4) {
             val one = numbers.signed(i + 2).toDouble()
@@ -25,7 +27,10 @@ internal object MeshoptFilter {
         }
     }
 
-    /** Unit quaternions without their largest component, whose number is in the last two bits. */
+    /**
+     * Decodes unit quaternions stored without their largest component. The last two bits give the index of that
+     * component.
+     */
     fun quaternion(numbers: SmallNumbers) {
         val range = 1.0 / sqrt(2.0)
         for (i in 0 until numbers.count step 4) {
@@ -42,7 +47,7 @@ internal object MeshoptFilter {
         }
     }
 
-    /** Floats as a whole number of 24 bits and a power of two. */
+    /** Decodes floats stored as a 24-bit integer and a power of two. */
     fun exponential(bytes: ByteBuffer) {
         for (at in 0 until bytes.capacity() step 4) {
             val code = bytes.getInt(at)
@@ -50,7 +55,7 @@ internal object MeshoptFilter {
         }
     }
 
-    /** Colours as brightness, two differences, and alpha with a 1 before it. */
+    /** Decodes colours stored as luma, two differences, and alpha with a 1 bit above it. */
     fun color(numbers: SmallNumbers) {
         for (i in 0 until numbers.count step 4) {
             val code = numbers.unsigned(i + 3)
@@ -67,11 +72,11 @@ internal object MeshoptFilter {
         }
     }
 
-    /** To the nearest, halves away from 0. */
+    /** Rounds to the nearest integer, halves away from 0. */
     private fun rounded(x: Double): Int = if (x >= 0.0) (x + 0.5).toInt() else (x - 0.5).toInt()
 }
 
-/** Whole numbers of [size] bytes, 1 or 2, in [bytes]. */
+/** Integers of [size] bytes, 1 or 2, in [bytes]. */
 internal class SmallNumbers(private val bytes: ByteBuffer, private val size: Int) {
     val count: Int get() = bytes.capacity() / size
     val mostUnsigned: Int = (1 shl 8 * size) - 1

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.gltf.meshopt
 
 /**
- * Decodes mode `TRIANGLES`: mostly one byte a triangle, which names an edge and a vertex that were met not long ago
- * (appendix A, "Mode 1: triangles").
+ * Decodes mode `TRIANGLES`. Most triangles take one byte, which refers to a recent edge and a recent vertex (appendix
+ * A, "Mode 1: triangles").
  */
 internal class TriangleStream private constructor(private val bytes: ByteArray, private val count: Int, stride: Int) {
     private val result = IndexBytes(count, stride)
@@ -19,14 +19,14 @@ internal class TriangleStream private constructor(private val bytes: ByteArray, 
         }
         for (i in 0 until count / 3) {
             val code = bytes[1 + i].toInt() and 0xFF
-            if (code < 0xF0) beside(i, code shr 4, code and 15) else free(i, code and 15)
+            if (code < 0xF0) knownEdge(i, code shr 4, code and 15) else newEdges(i, code and 15)
         }
         data.expectEnd()
         return result.bytes
     }
 
-    /** A triangle at a known edge. */
-    private fun beside(triangle: Int, edge: Int, kind: Int) {
+    /** Decodes a triangle that shares a recent edge. */
+    private fun knownEdge(triangle: Int, edge: Int, kind: Int) {
         val a = edges.get(edge, 0)
         val b = edges.get(edge, 1)
         val c = when (kind) {
@@ -44,8 +44,8 @@ internal class TriangleStream private constructor(private val bytes: ByteArray, 
         if (kind == 0 || kind >= PREVIOUS) vertices.add(c)
     }
 
-    /** A triangle whose edges are all new. */
-    private fun free(triangle: Int, kind: Int) {
+    /** Decodes a triangle whose edges are all new. */
+    private fun newEdges(triangle: Int, kind: Int) {
         val kinds = if (kind < FROM_DATA) auxiliary(kind) else data.next()
         if (kind >= FROM_DATA && kinds == 0) next = 0
         val second = kinds shr 4
@@ -83,7 +83,7 @@ internal class TriangleStream private constructor(private val bytes: ByteArray, 
         return last
     }
 
-    /** The last 16 entries of [width] numbers each; number 0 is the newest. */
+    /** The last 16 entries of [width] numbers each; entry 0 is the newest. */
     private class Recent(private val width: Int) {
         private val numbers = IntArray(SIZE * width)
         private var count = 0
@@ -94,7 +94,7 @@ internal class TriangleStream private constructor(private val bytes: ByteArray, 
         }
 
         fun get(age: Int, part: Int): Int {
-            if (age >= count) throw MeshoptException("a triangle refers to what was not there before")
+            if (age >= count) throw MeshoptException("a triangle refers to an edge or vertex that did not occur before")
             return numbers[(count - 1 - age) % SIZE * width + part]
         }
     }

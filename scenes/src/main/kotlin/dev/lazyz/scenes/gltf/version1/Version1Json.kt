@@ -6,11 +6,11 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory
 import com.fasterxml.jackson.databind.node.ObjectNode
 
 /**
- * Turns the JSON of glTF 1.0 into that of glTF 2.0 (Khronos Group, "glTF 1.0 Specification"): objects that are called by
- * names become lists, in the order of the file, and references to names become numbers.
+ * Converts the JSON of glTF 1.0 to that of glTF 2.0 (Khronos Group, "glTF 1.0 Specification"). Objects that are
+ * identified by names become lists, in the order of the file, and references to names become numbers.
  *
- * Meshes, nodes, cameras, textures and the diffuse colour of materials ([Version1Materials]) are kept. Shaders, skins and
- * animations are not; the meshes appear as they are stored.
+ * Meshes, nodes, cameras, textures and the diffuse colour of materials ([Version1Materials]) are kept. Shaders, skins
+ * and animations are dropped, so meshes appear as stored.
  */
 internal class Version1Json private constructor(
     private val old: JsonNode,
@@ -18,7 +18,7 @@ internal class Version1Json private constructor(
 ) {
     private val new = JsonNodeFactory.instance.objectNode()
     private val names = HashMap<String, Map<String, Int>>()
-    private val further = ArrayList<ObjectNode>()
+    private val extraNodes = ArrayList<ObjectNode>()
 
     private fun convert(): ObjectNode {
         new.putObject("asset").put("version", "2.0")
@@ -40,13 +40,13 @@ internal class Version1Json private constructor(
         copies("meshes", ::mesh)
         copies("cameras")
         copies("nodes", ::node)
-        further.forEach { list("nodes").add(it) }
+        extraNodes.forEach { list("nodes").add(it) }
         copies("scenes") { where, scene -> refer(scene, "nodes", "nodes", where) }
         old["scene"]?.let { new.put("scene", index(it, "scenes", "scene")) }
         return new
     }
 
-    /** The data of a binary file comes first, where version 2.0 has it. */
+    /** Numbers the objects of a list. The data of a binary file comes first, as version 2.0 requires. */
     private fun number(list: String) {
         val all = old.path(list).properties().map { it.key }.sortedBy { it != BINARY }
         names[list] = all.withIndex().associate { (i, name) -> name to i }
@@ -64,7 +64,7 @@ internal class Version1Json private constructor(
         }
     }
 
-    /** Replaces the name, or list of names, at [key] by numbers. */
+    /** Replaces the name or the list of names at [key] with numbers. */
     private fun refer(owner: ObjectNode, key: String, list: String, where: String) {
         val value = owner[key] ?: return
         if (value is ArrayNode) {
@@ -77,7 +77,7 @@ internal class Version1Json private constructor(
     private fun index(name: JsonNode, list: String, where: String): Int =
         names.getValue(list)[name.asText()] ?: fail(where, "$list.${name.asText()} does not exist")
 
-    /** In version 2.0 the distance between elements is a property of the buffer view. */
+    /** Converts an accessor. In version 2.0 the stride is a property of the buffer view. */
     private fun accessor(where: String, accessor: ObjectNode) {
         refer(accessor, "bufferView", "bufferViews", where)
         val stride = accessor.remove("byteStride")?.takeIf { it.asInt() != 0 } ?: return
@@ -109,7 +109,7 @@ internal class Version1Json private constructor(
         }
     }
 
-    /** A node of version 2.0 has one mesh; further ones go to children of its own. */
+    /** Converts a node. A node of version 2.0 has one mesh; additional meshes go to new child nodes. */
     private fun node(where: String, node: ObjectNode) {
         for (key in listOf("skin", "skeletons", "jointName")) node.remove(key)
         refer(node, "children", "nodes", where)
@@ -120,34 +120,37 @@ internal class Version1Json private constructor(
             if (i == 0) {
                 node.set<JsonNode>("mesh", mesh)
             } else {
-                node.withArrayProperty("children").add(names.getValue("nodes").size + further.size)
-                further.add(JsonNodeFactory.instance.objectNode().set("mesh", mesh))
+                node.withArrayProperty("children").add(names.getValue("nodes").size + extraNodes.size)
+                extraNodes.add(JsonNodeFactory.instance.objectNode().set("mesh", mesh))
             }
         }
     }
 
     companion object {
-        /** The buffer that is the data of a binary file. */
+        /** The name of the buffer that holds the data of a binary file. */
         private const val BINARY = "binary_glTF"
 
         private val unnumbered = setOf("COLOR", "TEXCOORD")
 
-        /** Whether [tree] is of version 1.0, or of none but in its form. */
-        fun isMeant(tree: JsonNode): Boolean {
+        /** Whether [tree] is of version 1.0, or has no version number but the structure of version 1.0. */
+        fun isVersion1(tree: JsonNode): Boolean {
             val version = tree.path("asset").path("version").asText("")
             val isInForm = listOf("meshes", "accessors", "techniques").any { tree.path(it).isObject }
             return version == "1" || version.startsWith("1.") || (version.isEmpty() && isInForm)
         }
 
-        /** Makes the buffer that is called so the data of the binary file that [tree] is in, whatever else it says. */
+        /**
+         * Makes the buffer named `binary_glTF` refer to the data of the binary file that contains [tree]. Its URI is
+         * ignored.
+         */
         fun referToData(tree: JsonNode) {
             (tree.path("buffers").path(BINARY) as? ObjectNode)?.remove("uri")
         }
 
         /**
-         * Returns the JSON of version 2.0 that shows the same.
+         * Returns equivalent JSON of version 2.0.
          *
-         * @param fail is called with the place and what is wrong there
+         * @param fail called with a place in the file and the problem there
          */
         fun convert(tree: JsonNode, fail: (String, String) -> Nothing): ObjectNode =
             Version1Json(tree, fail).convert()

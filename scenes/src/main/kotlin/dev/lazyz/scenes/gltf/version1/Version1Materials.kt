@@ -6,10 +6,10 @@ import com.fasterxml.jackson.databind.node.ObjectNode
 import dev.lazyz.scenes.images.SrgbDecoding
 
 /**
- * Materials of glTF 1.0, whose shaders may do anything: their value called `diffuse`, a colour or a texture, becomes the
- * base colour. Colours are as they appear on a screen. So are those of the extension `KHR_materials_common`.
+ * Converts materials of glTF 1.0. Their shaders are arbitrary, so only the value named `diffuse` is used: a colour or a
+ * texture, which becomes the base colour. Colours are sRGB-encoded, also those of the extension `KHR_materials_common`.
  *
- * @param textures numbers of textures by their names
+ * @param textures numbers of textures by name
  */
 internal class Version1Materials(private val file: JsonNode, private val textures: Map<String, Int>) {
     fun convert(old: JsonNode): ObjectNode {
@@ -32,7 +32,7 @@ internal class Version1Materials(private val file: JsonNode, private val texture
             factor.add(diffuse.path(3).asDouble(1.0).coerceIn(0.0, 1.0).toFloat())
         }
 
-        // Both sides are seen unless the technique, or the extension, says otherwise
+        // Both sides are visible unless the technique or the extension specifies otherwise
         val enabled = technique.path("states").path("enable").map { it.asInt() }
         val isCulled = if (common.isMissingNode) CULL_FACE in enabled else !common.path("doubleSided").asBoolean()
         new.put("doubleSided", !isCulled)
