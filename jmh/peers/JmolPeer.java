@@ -23,8 +23,8 @@ import org.jmol.viewer.Viewer;
  * [--picture FILE]}
  *
  * <p>Options and output are those of {@code llvmpipe.c}. Jmol moves vertices to whole pixels and lets neighbours overlap by
- * one, interpolates no colour that is not of its palette (so each triangle gets that of its first vertex), and neither clips
- * nor divides by w here: scenes under perspective and rounds of shading are refused.
+ * one, interpolates no colour that is not of its palette (so each triangle gets that of its first vertex), and neither
+ * clips nor divides by w here: scenes under perspective and rounds of shading are refused.
  */
 public final class JmolPeer {
     private static final int LEAST_FRAMES = 5;

@@ -60,10 +60,12 @@ class PackagesTest {
 
     /** The formatter checks code, but not comments. */
     @Test
-    fun linesFitInto120Columns() {
+    fun commentsFitInto120Columns() {
+        val comment = Regex("""\s*(/\*|\*|//).*""")
         val folders = MODULES.flatMap { listOf("$it/src/main", "$it/src/test") } + "examples"
         val long = folders.map(root::resolve).filter { Files.isDirectory(it) }.flatMap(::sourcesIn).flatMap { source ->
-            source.text.lines().withIndex().filter { it.value.length > 120 }.map { "${source.path}:${it.index + 1}" }
+            source.text.lines().withIndex().filter { (_, line) -> line.length > 120 && line.matches(comment) }
+                .map { "${source.path}:${it.index + 1}" }
         }
         assertEquals(emptyList<String>(), long)
     }

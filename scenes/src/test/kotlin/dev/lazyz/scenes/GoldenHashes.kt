@@ -3,7 +3,8 @@ package dev.lazyz.scenes
 import kotlin.system.exitProcess
 
 /**
- * Renders the pictures of [Goldens] with every renderer that can, outside of any test, for machines without a build tool;
+ * Renders the pictures of [Goldens] with every renderer that can, outside of any test, for machines without a build
+ * tool;
  * `.ci/other-processors` runs it. Prints what differs, and a line of sums; the exit code is 1 if anything differs.
  *
  * @param args sizes, such as `64x64`: only pictures of these; or nothing: all

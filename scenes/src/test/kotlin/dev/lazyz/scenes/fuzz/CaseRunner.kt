@@ -3,7 +3,9 @@ package dev.lazyz.scenes.fuzz
 import com.sun.management.ThreadMXBean
 import java.lang.management.ManagementFactory
 
-/** Runs one input after the other, and looks at what it takes. Not thread safe, but that another thread may ask [hang]. */
+/**
+ * Runs one input after the other, and looks at what it takes. Not thread safe, but that another thread may ask [hang].
+ */
 internal class CaseRunner(private val case: SceneCase) {
     private val threads = ManagementFactory.getThreadMXBean() as ThreadMXBean
 
@@ -60,7 +62,10 @@ internal class CaseRunner(private val case: SceneCase) {
         }
     }
 
-    /** Returns what an input takes of a processor, which a busy machine does not change; to ask for it each time is slow. */
+    /**
+     * Returns what an input takes of a processor, which a busy machine does not change; to ask for it each time is
+     * slow.
+     */
     private fun millisAgain(bytes: ByteArray, thread: Long): Long {
         val time = threads.getThreadCpuTime(thread)
         case.load(bytes)

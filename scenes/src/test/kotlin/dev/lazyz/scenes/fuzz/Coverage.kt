@@ -6,8 +6,8 @@ import org.jacoco.core.runtime.LoggerRuntime
 import org.jacoco.core.runtime.RuntimeData
 
 /**
- * Loads the loaders' classes once more, with JaCoCo's probes in them: one on each branch that code can take. Other tests use
- * the classes as they are, and no agent is needed. Not thread safe.
+ * Loads the loaders' classes once more, with JaCoCo's probes in them: one on each branch that code can take. Other
+ * tests use the classes as they are, and no agent is needed. Not thread safe.
  */
 internal class Coverage : ClassLoader(Coverage::class.java.classLoader) {
     private val runtime = LoggerRuntime()

@@ -10,7 +10,8 @@ import org.junit.jupiter.api.TestFactory
 import org.junit.jupiter.api.io.TempDir
 
 /**
- * Each loader answers each input with a scene that can be drawn, or with its one exception; soon, and with little memory.
+ * Each loader answers each input with a scene that can be drawn, or with its one exception; soon, and with little
+ * memory.
  *
  * A glance in the usual build. How to look for hours stands in `docs/fuzzing.md`.
  */

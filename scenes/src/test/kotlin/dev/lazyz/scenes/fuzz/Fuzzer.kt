@@ -8,8 +8,8 @@ import java.util.concurrent.FutureTask
 import kotlin.concurrent.thread
 
 /**
- * Changes inputs and keeps those that reach code which none reached before, to change them further. The order of inputs is
- * that of the seed; only how far it goes depends on time. Not thread safe.
+ * Changes inputs and keeps those that reach code which none reached before, to change them further. The order of inputs
+ * is that of the seed; only how far it goes depends on time. Not thread safe.
  */
 internal class Fuzzer(private val target: FuzzTarget, private val settings: FuzzSettings, folder: Path) {
     private val random = Random(settings.seed xor target.id.hashCode().toLong())
@@ -33,8 +33,8 @@ internal class Fuzzer(private val target: FuzzTarget, private val settings: Fuzz
     val findings: MutableList<String> = CopyOnWriteArrayList()
 
     /**
-     * Goes on for so many seconds after the seeds; returns what was done. An input that hangs is the end: it keeps the thread
-     * that all run on.
+     * Goes on for so many seconds after the seeds; returns what was done. An input that hangs is the end: it keeps the
+     * thread that all run on.
      */
     fun run(seconds: Double): String {
         val work = FutureTask { work(seconds) }

@@ -10,8 +10,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Loads an input as a stream of the format called [id], or as the file that the built-in [Companions.OBJ] refers to, and
- * draws a small picture with the renderer that is taken where nobody chooses.
+ * Loads an input as a stream of the format called [id], or as the file that the built-in [Companions.OBJ] refers to,
+ * and draws a small picture with the renderer that is taken where nobody chooses.
  *
  * @param id a format's, or [FuzzTarget.MTL]
  * @param folder where the input finds the files it refers to

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.fuzz
 
 /**
- * What is done with each input. [LoadAndDraw] does it, which is loaded by [Coverage] and known to the fuzzer only by this
- * interface.
+ * What is done with each input. [LoadAndDraw] does it, which is loaded by [Coverage] and known to the fuzzer only by
+ * this interface.
  */
 internal interface SceneCase {
     /** Loads [bytes]; returns whether there is a scene now, and all that a user would be told. */

@@ -5,8 +5,8 @@ import dev.lazyz.world.Mesh
 
 /**
  * A lumpy ball with the defects that real meshes have: T-junctions, slivers, triangles without area, faces that are
- * there twice or turned round, normals that point inward or nowhere, texture coordinates far outside of the texture, and
- * a vertex that no face uses. The same every time.
+ * there twice or turned round, normals that point inward or nowhere, texture coordinates far outside of the texture,
+ * and a vertex that no face uses. The same every time.
  */
 internal object AwkwardMesh {
     private const val ROUND = 12

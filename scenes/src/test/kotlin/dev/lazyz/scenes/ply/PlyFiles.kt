@@ -5,7 +5,9 @@ import java.io.DataOutputStream
 
 /** Writes one table of numbers in the three forms of PLY, from a header that has `FORMAT` where the form is named. */
 internal object PlyFiles {
-    /** Each table is the types of its columns, a list's as `count/item`, and its rows of numbers and lists of numbers. */
+    /**
+     * Each table is the types of its columns, a list's as `count/item`, and its rows of numbers and lists of numbers.
+     */
     fun of(format: PlyFormat, header: String, tables: List<Pair<String, List<List<Any>>>>): ByteArray {
         val out = ByteArrayOutputStream()
         out.write(header.replace("FORMAT", format.id).toByteArray())

@@ -171,9 +171,9 @@ class TeapotTest {
             val uses = directedEdges(mesh)
             for ((edge, count) in uses) assertEquals(1, count, "uses of edge $edge at n = $n")
             val open = uses.keys.filter { (from, to) -> (to to from) !in uses }
-            // Sixteen patch borders have no neighbour: the inside of the rim (4) and the edge of the lid (4), which rest
-            // on each other without touching; both ends of the handle (2 + 2), the start of the spout (2), which only
-            // pass through the body; the inside of the lip (2). Any crack would add to them.
+            // Sixteen patch borders have no neighbour: the inside of the rim (4) and the edge of the lid (4), which
+            // rest on each other without touching; both ends of the handle (2 + 2), the start of the spout (2), which
+            // only pass through the body; the inside of the lip (2). Any crack would add to them.
             assertEquals(16 * n, open.size, "open edges at n = $n")
             // The open edges are those, and no others
             val borders = open.groupingBy { (from, _) -> openBorder(from) }.eachCount()
