@@ -22,13 +22,12 @@ public class PictureServlet extends HttpServlet {
     private static final int MOST_BYTES = 20 << 20;
 
     /** What a model may ask for. A small file can describe a huge model, so the size of the upload is not enough. */
-    private static final LoadLimits LIMITS = new LoadLimits(
-            256L << 20, // bytes of decoded data
-            2_000_000, // triangles
-            2_000_000, // vertices
-            16_000_000, // texels
-            LoadLimits.DEFAULT_NESTING,
-            Duration.ofSeconds(5));
+    private static final LoadLimits LIMITS = new LoadLimits()
+            .withDecodedBytes(256L << 20)
+            .withTriangles(2_000_000)
+            .withVertices(2_000_000)
+            .withTexels(16_000_000)
+            .withTime(Duration.ofSeconds(5));
 
     /** Thread safe, like all renderers: one is enough for all requests. */
     private final Renderer renderer = new Tiled();

@@ -16,9 +16,7 @@ import org.w3c.dom.Element
  * `scope(project(":module"))` or `scope(platform(libs.some.bom))`, and every version is in the catalog.
  */
 class BuildsAgreeTest {
-    private val root: Path =
-        generateSequence(Path.of("").toAbsolutePath()) { it.parent }
-            .first { it.resolve("settings.gradle.kts").exists() && it.resolve("pom.xml").exists() }
+    private val root: Path = ProjectFiles.root
 
     private val pom = xml("pom.xml")
     private val catalog = Catalog(text("gradle/libs.versions.toml"))

@@ -2,8 +2,6 @@ package dev.lazyz.cli
 
 import dev.lazyz.Capability
 import dev.lazyz.cli.output.ExitCode
-import java.nio.file.Path
-import kotlin.io.path.exists
 import kotlin.io.path.readText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -11,10 +9,7 @@ import org.junit.jupiter.api.Test
 
 /** `docs/cli.md` and `--help` describe the same flags. */
 class DocumentationTest {
-    private val page: String =
-        generateSequence(Path.of("").toAbsolutePath()) { it.parent }.map { it.resolve("docs/cli.md") }
-            .first { it.exists() }
-            .readText()
+    private val page: String = ProjectFiles.root.resolve("docs/cli.md").readText()
 
     private val commands = listOf("render", "compare", "conformance", "scenes", "strategies")
 

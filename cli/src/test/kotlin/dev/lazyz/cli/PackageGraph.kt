@@ -56,6 +56,14 @@ internal class PackageGraph(sources: List<Source>, private val modulePackages: S
         }
     }
 
+    /**
+     * Returns the dependencies on packages that are not below the package of the source, as [level] defines it: a
+     * package has a higher level than those below it. Dependencies of the files [seams] are ignored.
+     */
+    fun upward(level: (packageName: String) -> Int, seams: Set<String>): List<String> =
+        arrows.filter { it.source.path !in seams && level(it.to) >= level(it.from) }
+            .map { "${it.source} names ${it.to}" }
+
     private fun reachedFrom(start: String, next: Map<String, Set<String>>): Set<String> {
         val reached = HashSet<String>()
         val open = ArrayDeque(next[start].orEmpty())

@@ -17,8 +17,7 @@ import org.junit.jupiter.params.provider.ValueSource
  * The packages of each module: dependencies between them have no cycles, and each file is in the folder of its package.
  */
 class PackagesTest {
-    private val root: Path = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
-        .first { Files.isDirectory(it.resolve("core/src/main/kotlin")) }
+    private val root: Path = ProjectFiles.root
 
     private val sources: Map<String, List<Source>> = MODULES.associateWith { module ->
         val folders = listOf("kotlin", "java").map { root.resolve("$module/src/main/$it") }
@@ -39,6 +38,16 @@ class PackagesTest {
         val cycles = graph(module).cycles(SEAMS.keys)
         assertTrue(cycles.isEmpty()) { "packages that name each other in a circle:\n${cycles.joinToString("\n")}" }
     }
+
+    @Test
+    fun packagesOfCoreNameOnlyThoseBelowThem() {
+        val packages = sources.getValue("core").map { it.packageName }.toSet()
+        assertEquals(emptyList<String>(), packages.filter { it !in LEVELS && !it.startsWith("dev.lazyz.strategies.") })
+        assertEquals(emptyList<String>(), graph("core").upward(::level, SEAMS.keys))
+    }
+
+    /** The level of a package of core. All packages of strategies, except the parts of `tiled`, are on one level. */
+    private fun level(name: String): Int = LEVELS.indexOf(if (name in LEVELS) name else "dev.lazyz.strategies.*")
 
     @Test
     fun eachSeamIsThereAndNeeded() {
@@ -101,6 +110,13 @@ class PackagesTest {
     }
 
     private companion object {
+        /** The packages of core from bottom to top: each names only those before it, see `docs/architecture.md`. */
+        val LEVELS = listOf(
+            "", "raster", "geometry", "world", "shading", "setup", "setup.planar", "pipeline",
+            "strategies.tiled.raster", "strategies.tiled.binning", "strategies.tiled.resolve",
+            "strategies.*", "strategies",
+        ).map { if (it.isEmpty()) "dev.lazyz" else "dev.lazyz.$it" }
+
         val MODULES = listOf("core", "scenes", "conformance", "cli", "jmh")
 
         /**

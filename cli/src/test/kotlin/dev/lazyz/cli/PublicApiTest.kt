@@ -24,7 +24,7 @@ class PublicApiTest {
     @Test
     fun theApiIsTheListedOne() {
         val changed = MODULES.mapNotNull { (module, type) ->
-            val listing = root.resolve("$module/api/lazyz-$module.api")
+            val listing = ProjectFiles.root.resolve("$module/api/lazyz-$module.api")
             val actual = dump(type)
             if (System.getProperty("lazyz.update") == "true") {
                 listing.parent.createDirectories()
@@ -62,9 +62,6 @@ class PublicApiTest {
     }
 
     private companion object {
-        val root: Path = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
-            .first { it.resolve("settings.gradle.kts").exists() }
-
         /** The libraries, each with one of its types. */
         val MODULES = mapOf(
             "core" to Image::class.java,

@@ -188,7 +188,7 @@ internal class SpherePrimitive private constructor(
 
     companion object {
         /** Sets up a sphere. Returns null if it is degenerate or not between the near and the far plane. */
-        fun of(sphere: Sphere, camera: Camera, viewport: Viewport, shader: Shader): SpherePrimitive? {
+        fun of(sphere: Sphere, camera: Camera, rays: SampleRays, shader: Shader): SpherePrimitive? {
             val center = sphere.center
             val eye = camera.eye
             val x = center.x() - eye.x()
@@ -199,7 +199,7 @@ internal class SpherePrimitive private constructor(
             val cz = camera.backward.x * x + camera.backward.y * y + camera.backward.z * z
             val isInRange = -cz + sphere.radius >= camera.near && -cz - sphere.radius <= camera.far
             if (!(isInRange && sphere.radius > 0.0 && cx.isFinite() && cy.isFinite())) return null
-            return SpherePrimitive(sphere, camera, SampleRays(camera, viewport), cx, cy, cz, shader)
+            return SpherePrimitive(sphere, camera, rays, cx, cy, cz, shader)
         }
     }
 }

@@ -14,10 +14,10 @@ import dev.lazyz.world.Sphere
 
 /** Converts spheres to primitives. */
 internal object SphereSetUp {
-    fun sphere(sphere: Sphere, camera: Camera, viewport: Viewport, lighting: Lighting): Primitive {
+    fun sphere(sphere: Sphere, camera: Camera, rays: SampleRays, lighting: Lighting): Primitive {
         val material = lit(sphere.material)
         val shader = MaterialShader(material, lighting, isPrelit = false)
-        val primitive = SpherePrimitive.of(sphere, camera, viewport, material.shader ?: shader) ?: return EmptyPrimitive
+        val primitive = SpherePrimitive.of(sphere, camera, rays, material.shader ?: shader) ?: return EmptyPrimitive
         if (material.alphaMode != AlphaMode.MASK) return primitive
         return MaskedPrimitive(primitive, shader, material.alphaCutoff)
     }

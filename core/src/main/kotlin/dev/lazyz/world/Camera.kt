@@ -7,53 +7,6 @@ import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
-/** How camera space is projected to the image plane. */
-public sealed class Projection {
-    /**
-     * Perspective: distant objects look smaller.
-     *
-     * @property verticalFieldOfView angle between the top and the bottom of the image, degrees, above 0 and below 180
-     * @throws IllegalArgumentException if [verticalFieldOfView] is out of range
-     */
-    public class Perspective(public val verticalFieldOfView: Double) : Projection() {
-        init {
-            require(verticalFieldOfView > 0.0 && verticalFieldOfView < 180.0) {
-                "verticalFieldOfView must be between 0 and 180 degrees: $verticalFieldOfView"
-            }
-        }
-
-        override fun toString(): String = "Perspective($verticalFieldOfView)"
-    }
-
-    /**
-     * Orthographic: objects have the same size at any distance.
-     *
-     * @property height height of the visible part of space, world units, above 0
-     * @throws IllegalArgumentException if [height] is not positive and finite
-     */
-    public class Orthographic(public val height: Double) : Projection() {
-        init {
-            require(height > 0.0 && height.isFinite()) { "height must be positive: $height" }
-        }
-
-        override fun toString(): String = "Orthographic($height)"
-    }
-
-    /** No projection: world space is already raster space, see [Camera.screen]. */
-    public object Screen : Projection() {
-        override fun toString(): String = "Screen"
-    }
-}
-
-/** Returns a camera for a given scene and raster shape: a [Camera] itself, or a rule such as [Camera.fit]. */
-public fun interface Viewpoint {
-    /**
-     * Returns the camera for a scene with the given [bounds] (null if the scene is empty) and a raster with the given
-     * [aspect]: width divided by height.
-     */
-    public fun camera(bounds: Box?, aspect: Double): Camera
-}
-
 /**
  * A camera in right-handed world space.
  *
@@ -308,13 +261,4 @@ public class Camera private constructor(
             }
         }
     }
-}
-
-/** The projection of a fitted camera, see [Camera.fit]. */
-public enum class Fit {
-    /** Perspective, with a vertical field of view of [Camera.DEFAULT_FIELD_OF_VIEW] degrees. */
-    PERSPECTIVE,
-
-    /** Orthographic. */
-    ORTHOGRAPHIC,
 }

@@ -101,3 +101,12 @@ public class FittedViewpoint internal constructor(
         val UNIT_BOX = Box(-0.5, -0.5, -0.5, 0.5, 0.5, 0.5)
     }
 }
+
+/** The projection of a fitted camera, see [Camera.fit]. */
+public enum class Fit {
+    /** Perspective, with a vertical field of view of [Camera.DEFAULT_FIELD_OF_VIEW] degrees. */
+    PERSPECTIVE,
+
+    /** Orthographic. */
+    ORTHOGRAPHIC,
+}

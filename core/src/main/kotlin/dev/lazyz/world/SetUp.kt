@@ -48,7 +48,7 @@ public class SetUp @JvmOverloads constructor(
     private val lighting = Lighting(lights.map { it.relativeTo(origin) }, near)
     private val stage = VertexStage(near, viewport)
     private val planar = PlanarSetUp(stage, lighting)
-    private val rays = SampleRays(near, viewport)
+    private val rays by lazy { SampleRays(near, viewport) }
 
     /**
      * Returns the triangles of [mesh] in order, each set up when the sequence reaches it. All vertices are transformed
@@ -67,7 +67,7 @@ public class SetUp @JvmOverloads constructor(
 
     /** Returns [sphere] as a single primitive. */
     public fun sphere(sphere: Sphere): Primitive =
-        SphereSetUp.sphere(sphere.relativeTo(origin), near, viewport, lighting)
+        SphereSetUp.sphere(sphere.relativeTo(origin), near, rays, lighting)
 
     /** Returns the points of [points] in order, each set up when the sequence reaches it; 32 bytes a point. */
     public fun points(points: Points): Sequence<Primitive> =
@@ -123,32 +123,4 @@ public class SetUp @JvmOverloads constructor(
     public fun shader(material: Material): Shader = SphereSetUp.shader(material, lighting)
 
     override fun toString(): String = "SetUp($raster, $camera, ${lights.size} lights)"
-}
-
-/**
- * A point on the raster. Immutable.
- *
- * @property x column position, pixels, a multiple of 1/256; the sample of column 0 is at 0.5
- * @property y row position, likewise
- * @property depth depth, 0..2^31-1
- */
-public class ScreenPoint internal constructor(public val x: Double, public val y: Double, public val depth: Int) {
-    override fun toString(): String = "ScreenPoint($x, $y, depth $depth)"
-}
-
-/**
- * A ray through a sample, in world space. Immutable.
- *
- * @property origin where it starts: the camera's eye for perspective, otherwise a point in the plane of the eye
- * @property direction its direction, of such a length that its component along the line of sight is 1
- */
-public class Ray internal constructor(public val origin: Vector3dc, public val direction: Vector3dc) {
-    /** Returns the point at [distance] from the camera along the line of sight, world units. A new vector. */
-    public fun at(distance: Double): Vector3d = Vector3d(
-        origin.x() + direction.x() * distance,
-        origin.y() + direction.y() * distance,
-        origin.z() + direction.z() * distance,
-    )
-
-    override fun toString(): String = "Ray($origin, $direction)"
 }

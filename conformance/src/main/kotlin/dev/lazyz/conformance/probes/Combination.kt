@@ -62,9 +62,7 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
         private fun onItsBackground(): FrameCase {
             val before = Int.MAX_VALUE - Rasters.behindAll(case.frame.raster.depthTest)
             val depth = (List<Int?>(USUAL) { null } + Int.MAX_VALUE / 2 + before).chosen(first + 8) ?: return case
-            return case.on(
-                with(case.frame.raster) { Raster(width, height, background, convention, depthTest, depth) },
-            )
+            return case.on(case.frame.raster.withBackgroundDepth(depth))
         }
 
         /** Returns the frame for a renderer with these [capabilities]. */

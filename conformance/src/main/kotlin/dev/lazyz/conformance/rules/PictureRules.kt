@@ -61,7 +61,7 @@ public sealed interface PictureRules : RulesForOne {
         // Put the background in front of everything, behind everything, and at the depth of a visible sample
         val visible = Rendering.of(ReferenceRenderer(), case.frame).image.depth
         for (depth in listOf(0, Int.MAX_VALUE, visible[visible.size / 2])) {
-            val raster = with(case.frame.raster) { Raster(width, height, background, convention, depthTest, depth) }
+            val raster = case.frame.raster.withBackgroundDepth(depth)
             Judgement(renderer(), case.on(raster)).equalsReference()
         }
     }
@@ -96,7 +96,7 @@ public sealed interface PictureRules : RulesForOne {
     )
     @Property(tries = 200, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_2_tiesGoToTheFirstSubmitted(@ForAll(supplier = TiedCases::class) case: FrameCase) {
-        val usual = with(case.frame.raster) { Raster(width, height, background) }
+        val usual = case.frame.raster.withConvention(DepthConvention.SMALLER_IS_NEARER)
         Judgement(renderer(), case.on(usual)).equalsReference()
     }
 
@@ -111,7 +111,8 @@ public sealed interface PictureRules : RulesForOne {
         for (test in DepthTest.entries) {
             val behind = Rasters.behindAll(test)
             for (convention in DepthConvention.entries) {
-                val raster = with(case.frame.raster) { Raster(width, height, background, convention, test, behind) }
+                val empty = case.frame.raster.withBackgroundDepth(behind)
+                val raster = empty.withConvention(convention).withDepthTest(test)
                 Judgement(renderer(), case.on(raster)).equalsReference()
             }
         }

@@ -57,14 +57,14 @@ object BrokenDepths {
                 else -> backgroundDepth
             }
         }
-        val image = ZBuffer().render(frame.on { Raster(width, height, background, convention, depthTest, behind) })
+        val image = ZBuffer().render(frame.on { withBackgroundDepth(behind) })
         emit(image.withDepths { i, depth -> if (image.primitive[i] < 0) frame.raster.backgroundDepth else depth }, sink)
     }
 
     fun reversedTestsSwapTies() = drawing("reversed-tests-swap-ties") { frame ->
         val test = frame.raster.depthTest
         val isReversed = test == DepthTest.GREATER || test == DepthTest.GREATER_OR_EQUAL
-        frame.on { tested(if (isReversed) swappedTies(test) else test) }
+        frame.on { withDepthTest(if (isReversed) swappedTies(test) else test) }
     }
 
     /** Decides by one sample of what was drawn so far whether a whole primitive is hidden. */
@@ -100,7 +100,7 @@ object BrokenDepths {
         BrokenRenderer(id) { frame, sink ->
             val primitives = frame.primitives.map { At(it) { x, y -> how(it, x, y, it.depth(x, y)) } }
             val behind = frame.raster.backgroundDepth.let { if (id == "signed-keys") it xor (1 shl 30) else it }
-            val raster = with(frame.raster) { Raster(width, height, background, convention, depthTest, behind) }
+            val raster = frame.raster.withBackgroundDepth(behind)
             val image = ZBuffer().render(Frame(raster, primitives, frame.region))
             val shown = image.withDepths { i, _ ->
                 val x = image.region.columnStart + i % image.width

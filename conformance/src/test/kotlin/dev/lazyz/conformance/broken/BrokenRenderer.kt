@@ -65,9 +65,6 @@ internal fun emit(image: Image, sink: RowSink, rows: List<Int> = (0 until image.
 /** Returns the frame on another raster. */
 internal fun Frame.on(change: Raster.() -> Raster) = Frame(raster.change(), primitives, region)
 
-/** Returns the raster with another depth test. */
-internal fun Raster.tested(test: DepthTest) = Raster(width, height, background, convention, test, backgroundDepth)
-
 /** Returns the test that differs only for ties. */
 internal fun swappedTies(test: DepthTest) = when (test) {
     DepthTest.LESS -> DepthTest.LESS_OR_EQUAL

@@ -20,27 +20,27 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
  */
 object BrokenRenderers {
     /** `<=` where `<` is meant. */
-    fun lastWinsTies() = drawing("last-wins-ties") { frame -> frame.on { tested(swappedTies(depthTest)) } }
+    fun lastWinsTies() = drawing("last-wins-ties") { frame -> frame.on { withDepthTest(swappedTies(depthTest)) } }
 
     /** Correct indices and depths, but on ties the colour of the other primitive. */
     fun colourOfTheLoser() = BrokenRenderer("colour-of-the-loser") { frame, sink ->
         val right = ZBuffer().render(frame)
-        val wrong = ZBuffer().render(frame.on { tested(swappedTies(depthTest)) })
+        val wrong = ZBuffer().render(frame.on { withDepthTest(swappedTies(depthTest)) })
         emit(Image(right.region, wrong.argb, right.depth, right.primitive, right.counters), sink)
     }
 
     /** The default depth test, whatever the raster says. */
-    fun usualTestOnly() = drawing("usual-test-only") { frame -> frame.on { tested(convention.nearest) } }
+    fun usualTestOnly() = drawing("usual-test-only") { frame -> frame.on { withDepthTest(convention.nearest) } }
 
     /** The painter's algorithm without its sort. */
     fun lastSubmittedWins() = drawing("last-submitted-wins") { frame ->
-        val last = frame.raster.tested(DepthTest.LESS_OR_EQUAL)
+        val last = frame.raster.withDepthTest(DepthTest.LESS_OR_EQUAL)
         Frame(last, frame.primitives.map { AtDepth(it, 0) }, frame.region)
     }
 
     /** A background that is always behind everything. */
     fun backgroundAtInfinity() = drawing("background-at-infinity") { frame ->
-        frame.on { Raster(width, height, background, convention, depthTest, Rasters.behindAll(depthTest)) }
+        frame.on { withBackgroundDepth(Rasters.behindAll(depthTest)) }
     }
 
     /** Spans without their last column. */

@@ -50,7 +50,7 @@ class SmallWorldsTest {
     }
 
     private fun Frame.tested(test: DepthTest): Frame =
-        Frame(with(raster) { Raster(width, height, background, convention, test, backgroundDepth) }, primitives)
+        Frame(raster.withDepthTest(test), primitives)
 
     private class WithoutLeftColumn(private val whole: Primitive) : Primitive by whole {
         override fun spans(y: Int, spans: Spans) {

@@ -2,7 +2,6 @@ package dev.lazyz.jmh.growth;
 
 import com.sun.management.ThreadMXBean;
 import dev.lazyz.Capability;
-import dev.lazyz.Coherence;
 import dev.lazyz.Counters;
 import dev.lazyz.Raster;
 import dev.lazyz.RenderOptions;
@@ -172,7 +171,7 @@ public final class Growth {
     }
 
     private static Renderer with(Renderer renderer, int threads) {
-        return renderer.configured(new RenderOptions(Coherence.DIRECT, null, threads));
+        return renderer.configured(new RenderOptions().withThreads(threads));
     }
 
     /** Renders a first frame, and compares its image with the first strategy's. */

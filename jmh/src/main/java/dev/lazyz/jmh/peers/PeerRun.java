@@ -1,6 +1,5 @@
 package dev.lazyz.jmh.peers;
 
-import dev.lazyz.Coherence;
 import dev.lazyz.Counters;
 import dev.lazyz.DepthTest;
 import dev.lazyz.PixelHash;
@@ -68,7 +67,7 @@ public final class PeerRun {
         PeerRun run = new PeerRun(
                 TriangleSource.find(options.get("scene", "S1")).scene(),
                 Integer.parseInt(options.get("side", "1024")),
-                found.configured(new RenderOptions(Coherence.DIRECT, null, threads)));
+                found.configured(new RenderOptions().withThreads(threads)));
         String picture = options.get("picture", "");
         if (picture.isEmpty()) {
             double warmUp = Double.parseDouble(options.get("warm-up", "3"));

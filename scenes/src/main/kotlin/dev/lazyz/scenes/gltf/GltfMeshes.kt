@@ -2,7 +2,6 @@ package dev.lazyz.scenes.gltf
 
 import de.javagl.jgltf.impl.v2.MeshPrimitive
 import de.javagl.jgltf.model.ElementType
-import dev.lazyz.scenes.images.withoutTexture
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Mesh
 import dev.lazyz.world.Points
@@ -69,7 +68,7 @@ internal class GltfMeshes(
         return Mesh(
             positions,
             triangles(mode, indices, where),
-            if (uvs == null) material.material.withoutTexture() else material.material,
+            if (uvs == null) material.material.withTexture(null) else material.material,
             normals,
             uvs?.let(material.transform::applyTo),
             colors,

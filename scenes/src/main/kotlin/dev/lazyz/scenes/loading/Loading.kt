@@ -19,10 +19,9 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
 
     private val start = System.nanoTime()
     private var read = 0L
-    private var decoded = 0L
-    private var triangles = 0L
-    private var vertices = 0L
-    private var texels = 0L
+
+    /** The amounts that are used so far. A reader that discards its result sets them back. */
+    var used: UsedAmounts = UsedAmounts()
 
     /** Milliseconds left for reading; null without a limit. */
     val millisecondsLeft: Long?
@@ -35,15 +34,15 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
 
     /** Adds [count] vertices; fails if [source] then exceeds a limit. Call it before allocating memory for them. */
     fun vertices(source: Source, count: Long) {
-        vertices += count
-        check(source, vertices, limits.vertices, "vertices", "vertices", "--max-vertices")
+        used = used.copy(vertices = used.vertices + count)
+        check(source, used.vertices, limits.vertices, "vertices", "vertices", "--max-vertices")
         decode(source, count * VERTEX_BYTES)
     }
 
     /** Adds [count] triangles; fails if [source] then exceeds a limit. Call it before allocating memory for them. */
     fun triangles(source: Source, count: Long) {
-        triangles += count
-        check(source, triangles, limits.triangles, "triangles", "triangles", "--max-triangles")
+        used = used.copy(triangles = used.triangles + count)
+        check(source, used.triangles, limits.triangles, "triangles", "triangles", "--max-triangles")
         decode(source, count * TRIANGLE_BYTES)
     }
 
@@ -52,16 +51,16 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
 
     /** Adds [count] texels; fails if [source] then exceeds a limit. Call it before allocating memory for them. */
     fun texels(source: Source, count: Long) {
-        texels += count
-        check(source, texels, limits.texels, "pixels of textures", "texels", "--max-texels")
+        used = used.copy(texels = used.texels + count)
+        check(source, used.texels, limits.texels, "pixels of textures", "texels", "--max-texels")
         decode(source, count * TEXEL_BYTES)
     }
 
     /** Adds decoded [bytes]; fails if [source] then exceeds a limit. Call it before allocating memory for them. */
     fun decode(source: Source, bytes: Long) {
-        decoded += bytes
+        used = used.copy(decoded = used.decoded + bytes)
         val most = limits.decodedBytes ?: LoadLimits.defaultDecodedBytes(read)
-        check(source, decoded, most, "bytes of decoded data", "decodedBytes", "--max-decoded")
+        check(source, used.decoded, most, "bytes of decoded data", "decodedBytes", "--max-decoded")
         val time = limits.time ?: return
         if (System.nanoTime() - start >= time.toNanos()) {
             exceeded(source, "takes more than ${time.toMillis()} ms to read", "time", "--max-seconds")
@@ -104,3 +103,11 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
         private const val TEXEL_BYTES = 12L
     }
 }
+
+/** Amounts that count towards the limits of [LoadLimits]. Immutable. */
+internal data class UsedAmounts(
+    val decoded: Long = 0,
+    val triangles: Long = 0,
+    val vertices: Long = 0,
+    val texels: Long = 0,
+)

@@ -1,7 +1,6 @@
 package dev.lazyz.scenes.obj
 
 import dev.lazyz.scenes.collections.Ints
-import dev.lazyz.scenes.images.withoutTexture
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.MeshParts
 import dev.lazyz.scenes.meshes.Triangulation
@@ -109,7 +108,7 @@ internal class ObjMeshes(
     private fun withMaterial(part: Mesh, material: MtlMaterial, isTextured: Boolean): Mesh = Mesh(
         part.positions,
         part.triangles,
-        if (isTextured) material.material else material.material.withoutTexture(),
+        if (isTextured) material.material else material.material.withTexture(null),
         part.normals,
         if (isTextured) part.uvs?.also { place(it, material) } else null,
         part.colors,

@@ -42,6 +42,7 @@ internal object ObjParser : SceneParser {
 
     private fun model(source: Source): ObjModel {
         val reader = FarOrigin.reading(
+            source.loading,
             read = { origin -> ObjReader(source, ObjModel(source, origin)).also { it.read() } },
             bounds = { Box.around(it.model.positions.toArray()) },
         )

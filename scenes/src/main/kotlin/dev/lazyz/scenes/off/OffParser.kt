@@ -28,6 +28,7 @@ internal object OffParser : SceneParser {
         if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
         source.decodeText()
         val reader = FarOrigin.reading(
+            source.loading,
             read = { origin -> OffReader(source, origin).also { it.readVertices() } },
             bounds = { Box.around(it.vertices.positions) },
         )

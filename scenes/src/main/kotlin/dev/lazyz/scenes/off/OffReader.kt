@@ -4,7 +4,6 @@ import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.Polygons
 import dev.lazyz.scenes.meshes.VertexArrays
-import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
@@ -16,7 +15,6 @@ internal class OffReader(private val source: Source, private val origin: Vector3
     private val line = OffLine(source)
     private val header = OffHeader.read(source, line)
 
-    private val isFar = origin != Vector3d()
     private var longRows = 0
 
     /** The vertices, after they have been read. */
@@ -32,8 +30,7 @@ internal class OffReader(private val source: Source, private val origin: Vector3
         if (count > line.bytesLeft / LEAST_VERTEX_BYTES + 1) {
             line.fail("$count vertices are announced, but the remaining ${line.bytesLeft} bytes are too few for them")
         }
-        // If the file is read a second time, relative to an origin, its vertices have already been counted
-        if (!isFar) source.loading.vertices(source, count.toLong())
+        source.loading.vertices(source, count.toLong())
         vertices = VertexArrays(
             FloatArray(3 * count),
             if (header.hasNormals) FloatArray(3 * count) else null,

@@ -11,9 +11,8 @@ import dev.lazyz.world.Lines
  * may follow them in the file. Not thread safe.
  *
  * @param vertexCount number of vertices that the header declares
- * @param isAgain whether the file is read a second time, so that its edges have already been counted towards the limits
  */
-internal class PlyEdges(private val source: Source, private val vertexCount: Int, private val isAgain: Boolean) {
+internal class PlyEdges(private val source: Source, private val vertexCount: Int) {
     private val segments = Ints()
 
     val isEmpty: Boolean get() = segments.size == 0
@@ -28,7 +27,7 @@ internal class PlyEdges(private val source: Source, private val vertexCount: Int
             if (element.properties.isNotEmpty()) body.readRows(element) { _, _ -> }
             return emptySet()
         }
-        if (!isAgain) source.loading.segments(source, body.room(element).toLong())
+        source.loading.segments(source, body.room(element).toLong())
         body.readRows(element) { _, row ->
             for (column in columns) segments.add(body.vertexNumber(row.numbers[column], vertexCount, "edge"))
         }

@@ -35,6 +35,7 @@ internal object PlyParser : SceneParser {
         source.decodeText()
         val header = PlyHeaderReader(source).read()
         val tables = FarOrigin.reading(
+            source.loading,
             read = { origin -> PlyTables(source, header, origin).also { it.read() } },
             bounds = { Box.around(it.vertices.positions) },
         )

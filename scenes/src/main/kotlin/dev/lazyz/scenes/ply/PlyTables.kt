@@ -2,7 +2,6 @@ package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.VertexArrays
-import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
@@ -18,7 +17,7 @@ internal class PlyTables(private val source: Source, private val header: PlyHead
     lateinit var vertices: VertexArrays
         private set
     val faces: PlyFaces = PlyFaces(source, vertexCount)
-    val edges: PlyEdges = PlyEdges(source, vertexCount, isAgain = origin != Vector3d())
+    val edges: PlyEdges = PlyEdges(source, vertexCount)
 
     /** Reads the tables in the order of the file. */
     fun read() {

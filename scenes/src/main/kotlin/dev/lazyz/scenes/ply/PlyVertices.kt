@@ -28,9 +28,7 @@ internal class PlyVertices(
     /** Reads all rows that are present. */
     fun read(body: PlyBody): VertexArrays {
         val room = body.room(element)
-
-        // If the file is read a second time, relative to an origin, its vertices have already been counted
-        if (!isFar) source.loading.vertices(source, room.toLong())
+        source.loading.vertices(source, room.toLong())
         val vertices = VertexArrays(
             FloatArray(3 * room),
             normal?.let { FloatArray(3 * room) },

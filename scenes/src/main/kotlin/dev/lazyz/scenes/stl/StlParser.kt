@@ -27,6 +27,7 @@ internal object StlParser : SceneParser {
     }
 
     private fun ascii(source: Source): List<Solid> = FarOrigin.reading(
+        source.loading,
         read = { origin -> StlAscii(source, origin).read() },
         bounds = { solids -> solids.mapNotNull { Box.around(it.positions()) }.reduceOrNull(Box::union) },
     )

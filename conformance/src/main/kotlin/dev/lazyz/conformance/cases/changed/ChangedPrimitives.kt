@@ -157,7 +157,7 @@ private fun FrameCase.cut(where: String, halves: (Primitive) -> List<Primitive>)
 /** Returns the frame with all primitives moved [right] columns and [down] rows, on an accordingly larger raster. */
 internal fun FrameCase.moved(right: Int, down: Int): FrameCase = FrameCase(
     Frame(
-        with(frame.raster) { Raster(width + right, height + down, background, convention, depthTest, backgroundDepth) },
+        with(frame.raster) { withSize(width + right, height + down) },
         frame.primitives.map { Moved(it, frame.raster.height, right, down) },
     ),
     "$code // with raster and primitives moved $right columns to the right and $down rows down",

@@ -45,9 +45,7 @@ private class Dazzle(private val number: Int) : (Fragment) -> Unit {
 
 /** Returns the frame with the colours of [Dazzle], on a green background with alpha 0. */
 internal fun FrameCase.dazzling(): FrameCase {
-    val raster = with(frame.raster) {
-        Raster(width, height, Rgba(0.25f, 0.5f, 0.125f, 0f), convention, depthTest, backgroundDepth)
-    }
+    val raster = frame.raster.withBackground(Rgba(0.25f, 0.5f, 0.125f, 0f))
     return FrameCase(
         Frame(raster, frame.primitives.mapIndexed { index, it -> it.recoloured(Dazzle(index)) }, frame.region),
         "$code // with light without bounds and alphas of mostly 0 and 1, on ${code(raster)}",

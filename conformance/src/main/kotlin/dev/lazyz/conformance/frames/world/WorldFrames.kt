@@ -121,12 +121,8 @@ internal object WorldFrames {
             if (choice == 3) {
                 raster
             } else {
-                with(raster) {
-                    Raster(
-                        maxOf(width, height / 2), maxOf(height, width / 2), background, convention, depthTest,
-                        Rasters.behindAll(depthTest),
-                    )
-                }
+                raster.withSize(maxOf(raster.width, raster.height / 2), maxOf(raster.height, raster.width / 2))
+                    .withBackgroundDepth(Rasters.behindAll(raster.depthTest))
             }
         }
 }
