@@ -3,7 +3,9 @@ package dev.lazyz
 /**
  * Options of a rendering. Except for [selector], they change its cost and never its image. Immutable.
  *
- * A renderer uses the options that its [Capability]s support and ignores the others, see [Renderer.configured].
+ * A renderer supports those options whose [Capability] it has, and refuses the others, see [Renderer.configured].
+ * [threads] and [tileSize] are accepted by every renderer: one thread is not more than permitted, and a renderer
+ * without tiles has none to size.
  *
  * @property coherence how late shading gets from sample to sample
  * @property memoryBudget maximum working memory in bytes, in addition to the image; null for no limit
@@ -26,6 +28,43 @@ public class RenderOptions @JvmOverloads constructor(
         require(tileSize in 8..512 && tileSize.countOneBits() == 1) {
             "tileSize must be a power of two in 8..512: $tileSize"
         }
+    }
+
+    /** The capabilities that a renderer must have to support these options. */
+    public val needs: Set<Capability>
+        get() = setOfNotNull(
+            Capability.MEMORY_BUDGET.takeIf { memoryBudget != null },
+            Capability.COHERENCE.takeIf { coherence != Coherence.DIRECT },
+            Capability.SELECTION.takeIf { selector != null },
+        )
+
+    /**
+     * Returns these options, for a renderer that is being configured with them.
+     *
+     * @throws IllegalArgumentException if [renderer] lacks one of the capabilities that they need
+     */
+    public fun requireSupportedBy(renderer: Renderer): RenderOptions = apply {
+        val missing = needs - renderer.capabilities
+        require(missing.isEmpty()) {
+            "'${renderer.id}' does not support ${missing.joinToString(" and ") { optionOf(it) }}: leave it out, or " +
+                "use a renderer with ${missing.joinToString(" and ")}"
+        }
+    }
+
+    /** Returns those of these options that [renderer] supports; the others have their default. */
+    public fun supportedBy(renderer: Renderer): RenderOptions {
+        val missing = needs - renderer.capabilities
+        return copy(
+            coherence = if (Capability.COHERENCE in missing) Coherence.DIRECT else coherence,
+            memoryBudget = if (Capability.MEMORY_BUDGET in missing) null else memoryBudget,
+            selector = if (Capability.SELECTION in missing) null else selector,
+        )
+    }
+
+    private fun optionOf(need: Capability): String = when (need) {
+        Capability.MEMORY_BUDGET -> "a memory budget"
+        Capability.COHERENCE -> "$coherence coherence"
+        else -> "a selector"
     }
 
     /** Returns these options with another way to step attributes. */

@@ -1,5 +1,7 @@
 package dev.lazyz
 
+import java.io.IOException
+
 /**
  * A hidden-surface algorithm: determines which primitive is visible at each sample, and computes the image.
  *
@@ -18,25 +20,33 @@ public interface Renderer {
     /** What the renderer guarantees in addition to the correct image. */
     public val capabilities: Set<Capability> get() = emptySet()
 
-    /** Returns this renderer with the given [options]. Options that its [capabilities] do not support are ignored. */
-    public fun configured(options: RenderOptions): Renderer = this
+    /**
+     * Returns this renderer with the given [options].
+     *
+     * @throws IllegalArgumentException if its [capabilities] do not include all that the options need, see
+     *   [RenderOptions.requireSupportedBy]. [RenderOptions.supportedBy] leaves such options out
+     */
+    public fun configured(options: RenderOptions): Renderer = apply { options.requireSupportedBy(this) }
 
     /**
      * Renders [frame] and passes every row of its region to [sink], once, from top to bottom, on the calling thread.
      *
-     * If the calling thread is interrupted, some renderers throw [InterruptedException]; the others continue, and the
-     * interrupt status stays set. An exception from a primitive, a shader or the sink ends the rendering and is
-     * rethrown unchanged.
+     * An exception from a primitive, a shader or the sink ends the rendering and is rethrown unchanged.
      *
      * @return the work that the rendering took
      * @throws IllegalArgumentException if the frame has translucent primitives and the renderer does not blend
+     * @throws InterruptedException if the calling thread is interrupted, and the renderer checks for it. Other
+     *   renderers finish the image, and the interrupt status stays set
+     * @throws IOException if the sink throws it
      */
+    @Throws(InterruptedException::class, IOException::class)
     public fun render(frame: Frame, sink: RowSink): Counters
 
     /**
      * Renders [frame] into memory. Throws like the other [render]. Cost: 12 bytes a sample in addition to the
      * renderer's own memory.
      */
+    @Throws(InterruptedException::class)
     public fun render(frame: Frame): Image {
         val collector = Image.Collector(frame.region)
         val counters = render(frame, collector)
@@ -54,6 +64,8 @@ public fun interface RowSink {
      * @param argb colours, 8-bit sRGB with straight alpha, `0xAARRGGBB`
      * @param depth depths, 0..2^31-1, see [Depth]
      * @param primitive submission index of the visible primitive, or [DepthTest.BACKGROUND]
+     * @throws IOException if the row cannot be written; rendering ends, and the exception reaches its caller
      */
+    @Throws(IOException::class)
     public fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray)
 }

@@ -13,6 +13,7 @@ import dev.lazyz.world.Scene;
 import dev.lazyz.world.SetUp;
 import dev.lazyz.world.Sphere;
 import dev.lazyz.world.Surface;
+import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import kotlin.sequences.Sequence;
@@ -101,7 +102,7 @@ class JavaOwnKindsTest {
         }
 
         @Override
-        public Counters render(Frame frame, RowSink sink) {
+        public Counters render(Frame frame, RowSink sink) throws IOException {
             Region region = frame.getRegion();
             DepthTest test = frame.getRaster().getDepthTest();
             Fragment fragment = new Fragment();
@@ -132,7 +133,7 @@ class JavaOwnKindsTest {
                 }
                 sink.row(y, argb, depth, primitive);
             }
-            return new Counters();
+            return new Counters.Builder().build();
         }
     }
 
@@ -148,7 +149,7 @@ class JavaOwnKindsTest {
     }
 
     @Test
-    void allStrategiesShowOnePicture() {
+    void allStrategiesShowOnePicture() throws InterruptedException {
         Frame frame = scene(new Square(1, material)).frame(48, 40);
         Image expected = new SampleBySample().render(frame);
         for (Renderer renderer : Renderers.getBuiltIn())
@@ -157,7 +158,7 @@ class JavaOwnKindsTest {
 
     /** The square by rays and the same square as a mesh differ in no more than a few samples at its edges. */
     @Test
-    void raysAgreeWithPolygons() {
+    void raysAgreeWithPolygons() throws InterruptedException {
         float[] corners = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
         Surface mesh = new Mesh(corners, new int[] {0, 1, 2, 0, 2, 3}, material);
         Image byRays = new ZBuffer().render(scene(new Square(1, material)).frame(64, 64));
@@ -170,7 +171,7 @@ class JavaOwnKindsTest {
     }
 
     @Test
-    void pointsAreProjectedToWhereVerticesAre() {
+    void pointsAreProjectedToWhereVerticesAre() throws InterruptedException {
         Scene scene = scene(new Square(1, material));
         Raster raster = new Raster(64, 64);
         SetUp setUp = new SetUp(raster, scene.camera(64, 64), List.of());

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 /** Compiles and runs the Java code of the README; it gives the same image as the Kotlin code. */
 class JavaReadmeTest {
     @Test
-    void tenLines() {
+    void tenLines() throws InterruptedException {
         Scene world = Scene.builder()
                 .add(new Sphere(new Vector3d(0, 0, 0), 1.0, new Material(Rgba.ofRgb(0xD0452F))))
                 .add(new Sphere(new Vector3d(1.2, 0.6, 0.4), 0.5, new Material(Rgba.ofRgb(0x2F7FD0))))

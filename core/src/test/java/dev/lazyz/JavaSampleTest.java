@@ -1,6 +1,7 @@
 package dev.lazyz;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.lazyz.strategies.zbuffer.ZBuffer;
@@ -9,6 +10,7 @@ import dev.lazyz.world.FrameBuilder;
 import dev.lazyz.world.Material;
 import dev.lazyz.world.Mesh;
 import dev.lazyz.world.Scene;
+import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -16,7 +18,7 @@ import org.junit.jupiter.api.Test;
 /** Typical Java code of a user of the library. */
 class JavaSampleTest {
     @Test
-    void aShaderIsALambda() {
+    void aShaderIsALambda() throws InterruptedException, IOException {
         Material striped = new Material().withShader(f -> f.setColor(f.getX() % 2, 0.5f, f.worldY));
         Mesh mesh = new Mesh(new float[] {-1, -1, 0, 1, -1, 0, 0, 1, 0}, new int[] {0, 1, 2}, striped);
         Scene scene = new Scene(List.of(mesh.withSmoothNormals()), List.of(), Camera.fit(0, 0));
@@ -25,18 +27,40 @@ class JavaSampleTest {
     }
 
     @Test
-    void rowsGoToASink() {
+    void rowsGoToASink() throws InterruptedException, IOException {
         int[] rows = {0};
         Frame frame = new FrameBuilder(new Raster(5, 3))
                 .polygon(Rgba.BLACK, new double[9])
                 .build();
         Counters counters = new ZBuffer().render(frame, (y, argb, depth, primitive) -> rows[0]++);
         assertEquals(3, rows[0]);
-        assertEquals(1, counters.primitives);
+        assertEquals(1, counters.getPrimitives());
     }
 
     @Test
-    void aPrimitiveOfOnesOwn() {
+    void primitivesArriveOneByOne() throws IOException {
+        Primitive square = new FrameBuilder(new Raster(5, 3))
+                .polygon(Rgba.BLACK, new double[] {1, 1, 0, 3, 1, 0, 3, 2, 0, 1, 2, 0})
+                .build()
+                .getPrimitives()
+                .get(0);
+        StreamingRenderer renderer = new ZBuffer();
+        Drawing drawing = renderer.begin(new Raster(5, 3));
+        drawing.add(square);
+        drawing.add(square);
+        int[] visible = {0};
+        Counters counters = drawing.finish((y, argb, depth, primitive) -> {
+            for (int index : primitive) {
+                visible[0] += index == 0 ? 1 : 0;
+            }
+        });
+        assertEquals(2, visible[0]);
+        assertEquals(2, counters.getPrimitives());
+        assertThrows(IllegalStateException.class, () -> drawing.add(square));
+    }
+
+    @Test
+    void aPrimitiveOfOnesOwn() throws InterruptedException, IOException {
         Primitive dot = new Primitive() {
             @Override
             public int getRowStart() {

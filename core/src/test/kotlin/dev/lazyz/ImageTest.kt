@@ -12,7 +12,7 @@ class ImageTest {
     private val argb = intArrayOf(0x01020304, 0x7FFFFFFF, -1, 0x00FF00FF, 5, 6)
 
     private fun image(argb: IntArray = this.argb, depth: Int = 7, primitive: Int = 2, width: Int = 3) =
-        Image(width, 6 / width, argb, IntArray(6) { depth + it }, IntArray(6) { primitive }, Counters())
+        Image(width, 6 / width, argb, IntArray(6) { depth + it }, IntArray(6) { primitive }, Counters.NONE)
 
     @Test
     fun rule_7_1_imagesAreEqualByColourDepthAndPrimitive() {
@@ -22,7 +22,7 @@ class ImageTest {
         assertNotEquals(image(), image(depth = 8))
         assertNotEquals(image(), image(primitive = 3))
         assertNotEquals(image(), image(width = 2))
-        val other = Counters().also { it.shadingCalls = 9 }
+        val other = Counters.Builder().apply { shadingCalls = 9 }.build()
         assertEquals(image(), Image(3, 2, argb, IntArray(6) { 7 + it }, IntArray(6) { 2 }, other))
     }
 
@@ -38,7 +38,7 @@ class ImageTest {
     @Test
     fun rule_7_2_aPixelHashIsPinned() {
         // printf '\xff\xff\xff\xff' | sha256sum
-        val white = Image(1, 1, intArrayOf(-1), intArrayOf(0), intArrayOf(0), Counters())
+        val white = Image(1, 1, intArrayOf(-1), intArrayOf(0), intArrayOf(0), Counters.NONE)
         assertEquals("ad95131bc0b799c0b1af477fb14fcf26a6a9f76079e48bf090acb7e8367bfd0e", white.pixelHash())
     }
 
@@ -66,14 +66,14 @@ class ImageTest {
     @Test
     fun anImageNeedsAllItsSamples() {
         assertThrows(IllegalArgumentException::class.java) {
-            Image(2, 2, IntArray(4), IntArray(4), IntArray(3), Counters())
+            Image(2, 2, IntArray(4), IntArray(4), IntArray(3), Counters.NONE)
         }
     }
 
     @Test
     fun aRegionKeepsTheRastersColumnsAndRows() {
         val region = Region(10, 20, 13, 22)
-        val image = Image(region, argb, IntArray(6), IntArray(6), Counters())
+        val image = Image(region, argb, IntArray(6), IntArray(6), Counters.NONE)
         assertEquals(argb[4], image.argb(11, 21))
         assertThrows(IllegalArgumentException::class.java) { image.argb(0, 0) }
         assertEquals(6L, region.size)

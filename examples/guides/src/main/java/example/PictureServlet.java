@@ -52,7 +52,15 @@ public class PictureServlet extends HttpServlet {
             response.sendError(HttpServletResponse.SC_BAD_REQUEST, e.getMessage());
             return;
         }
-        Image image = renderer.render(loaded.getScene().frame(SIDE, SIDE));
+        Image image;
+        try {
+            image = renderer.render(loaded.getScene().frame(SIDE, SIDE));
+        } catch (InterruptedException e) {
+            // The container shuts down, or limits the time of a request
+            Thread.currentThread().interrupt();
+            response.sendError(HttpServletResponse.SC_SERVICE_UNAVAILABLE);
+            return;
+        }
         response.setContentType("image/png");
         Images.writePng(image, response.getOutputStream());
     }

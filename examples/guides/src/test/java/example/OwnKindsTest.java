@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 
 /** The primitive and the shader of the guides, rendered by all strategies: one picture each. */
 class OwnKindsTest {
-    private static Image onePicture(Frame frame) {
+    private static Image onePicture(Frame frame) throws InterruptedException {
         Image first = Renderers.getBuiltIn().get(0).render(frame);
         for (Renderer renderer : Renderers.getBuiltIn()) {
             assertEquals(first.pixelHash(), renderer.render(frame).pixelHash(), renderer.getId());
@@ -28,7 +28,7 @@ class OwnKindsTest {
     }
 
     @Test
-    void discsHideEachOther() {
+    void discsHideEachOther() throws InterruptedException {
         Raster raster = new Raster(64, 48);
         Frame frame = new Frame(raster, List.of(new Disc(raster, 20, 20, 15, 1000), new Disc(raster, 30, 28, 10, 500)));
         Image image = onePicture(frame);
@@ -42,7 +42,7 @@ class OwnKindsTest {
     }
 
     @Test
-    void aSphereIsCheckered() {
+    void aSphereIsCheckered() throws InterruptedException {
         Material material = new Material().withShader(new Checkers(8));
         Scene scene = Scene.builder().add(new Sphere(new Vector3d(), 1, material)).build();
         Image image = onePicture(scene.frame(64, 64));

@@ -11,6 +11,7 @@ import dev.lazyz.Region;
 import dev.lazyz.Renderer;
 import dev.lazyz.RowSink;
 import dev.lazyz.Spans;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.EnumSet;
@@ -43,7 +44,7 @@ public final class SpanListRenderer implements Renderer {
     }
 
     @Override
-    public Counters render(Frame frame, RowSink sink) {
+    public Counters render(Frame frame, RowSink sink) throws IOException {
         if (frame.getHasTranslucency()) {
             int index = 0;
             while (!frame.getPrimitives().get(index).isTranslucent()) {
@@ -52,7 +53,7 @@ public final class SpanListRenderer implements Renderer {
             throw new IllegalArgumentException(
                     "primitive " + index + " is translucent; span-list does not blend: use Frame.asOpaque()");
         }
-        Counters counters = new Counters();
+        Counters.Builder counters = new Counters.Builder();
         counters.primitives = frame.getPrimitives().size();
         Row row = new Row(frame, counters);
         Region region = frame.getRegion();
@@ -62,7 +63,7 @@ public final class SpanListRenderer implements Renderer {
             sink.row(y, row.colors, row.depths, row.indices);
         }
         counters.peakBytes += 12L * frame.getWidth();
-        return counters;
+        return counters.build();
     }
 
     private record Span(int start, int end, int index) {}
@@ -99,7 +100,7 @@ public final class SpanListRenderer implements Renderer {
         private static final int BYTES_PER_SPAN = 32;
 
         private final Frame frame;
-        private final Counters counters;
+        private final Counters.Builder counters;
         private final Raster raster;
         private final DepthTest test;
         private final int firstColumn;
@@ -109,7 +110,7 @@ public final class SpanListRenderer implements Renderer {
         final int[] depths;
         final int[] indices;
 
-        Row(Frame frame, Counters counters) {
+        Row(Frame frame, Counters.Builder counters) {
             this.frame = frame;
             this.counters = counters;
             raster = frame.getRaster();

@@ -12,6 +12,7 @@ import dev.lazyz.conformance.rules.PromiseRules
 import dev.lazyz.conformance.rules.Rule
 import dev.lazyz.conformance.rules.ShadingRules
 import dev.lazyz.conformance.rules.SizeRules
+import dev.lazyz.conformance.rules.StreamingRules
 import dev.lazyz.conformance.rules.ThreadRules
 import dev.lazyz.conformance.rules.TidyRules
 import dev.lazyz.conformance.rules.UseRules
@@ -34,7 +35,7 @@ import net.jqwik.api.lifecycle.PropagationMode
  * `0.1` while debugging), and [SEED] chooses other frames. Cost: a few seconds per renderer; most rules use one thread.
  *
  * The rules are grouped by topic: [PictureRules], [PointRules], [ShadingRules], [SizeRules], [CombinationRules],
- * [ChangeRules], [UseRules], [ThreadRules], [WorkerRules], [CounterRules], [PromiseRules] and [TidyRules]. Extend this
+ * [ChangeRules], [UseRules], [ThreadRules], [WorkerRules], [CounterRules], [PromiseRules], [StreamingRules] and [TidyRules]. Extend this
  * class, not those.
  */
 @AddLifecycleHook(value = Effort::class, propagateTo = PropagationMode.ALL_DESCENDANTS)

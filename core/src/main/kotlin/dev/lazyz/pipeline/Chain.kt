@@ -52,13 +52,13 @@ internal class Chain(
     fun begin(y: Int): Row {
         join(y)
         val row = Row(frame, y, coherence)
-        if (y == frame.region.rowStart) row.counters.primitives = frame.primitives.size.toLong()
+        if (y == frame.region.rowStart) row.counting.primitives = frame.primitives.size.toLong()
         return row
     }
 
     /** Ends [row], the output of the last stage: removes the stages whose primitives end here. */
     fun end(row: Row) {
-        row.counters.peakSuspensions = row.keys.count { row.test.indexOf(it) != DepthTest.BACKGROUND }.toLong()
+        row.counting.peakSuspensions = row.keys.count { row.test.indexOf(it) != DepthTest.BACKGROUND }.toLong()
         row.hold(Long.SIZE_BYTES * entries.size + REFERENCE_BYTES * stages.size + stageBytes + spans.bytes)
         leave(row.y)
     }

@@ -12,7 +12,11 @@ import dev.lazyz.shading.LateShading
  *
  * Used by renderers that hold a key for each sample of several rows. Used by one thread.
  */
-internal class KeyedRows(private val frame: Frame, private val shading: LateShading, private val counters: Counters) {
+internal class KeyedRows(
+    private val frame: Frame,
+    private val shading: LateShading,
+    private val counters: Counters.Builder
+) {
     private val width = frame.width
     private val test = frame.raster.depthTest
     private val colors = IntArray(width)

@@ -35,7 +35,11 @@ public class Row internal constructor(private val frame: Frame, public val y: In
      * with [Counters.plus], they are the counters of the whole rendering. The number of primitives is counted in the
      * first row.
      */
-    public val counters: Counters = Counters()
+    public val counters: Counters
+        @Synchronized
+        get() = counting.build()
+
+    internal val counting = Counters.Builder()
 
     /** The first column of the row. */
     public val columnStart: Int get() = frame.region.columnStart
@@ -101,7 +105,7 @@ public class Row internal constructor(private val frame: Frame, public val y: In
         // Compute the colour unless it is known
         val forced = forced()
         if (!isForced(forced, at)) {
-            val shading = single ?: LateShading(frame, Coherence.DIRECT, counters).also { single = it }
+            val shading = single ?: LateShading(frame, Coherence.DIRECT, counting).also { single = it }
             colors[at] = color(at, shading)
             forced[at / Long.SIZE_BITS] = forced[at / Long.SIZE_BITS] or (1L shl at)
         }
@@ -117,7 +121,7 @@ public class Row internal constructor(private val frame: Frame, public val y: In
     public fun argb(): IntArray {
         val colors = colors()
         if (isWhole) return colors
-        val shading = LateShading(frame, coherence, counters)
+        val shading = LateShading(frame, coherence, counting)
         val forced = forced
         for (i in 0 until width) if (forced == null || !isForced(forced, i)) colors[i] = color(i, shading)
         account(shading.peakBytes)
@@ -171,7 +175,7 @@ public class Row internal constructor(private val frame: Frame, public val y: In
     /** Updates the memory counter with [passing] bytes, in temporary use in addition to those that stay. */
     @Synchronized
     private fun account(passing: Long) {
-        counters.peakBytes = maxOf(counters.peakBytes, bytes + passing)
+        counting.peakBytes = maxOf(counting.peakBytes, bytes + passing)
     }
 
     private fun at(x: Int): Int {

@@ -54,9 +54,9 @@ internal open class Stage(frame: Frame, val index: Int, y: Int, private val span
                 passes++
             }
         }
-        row.counters.fragments += end - start
-        row.counters.depthEvaluations += end - start
-        row.counters.depthPasses += passes
+        row.counting.fragments += end - start
+        row.counting.depthEvaluations += end - start
+        row.counting.depthPasses += passes
     }
 
     private companion object {

@@ -23,7 +23,7 @@ import dev.lazyz.Region
  *   If it is in 0 until 2^63, the wrapped value equals the exact one; otherwise the wrapped value is negative. So a
  *   wrapped value that is not negative is exact, and a negative one gives no bound.
  */
-internal class AreaBounds(test: DepthTest, private val counters: Counters) {
+internal class AreaBounds(test: DepthTest, private val counters: Counters.Builder) {
     private val order = VisibilityOrder(test)
 
     /** 1 if the smallest depth wins, -1 if the greatest wins: the lead of value 0 over value 1. */

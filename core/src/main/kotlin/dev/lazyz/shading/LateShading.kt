@@ -24,7 +24,11 @@ import dev.lazyz.ShadingCursor
  *
  * Used by one thread.
  */
-internal class LateShading(private val frame: Frame, private val coherence: Coherence, private val counters: Counters) {
+internal class LateShading(
+    private val frame: Frame,
+    private val coherence: Coherence,
+    private val counters: Counters.Builder
+) {
     private val fragment = Fragment()
     private val background = frame.raster.background.toArgb()
     private val firstColumn = frame.region.columnStart

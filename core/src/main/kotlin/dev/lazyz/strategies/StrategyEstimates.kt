@@ -87,13 +87,9 @@ public class StrategyEstimates private constructor(
             memory: Long,
         ): StrategyEstimates {
             val numbers = FrameNumbers.of(frame)
-            val implied = listOfNotNull(
-                Capability.TRANSPARENCY.takeIf { numbers.isTranslucent },
-                Capability.MEMORY_BUDGET.takeIf { options.memoryBudget != null },
-                Capability.SELECTION.takeIf { options.selector != null },
-            )
+            val implied = options.needs + setOfNotNull(Capability.TRANSPARENCY.takeIf { numbers.isTranslucent })
             val estimates = renderers.map {
-                estimate(it.configured(options), numbers, options, needs + implied, memory)
+                estimate(it.configured(options.supportedBy(it)), numbers, options, needs + implied, memory)
             }
             val (possible, impossible) = estimates.partition { it.ruledOut == null }
             // Sorting is stable and puts NaN last

@@ -1,7 +1,7 @@
 package dev.lazyz.raster
 
-import dev.lazyz.Drawing
 import dev.lazyz.FillRule
+import dev.lazyz.GridDrawing
 import dev.lazyz.GridPoint
 import dev.lazyz.SampleSet
 import dev.lazyz.samples
@@ -19,17 +19,17 @@ import org.junit.jupiter.api.Assertions.assertEquals
 /** Contract rules 1.3 and 2.1 to 2.5: coverage of polygons. */
 class CoverageProperties {
     @Provide
-    fun drawings(): Arbitrary<Drawing> = Drawing.any()
+    fun drawings(): Arbitrary<GridDrawing> = GridDrawing.any()
 
     @Provide
-    fun triangles(): Arbitrary<Drawing> = Drawing.triangles()
+    fun triangles(): Arbitrary<GridDrawing> = GridDrawing.triangles()
 
     @Provide
     fun rules(): Arbitrary<FillRule> = Arbitraries.of(FillRule::class.java)
 
     @Property(seed = "1995", tries = 400, edgeCases = EdgeCasesMode.NONE)
     fun rule_1_3_movingByWholePixelsMovesCoverage(
-        @ForAll("drawings") drawing: Drawing,
+        @ForAll("drawings") drawing: GridDrawing,
         @ForAll @IntRange(min = -3, max = 3) columns: Int,
         @ForAll @IntRange(min = -3, max = 3) rows: Int,
     ) {
@@ -46,7 +46,7 @@ class CoverageProperties {
     }
 
     @Property(seed = "1995", tries = 1000, edgeCases = EdgeCasesMode.NONE)
-    fun rule_2_2_trianglesFollowTheTopLeftRule(@ForAll("triangles") drawing: Drawing) {
+    fun rule_2_2_trianglesFollowTheTopLeftRule(@ForAll("triangles") drawing: GridDrawing) {
         val (a, b, c) = drawing.contours.single()
         val area = c.side(a, b)
         val corners = if (area < 0) listOf(a, c, b) else listOf(a, b, c)
@@ -111,13 +111,13 @@ class CoverageProperties {
     /** Adds the samples of a triangle; negatively if it is folded over. */
     private fun addSigned(counts: IntArray, size: Int, triangle: List<GridPoint>) {
         val sign = java.lang.Long.signum(triangle[2].side(triangle[0], triangle[1]))
-        val samples = Drawing(size, size, listOf(triangle)).samples(FillRule.NON_ZERO)
+        val samples = GridDrawing(size, size, listOf(triangle)).samples(FillRule.NON_ZERO)
         for (y in 0 until size) for (x in 0 until size) if (samples[x, y]) counts[y * size + x] += sign
     }
 
     @Property(seed = "1995", tries = 1500, edgeCases = EdgeCasesMode.NONE)
     fun rule_2_3_cursorEqualsDirectEvaluation(
-        @ForAll("drawings") drawing: Drawing,
+        @ForAll("drawings") drawing: GridDrawing,
         @ForAll("rules") rule: FillRule,
         @ForAll @IntRange(min = 0, max = 15) firstRow: Int,
     ) {
@@ -129,12 +129,15 @@ class CoverageProperties {
     }
 
     @Property(seed = "1995", tries = 1500, edgeCases = EdgeCasesMode.NONE)
-    fun rule_2_4_windingsDecide(@ForAll("drawings") drawing: Drawing, @ForAll("rules") rule: FillRule) {
+    fun rule_2_4_windingsDecide(@ForAll("drawings") drawing: GridDrawing, @ForAll("rules") rule: FillRule) {
         assertEquals(drawing.expected(rule), drawing.samples(rule))
     }
 
     @Property(seed = "1995", tries = 300, edgeCases = EdgeCasesMode.NONE)
-    fun rule_2_4_aHoleIsExactlyWhatFillsIt(@ForAll("drawings") outer: Drawing, @ForAll("drawings") hole: Drawing) {
+    fun rule_2_4_aHoleIsExactlyWhatFillsIt(
+        @ForAll("drawings") outer: GridDrawing,
+        @ForAll("drawings") hole: GridDrawing,
+    ) {
         val inner = hole.copy(width = outer.width, height = outer.height)
         val both = outer.copy(contours = outer.contours + inner.contours).samples(FillRule.EVEN_ODD)
         val plug = inner.samples(FillRule.EVEN_ODD)
@@ -151,14 +154,14 @@ class CoverageProperties {
         val upper = columns.map { GridPoint(it, moved(128 * size, 128 * size, random)) }
         val lower = upper.map { GridPoint(it.x, it.y + 1 + random.nextInt(256 * 6)) }
         val turn = { p: GridPoint -> if (isUpright) GridPoint(p.y, p.x) else p }
-        val polygon = Drawing(size, size, listOf((upper + lower.reversed()).map(turn)))
+        val polygon = GridDrawing(size, size, listOf((upper + lower.reversed()).map(turn)))
         val counts = SampleSet(size, size)
         for (i in 0 until columns.size - 1) {
             val flip = random.nextBoolean()
             val first = listOf(upper[i], upper[i + 1], if (flip) lower[i] else lower[i + 1])
             val second = listOf(if (flip) upper[i + 1] else upper[i], lower[i + 1], lower[i])
             for (triangle in listOf(first, second)) {
-                val samples = Drawing(size, size, listOf(triangle.map(turn))).samples(FillRule.NON_ZERO)
+                val samples = GridDrawing(size, size, listOf(triangle.map(turn))).samples(FillRule.NON_ZERO)
                 for (y in 0 until size) {
                     for (x in 0 until size) {
                         if (!samples[x, y]) continue

@@ -2,10 +2,10 @@ package dev.lazyz.raster
 
 import dev.lazyz.Depth
 import dev.lazyz.DepthConvention
-import dev.lazyz.Drawing
 import dev.lazyz.FillRule
 import dev.lazyz.Fraction
 import dev.lazyz.Frame
+import dev.lazyz.GridDrawing
 import dev.lazyz.GridPoint
 import dev.lazyz.Raster
 import dev.lazyz.Shader
@@ -33,7 +33,7 @@ class DepthProperties {
     private val shader = Shader { it.setColor(1f, 1f, 1f) }
 
     @Provide
-    fun drawings(): Arbitrary<Drawing> = Drawing.any()
+    fun drawings(): Arbitrary<GridDrawing> = GridDrawing.any()
 
     @Provide
     fun units(): Arbitrary<List<Double>> = Arbitraries.doubles().between(0.0, 1.0).ofScale(9).list().ofSize(21)
@@ -89,7 +89,7 @@ class DepthProperties {
 
     @Property(seed = "1995", tries = 1000, edgeCases = EdgeCasesMode.NONE)
     fun rule_4_4_depthIsInRangeHoweverBentThePolygon(
-        @ForAll("drawings") drawing: Drawing,
+        @ForAll("drawings") drawing: GridDrawing,
         @ForAll("units") units: List<Double>,
     ) {
         var vertex = 0
@@ -161,7 +161,7 @@ class DepthProperties {
 
     @Property(seed = "1995", tries = 300, edgeCases = EdgeCasesMode.NONE)
     fun rule_4_1_theOtherConventionMirrorsDepth(
-        @ForAll("drawings") drawing: Drawing,
+        @ForAll("drawings") drawing: GridDrawing,
         @ForAll("units") units: List<Double>,
     ) {
         fun frame(convention: DepthConvention): Frame {

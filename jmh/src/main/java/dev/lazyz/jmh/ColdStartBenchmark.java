@@ -2,6 +2,7 @@ package dev.lazyz.jmh;
 
 import dev.lazyz.Image;
 import dev.lazyz.jmh.workload.Workloads;
+import java.io.IOException;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -42,7 +43,7 @@ public class ColdStartBenchmark {
 
     /** Renders the first image. */
     @Benchmark
-    public Image firstPicture() {
+    public Image firstPicture() throws InterruptedException {
         image = PictureCheck.renderer(strategy).render(Workloads.scene(scene).frame(side, side));
         return image;
     }
@@ -52,7 +53,7 @@ public class ColdStartBenchmark {
      * warm up.
      */
     @TearDown
-    public void tearDown() {
+    public void tearDown() throws InterruptedException, IOException {
         String expected = PictureCheck.hash(Workloads.scene(scene).frame(side, side), PictureCheck.renderer("zbuffer"));
         PictureCheck.verify(image.pixelHash(), expected, strategy);
     }

@@ -56,7 +56,7 @@ public class LoadingBenchmark {
 
     /** Writes the file, and fails if a reader returns a mesh that renders differently from the written mesh. */
     @Setup
-    public void setUp() throws IOException {
+    public void setUp() throws InterruptedException, IOException {
         file = Files.createTempFile("lazyz-", "." + format);
         MeshFiles files = new MeshFiles(squares);
         files.write(file);
@@ -91,7 +91,7 @@ public class LoadingBenchmark {
         return loops.read(file);
     }
 
-    private static String hash(Scene scene) {
+    private static String hash(Scene scene) throws InterruptedException, IOException {
         Renderer renderer = PictureCheck.renderer("zbuffer");
         return PictureCheck.hash(MeshFiles.facets(scene).frame(SIDE, SIDE), renderer);
     }

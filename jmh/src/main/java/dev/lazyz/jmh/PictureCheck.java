@@ -5,6 +5,7 @@ import dev.lazyz.Frame;
 import dev.lazyz.PixelHash;
 import dev.lazyz.Renderer;
 import dev.lazyz.strategies.Renderers;
+import java.io.IOException;
 import org.openjdk.jmh.infra.Blackhole;
 
 /** Prevents a benchmark from measuring a wrong image: compares pixel hashes (contract rule 7.2). */
@@ -21,7 +22,7 @@ final class PictureCheck {
     }
 
     /** Returns the pixel hash of a rendering. */
-    static String hash(Frame frame, Renderer renderer) {
+    static String hash(Frame frame, Renderer renderer) throws InterruptedException, IOException {
         PixelHash hash = new PixelHash();
         renderer.render(frame, (y, argb, depth, primitive) -> hash.add(argb, frame.getWidth()));
         return hash.digest();
@@ -32,7 +33,7 @@ final class PictureCheck {
      *
      * @throws IllegalStateException if they differ
      */
-    static void verify(Frame frame, Renderer renderer) {
+    static void verify(Frame frame, Renderer renderer) throws InterruptedException, IOException {
         verify(hash(frame, renderer), hash(frame, renderer("zbuffer")), renderer.getId());
     }
 
@@ -51,7 +52,7 @@ final class PictureCheck {
      * Renders into a sink that consumes and discards the rows, so that the JVM cannot optimise their computation
      * away.
      */
-    static Counters render(Frame frame, Renderer renderer, Blackhole hole) {
+    static Counters render(Frame frame, Renderer renderer, Blackhole hole) throws InterruptedException, IOException {
         return renderer.render(frame, (y, argb, depth, primitive) -> {
             hole.consume(argb);
             hole.consume(depth);

@@ -46,7 +46,7 @@ public class PngBenchmark {
 
     /** Renders the image, and fails if the written file contains different pixels. */
     @Setup
-    public void setUp() throws IOException {
+    public void setUp() throws InterruptedException, IOException {
         image = PictureCheck.renderer("zbuffer").render(Workloads.scene(scene).frame(side, side));
         picture = opaque(image);
         file = Files.createTempFile("lazyz-", ".png");

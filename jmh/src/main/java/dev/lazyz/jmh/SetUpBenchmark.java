@@ -3,6 +3,7 @@ package dev.lazyz.jmh;
 import dev.lazyz.Frame;
 import dev.lazyz.jmh.workload.Workloads;
 import dev.lazyz.world.Scene;
+import java.io.IOException;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -36,7 +37,7 @@ public class SetUpBenchmark {
 
     /** Creates the scene, and fails if a second set-up gives a different image. */
     @Setup
-    public void setUp() {
+    public void setUp() throws InterruptedException, IOException {
         world = Workloads.scene(scene);
         String first = PictureCheck.hash(world.frame(side, side), PictureCheck.renderer("zbuffer"));
         String second = PictureCheck.hash(Workloads.scene(scene).frame(side, side), PictureCheck.renderer("tiled"));

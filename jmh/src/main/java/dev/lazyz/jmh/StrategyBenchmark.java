@@ -5,6 +5,7 @@ import dev.lazyz.Frame;
 import dev.lazyz.Renderer;
 import dev.lazyz.jmh.workload.Workloads;
 import dev.lazyz.world.Scene;
+import java.io.IOException;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.AuxCounters;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -77,12 +78,12 @@ public class StrategyBenchmark {
 
         /** Shading calls of one rendering. */
         public double shadingCalls() {
-            return share * last.shadingCalls;
+            return share * last.getShadingCalls();
         }
 
         /** Depth evaluations of one rendering. */
         public double depthEvaluations() {
-            return share * last.depthEvaluations;
+            return share * last.getDepthEvaluations();
         }
 
         /** Covered samples of all primitives, per second. */
@@ -92,13 +93,13 @@ public class StrategyBenchmark {
 
         private void add(Counters counters) {
             last = counters;
-            fragments += counters.fragments;
+            fragments += counters.getFragments();
         }
     }
 
     /** Creates the scene, and fails if the renderer's image differs from the z-buffer's. */
     @Setup(Level.Trial)
-    public void setUp() {
+    public void setUp() throws InterruptedException, IOException {
         renderer = PictureCheck.renderer(strategy);
         world = Workloads.scene(scene);
         frame = world.frame(side, side);
@@ -107,13 +108,13 @@ public class StrategyBenchmark {
 
     /** Renders a frame that is already set up. */
     @Benchmark
-    public void render(Work work, Blackhole hole) {
+    public void render(Work work, Blackhole hole) throws InterruptedException, IOException {
         work.add(PictureCheck.render(frame, renderer, hole));
     }
 
     /** Sets up a frame and renders it: from the scene to the image. */
     @Benchmark
-    public void picture(Work work, Blackhole hole) {
+    public void picture(Work work, Blackhole hole) throws InterruptedException, IOException {
         work.add(PictureCheck.render(world.frame(side, side), renderer, hole));
     }
 }

@@ -10,13 +10,14 @@ import dev.lazyz.RowSink;
 import dev.lazyz.jmh.workload.Workloads;
 import dev.lazyz.strategies.Renderers;
 import dev.lazyz.strategies.zbuffer.ZBuffer;
+import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.openjdk.jmh.annotations.Param;
 
 class PictureCheckTest {
     @Test
-    void aPictureWithOneWrongBitIsRefused() {
+    void aPictureWithOneWrongBitIsRefused() throws InterruptedException, IOException {
         Frame frame = Workloads.scene("layers").frame(8, 8);
         PictureCheck.verify(frame, new ZBuffer());
         assertThrows(IllegalStateException.class, () -> PictureCheck.verify(frame, new OneBitOff()));
@@ -40,7 +41,7 @@ class PictureCheckTest {
         }
 
         @Override
-        public Counters render(Frame frame, RowSink sink) {
+        public Counters render(Frame frame, RowSink sink) throws InterruptedException, IOException {
             return new ZBuffer().render(frame, (y, argb, depth, primitive) -> {
                 argb[y % 8] ^= y == 3 ? 1 : 0;
                 sink.row(y, argb, depth, primitive);

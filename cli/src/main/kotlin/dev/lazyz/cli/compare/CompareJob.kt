@@ -68,7 +68,7 @@ internal class CompareJob(private val request: CompareRequest, private val strea
 
         private fun rendered(strategy: Renderer): Outcome {
             val times = LongArray(request.repeat)
-            var counters = Counters()
+            var counters = Counters.NONE
             var difference: Difference? = null
             for (i in times.indices) {
                 streams.progress("rendering with ${strategy.id}, ${i + 1} of ${request.repeat} ...")

@@ -113,7 +113,7 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
     private fun disagreement(recipe: Recipe, whole: FrameCase): String? {
         val case = rendered(recipe, whole)
         val (one, other) = listOf(expected, actual).map { renderer ->
-            runCatching { Rendering.of(renderer.configured(recipe.options()), case.frame) }
+            runCatching { Rendering.of(renderer.configured(recipe.options().supportedBy(renderer)), case.frame) }
         }
         val thrown = listOf(one, other).map { it.exceptionOrNull()?.javaClass?.name }
         if (thrown[0] !=

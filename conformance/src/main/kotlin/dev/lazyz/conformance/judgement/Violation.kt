@@ -3,6 +3,7 @@ package dev.lazyz.conformance.judgement
 import dev.lazyz.Capability
 import dev.lazyz.Image
 import dev.lazyz.Renderer
+import dev.lazyz.StreamingRenderer
 import dev.lazyz.conformance.cases.FrameCase
 
 /**
@@ -36,6 +37,10 @@ internal class NotDeclared(reason: String) : RuntimeException(reason)
 internal fun requireDeclared(renderer: Renderer, capability: Capability) {
     if (capability !in renderer.capabilities) throw NotDeclared("$capability is not declared")
 }
+
+/** Returns [renderer] if primitives can be passed to it one by one; otherwise ends the rule, as not applicable. */
+internal fun requireStreaming(renderer: Renderer): StreamingRenderer =
+    renderer as? StreamingRenderer ?: throw NotDeclared("it is not a StreamingRenderer")
 
 /** Ends the rule, as not applicable, because this JVM cannot make the required measurement, for this [reason]. */
 internal fun notMeasured(reason: String): Nothing = throw NotDeclared("not measured: $reason")

@@ -9,6 +9,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
+import java.io.IOException
 
 /**
  * The oracle: queries every primitive at every sample and compares as contract rule 5 defines, nothing else.
@@ -37,6 +38,7 @@ public class ReferenceRenderer : Renderer {
             Capability.TRANSPARENCY,
         )
 
+    @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
         val row = Row(frame)
         for (y in frame.region.rowStart until frame.region.rowEnd) {
@@ -46,7 +48,7 @@ public class ReferenceRenderer : Renderer {
             if (frame.hasTranslucency) row.blend(y)
             sink.row(y, row.argb, row.depth, row.primitive)
         }
-        return row.counters
+        return row.counters.build()
     }
 
     private class Row(private val frame: Frame) {
@@ -57,7 +59,7 @@ public class ReferenceRenderer : Renderer {
         val argb = IntArray(frame.width)
         val depth = IntArray(frame.width)
         val primitive = IntArray(frame.width)
-        val counters = Counters().apply {
+        val counters = Counters.Builder().apply {
             primitives = frame.primitives.size.toLong()
             peakBytes = 12L * frame.width
         }

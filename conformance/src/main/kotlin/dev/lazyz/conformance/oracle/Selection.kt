@@ -44,7 +44,7 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
             depth[i] = seen.depth
             primitive[i] = seen.index
         }
-        return Image(region, argb, depth, primitive, Counters())
+        return Image(region, argb, depth, primitive, Counters.NONE)
     }
 
     private fun fragments(frame: Frame, x: Int, y: Int): List<Seen> {

@@ -17,4 +17,5 @@ public abstract class AllRules internal constructor() :
     WorkerRules,
     CounterRules,
     PromiseRules,
+    StreamingRules,
     TidyRules

@@ -33,7 +33,7 @@ public sealed interface CombinationRules : RulesForOne {
     ) {
         val combination = Combination(cases, choices)
         val renderer = renderer()
-        val options = combination.options
+        val options = combination.options.supportedBy(renderer)
         val usual = renderer.configured(options)
         when (combination.turns) {
             Turns.ONE_BY_ONE -> combination.shots.forEach { taken(renderer, usual, options, it) }
@@ -51,10 +51,8 @@ public sealed interface CombinationRules : RulesForOne {
         val case = shot.caseFor(renderer.capabilities)
         val selection = shot.selectionFor(renderer.capabilities)
         if (selection != null) {
-            val chosen = with(options) {
-                RenderOptions(coherence, memoryBudget, threads, tileSize, selection.selector)
-            }
-            val judgement = Judgement(renderer.configured(chosen), case, "$options, selector ${shot.selection}")
+            val chosen = renderer.configured(options.withSelector(selection.selector))
+            val judgement = Judgement(chosen, case, "$options, selector ${shot.selection}")
             difference(selection.of(case.frame), judgement.rendering.image)?.let { judgement.fail("", it) }
             return
         }

@@ -11,6 +11,7 @@ import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.judgement.withoutMemory
 import dev.lazyz.conformance.oracle.Selection
@@ -110,6 +111,29 @@ public sealed interface PromiseRules : RulesForOne {
         }
     }
 
+    /** Options are refused if the renderer lacks the capability that they need. */
+    @Rule(
+        intent = "An option is supported or refused, never ignored, because its user relies on it.",
+        look = "Call RenderOptions.requireSupportedBy in configured(); do not override it if there is nothing to " +
+            "configure.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_5_optionsThatAreNotSupportedAreRefused() {
+        val usual = RenderOptions()
+        val options = Coherence.entries.map { usual.withCoherence(it) } +
+            listOf(usual, usual.withMemoryBudget(0L), usual.withMemoryBudget(Long.MAX_VALUE)) +
+            Selection.all.values.map { usual.withSelector(it.selector) }
+        for (option in options) {
+            val renderer = renderer()
+            val missing = option.needs - renderer.capabilities
+            val thrown = answer { renderer.configured(option) }
+            if (missing.isEmpty() && thrown != null) fail(renderer, "it throws $thrown for $option")
+            if (missing.isNotEmpty() && thrown !is IllegalArgumentException) {
+                fail(renderer, "it does not declare $missing, and answers $option with ${thrown ?: "no exception"}")
+            }
+        }
+    }
+
     /** Several threads work on a picture that is large enough. */
     @Rule(
         intent = "A renderer with PARALLEL uses the threads that it is given, and never more of them at the same time.",
@@ -133,7 +157,7 @@ public sealed interface PromiseRules : RulesForOne {
         val renderer = renderer()
         requireDeclared(renderer, Capability.PARALLEL)
         val judgements = listOf(1, 2, 5).map { threads ->
-            val options = RenderOptions(Coherence.INCREMENTAL, threads = threads, tileSize = 8)
+            val options = RenderOptions(Coherence.INCREMENTAL, threads = threads, tileSize = 8).supportedBy(renderer)
             Judgement(renderer.configured(options), case, "$options").equalsReference()
         }
         val counters = judgements.map { it.rendering.counters.withoutMemory() }

@@ -19,6 +19,7 @@ public sealed interface TidyRules : RulesForOne {
         leavesNothingBehind(renderer)
 
         // Without any memory budget, renderers take other code paths
-        leavesNothingBehind(renderer.configured(RenderOptions(Coherence.ADAPTIVE, 0L, threads = 2, tileSize = 8)))
+        val options = RenderOptions(Coherence.ADAPTIVE, 0L, threads = 2, tileSize = 8)
+        leavesNothingBehind(renderer.configured(options.supportedBy(renderer)))
     }
 }

@@ -13,7 +13,7 @@ import net.jqwik.api.Provide;
 /** A custom mix of frames from Java, as shown in docs/conformance.md. */
 class HolesFromJavaProperties {
     @Property(tries = 200, seed = "1995")
-    void holesBehindHoles(@ForAll("holes") FrameCase frameCase) {
+    void holesBehindHoles(@ForAll("holes") FrameCase frameCase) throws InterruptedException {
         var frame = frameCase.getFrame();
         assertSamePicture(new ReferenceRenderer().render(frame), new ZBuffer().render(frame), frameCase.getCode());
     }

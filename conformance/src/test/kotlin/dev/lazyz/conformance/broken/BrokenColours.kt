@@ -52,11 +52,11 @@ object BrokenColours {
     ) { frame, sink -> LazyZBuffer(RenderOptions(Coherence.INCREMENTAL)).render(frame, sink) }
 
     fun countsNoSteps() = coherent("counts-no-steps") { frame, options, sink ->
-        LazyZBuffer(options).render(frame, sink).apply { shadingSteps = 0 }
+        LazyZBuffer(options).render(frame, sink).toBuilder().apply { shadingSteps = 0 }.build()
     }
 
     fun countsWholeChains() = coherent("counts-whole-chains") { frame, options, sink ->
-        LazyZBuffer(options).render(frame, sink).apply { longestChain = shadingSteps }
+        LazyZBuffer(options).render(frame, sink).toBuilder().apply { longestChain = shadingSteps }.build()
     }
 
     private class TwiceShaded(private val whole: Primitive) : Primitive by whole {

@@ -90,9 +90,10 @@ object BrokenPromises {
 
     fun losesCounts() = threaded("loses-counts") { counters, threads -> counters.fragments /= threads }
 
-    private fun threaded(id: String, threads: Int = 1, change: (Counters, Int) -> Unit): BrokenRenderer =
+    private fun threaded(id: String, threads: Int = 1, change: (Counters.Builder, Int) -> Unit): BrokenRenderer =
         BrokenRenderer(id, setOf(Capability.PARALLEL), { threaded(id, it.threads, change) }) { frame, sink ->
-            Tiled(RenderOptions(threads = threads, tileSize = 8)).render(frame, sink).also { change(it, threads) }
+            Tiled(RenderOptions(threads = threads, tileSize = 8)).render(frame, sink).toBuilder()
+                .also { change(it, threads) }.build()
         }
 
     fun budgetIgnored() = claiming("budget-ignored", Capability.MEMORY_BUDGET, Hybrid())

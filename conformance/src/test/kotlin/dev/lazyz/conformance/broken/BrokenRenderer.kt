@@ -13,7 +13,7 @@ import dev.lazyz.RowSink
 import dev.lazyz.strategies.zbuffer.ZBuffer
 
 /** A renderer with one mistake. */
-class BrokenRenderer(
+open class BrokenRenderer(
     override val id: String,
     override val capabilities: Set<Capability> = emptySet(),
     private val options: ((RenderOptions) -> Renderer)? = null,
@@ -21,7 +21,8 @@ class BrokenRenderer(
 ) : Renderer {
     override val summary: String get() = "makes one mistake: $id"
 
-    override fun configured(options: RenderOptions): Renderer = this.options?.invoke(options) ?: this
+    override fun configured(options: RenderOptions): Renderer =
+        this.options?.invoke(options.requireSupportedBy(this)) ?: super.configured(options)
 
     override fun render(frame: Frame, sink: RowSink): Counters = how(frame, sink)
 
@@ -46,9 +47,9 @@ internal fun rows(id: String, order: (Int) -> List<Int>) =
     BrokenRenderer(id) { frame, sink -> emit(ZBuffer().render(frame), sink, order(frame.height)) }
 
 /** Renders correctly, but changes the counters by [change]. */
-internal fun counting(id: String, change: Counters.(Image) -> Unit) = BrokenRenderer(id) { frame, sink ->
+internal fun counting(id: String, change: Counters.Builder.(Image) -> Unit) = BrokenRenderer(id) { frame, sink ->
     val image = ZBuffer().render(frame)
-    emit(image, sink).apply { change(image) }
+    emit(image, sink).toBuilder().apply { change(image) }.build()
 }
 
 /** Delivers [rows] of an image. */

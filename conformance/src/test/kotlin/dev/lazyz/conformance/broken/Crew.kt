@@ -19,7 +19,7 @@ internal class Tools(
     val isLocked: Boolean = true,
     val isPatient: Boolean = true,
     val isTold: (Throwable) -> Boolean = { true },
-    val counters: () -> Counters = { Counters() },
+    val counters: () -> Counters.Builder = { Counters.Builder() },
     val spans: () -> Spans = { Spans() },
     val fragment: () -> Fragment = { Fragment() },
     val row: (width: Int) -> IntArray = { IntArray(it) },
@@ -45,15 +45,15 @@ internal class Crew(private val frame: Frame, private val threads: Int, private 
             val row = tools.row(region.width)
             for (y in number until region.height step threads) shade(y, row, fragment, counters[number])
         }
-        val sum = counters.distinct().fold(Counters()) { a, b -> a.plus(b) }
+        val sum = counters.distinct().fold(Counters.Builder()) { sum, part -> sum.add(part.build()) }
         sum.primitives = frame.primitives.size.toLong()
         sum.peakBytes = 12 * region.size
-        return Image(region, argb, IntArray(keys.size) { test.depthOf(keys[it]) }, indices(), sum)
+        return Image(region, argb, IntArray(keys.size) { test.depthOf(keys[it]) }, indices(), sum.build())
     }
 
     private fun indices() = IntArray(keys.size) { test.indexOf(keys[it]) }
 
-    private fun draw(index: Int, spans: Spans, counters: Counters) {
+    private fun draw(index: Int, spans: Spans, counters: Counters.Builder) {
         val primitive = frame.primitives[index]
         if (maxOf(primitive.columnStart, region.columnStart) >= minOf(primitive.columnEnd, region.columnEnd)) return
         for (y in maxOf(primitive.rowStart, region.rowStart) until minOf(primitive.rowEnd, region.rowEnd)) {
@@ -72,13 +72,13 @@ internal class Crew(private val frame: Frame, private val threads: Int, private 
         }
     }
 
-    private fun merge(at: Int, key: Long, counters: Counters) {
+    private fun merge(at: Int, key: Long, counters: Counters.Builder) {
         if (key >= keys[at]) return
         keys[at] = key
         counters.depthPasses++
     }
 
-    private fun shade(y: Int, row: IntArray, fragment: Fragment, counters: Counters) {
+    private fun shade(y: Int, row: IntArray, fragment: Fragment, counters: Counters.Builder) {
         for (x in 0 until region.width) {
             val index = test.indexOf(keys[y * region.width + x])
             row[x] = background

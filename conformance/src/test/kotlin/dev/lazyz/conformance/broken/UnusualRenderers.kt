@@ -39,25 +39,33 @@ internal object UnusualRenderers {
     /** Casts a ray through each sample, in random order, and queries all primitives whose bounds contain it. */
     private fun rays(frame: Frame, sink: RowSink): Counters {
         val region = frame.region
-        val counters = Counters()
+        val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()
         val image = Image(
             region,
             IntArray(region.size.toInt()) { frame.raster.background.toArgb() },
             IntArray(region.size.toInt()) { frame.raster.backgroundDepth },
             IntArray(region.size.toInt()) { DepthTest.BACKGROUND },
-            counters,
+            Counters.NONE,
         )
         counters.peakBytes = 16L * region.size
         val near = frame.primitives.indices.filter { frame.primitives[it].meets(region) }
         val spans = Spans()
         for (i in image.argb.indices.shuffled(Random(1))) {
-            cast(frame, near, spans, image, i)
+            cast(frame, near, spans, image, counters, i)
         }
-        return emit(image, sink)
+        emit(image, sink)
+        return counters.build()
     }
 
-    private fun cast(frame: Frame, near: List<Int>, spans: Spans, image: Image, sample: Int) {
+    private fun cast(
+        frame: Frame,
+        near: List<Int>,
+        spans: Spans,
+        image: Image,
+        counters: Counters.Builder,
+        sample: Int,
+    ) {
         val x = image.region.columnStart + sample % image.width
         val y = image.region.rowStart + sample / image.width
         val test = frame.raster.depthTest
@@ -66,12 +74,12 @@ internal object UnusualRenderers {
             spans.clear()
             frame.primitives[index].spans(y, spans)
             if ((0 until spans.count).none { x >= spans.start(it) && x < spans.end(it) }) continue
-            image.counters.fragments++
-            image.counters.depthEvaluations++
+            counters.fragments++
+            counters.depthEvaluations++
             val key = test.key(frame.primitives[index].depth(x, y), index)
             if (key < best) {
                 best = key
-                image.counters.depthPasses++
+                counters.depthPasses++
             }
         }
         val winner = test.indexOf(best)
@@ -79,7 +87,7 @@ internal object UnusualRenderers {
         val fragment = Fragment()
         fragment.moveTo(x, y)
         frame.primitives[winner].shade(fragment)
-        image.counters.shadingCalls++
+        counters.shadingCalls++
         image.argb[sample] = fragment.toArgb()
         image.depth[sample] = test.depthOf(best)
         image.primitive[sample] = winner
@@ -92,7 +100,7 @@ internal object UnusualRenderers {
     /** Renders 1,024 rows at a time, whatever the height. */
     private fun bands(frame: Frame, sink: RowSink): Counters {
         val region = frame.region
-        val sum = Counters()
+        val sum = Counters.Builder()
         for (start in region.rowStart until region.rowEnd step BAND) {
             val end = minOf(start + BAND, region.rowEnd)
             val band = frame.within(Region(region.columnStart, start, region.columnEnd, end))
@@ -105,7 +113,7 @@ internal object UnusualRenderers {
             sum.peakBytes = maxOf(sum.peakBytes, image.counters.peakBytes)
         }
         sum.primitives = frame.primitives.size.toLong()
-        return sum
+        return sum.build()
     }
 
     /** Overwrites each row as soon as the sink has returned. */
@@ -118,7 +126,9 @@ internal object UnusualRenderers {
     /** Renders everything twice, and delivers the second picture. */
     private fun twice(frame: Frame, sink: RowSink): Counters {
         val first = ZBuffer().render(frame).counters
-        return emit(ZBuffer().render(frame), sink).apply { shadingCalls += first.shadingCalls }
+        val second = emit(ZBuffer().render(frame), sink).toBuilder()
+        second.shadingCalls += first.shadingCalls
+        return second.build()
     }
 
     private fun crew(frame: Frame, sink: RowSink): Counters = emit(Crew(frame, 2, Tools()).render(), sink)

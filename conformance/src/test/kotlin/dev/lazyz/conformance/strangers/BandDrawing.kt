@@ -32,7 +32,7 @@ internal open class BandDrawing(frame: Frame, options: RenderOptions) : Drawing(
         }
         counters.primitives = primitives.size.toLong()
         counters.peakBytes += 12L * window * bandRows * width
-        return counters
+        return counters.build()
     }
 
     open fun drawBands(pool: ExecutorService, sink: RowSink) {

@@ -6,9 +6,10 @@ import dev.lazyz.RowSink
 import dev.lazyz.Spans
 
 /** Makes a renderer that changes its counters by [change] before it returns them. */
-private fun counting(change: PlainDrawing.(Counters) -> Unit) = plain {
+private fun counting(change: PlainDrawing.(Counters.Builder) -> Unit) = plain {
     object : PlainDrawing(it) {
-        override fun run(sink: RowSink): Counters = super.run(sink).also { counters -> change(counters) }
+        override fun run(sink: RowSink): Counters =
+            super.run(sink).toBuilder().also { counters -> change(counters) }.build()
     }
 }
 

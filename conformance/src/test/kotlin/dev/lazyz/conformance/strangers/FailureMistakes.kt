@@ -98,7 +98,7 @@ internal val failureMistakes: List<Stranger> = listOf(
         }
     },
     Stranger("state-counters-of-all", "counters are those of all renderings so far", setOf("7.1", "8.1")) {
-        var sum = Counters()
+        var sum = Counters.NONE
         plain {
             object : PlainDrawing(it) {
                 override fun run(sink: RowSink): Counters {

@@ -21,7 +21,7 @@ internal open class PlainDrawing(frame: Frame) : Drawing(frame) {
         counters.peakBytes = 12L * keys.size
         drawAll()
         for (y in region.rowStart until region.rowEnd) finishRow(keys, (y - region.rowStart) * width, y, sink)
-        return counters
+        return counters.build()
     }
 
     open fun drawAll() {

@@ -24,7 +24,8 @@ internal val promiseMistakes: List<Stranger> = listOf(
                     return buckets.flatMap { it }
                 }
 
-                override fun run(sink: RowSink): Counters = super.run(sink).also { it.peakBytes += 24L * region.height }
+                override fun run(sink: RowSink): Counters =
+                    super.run(sink).toBuilder().apply { peakBytes += 24L * region.height }.build()
             }
         }
     },
@@ -193,7 +194,9 @@ private class OptionsInPlace : Renderer {
     override val summary: String get() = "a renderer of somebody else"
     override val capabilities: Set<Capability> get() = listPromises(options)
 
-    override fun configured(options: RenderOptions): Renderer = apply { this.options = options }
+    override fun configured(options: RenderOptions): Renderer = apply {
+        this.options = options.requireSupportedBy(this)
+    }
 
     override fun render(frame: Frame, sink: RowSink): Counters = ListDrawing(frame, options.selector).run(sink)
 }

@@ -92,7 +92,7 @@ class StrangersGalleryTest {
             }
             collector.row(y, argb, depth, indices)
         }
-        return collector.toImage(Counters().also { it.primitives = frame.primitives.size.toLong() })
+        return collector.toImage(Counters.Builder().apply { primitives = frame.primitives.size.toLong() }.build())
     }
 
     private fun keys(frame: Frame, x: Int, y: Int): List<Long> {

@@ -29,7 +29,7 @@ internal open class SweepDrawing(frame: Frame, val coherence: Coherence) : Drawi
         counters.primitives = primitives.size.toLong()
         arrivals = arrivals()
         for (y in region.rowStart until region.rowEnd) doRow(y, sink)
-        return counters
+        return counters.build()
     }
 
     open fun doRow(y: Int, sink: RowSink) {

@@ -30,7 +30,7 @@ internal open class TileDrawing(frame: Frame, val tileSize: Int) : Drawing(frame
             for (y in top until bottom) finishRow(keys, (y - top) * width, y, sink)
             counters.peakSuspensions = maxOf(counters.peakSuspensions, counters.shadingCalls - before)
         }
-        return counters
+        return counters.build()
     }
 
     open fun drawBand(top: Int, bottom: Int) {

@@ -21,7 +21,8 @@ internal class Workbench(
 
     override val capabilities: Set<Capability> get() = promises(options)
 
-    override fun configured(options: RenderOptions): Renderer = Workbench(id, promises, options, drawing)
+    override fun configured(options: RenderOptions): Renderer =
+        Workbench(id, promises, options.requireSupportedBy(this), drawing)
 
     override fun render(frame: Frame, sink: RowSink): Counters {
         val drawing = drawing(frame, options)
@@ -37,7 +38,7 @@ internal abstract class Drawing(val frame: Frame) {
     val width = frame.width
     val test = raster.depthTest
     val primitives: List<Primitive> = frame.primitives
-    val counters = Counters()
+    val counters = Counters.Builder()
     val fragment = Fragment()
 
     /** Depths of the span that is being drawn, from its first sample on. */

@@ -62,7 +62,7 @@ internal val workerMistakes: List<Stranger> = listOf(
                 private var before: Counters? = null
 
                 override fun join(part: Counters) {
-                    before?.let { super.join(it) } ?: super.join(Counters())
+                    before?.let { super.join(it) } ?: super.join(Counters.NONE)
                     before = part
                 }
             }
@@ -78,7 +78,8 @@ internal val workerMistakes: List<Stranger> = listOf(
                     joined++
                 }
 
-                override fun run(sink: RowSink): Counters = super.run(sink).also { it.primitives *= joined }
+                override fun run(sink: RowSink): Counters =
+                    super.run(sink).toBuilder().apply { primitives *= joined }.build()
             }
         }
     },
@@ -89,7 +90,8 @@ internal val workerMistakes: List<Stranger> = listOf(
     ) {
         bands { frame, options ->
             object : BandDrawing(frame, options) {
-                override fun run(sink: RowSink): Counters = super.run(sink).also { it.peakSuspensions *= threads }
+                override fun run(sink: RowSink): Counters =
+                    super.run(sink).toBuilder().apply { peakSuspensions *= threads }.build()
             }
         }
     },
@@ -158,7 +160,7 @@ internal fun BandDrawing.emptyImage(band: Region): Image {
     val size = band.size.toInt()
     return Image(
         band, IntArray(size) { backgroundArgb() }, IntArray(size) { raster.backgroundDepth }, IntArray(size) { -1 },
-        Counters(),
+        Counters.NONE,
     )
 }
 
@@ -189,7 +191,7 @@ private class SharedKeys(frame: Frame, options: RenderOptions) : BandDrawing(fra
 }
 
 /** Counts into [shared], and into its own counters nothing. */
-private class SharedCounters(part: Frame, private val shared: Counters) : SweepDrawing(part, Coherence.DIRECT) {
+private class SharedCounters(part: Frame, private val shared: Counters.Builder) : SweepDrawing(part, Coherence.DIRECT) {
     override fun count(start: Int, end: Int) {
         shared.fragments += end - start
         shared.depthEvaluations += end - start

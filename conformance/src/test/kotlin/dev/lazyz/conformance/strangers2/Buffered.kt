@@ -25,7 +25,7 @@ internal class Buffered(private val steps: BufferSteps) : Renderer {
         steps.drawAll(pass)
         steps.handOut(pass, sink)
         steps.end(pass)
-        return counters
+        return counters.build()
     }
 }
 
@@ -35,7 +35,7 @@ internal class BufferPass(val frame: Frame, val keys: LongArray, val argb: IntAr
     val width = frame.width
     val test = frame.raster.depthTest
     val backgroundKey = test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND)
-    val counters = Counters()
+    val counters = Counters.Builder()
     val spans = Spans(region)
     var notes: List<IntArray> = emptyList()
     val fragment = Fragment()

@@ -26,7 +26,7 @@ internal class Layers(private val steps: LayerSteps, private val options: Render
             return if (isUsual) always + Capability.SHADES_ONLY_VISIBLE else always
         }
 
-    override fun configured(options: RenderOptions): Renderer = Layers(steps, options)
+    override fun configured(options: RenderOptions): Renderer = Layers(steps, options.requireSupportedBy(this))
 
     override fun render(frame: Frame, sink: RowSink): Counters = LayerPass(frame, options, steps, sink).run()
 }
@@ -47,7 +47,7 @@ internal class LayerPass(val frame: Frame, val options: RenderOptions, val steps
     val region = frame.region
     val test = frame.raster.depthTest
     val backgroundKey = test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND)
-    val counters = Counters()
+    val counters = Counters.Builder()
     val columns = Array(frame.width) { Column() }
     val fragment = Fragment()
     val selector: Selector? = steps.selector(frame, options)
@@ -81,7 +81,7 @@ internal class LayerPass(val frame: Frame, val options: RenderOptions, val steps
             sink.row(y, argb, depths, indices)
         }
         counters.peakBytes = columns.sumOf { 8L * it.keys.size + 40 } + 12L * frame.width
-        return counters
+        return counters.build()
     }
 
     private fun gather(y: Int) {

@@ -17,7 +17,7 @@ internal class RowByRow(private val steps: RowSteps, private val options: Render
     override val summary: String get() = "a base of the second gallery"
     override val capabilities: Set<Capability> get() = steps.promises
 
-    override fun configured(options: RenderOptions): Renderer = RowByRow(steps, options)
+    override fun configured(options: RenderOptions): Renderer = RowByRow(steps, options.requireSupportedBy(this))
 
     override fun render(frame: Frame, sink: RowSink): Counters {
         steps.check(frame)
@@ -42,7 +42,7 @@ internal class RowPass(val frame: Frame, val options: RenderOptions, val steps: 
     var argb = IntArray(width)
     var depths = IntArray(width)
     var indices = IntArray(width)
-    val counters = Counters()
+    val counters = Counters.Builder()
     val spans = Spans(region)
     val active = ArrayList<Active>()
     val colors = RowColors(this)
@@ -67,7 +67,7 @@ internal class RowPass(val frame: Frame, val options: RenderOptions, val steps: 
         }
         counters.peakBytes = 20L * width + 8L * arrivals.size + 100L * most + extraBytes
         steps.finish(this)
-        return counters
+        return counters.build()
     }
 }
 

@@ -27,7 +27,7 @@ internal fun rowColorMistakes(): List<Stranger> = listOf(
     },
     wrongRows("whole-chain", "the longest chain is told from the chain's first column, not from its last use", "8.1") {
         object : RowSteps() {
-            override fun count(counters: Counters, gap: Int, chain: RowColors.Chain) {
+            override fun count(counters: Counters.Builder, gap: Int, chain: RowColors.Chain) {
                 super.count(counters, gap, chain)
                 counters.longestChain = maxOf(counters.longestChain, chain.length.toLong())
             }

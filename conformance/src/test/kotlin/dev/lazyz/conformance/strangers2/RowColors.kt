@@ -79,7 +79,7 @@ internal open class ColorSteps {
     open fun isWorth(coherence: Coherence, gap: Int, primitive: Primitive): Boolean =
         coherence == Coherence.INCREMENTAL || gap <= primitive.shadingStartCost
 
-    open fun count(counters: Counters, gap: Int, chain: RowColors.Chain) {
+    open fun count(counters: Counters.Builder, gap: Int, chain: RowColors.Chain) {
         counters.shadingSteps += gap
         counters.longestChain = maxOf(counters.longestChain, gap.toLong())
     }

@@ -7,7 +7,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.Spans
 
 /** What one thread of [Tiles] does with its tiles. */
-internal class TileDrawing(val pass: TilePass, val counters: Counters, val fragment: Fragment) {
+internal class TileDrawing(val pass: TilePass, val counters: Counters.Builder, val fragment: Fragment) {
     private val region = pass.region
     private val steps = pass.steps
     private val primitives = pass.frame.primitives

@@ -16,7 +16,7 @@ internal class Tiles(private val steps: TileSteps, private val options: RenderOp
     override val summary: String get() = "a base of the second gallery"
     override val capabilities: Set<Capability> get() = setOf(Capability.PARALLEL, Capability.SHADES_ONLY_VISIBLE)
 
-    override fun configured(options: RenderOptions): Renderer = Tiles(steps, options)
+    override fun configured(options: RenderOptions): Renderer = Tiles(steps, options.requireSupportedBy(this))
 
     override fun render(frame: Frame, sink: RowSink): Counters {
         refuseTranslucent(frame, id)
@@ -44,20 +44,20 @@ internal class TilePass(val frame: Frame, val options: RenderOptions, val steps:
     fun run(sink: RowSink): Counters {
         bin()
         val threads = steps.threads(this, minOf(options.threads, bins.size))
-        val parts = Array(threads) { Counters() }
+        val parts = Array(threads) { Counters.Builder() }
         val workers = (1 until threads).map { number -> Thread { guarded(number, threads, parts[number]) } }
         for (worker in workers) worker.start()
         guarded(0, threads, parts[0])
         steps.await(this, workers)
         failure.get()?.let { throw steps.cause(this, it) }
-        val counters = parts.fold(Counters()) { sum, part -> sum.plus(part) }
+        val counters = parts.fold(Counters.Builder()) { sum, part -> sum.add(part.build()) }
         counters.primitives = steps.primitives(this, threads)
         counters.peakBytes = 12L * keys.size + bins.sumOf { 4L * it.items.size }
         handOut(sink)
-        return counters
+        return counters.build()
     }
 
-    private fun guarded(number: Int, threads: Int, counters: Counters) {
+    private fun guarded(number: Int, threads: Int, counters: Counters.Builder) {
         try {
             val tiles = TileDrawing(this, counters, steps.fragment(this))
             for (tile in steps.share(this, number, threads)) tiles.draw(tile)

@@ -11,7 +11,7 @@ import dev.lazyz.Spans
 internal class ColumnBand(
     private val frame: Frame,
     private val rows: Int,
-    private val counters: Counters,
+    private val counters: Counters.Builder,
     private val mistake: Mistake?,
 ) {
     private val region = frame.region

@@ -14,7 +14,7 @@ internal class ColumnSplit(options: RenderOptions = RenderOptions(), mistake: Mi
     override val capabilities: Set<Capability>
         get() = setOf(Capability.SHADES_ONLY_VISIBLE, Capability.CONSTANT_MEMORY)
 
-    override fun configured(options: RenderOptions): Renderer = ColumnSplit(options, mistake)
+    override fun configured(options: RenderOptions): Renderer = ColumnSplit(options.requireSupportedBy(this), mistake)
 
     override fun render(frame: Frame, sink: RowSink): Counters {
         when (mistake) {
@@ -27,7 +27,7 @@ internal class ColumnSplit(options: RenderOptions = RenderOptions(), mistake: Mi
 
     private inner class Rendering(private val frame: Frame, private val sink: RowSink) {
         private val region = frame.region
-        private val counters = Counters()
+        private val counters = Counters.Builder()
         private val entries = arrivals(frame)
         private var entered = 0
         private val alive = ArrayList<Int>()
@@ -41,7 +41,7 @@ internal class ColumnSplit(options: RenderOptions = RenderOptions(), mistake: Mi
 
         fun run(): Counters {
             counters.primitives = frame.primitives.size.toLong()
-            if (mistake == Mistake.COLUMNS_EMPTY_FRAME && frame.primitives.isEmpty()) return counters
+            if (mistake == Mistake.COLUMNS_EMPTY_FRAME && frame.primitives.isEmpty()) return counters.build()
             var band = ColumnBand(frame, rows, counters, mistake)
             var top = region.rowStart
             while (top < region.rowEnd) {
@@ -64,7 +64,7 @@ internal class ColumnSplit(options: RenderOptions = RenderOptions(), mistake: Mi
             }
             counters.peakBytes =
                 8L * (entries.size + tops.size) + row.bytes + band.bytes + spanBytes + 16L * mostAlive + 64
-            return counters
+            return counters.build()
         }
 
         private fun admit(top: Int, end: Int) {

@@ -26,7 +26,7 @@ internal class EventSweep(options: RenderOptions = RenderOptions(), mistake: Mis
             return if (isUsual) always + Capability.SHADES_ONLY_VISIBLE else always
         }
 
-    override fun configured(options: RenderOptions): Renderer = EventSweep(options, mistake)
+    override fun configured(options: RenderOptions): Renderer = EventSweep(options.requireSupportedBy(this), mistake)
 
     override fun render(frame: Frame, sink: RowSink): Counters = Rendering(frame, sink).run()
 
@@ -39,7 +39,7 @@ internal class EventSweep(options: RenderOptions = RenderOptions(), mistake: Mis
 
     private inner class Rendering(private val frame: Frame, private val sink: RowSink) {
         private val region = frame.region
-        private val counters = Counters()
+        private val counters = Counters.Builder()
         private val isForgotten = mistake == Mistake.EVENTS_SELECTOR_DIRECT && options.selector != null
         private val coherence = if (isForgotten) Coherence.DIRECT else options.coherence
         private val shading = RowShading(frame, coherence, counters, mistake)
@@ -71,7 +71,7 @@ internal class EventSweep(options: RenderOptions = RenderOptions(), mistake: Mis
             }
             counters.peakBytes = 32L * held + 64L * mostHeld + now.bytes + later.bytes + cell.bytes + row.bytes +
                 shading.bytes + 64
-            return counters
+            return counters.build()
         }
 
         /** Collects the events of row [y]. */

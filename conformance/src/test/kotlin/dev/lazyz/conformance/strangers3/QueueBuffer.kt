@@ -17,11 +17,11 @@ internal class QueueBuffer(options: RenderOptions = RenderOptions(), mistake: Mi
     override val capabilities: Set<Capability>
         get() = setOf(Capability.STREAMS_PRIMITIVES, Capability.MEMORY_BUDGET)
 
-    override fun configured(options: RenderOptions): Renderer = QueueBuffer(options, mistake)
+    override fun configured(options: RenderOptions): Renderer = QueueBuffer(options.requireSupportedBy(this), mistake)
 
     override fun render(frame: Frame, sink: RowSink): Counters {
         refuseTranslucent(frame)
-        val counters = Counters()
+        val counters = Counters.Builder()
         val samples = samples(frame)
         try {
             samples.begin(frame, counters)
@@ -29,10 +29,10 @@ internal class QueueBuffer(options: RenderOptions = RenderOptions(), mistake: Mi
         } finally {
             samples.end()
         }
-        return counters
+        return counters.build()
     }
 
-    private fun run(frame: Frame, samples: QueueSamples, counters: Counters, sink: RowSink) {
+    private fun run(frame: Frame, samples: QueueSamples, counters: Counters.Builder, sink: RowSink) {
         val seen = ArrayList<Primitive>()
         var index = 0
         for (primitive in frame.primitives) {

@@ -26,9 +26,9 @@ internal class QueueSamples(val size: Int, capacity: Int, private val mistake: M
     private lateinit var test: DepthTest
     private lateinit var region: Region
     private lateinit var spans: Spans
-    private lateinit var counters: Counters
+    private lateinit var counters: Counters.Builder
 
-    fun begin(frame: Frame, counters: Counters) {
+    fun begin(frame: Frame, counters: Counters.Builder) {
         this.frame = frame
         this.counters = counters
         raster = frame.raster

@@ -12,7 +12,7 @@ import dev.lazyz.Spans
 internal class RowShading(
     private val frame: Frame,
     private val coherence: Coherence,
-    private val counters: Counters,
+    private val counters: Counters.Builder,
     private val mistake: Mistake?,
 ) {
     private class Link(val cursor: ShadingCursor, var x: Int)

@@ -39,7 +39,11 @@ internal class Runs(private val mistake: Mistake?) {
 }
 
 /** Decides between two lists of runs. */
-internal class Contest(private val frame: Frame, private val counters: Counters, private val mistake: Mistake?) {
+internal class Contest(
+    private val frame: Frame,
+    private val counters: Counters.Builder,
+    private val mistake: Mistake?
+) {
     private val test = frame.raster.depthTest
     private val isReversed = test.key(1, 0) < test.key(0, 0)
 

@@ -24,7 +24,7 @@ internal class SpanMerge(options: RenderOptions = RenderOptions(), mistake: Mist
             Capability.SHADES_ONLY_VISIBLE, Capability.CONSTANT_MEMORY, Capability.STREAMS_ROWS, Capability.COHERENCE,
         )
 
-    override fun configured(options: RenderOptions): Renderer = SpanMerge(options, mistake)
+    override fun configured(options: RenderOptions): Renderer = SpanMerge(options.requireSupportedBy(this), mistake)
 
     override fun render(frame: Frame, sink: RowSink): Counters {
         refuseTranslucent(frame)
@@ -44,7 +44,7 @@ internal class SpanMerge(options: RenderOptions = RenderOptions(), mistake: Mist
     private inner class Rendering(private val frame: Frame, private val sink: RowSink) {
         private val region = frame.region
         private val test = frame.raster.depthTest
-        private val counters = Counters()
+        private val counters = Counters.Builder()
         private val shading = RowShading(frame, options.coherence, counters, mistake)
         private val contest = Contest(frame, counters, mistake)
         private val entries = entries(frame)
@@ -71,7 +71,7 @@ internal class SpanMerge(options: RenderOptions = RenderOptions(), mistake: Mist
             }
             counters.peakBytes =
                 8L * entries.size + row.bytes + runBytes + 32L * mostActive + shading.bytes + 64
-            return counters
+            return counters.build()
         }
 
         private fun checkInterrupt() {

@@ -16,7 +16,7 @@ internal class StealingTiles(options: RenderOptions = RenderOptions(), mistake: 
             Capability.PARALLEL, Capability.TRANSPARENCY, Capability.SHADES_ONLY_VISIBLE, Capability.CONSTANT_MEMORY,
         )
 
-    override fun configured(options: RenderOptions): Renderer = StealingTiles(options, mistake)
+    override fun configured(options: RenderOptions): Renderer = StealingTiles(options.requireSupportedBy(this), mistake)
 
     override fun render(frame: Frame, sink: RowSink): Counters = Rendering(frame, sink).run()
 
@@ -106,12 +106,12 @@ internal class StealingTiles(options: RenderOptions = RenderOptions(), mistake: 
         }
 
         private fun counters(): Counters {
-            var sum = Counters()
-            for (scratch in scratches) sum = sum.plus(scratch.counters)
+            val sum = Counters.Builder()
+            for (scratch in scratches) sum.add(scratch.counters.build())
             sum.primitives = frame.primitives.size.toLong()
             sum.peakBytes = 12L * argb.size + row.bytes + 8L * entries.size + 20L * mostAlive +
                 scratches.sumOf { it.bytes }
-            return sum
+            return sum.build()
         }
     }
 

@@ -11,7 +11,7 @@ import dev.lazyz.Selector
 internal class SweepCell(
     private val frame: Frame,
     private val shading: RowShading,
-    private val counters: Counters,
+    private val counters: Counters.Builder,
     private val mistake: Mistake?,
 ) : Cell {
     private val test = frame.raster.depthTest

@@ -14,7 +14,7 @@ internal fun interface SampleSink {
 
 /** What a thread needs for one tile: a key for each sample, and a list of translucent fragments. */
 internal class TileScratch(private val side: Int, private val fragment: Fragment, private val mistake: Mistake?) {
-    val counters = Counters()
+    val counters = Counters.Builder()
     private val keys = LongArray(side * side)
     private val heads = IntArray(side * side)
     private var next = IntArray(64)

@@ -13,7 +13,7 @@ internal class ListChoice(
     private val frame: Frame,
     private val band: ListBand,
     private val selector: Selector?,
-    private val counters: Counters,
+    private val counters: Counters.Builder,
     private val mistake: Mistake?,
 ) {
     private val test = frame.raster.depthTest

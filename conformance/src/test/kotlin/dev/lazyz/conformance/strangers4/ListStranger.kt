@@ -28,6 +28,7 @@ internal class ListStranger(
         }
 
     override fun configured(options: RenderOptions): Renderer {
+        options.requireSupportedBy(this)
         if (mistake != Mistake.LIST_SELECTOR_KEPT || options.selector != null) return ListStranger(mistake, options)
         val merged = RenderOptions(
             options.coherence, options.memoryBudget, options.threads, options.tileSize, this.options.selector,
@@ -36,7 +37,7 @@ internal class ListStranger(
     }
 
     override fun render(frame: Frame, sink: RowSink): Counters {
-        val counters = Counters()
+        val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()
         val touching = frame.primitives.indices.filter { frame.primitives[it].touches(frame.region) }.toIntArray()
         val bandRows = (BAND_SAMPLES / frame.width).coerceIn(1, MOST_ROWS)
@@ -57,7 +58,7 @@ internal class ListStranger(
             counters.peakBytes = maxOf(counters.peakBytes, 4L * touching.size + band.bytes + choice.bytes)
             top = bottom
         }
-        return counters
+        return counters.build()
     }
 
     private fun handOut(y: Int, choice: ListChoice, sink: RowSink) {
@@ -84,7 +85,7 @@ internal class ListStranger(
 internal class ListBand(
     private val frame: Frame,
     rows: Int,
-    private val counters: Counters,
+    private val counters: Counters.Builder,
     private val mistake: Mistake?,
 ) {
     private val test = frame.raster.depthTest

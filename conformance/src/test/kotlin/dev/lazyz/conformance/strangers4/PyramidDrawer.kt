@@ -14,7 +14,7 @@ internal class PyramidDrawer(
     private val frame: Frame,
     private val image: PyramidImage,
     private val levels: PyramidLevels?,
-    private val counters: Counters,
+    private val counters: Counters.Builder,
     private val spans: Spans,
     private val mistake: Mistake?,
 ) {

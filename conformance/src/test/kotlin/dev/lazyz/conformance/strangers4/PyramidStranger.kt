@@ -26,11 +26,12 @@ internal class PyramidStranger(
     override val capabilities: Set<Capability>
         get() = setOf(Capability.SHADES_ONLY_VISIBLE, Capability.STREAMS_PRIMITIVES, Capability.MEMORY_BUDGET)
 
-    override fun configured(options: RenderOptions): Renderer = PyramidStranger(mistake, options)
+    override fun configured(options: RenderOptions): Renderer =
+        PyramidStranger(mistake, options.requireSupportedBy(this))
 
     override fun render(frame: Frame, sink: RowSink): Counters {
         refuse(frame)
-        val counters = Counters()
+        val counters = Counters.Builder()
         val image = image(frame)
         val levels = levels(frame)
         counters.primitives = frame.primitives.size.toLong()
@@ -53,7 +54,7 @@ internal class PyramidStranger(
             image.clear(frame)
             spare.set(image)
         }
-        return counters
+        return counters.build()
     }
 
     private fun refuse(frame: Frame) {
@@ -99,7 +100,7 @@ internal class PyramidStranger(
         return null
     }
 
-    private fun drawSorted(frame: Frame, drawer: PyramidDrawer, counters: Counters) {
+    private fun drawSorted(frame: Frame, drawer: PyramidDrawer, counters: Counters.Builder) {
         val test = frame.raster.depthTest
         val order = LongArray(frame.primitives.size) { test.boundOf(frame.primitives[it], it) }
         counters.peakBytes += 8L * order.size
@@ -132,7 +133,7 @@ internal class PyramidImage(size: Int) {
     }
 
     /** Returns arrays for one row alone. */
-    fun ofRow(width: Int, counters: Counters): PyramidImage {
+    fun ofRow(width: Int, counters: Counters.Builder): PyramidImage {
         counters.peakBytes += 12L * width
         return PyramidImage(width)
     }

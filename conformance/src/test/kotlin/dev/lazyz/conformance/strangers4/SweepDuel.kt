@@ -11,7 +11,11 @@ import dev.lazyz.LinearForm
  * Of two linear forms the one that is before the other at both ends of a run is so in between. As depth is the form's
  * value rounded down, its depth is not behind then; where the other would win a tie it has to lead by a whole unit.
  */
-internal class SweepDuel(private val frame: Frame, private val counters: Counters, private val mistake: Mistake?) {
+internal class SweepDuel(
+    private val frame: Frame,
+    private val counters: Counters.Builder,
+    private val mistake: Mistake?
+) {
     private val test = frame.raster.depthTest
     private val background = LinearForm.constant(frame.raster.backgroundDepth)
 

@@ -5,7 +5,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 
 /** Decides a row: sorts where spans begin and end, and between two such events asks who leads at both ends. */
-internal class SweepRow(private val frame: Frame, private val counters: Counters, mistake: Mistake?) {
+internal class SweepRow(private val frame: Frame, private val counters: Counters.Builder, mistake: Mistake?) {
     private val region = frame.region
     private val duel = SweepDuel(frame, counters, mistake)
     private var starts = LongArray(16)

@@ -12,7 +12,7 @@ import dev.lazyz.ShadingCursor
 internal class SweepShading(
     private val frame: Frame,
     private val coherence: Coherence,
-    private val counters: Counters,
+    private val counters: Counters.Builder,
     private val mistake: Mistake?,
 ) {
     private val chains = HashMap<Int, Chain>()

@@ -24,6 +24,7 @@ internal class SweepStranger(
         )
 
     override fun configured(options: RenderOptions): Renderer {
+        options.requireSupportedBy(this)
         // Direct is the default: nothing to change
         if (mistake == Mistake.SWEEP_DIRECT_IGNORED && options.coherence == Coherence.DIRECT) return this
         return SweepStranger(mistake, options.coherence)
@@ -32,7 +33,7 @@ internal class SweepStranger(
     override fun render(frame: Frame, sink: RowSink): Counters {
         refuse(frame)
         if (mistake == Mistake.SWEEP_FRAME_KEPT) last = frame
-        val counters = Counters()
+        val counters = Counters.Builder()
         val list = SweepList(frame, mistake)
         val row = SweepRow(frame, counters, mistake)
         val shading = SweepShading(frame, coherence, counters, mistake)
@@ -51,7 +52,7 @@ internal class SweepStranger(
             if (mistake == Mistake.SWEEP_ADMITS_EARLY) list.admit(y + 1)
             sink.row(y, shading.argb, row.depths, row.indices)
         }
-        return counters
+        return counters.build()
     }
 
     private fun refuse(frame: Frame) {

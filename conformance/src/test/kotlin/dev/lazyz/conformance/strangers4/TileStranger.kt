@@ -27,18 +27,18 @@ internal class TileStranger(
     override val capabilities: Set<Capability>
         get() = setOf(Capability.PARALLEL, Capability.SHADES_ONLY_VISIBLE, Capability.TRANSPARENCY)
 
-    override fun configured(options: RenderOptions): Renderer = TileStranger(mistake, options)
+    override fun configured(options: RenderOptions): Renderer = TileStranger(mistake, options.requireSupportedBy(this))
 
     override fun render(frame: Frame, sink: RowSink): Counters {
         val picture = TilePicture(frame.region)
         val grid = TileGrid(frame.region, options.tileSize)
         val bins = bins(frame, grid)
-        if (mistake == Mistake.TILE_NOTHING_TO_DO && frame.primitives.isEmpty()) return Counters()
-        val counters = TileCrew(frame, grid, bins, picture, mistake).run(minOf(options.threads, grid.count))
+        if (mistake == Mistake.TILE_NOTHING_TO_DO && frame.primitives.isEmpty()) return Counters.NONE
+        val counters = TileCrew(frame, grid, bins, picture, mistake).run(minOf(options.threads, grid.count)).toBuilder()
         counters.primitives = frame.primitives.size.toLong()
         counters.peakBytes += picture.bytes + bins.bytes + 12L * frame.width
         handOut(frame, picture, sink)
-        return counters
+        return counters.build()
     }
 
     private fun bins(frame: Frame, grid: TileGrid): TileBins {
@@ -112,9 +112,9 @@ internal class TileCrew(
         if (mistake == Mistake.TILE_LEAVES_HELPERS) failure.get()?.let { throw it }
         join(helpers)
         failure.get()?.let { throw if (mistake == Mistake.TILE_FAILURE_WRAPPED) IllegalStateException(it) else it }
-        val sum = results.filterNotNull().fold(Counters()) { all, one -> all.plus(one) }
+        val sum = results.filterNotNull().fold(Counters.Builder()) { all, one -> all.add(one) }
         sum.peakBytes = results.filterNotNull().sumOf { it.peakBytes }
-        return sum
+        return sum.build()
     }
 
     private fun work(number: Int, results: Array<Counters?>) {
@@ -126,7 +126,7 @@ internal class TileCrew(
                 if (tile >= grid.count) break
                 worker.render(tile)
             }
-            results[number] = worker.counters
+            results[number] = worker.counters.build()
         } catch (e: Throwable) {
             if (mistake == Mistake.TILE_ERROR_ESCAPES && e !is Exception) throw e
             failure.compareAndSet(null, e)

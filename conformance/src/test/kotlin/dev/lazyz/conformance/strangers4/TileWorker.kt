@@ -17,7 +17,7 @@ internal class TileWorker(
     private val fragment: Fragment,
     private val mistake: Mistake?,
 ) {
-    val counters = Counters()
+    val counters = Counters.Builder()
     private val test = frame.raster.depthTest
     private val background = test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND)
     private val backgroundColor = frame.raster.background.toArgb()

@@ -25,10 +25,10 @@ internal class Caster(private val options: RenderOptions = RenderOptions(), priv
             return if (isUsual) ALWAYS + Capability.SHADES_ONLY_VISIBLE else ALWAYS
         }
 
-    override fun configured(options: RenderOptions): Renderer = Caster(options, mistake)
+    override fun configured(options: RenderOptions): Renderer = Caster(options.requireSupportedBy(this), mistake)
 
     override fun render(frame: Frame, sink: RowSink): Counters {
-        val counters = Counters()
+        val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()
         val active = CasterActive(frame, mistake)
         val spans = CasterSpans(frame, counters, mistake)
@@ -71,7 +71,7 @@ internal class Caster(private val options: RenderOptions = RenderOptions(), priv
             sink.row(y, argb, depths, indices)
         }
         counters.peakBytes = 12L * width + active.bytes + spans.bytes + cell.bytes + colors.peakBytes
-        return counters
+        return counters.build()
     }
 
     private companion object {

@@ -11,7 +11,7 @@ internal class CasterCell(
     private val frame: Frame,
     private val spans: CasterSpans,
     private val colors: Chains,
-    @Suppress("unused") private val counters: Counters,
+    @Suppress("unused") private val counters: Counters.Builder,
     private val mistake: Mistake?,
 ) : Cell {
     private val test = frame.raster.depthTest

@@ -6,7 +6,11 @@ import dev.lazyz.Frame
 import dev.lazyz.Spans
 
 /** A row's spans in a segment tree over its columns. */
-internal class CasterSpans(private val frame: Frame, private val counters: Counters, private val mistake: Mistake?) {
+internal class CasterSpans(
+    private val frame: Frame,
+    private val counters: Counters.Builder,
+    private val mistake: Mistake?
+) {
     private val region = frame.region
     private val test = frame.raster.depthTest
     private val background = test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND)

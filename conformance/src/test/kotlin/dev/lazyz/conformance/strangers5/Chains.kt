@@ -10,7 +10,7 @@ import dev.lazyz.ShadingCursor
 internal class Chains(
     private val frame: Frame,
     private val coherence: Coherence,
-    private val counters: Counters,
+    private val counters: Counters.Builder,
     private val mistake: Mistake?,
 ) {
     private class Chain(val cursor: ShadingCursor, var x: Int) {

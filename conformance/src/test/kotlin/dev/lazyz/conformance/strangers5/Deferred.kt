@@ -24,7 +24,7 @@ internal class Deferred(private val options: RenderOptions = RenderOptions(), pr
             Capability.SHADES_ONLY_VISIBLE, Capability.CONSTANT_MEMORY, Capability.PARALLEL, Capability.TRANSPARENCY,
         )
 
-    override fun configured(options: RenderOptions): Renderer = Deferred(options, mistake)
+    override fun configured(options: RenderOptions): Renderer = Deferred(options.requireSupportedBy(this), mistake)
 
     @Throws(InterruptedException::class)
     override fun render(frame: Frame, sink: RowSink): Counters =

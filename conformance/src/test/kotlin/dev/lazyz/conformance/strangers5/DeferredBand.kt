@@ -37,7 +37,7 @@ internal class DeferredBand(
     val listBytes: Long get() = lists.bytes
 
     /** Renders a band and counts into [counters]; null if the rendering has been stopped. */
-    fun render(number: Int, counters: Counters): DeferredResult? {
+    fun render(number: Int, counters: Counters.Builder): DeferredResult? {
         top = region.rowStart + number * bands.height
         bottom = minOf(top + bands.height, region.rowEnd)
         keys.fill(background)
@@ -65,7 +65,7 @@ internal class DeferredBand(
     private fun level(form: LinearForm?): Int? =
         if (form != null && form.dx == 0L && form.dy == 0L) (form.c shr 32).toInt() else null
 
-    private fun draw(primitive: Primitive, index: Int, counters: Counters) {
+    private fun draw(primitive: Primitive, index: Int, counters: Counters.Builder) {
         val bound = test.key(if (isReverse) greatest(primitive) else least(primitive), index)
         if (bound >= farthest) return
         if (mistake == Mistake.DEFERRED_OCCLUDER_TIE && isHidden && bound ushr 32 >= farthest ushr 32) return
@@ -105,7 +105,7 @@ internal class DeferredBand(
         farthest = minOf(farthest, back + 1)
     }
 
-    private fun put(at: Int, key: Long, isTranslucent: Boolean, counters: Counters) {
+    private fun put(at: Int, key: Long, isTranslucent: Boolean, counters: Counters.Builder) {
         if (key >= keys[at]) return
         if (key < nearest[at]) {
             nearest[at] = key

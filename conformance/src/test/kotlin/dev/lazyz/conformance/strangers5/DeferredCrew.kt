@@ -16,14 +16,14 @@ internal class DeferredCrew(
     private val size = minOf(threads, bands.count)
     private val window = 2 * size
     private val finished = HashMap<Int, DeferredResult>()
-    private val common = Counters()
+    private val common = Counters.Builder()
     private val argb = IntArray(frame.width)
     private val depths = IntArray(frame.width)
     private val indices = IntArray(frame.width)
     private var next = 0
     private var handedOut = 0
     private var failure: Throwable? = null
-    private var counters = Counters()
+    private val counters = Counters.Builder()
     private var listBytes = 0L
     private var wasEmpty = false
 
@@ -44,11 +44,11 @@ internal class DeferredCrew(
             if (failure == null || mistake != Mistake.DEFERRED_LEAVES_EARLY) join(helpers)
         }
         failure?.let { throw it }
-        counters = counters.plus(common)
+        counters.add(common.build())
         if (mistake == Mistake.DEFERRED_SUSPENSIONS) counters.peakSuspensions *= size
         counters.peakBytes = bands.bytes + 12L * frame.width + listBytes * size +
             frame.width.toLong() * bands.height * (12L * window + 20L * size)
-        return counters
+        return counters.build()
     }
 
     private fun join(helpers: List<Thread>) {
@@ -122,7 +122,8 @@ internal class DeferredCrew(
     private fun claim(): Int = synchronized(lock) { if (mayClaim()) next++ else -1 }
 
     private fun make(band: DeferredBand, number: Int) {
-        val result = band.render(number, if (mistake == Mistake.DEFERRED_LOST_COUNTS) common else Counters()) ?: return
+        val result =
+            band.render(number, if (mistake == Mistake.DEFERRED_LOST_COUNTS) common else Counters.Builder()) ?: return
         synchronized(lock) {
             finished[number] = result
             listBytes = maxOf(listBytes, band.listBytes)
@@ -143,7 +144,7 @@ internal class DeferredCrew(
             sink.row(result.top + row, argb, depths, indices)
         }
         synchronized(lock) {
-            if (mistake != Mistake.DEFERRED_LOST_COUNTS) counters = counters.plus(result.counters)
+            if (mistake != Mistake.DEFERRED_LOST_COUNTS) counters.add(result.counters.build())
             handedOut++
             lock.notifyAll()
         }
@@ -151,7 +152,7 @@ internal class DeferredCrew(
 }
 
 /** A finished band: rows from [top] on. */
-internal class DeferredResult(val top: Int, val height: Int, size: Int, val counters: Counters) {
+internal class DeferredResult(val top: Int, val height: Int, size: Int, val counters: Counters.Builder) {
     val argb = IntArray(size)
     val depths = IntArray(size)
     val indices = IntArray(size)

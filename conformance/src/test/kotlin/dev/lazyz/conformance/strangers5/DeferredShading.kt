@@ -62,7 +62,7 @@ internal class DeferredShading(frame: Frame, private val lists: DeferredLists, p
     }
 
     private fun shade(x: Int, row: Int, index: Int, result: DeferredResult): Fragment {
-        val counters: Counters = result.counters
+        val counters: Counters.Builder = result.counters
         counters.shadingCalls++
         counters.shadingStarts++
         counters.peakSuspensions = maxOf(counters.peakSuspensions, result.argb.size.toLong())

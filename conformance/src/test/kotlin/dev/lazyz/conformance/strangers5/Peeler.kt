@@ -29,7 +29,7 @@ internal class Peeler(private val options: RenderOptions = RenderOptions(), priv
             Capability.MEMORY_BUDGET,
         )
 
-    override fun configured(options: RenderOptions): Renderer = Peeler(options, mistake)
+    override fun configured(options: RenderOptions): Renderer = Peeler(options.requireSupportedBy(this), mistake)
 
     @Throws(InterruptedException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
@@ -61,7 +61,7 @@ internal class Peeler(private val options: RenderOptions = RenderOptions(), priv
             for (at in 0 until image.size) image.color(at)
         }
         image.handOut(sink)
-        return counters
+        return counters.build()
     }
 
     private fun pieceLength(size: Int): Int {
@@ -85,7 +85,7 @@ internal class PeelerImage(private val frame: Frame, private val mistake: Mistak
     private val rows = PeelerRows(frame, mistake)
 
     /** What the rendering took so far. */
-    val counters = Counters()
+    val counters = Counters.Builder()
 
     /** Number of samples. */
     val size: Int = Math.multiplyExact(width, region.height)

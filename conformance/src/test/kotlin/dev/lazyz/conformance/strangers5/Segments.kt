@@ -6,7 +6,11 @@ import dev.lazyz.Frame
 import dev.lazyz.LinearForm
 
 /** The visible segments of a row so far, a linked list from left to right. */
-internal class Segments(private val frame: Frame, private val counters: Counters, private val mistake: Mistake?) {
+internal class Segments(
+    private val frame: Frame,
+    private val counters: Counters.Builder,
+    private val mistake: Mistake?
+) {
     private val region = frame.region
     private val test = frame.raster.depthTest
     private val isReverse = test.isReverse()

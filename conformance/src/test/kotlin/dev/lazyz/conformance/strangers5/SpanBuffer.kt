@@ -67,7 +67,7 @@ internal class SpanBufferRendering(
     private val region = frame.region
     private val primitives = frame.primitives
     private val raster = frame.raster
-    private val counters = Counters()
+    private val counters = Counters.Builder()
     private val segments = Segments(frame, counters, mistake)
     private val spans = Spans(region)
     private val fragment = Fragment()
@@ -177,6 +177,6 @@ internal class SpanBufferRendering(
     /** Returns what it took. */
     fun finish(): Counters {
         counters.peakBytes = 8L * waiting.size + 12L * active.size + 12L * region.width + segments.bytes
-        return counters
+        return counters.build()
     }
 }

@@ -10,6 +10,7 @@ import dev.lazyz.pipeline.Chain
 import dev.lazyz.pipeline.Row
 import dev.lazyz.pipeline.Stage
 import dev.lazyz.requireOpaque
+import java.io.IOException
 import kotlin.coroutines.CoroutineContext
 import kotlinx.coroutines.currentCoroutineContext
 import kotlinx.coroutines.ensureActive
@@ -38,6 +39,10 @@ import kotlinx.coroutines.runBlocking
  * @property options only [RenderOptions.coherence] is used
  */
 public class FlowPipeline @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) : Renderer {
+    init {
+        options.requireSupportedBy(this)
+    }
+
     override val id: String get() = "flow"
 
     override val summary: String get() = "the lazy pipeline as a Flow: cancellable, and a slow collector holds it back"
@@ -55,7 +60,7 @@ public class FlowPipeline @JvmOverloads constructor(private val options: RenderO
      * @throws InterruptedException if the thread is interrupted, also within a row; the sink then receives no further
      *   rows
      */
-    @Throws(InterruptedException::class)
+    @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters = runBlocking {
         rows(frame) {
             if (Thread.interrupted()) throw InterruptedException("interrupted while rendering")
@@ -104,12 +109,12 @@ public class FlowPipeline @JvmOverloads constructor(private val options: RenderO
     }
 
     private suspend fun Flow<Row>.deliver(sink: RowSink): Counters {
-        var counters = Counters()
+        val counters = Counters.Builder()
         collect { row ->
             row.sendTo(sink)
-            counters = counters.plus(row.counters)
+            counters.add(row.counters)
         }
-        return counters
+        return counters.build()
     }
 
     override fun toString(): String = "FlowPipeline($options)"

@@ -10,6 +10,7 @@ import dev.lazyz.pipeline.KeyedRows
 import dev.lazyz.raster.VisibilityOrder
 import dev.lazyz.requireOpaque
 import dev.lazyz.shading.LateShading
+import java.io.IOException
 
 /**
  * A depth buffer that maintains the farthest depth of each block of samples, and of each block of blocks.
@@ -33,6 +34,10 @@ import dev.lazyz.shading.LateShading
  */
 public class HierarchicalZBuffer @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) :
     Renderer {
+    init {
+        options.requireSupportedBy(this)
+    }
+
     override val id: String get() = "hierarchical"
 
     override val summary: String get() = "depth buffer under a pyramid that rejects primitives, then blocks of samples"
@@ -42,9 +47,10 @@ public class HierarchicalZBuffer @JvmOverloads constructor(private val options: 
 
     override fun configured(options: RenderOptions): Renderer = HierarchicalZBuffer(options)
 
+    @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
         requireOpaque(frame, this)
-        val counters = Counters()
+        val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()
         val test = frame.raster.depthTest
 
@@ -57,7 +63,7 @@ public class HierarchicalZBuffer @JvmOverloads constructor(private val options: 
         val rows = KeyedRows(frame, LateShading(frame, options.coherence, counters), counters)
         rows.handOut(frame.region, drawing.keys, sink)
         counters.peakBytes = drawing.bytes + Long.SIZE_BYTES * nearestFirst.size + rows.bytes
-        return counters
+        return counters.build()
     }
 
     override fun toString(): String = "HierarchicalZBuffer($options)"

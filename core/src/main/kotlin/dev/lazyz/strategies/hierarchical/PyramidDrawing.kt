@@ -15,7 +15,7 @@ import dev.lazyz.strategies.hierarchical.DepthPyramid.Companion.BLOCK
  * Draws primitives on a [DepthPyramid], one at a time. It first tests whether the whole primitive is hidden, then each
  * block, and only then each sample. No depths are evaluated for hidden primitives and blocks.
  */
-internal class PyramidDrawing(private val frame: Frame, private val counters: Counters) {
+internal class PyramidDrawing(private val frame: Frame, private val counters: Counters.Builder) {
     private val region = frame.region
     private val test = frame.raster.depthTest
     private val order = VisibilityOrder(test)

@@ -2,14 +2,16 @@ package dev.lazyz.strategies.hybrid
 
 import dev.lazyz.Capability
 import dev.lazyz.Counters
+import dev.lazyz.Drawing
 import dev.lazyz.Frame
-import dev.lazyz.Primitive
 import dev.lazyz.Raster
+import dev.lazyz.Region
 import dev.lazyz.RenderOptions
-import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.StreamingRenderer
+import dev.lazyz.pipeline.GuardedDrawing
 import dev.lazyz.requireOpaque
-import kotlinx.coroutines.flow.Flow
+import java.io.IOException
 
 /**
  * Scan-converts each primitive as it arrives, and suspends the colours until the end.
@@ -32,7 +34,12 @@ import kotlinx.coroutines.flow.Flow
  * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995): the hybrid algorithm (eager spine,
  * lazy elements), and the desperate evaluator, which forces suspensions to reclaim memory.
  */
-public class Hybrid @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) : Renderer {
+public class Hybrid @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) :
+    StreamingRenderer {
+    init {
+        options.requireSupportedBy(this)
+    }
+
     override val id: String get() = "hybrid"
 
     override val summary: String get() = "draws at once and shades at the end, or earlier to keep to a memory budget"
@@ -41,8 +48,9 @@ public class Hybrid @JvmOverloads constructor(private val options: RenderOptions
     override val capabilities: Set<Capability>
         get() = if (options.memoryBudget == null) ALWAYS + Capability.SHADES_ONLY_VISIBLE else ALWAYS
 
-    override fun configured(options: RenderOptions): Renderer = Hybrid(options)
+    override fun configured(options: RenderOptions): Hybrid = Hybrid(options)
 
+    @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
         requireOpaque(frame, this)
         val samples = SuspendedSamples(frame, options, PrimitiveCost.NONE)
@@ -50,23 +58,10 @@ public class Hybrid @JvmOverloads constructor(private val options: RenderOptions
         return samples.finish(sink)
     }
 
-    /**
-     * Renders primitives as they arrive. The order of arrival is the order of submission. A primitive is kept only as
-     * long as a suspended colour needs it.
-     *
-     * Cancellable between primitives. If the flow throws an exception, rendering ends and the sink receives no rows.
-     *
-     * @throws IllegalArgumentException if a primitive is translucent
-     * @throws IllegalStateException if more than 2^31-2 primitives arrive
-     */
-    public suspend fun render(raster: Raster, primitives: Flow<Primitive>, sink: RowSink): Counters {
-        val samples = SuspendedSamples(Frame(raster, emptyList()), options, PrimitiveCost.HELD)
-        var index = 0
-        primitives.collect {
-            requireOpaque(it, index++, this)
-            samples.draw(it)
-        }
-        return samples.finish(sink)
+    /** Begins an image. A primitive is kept only as long as a suspended colour needs it. */
+    override fun begin(raster: Raster, region: Region): Drawing {
+        val samples = SuspendedSamples(Frame(raster, emptyList(), region), options, PrimitiveCost.HELD)
+        return GuardedDrawing(this, samples::draw, samples::finish)
     }
 
     override fun toString(): String = "Hybrid($options)"

@@ -24,7 +24,7 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
     private val width = region.width
     private val test = raster.depthTest
     private val spans = Spans(region)
-    private val counters = Counters()
+    private val counters = Counters.Builder()
 
     private val argb: IntArray
     private val uppers: IntArray
@@ -57,7 +57,6 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
     }
 
     fun draw(primitive: Primitive) {
-        check(counters.primitives < Int.MAX_VALUE) { "more than 2^31-2 primitives" }
         val index = counters.primitives++.toInt()
         val rowStart = maxOf(primitive.rowStart, region.rowStart)
         val rowEnd = minOf(primitive.rowEnd, region.rowEnd)
@@ -170,7 +169,7 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
             }
             sink.row(region.rowStart + row, argb, uppers, lowers)
         }
-        return counters
+        return counters.build()
     }
 
     private companion object {

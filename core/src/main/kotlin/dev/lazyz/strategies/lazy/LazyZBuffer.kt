@@ -9,6 +9,7 @@ import dev.lazyz.RowSink
 import dev.lazyz.pipeline.Chain
 import dev.lazyz.pipeline.Row
 import dev.lazyz.requireOpaque
+import java.io.IOException
 import java.util.stream.Stream
 import kotlin.streams.asStream
 
@@ -38,6 +39,10 @@ import kotlin.streams.asStream
  * @property options only [RenderOptions.coherence] is used
  */
 public class LazyZBuffer @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) : Renderer {
+    init {
+        options.requireSupportedBy(this)
+    }
+
     override val id: String get() = "lazy"
 
     override val summary: String get() = "rows pulled through a chain of coroutines, one a primitive; colours on demand"
@@ -49,13 +54,14 @@ public class LazyZBuffer @JvmOverloads constructor(private val options: RenderOp
 
     override fun configured(options: RenderOptions): LazyZBuffer = LazyZBuffer(options)
 
+    @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
-        var counters = Counters()
+        val counters = Counters.Builder()
         for (row in rows(frame)) {
             row.sendTo(sink)
-            counters = counters.plus(row.counters)
+            counters.add(row.counters)
         }
-        return counters
+        return counters.build()
     }
 
     /**

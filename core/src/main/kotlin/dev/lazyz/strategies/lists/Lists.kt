@@ -8,6 +8,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Selector
 import dev.lazyz.shading.LateShading
+import java.io.IOException
 
 /**
  * Each sample keeps all its fragments with suspended colours; a [Selector] then chooses the result.
@@ -31,6 +32,10 @@ import dev.lazyz.shading.LateShading
  * are shaded when they are chosen.
  */
 public class Lists @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) : Renderer {
+    init {
+        options.requireSupportedBy(this)
+    }
+
     override val id: String get() = "lists"
 
     override val summary: String get() = "each sample keeps all its fragments, a selector picks or blends them"
@@ -47,9 +52,10 @@ public class Lists @JvmOverloads constructor(private val options: RenderOptions 
 
     override fun configured(options: RenderOptions): Renderer = Lists(options)
 
+    @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
         val selector = options.selector ?: if (frame.hasTranslucency) Selector.blend() else Selector.nearest()
-        val counters = Counters()
+        val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()
         val shading = LateShading(frame, options.coherence, counters)
         val active = ActiveList(frame)
@@ -78,7 +84,7 @@ public class Lists @JvmOverloads constructor(private val options: RenderOptions 
         }
         shading.beginRow()
         counters.peakBytes = active.peakBytes + fragments.peakBytes + row.bytes + shading.peakBytes
-        return counters
+        return counters.build()
     }
 
     override fun toString(): String = "Lists($options)"

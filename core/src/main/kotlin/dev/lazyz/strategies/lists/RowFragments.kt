@@ -11,7 +11,7 @@ import dev.lazyz.Frame
  * colour. Fragments are grouped with a counting sort: the spans determine in advance how many fragments each column
  * gets.
  */
-internal class RowFragments(private val frame: Frame, private val counters: Counters) {
+internal class RowFragments(private val frame: Frame, private val counters: Counters.Builder) {
     private val first = frame.region.columnStart
     private val width = frame.width
     private val test = frame.raster.depthTest

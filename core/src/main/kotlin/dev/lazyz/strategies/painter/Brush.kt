@@ -18,7 +18,7 @@ internal class Brush(
     private val frame: Frame,
     private val canvas: Canvas,
     private val pairs: PairOrder,
-    private val counters: Counters,
+    private val counters: Counters.Builder,
 ) {
     private val region = frame.region
     private val test = frame.raster.depthTest

@@ -10,7 +10,7 @@ import dev.lazyz.RowSink
  * The picture painted so far: colour and primitive of each sample. Depth is evaluated at the end, for visible samples
  * only.
  */
-internal class Canvas(private val frame: Frame, private val counters: Counters) {
+internal class Canvas(private val frame: Frame, private val counters: Counters.Builder) {
     private val region = frame.region
     private val width = region.width
     private val fragment = Fragment()

@@ -5,6 +5,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.requireOpaque
+import java.io.IOException
 
 /**
  * Paints from back to front: primitives painted later cover those painted before.
@@ -32,9 +33,10 @@ public class Painter : Renderer {
 
     override val summary: String get() = "paints from back to front, compares samples where no order is proved"
 
+    @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
         requireOpaque(frame, this)
-        val counters = Counters()
+        val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()
         val canvas = Canvas(frame, counters)
         val pairs = PairOrder(frame, counters)
@@ -43,7 +45,7 @@ public class Painter : Renderer {
         order.forEach { brush.paint(it) }
         counters.peakBytes = canvas.bytes + pairs.bytes + order.bytes + brush.bytes
         canvas.finish(sink)
-        return counters
+        return counters.build()
     }
 
     override fun toString(): String = "Painter()"

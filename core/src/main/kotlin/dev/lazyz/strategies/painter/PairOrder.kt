@@ -21,7 +21,7 @@ import dev.lazyz.raster.VisibilityOrder
  * Source: Newell, Newell, Sancha, "A Solution to the Hidden Surface Problem" (1972), except the last test, which is new
  * here: if two long bars cross on the screen, each one's plane intersects the other far from where the bars overlap.
  */
-internal class PairOrder(private val frame: Frame, private val counters: Counters) {
+internal class PairOrder(private val frame: Frame, private val counters: Counters.Builder) {
     private val order = VisibilityOrder(frame.raster.depthTest)
     private val facets = arrayOfNulls<Facet>(frame.primitives.size)
     private val backgroundKey = frame.raster.depthTest.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND)

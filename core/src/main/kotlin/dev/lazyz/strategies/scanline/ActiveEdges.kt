@@ -18,7 +18,7 @@ import dev.lazyz.raster.reaches
  * the paper, a table has a bucket of edges for each row; here waiting primitives are sorted by first row, which takes
  * no memory for rows.
  */
-internal class ActiveEdges(private val frame: Frame, private val counters: Counters) {
+internal class ActiveEdges(private val frame: Frame, private val counters: Counters.Builder) {
     private val region = frame.region
 
     /**

@@ -12,7 +12,11 @@ import dev.lazyz.raster.VisibilityOrder
  * sample by sample, as in a depth buffer. Adding or removing a span moves a part of the list, which takes a few
  * nanoseconds for a hundred spans.
  */
-internal class CurvedSpans(private val frame: Frame, private val edges: ActiveEdges, private val counters: Counters) {
+internal class CurvedSpans(
+    private val frame: Frame,
+    private val edges: ActiveEdges,
+    private val counters: Counters.Builder
+) {
     private val test = frame.raster.depthTest
     private val order = VisibilityOrder(test)
     private val columnStart = frame.region.columnStart

@@ -15,7 +15,7 @@ import dev.lazyz.raster.VisibilityOrder
  *
  * The background takes part as a span of constant depth, whose evaluation is not counted.
  */
-internal class Duel(private val frame: Frame, private val edges: ActiveEdges, private val counters: Counters) {
+internal class Duel(private val frame: Frame, private val edges: ActiveEdges, private val counters: Counters.Builder) {
     private val order = VisibilityOrder(frame.raster.depthTest)
     private val background = LinearForm.constant(frame.raster.backgroundDepth)
     private val backgroundKey = frame.raster.depthTest.key(frame.raster.backgroundDepth, -1)

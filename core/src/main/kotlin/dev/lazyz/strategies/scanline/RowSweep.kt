@@ -14,7 +14,11 @@ import dev.lazyz.Frame
  * Source: Jack Bouknight, "A Procedure for Generation of Three-dimensional Half-toned Computer Graphics Presentations",
  * Communications of the ACM 13 (1970), for the sweep.
  */
-internal class RowSweep(private val frame: Frame, private val edges: ActiveEdges, private val counters: Counters) {
+internal class RowSweep(
+    private val frame: Frame,
+    private val edges: ActiveEdges,
+    private val counters: Counters.Builder
+) {
     private val region = frame.region
     private val test = frame.raster.depthTest
     private val duel = Duel(frame, edges, counters)

@@ -8,6 +8,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.requireOpaque
 import dev.lazyz.shading.LateShading
+import java.io.IOException
 
 /**
  * Works row by row, and along a row from edge to edge: between two edges, one comparison of depth decides all samples.
@@ -35,6 +36,10 @@ import dev.lazyz.shading.LateShading
  * @param options only [RenderOptions.coherence] is used
  */
 public class ScanLine @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) : Renderer {
+    init {
+        options.requireSupportedBy(this)
+    }
+
     override val id: String get() = "scanline"
 
     override val summary: String get() = "row by row from edge to edge, depth compared once where nothing crosses"
@@ -49,9 +54,10 @@ public class ScanLine @JvmOverloads constructor(private val options: RenderOptio
 
     override fun configured(options: RenderOptions): Renderer = ScanLine(options)
 
+    @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
         requireOpaque(frame, this)
-        val counters = Counters()
+        val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()
         val edges = ActiveEdges(frame, counters)
         val sweep = RowSweep(frame, edges, counters)
@@ -72,7 +78,7 @@ public class ScanLine @JvmOverloads constructor(private val options: RenderOptio
             sink.row(y, colors, sweep.depths, sweep.indices)
         }
         counters.peakBytes += shading.peakBytes + Int.SIZE_BYTES * frame.width
-        return counters
+        return counters.build()
     }
 
     override fun toString(): String = "ScanLine($options)"

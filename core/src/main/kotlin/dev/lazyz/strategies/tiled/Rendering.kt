@@ -149,13 +149,13 @@ internal class Rendering(
     }
 
     private fun counters(): Counters {
-        var sum = Counters()
-        for (renderer in renderers) sum = sum.plus(renderer.counters)
+        val sum = Counters.Builder()
+        for (renderer in renderers) sum.add(renderer.counters.build())
         sum.primitives = frame.content.size.toLong()
 
         // Assumes that all parts have their peaks at the same time
         sum.peakBytes = arrivals.bytes + 2 * binBytes + bands.sumOf { it.bytes } + renderers.sumOf { it.bytes }
-        return sum
+        return sum.build()
     }
 
     /**

@@ -26,7 +26,7 @@ internal class TileRenderer(
     private val checkpoint: Checkpoint,
 ) {
     /** Counters of the tiles rendered here. */
-    val counters: Counters = Counters()
+    val counters: Counters.Builder = Counters.Builder()
 
     private val test = frame.raster.depthTest
     private val content = frame.content

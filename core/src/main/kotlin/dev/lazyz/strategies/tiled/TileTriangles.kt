@@ -21,7 +21,7 @@ import dev.lazyz.strategies.tiled.raster.TriangleForms
 internal class TileTriangles(
     private val tile: TileKeys,
     private val kernel: BlockKernel,
-    private val counters: Counters,
+    private val counters: Counters.Builder,
 ) {
     // The part of the triangle's bounds that is in the tile, in samples from the tile's first
     private var left = 0

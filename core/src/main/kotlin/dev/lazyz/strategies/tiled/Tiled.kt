@@ -9,6 +9,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.strategies.tiled.binning.ArrayPool
 import dev.lazyz.strategies.tiled.raster.TileGrid
+import java.io.IOException
 import java.lang.ref.SoftReference
 import java.util.concurrent.atomic.AtomicReference
 
@@ -74,7 +75,9 @@ public class Tiled internal constructor(
     /** Creates a renderer that uses [RenderOptions.coherence], [RenderOptions.threads] and [RenderOptions.tileSize]. */
     @JvmOverloads
     public constructor(options: RenderOptions = RenderOptions()) :
-        this(options.coherence, options.threads, options.tileSize)
+        this(options.coherence, options.threads, options.tileSize) {
+        options.requireSupportedBy(this)
+    }
 
     override val id: String get() = "tiled"
 
@@ -100,7 +103,7 @@ public class Tiled internal constructor(
      * @throws InterruptedException if this thread is interrupted; all threads stop at their next primitive or row, and
      *   the sink receives no further rows
      */
-    @Throws(InterruptedException::class)
+    @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
         // Concurrent renderings each have their own pool
         val pool = kept.getAndSet(null)?.get() ?: ArrayPool()

@@ -9,7 +9,7 @@ import dev.lazyz.raster.VisibilityOrder
 /**
  * The visibility keys of a band of rows. They are set in two ways: without comparing ([fill]), and by minimum ([draw]).
  */
-internal class BandPainting(frame: Frame, bandHeight: Int, private val counters: Counters) {
+internal class BandPainting(frame: Frame, bandHeight: Int, private val counters: Counters.Builder) {
     private val region = frame.region
     private val order = VisibilityOrder(frame.raster.depthTest)
     private val test = frame.raster.depthTest

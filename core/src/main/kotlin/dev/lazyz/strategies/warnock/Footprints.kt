@@ -13,7 +13,7 @@ import java.util.Arrays
  *
  * Primitives are sorted by their first rows, added at the band of their first row, and removed after their last row.
  */
-internal class Footprints(private val frame: Frame, private val counters: Counters) {
+internal class Footprints(private val frame: Frame, private val counters: Counters.Builder) {
     private val region = frame.region
     private val order = VisibilityOrder(frame.raster.depthTest)
     private val spans = Spans(region)

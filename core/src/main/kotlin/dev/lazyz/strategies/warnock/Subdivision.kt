@@ -15,7 +15,7 @@ import dev.lazyz.raster.VisibilityOrder
  * the cover if there is no other. Candidates hidden by the cover are removed, in this area and all its parts. When few
  * fragments are left, the candidates are scan-converted over the cover; otherwise the area is halved.
  */
-internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: Counters) {
+internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: Counters.Builder) {
     private val test = frame.raster.depthTest
     private val order = VisibilityOrder(test)
     private val bounds = AreaBounds(test, counters)

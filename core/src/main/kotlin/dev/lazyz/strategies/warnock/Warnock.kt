@@ -10,6 +10,7 @@ import dev.lazyz.RowSink
 import dev.lazyz.pipeline.KeyedRows
 import dev.lazyz.requireOpaque
 import dev.lazyz.shading.LateShading
+import java.io.IOException
 
 /**
  * Divides the picture into areas until each area is simple.
@@ -36,6 +37,10 @@ import dev.lazyz.shading.LateShading
  * @param options only [RenderOptions.coherence] is used
  */
 public class Warnock @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) : Renderer {
+    init {
+        options.requireSupportedBy(this)
+    }
+
     override val id: String get() = "warnock"
 
     override val summary: String get() = "divides areas until one surface hides all others or little is left"
@@ -45,9 +50,10 @@ public class Warnock @JvmOverloads constructor(private val options: RenderOption
 
     override fun configured(options: RenderOptions): Renderer = Warnock(options)
 
+    @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
         requireOpaque(frame, this)
-        val counters = Counters()
+        val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()
         val region = frame.region
         val footprints = Footprints(frame, counters)
@@ -66,7 +72,7 @@ public class Warnock @JvmOverloads constructor(private val options: RenderOption
             rows.handOut(band, subdivision.keys, sink)
         }
         counters.peakBytes += rows.bytes
-        return counters
+        return counters.build()
     }
 
     override fun toString(): String = "Warnock($options)"

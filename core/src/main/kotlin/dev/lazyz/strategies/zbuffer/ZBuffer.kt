@@ -3,17 +3,19 @@ package dev.lazyz.strategies.zbuffer
 import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
+import dev.lazyz.Drawing
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Region
-import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
+import dev.lazyz.StreamingRenderer
+import dev.lazyz.pipeline.GuardedDrawing
 import dev.lazyz.raster.reaches
 import dev.lazyz.requireOpaque
-import kotlinx.coroutines.flow.Flow
+import java.io.IOException
 
 /**
  * The depth buffer: draws one primitive at a time, and each sample keeps the nearest fragment so far.
@@ -27,13 +29,14 @@ import kotlinx.coroutines.flow.Flow
  *
  * Source: Edwin Catmull, "A Subdivision Algorithm for Computer Display of Curved Surfaces", University of Utah, 1974.
  */
-public class ZBuffer : Renderer {
+public class ZBuffer : StreamingRenderer {
     override val id: String get() = "zbuffer"
 
     override val summary: String get() = "one primitive at a time, depth stepped along spans, shades whatever is nearer"
 
     override val capabilities: Set<Capability> get() = setOf(Capability.STREAMS_PRIMITIVES)
 
+    @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
         requireOpaque(frame, this)
         val buffer = Buffer(frame.raster, frame.region)
@@ -41,24 +44,12 @@ public class ZBuffer : Renderer {
         return buffer.finish(sink)
     }
 
-    override fun toString(): String = "ZBuffer()"
-
-    /**
-     * Renders primitives as they arrive, without keeping them. The order of arrival is the order of submission.
-     *
-     * Cancellable between primitives. If the flow throws an exception, rendering ends and the sink receives no rows.
-     *
-     * @throws IllegalStateException if more than 2^31-2 primitives arrive
-     */
-    public suspend fun render(raster: Raster, primitives: Flow<Primitive>, sink: RowSink): Counters {
-        val buffer = Buffer(raster, raster.region)
-        var index = 0
-        primitives.collect {
-            requireOpaque(it, index++, this)
-            buffer.draw(it)
-        }
-        return buffer.finish(sink)
+    override fun begin(raster: Raster, region: Region): Drawing {
+        val buffer = Buffer(raster, region)
+        return GuardedDrawing(this, buffer::draw, buffer::finish)
     }
+
+    override fun toString(): String = "ZBuffer()"
 
     /** Colour and visibility key of each sample of a region. */
     private class Buffer(raster: Raster, private val region: Region) {
@@ -66,11 +57,12 @@ public class ZBuffer : Renderer {
         private val test = raster.depthTest
         private val argb: IntArray
         private val keys: LongArray
-        private val counters = Counters()
+        private val counters = Counters.Builder()
         private val fragment = Fragment()
         private val spans = Spans(region)
 
         init {
+            require(raster.region.contains(region)) { "$region must be within $raster" }
             require(region.size <= MAX_SAMPLES) { "the z-buffer holds at most $MAX_SAMPLES samples: ${region.size}" }
             argb = IntArray(region.size.toInt())
             keys = LongArray(region.size.toInt())
@@ -80,7 +72,6 @@ public class ZBuffer : Renderer {
         }
 
         fun draw(primitive: Primitive) {
-            check(counters.primitives < Int.MAX_VALUE) { "more than 2^31-2 primitives" }
             val index = counters.primitives++.toInt()
             val rowStart = maxOf(primitive.rowStart, region.rowStart)
             val rowEnd = minOf(primitive.rowEnd, region.rowEnd)
@@ -133,7 +124,7 @@ public class ZBuffer : Renderer {
                 }
                 sink.row(region.rowStart + row, colors, depths, indices)
             }
-            return counters
+            return counters.build()
         }
     }
 

@@ -52,7 +52,7 @@ class FlowPipelineTest {
     @Test
     fun takingSomeRowsDoesTheWorkOfThoseRows() = runBlocking {
         val layers = PipelineScenes.layers(raster, 10)
-        var counters = Counters()
+        var counters = Counters.NONE
         pipeline.rows(Frame(raster, layers)).take(3).collect { row ->
             assertTrue(layers.all { it.rows.size == row.y + 1 }) { "row ${row.y} is ready, and no other" }
             row.argb(2)

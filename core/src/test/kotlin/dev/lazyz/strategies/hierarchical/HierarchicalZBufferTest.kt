@@ -91,7 +91,7 @@ class HierarchicalZBufferTest {
             builder.polygon(Rgba.BLACK, rectangle(left, top, right, random.nextInt(top, 300) + 1, 0.3, 0.9))
         }
         val frame = builder.build()
-        val counters = Counters()
+        val counters = Counters.Builder()
         val drawing = PyramidDrawing(frame, counters)
         drawing.draw(0)
         val looks = drawing.pyramid.looks
@@ -150,7 +150,7 @@ class HierarchicalZBufferTest {
         for (seed in 0L until 300L) {
             val frame = AreaFrames(seed).frame()
             val test = frame.raster.depthTest
-            val drawing = PyramidDrawing(frame, Counters())
+            val drawing = PyramidDrawing(frame, Counters.Builder())
             for (index in frame.primitives.indices) {
                 drawing.draw(index)
                 drawing.pyramid.assertCurrent()

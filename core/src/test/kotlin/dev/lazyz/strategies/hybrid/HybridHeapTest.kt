@@ -8,6 +8,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Spans
+import dev.lazyz.render
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.io.File
 import java.util.concurrent.TimeUnit

@@ -5,6 +5,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.RenderOptions
 import dev.lazyz.pipeline.LayeredFrames
+import dev.lazyz.render
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import kotlinx.coroutines.flow.asFlow
 import kotlinx.coroutines.runBlocking

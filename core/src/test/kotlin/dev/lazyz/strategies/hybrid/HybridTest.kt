@@ -13,6 +13,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
 import dev.lazyz.pipeline.Pane
+import dev.lazyz.render
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh

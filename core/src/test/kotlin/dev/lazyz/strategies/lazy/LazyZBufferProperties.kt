@@ -34,7 +34,7 @@ class LazyZBufferProperties {
         val frame = PipelineFrames(seed).next()
         val expected = ZBuffer().render(frame)
         val random = Random(seed)
-        var counters = Counters()
+        var counters = Counters.NONE
 
         // Keep all rows, then read some columns, then all columns, from the last row to the first
         for (row in LazyZBuffer(RenderOptions(coherence)).rows(frame).toList().reversed()) {

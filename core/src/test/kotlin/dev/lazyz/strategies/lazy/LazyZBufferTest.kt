@@ -48,7 +48,7 @@ class LazyZBufferTest {
     @Test
     fun takingSomeRowsDoesTheWorkOfThoseRows() {
         val layers = PipelineScenes.layers(raster, 10)
-        var counters = Counters()
+        var counters = Counters.NONE
         for (row in renderer.rows(Frame(raster, layers)).take(3)) {
             assertTrue(layers.all { it.rows.size == row.y + 1 }) { "row ${row.y} is ready, and no other" }
             row.argb()

@@ -126,7 +126,7 @@ class PainterTest {
     fun smallPrimitivesAreFoundInAboutNLogN() {
         val looks = listOf(2_000, 16_000).map { count ->
             val frame = confetti(count)
-            val order = PaintOrder(frame, PairOrder(frame, Counters()))
+            val order = PaintOrder(frame, PairOrder(frame, Counters.Builder()))
             var painted = 0
             order.forEach { painted++ }
             assertTrue(painted <= count)
@@ -145,7 +145,7 @@ class PainterTest {
         }
         val frame = builder.build()
         counted(frame)
-        val order = PaintOrder(frame, PairOrder(frame, Counters()))
+        val order = PaintOrder(frame, PairOrder(frame, Counters.Builder()))
         order.forEach { }
         assertTrue(order.looks < (PaintOrder.LOOKS_PER_PRIMITIVE + 3) * 3_000, "${order.looks}")
     }

@@ -13,7 +13,7 @@ class PairOrderProperties {
     @Property(tries = 1000, seed = "1972")
     fun whatIsProvedHoldsAtEverySharedSample(@ForAll seed: Long) {
         val frame = AwkwardFrames(seed).frame()
-        val pairs = PairOrder(frame, Counters())
+        val pairs = PairOrder(frame, Counters.Builder())
         val keys = frame.primitives.indices.map { keys(frame, it) }
         for (a in keys.indices) {
             for (b in keys.indices - a) {

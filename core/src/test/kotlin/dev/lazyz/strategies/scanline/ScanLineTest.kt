@@ -116,7 +116,7 @@ class ScanLineTest {
                 }
             }
         }
-        val edges = ActiveEdges(FrameBuilder(Raster(64, height)).add(comb).build(), Counters())
+        val edges = ActiveEdges(FrameBuilder(Raster(64, height)).add(comb).build(), Counters.Builder())
         edges.moveTo(0)
         val bytes = edges.bytes
         for (y in 1 until height) edges.moveTo(y)
@@ -153,7 +153,7 @@ class ScanLineTest {
     fun edgesAreInOrderOnEveryRow() {
         for (seed in 0L until 200L) {
             val frame = AwkwardFrames(seed).frame()
-            val edges = ActiveEdges(frame, Counters())
+            val edges = ActiveEdges(frame, Counters.Builder())
             for (y in frame.region.rowStart until frame.region.rowEnd) {
                 edges.moveTo(y)
                 val expected = frame.primitives.flatMap { primitive ->

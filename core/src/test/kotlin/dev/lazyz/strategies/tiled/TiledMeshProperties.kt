@@ -364,7 +364,7 @@ class TiledMeshProperties {
     }
 
     /** All counters except the one that depends on the number of threads. */
-    private fun work(counters: Counters): String = Counters().plus(counters).apply { peakBytes = 0 }.toString()
+    private fun work(counters: Counters): String = counters.toBuilder().apply { peakBytes = 0 }.toString()
 
     private companion object {
         val SIZES = listOf(1, 8, 16, 64, 512)

@@ -75,7 +75,7 @@ class TiledProperties {
     }
 
     /** All counters except the one that depends on the number of threads. */
-    private fun work(counters: Counters): String = Counters().plus(counters).apply { peakBytes = 0 }.toString()
+    private fun work(counters: Counters): String = counters.toBuilder().apply { peakBytes = 0 }.toString()
 
     private companion object {
         val SIZES = listOf(1, 2, 8, 16, 64, 1024)

@@ -154,7 +154,7 @@ class WarnockTest {
             val frame = AreaFrames(seed).frame()
             val region = frame.region
             val random = Random(seed)
-            val footprints = Footprints(frame, Counters())
+            val footprints = Footprints(frame, Counters.Builder())
             val bandEnd = minOf(region.rowStart + 64, region.rowEnd)
             val band = Region(region.columnStart, region.rowStart, region.columnEnd, bandEnd)
             footprints.moveTo(band)

@@ -9,6 +9,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.SampleScenes
+import dev.lazyz.render
 import dev.lazyz.samples
 import dev.lazyz.world.FrameBuilder
 import java.util.Random

@@ -56,7 +56,7 @@ public final class Growth {
     }
 
     /** Options: see {@code jmh/README.md}. */
-    public static void main(String[] args) throws IOException {
+    public static void main(String[] args) throws InterruptedException, IOException {
         Options options = new Options(args, OPTIONS);
         Path file = Path.of(options.get("results", "docs/growth/results.json"));
         List<String> axes = options.list("axes", "triangles,pixels,small,depth,shading,threads,scenes");
@@ -99,7 +99,7 @@ public final class Growth {
     }
 
     /** Renders representative scenes with each strategy, for some seconds. */
-    private void warmUp(double seconds) {
+    private void warmUp(double seconds) throws InterruptedException, IOException {
         List<Scene> scenes = List.of(Axis.TRIANGLES.scene(1_000), Axis.DEPTH.scene(10), Axis.SHADING.scene(3));
         for (Renderer renderer : Renderers.getBuiltIn()) {
             long end = System.nanoTime() + (long) (1e9 * seconds);
@@ -111,16 +111,18 @@ public final class Growth {
         }
     }
 
-    private void measure(Axis axis, int points) {
+    private void measure(Axis axis, int points) throws InterruptedException, IOException {
         Map<String, String> skipped = new HashMap<>();
-        axis.first(points).forEach(value -> measure(axis, value, skipped));
+        for (long value : axis.first(points).toArray()) {
+            measure(axis, value, skipped);
+        }
     }
 
     /**
      * Measures all strategies at a point. {@code skipped} maps skipped strategies to the reason; strategies that fail
      * are added.
      */
-    private void measure(Axis axis, long value, Map<String, String> skipped) {
+    private void measure(Axis axis, long value, Map<String, String> skipped) throws InterruptedException, IOException {
         Scene scene = axis.scene(value);
         int side = axis.side(value);
         Raster raster = new Raster(side, side, Rgba.TRANSPARENT);
@@ -176,7 +178,8 @@ public final class Growth {
 
     /** Renders a first frame, and compares its image with the first strategy's. */
     private static GrowthResults.Cost first(
-            Axis axis, long value, Renderer renderer, Scene scene, Raster raster, long[] expected) {
+            Axis axis, long value, Renderer renderer, Scene scene, Raster raster, long[] expected)
+            throws InterruptedException, IOException {
         long[] hash = {1};
         RowSink sink = (y, argb, depth, primitive) -> {
             long h = hash[0];
@@ -199,7 +202,8 @@ public final class Growth {
         return cost(axis, value, renderer, 1, millis, 1, allocated, counters);
     }
 
-    private void add(Axis axis, long value, Renderer renderer, int round, Scene scene, Raster raster) {
+    private void add(Axis axis, long value, Renderer renderer, int round, Scene scene, Raster raster)
+            throws InterruptedException, IOException {
         List<Double> times = new ArrayList<>();
         long allocated = 0;
         Counters counters;
@@ -227,7 +231,7 @@ public final class Growth {
             Counters counters) {
         double rounded = Math.round(millis * 1e4) / 1e4;
         return new GrowthResults.Cost(
-                axis.id(), value, renderer.getId(), round, rounded, frames, allocated, counters.peakBytes);
+                axis.id(), value, renderer.getId(), round, rounded, frames, allocated, counters.getPeakBytes());
     }
 
     private void add(GrowthResults.Cost cost) {
@@ -242,7 +246,7 @@ public final class Growth {
                 cost.millis());
     }
 
-    private Counters frame(Scene scene, Raster raster, Renderer renderer) {
+    private Counters frame(Scene scene, Raster raster, Renderer renderer) throws InterruptedException, IOException {
         return renderer.render(scene.frame(raster), (y, argb, depth, primitive) -> seen = argb[0]);
     }
 

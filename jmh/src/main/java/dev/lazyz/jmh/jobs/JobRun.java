@@ -36,7 +36,7 @@ public final class JobRun {
     }
 
     /** No arguments. */
-    public static void main(String[] args) throws IOException {
+    public static void main(String[] args) throws InterruptedException, IOException {
         Path picture = Files.createTempFile("lazyz-job-", ".png");
         try {
             JobRun run = new JobRun(picture);
@@ -51,7 +51,7 @@ public final class JobRun {
         }
     }
 
-    private String measure(double seconds, Path file) throws IOException {
+    private String measure(double seconds, Path file) throws InterruptedException, IOException {
         List<long[]> jobs = new ArrayList<>();
         long end = System.nanoTime() + (long) (seconds * 1e9);
         do {
@@ -73,7 +73,7 @@ public final class JobRun {
     }
 
     /** Performs one job, and returns the times of loading and of rendering with writing, nanoseconds. */
-    private long[] job(Path file) throws IOException {
+    private long[] job(Path file) throws InterruptedException, IOException {
         long start = System.nanoTime();
         Scene scene = Scenes.load(file).getScene();
         long loaded = System.nanoTime();

@@ -56,7 +56,7 @@ public final class PeerRun {
     }
 
     /** Options: see {@code jmh/README.md}. */
-    public static void main(String[] args) throws IOException {
+    public static void main(String[] args) throws InterruptedException, IOException {
         Options options = new Options(args, OPTIONS);
         String strategy = options.get("strategy", "tiled");
         Renderer found = Renderers.find(strategy);
@@ -77,7 +77,7 @@ public final class PeerRun {
         }
     }
 
-    private String measure(double warmUp, double measure) {
+    private String measure(double warmUp, double measure) throws InterruptedException, IOException {
         double first = frame();
         warmUp((long) (1e9 * warmUp));
         double[] times = new double[1 << 16];
@@ -102,7 +102,7 @@ public final class PeerRun {
     }
 
     /** Renders for at least {@code least} nanoseconds, and longer while Java's compilers are active. */
-    private void warmUp(long least) {
+    private void warmUp(long least) throws InterruptedException, IOException {
         CompilationMXBean compilers = ManagementFactory.getCompilationMXBean();
         long start = System.nanoTime();
         long busy = compilers.getTotalCompilationTime();
@@ -118,10 +118,10 @@ public final class PeerRun {
         }
     }
 
-    private double frame() {
+    private double frame() throws InterruptedException, IOException {
         long start = System.nanoTime();
         Counters counters = renderer.render(scene.frame(raster), (y, argb, depth, primitive) -> seen = argb[0]);
-        if (counters.primitives == 0) {
+        if (counters.getPrimitives() == 0) {
             throw new IllegalStateException("nothing was rendered");
         }
         return (System.nanoTime() - start) / 1e6;
@@ -130,7 +130,7 @@ public final class PeerRun {
     /**
      * Writes the image like the other renderers: red, green, blue, alpha, one byte each, sRGB, in rows from the top.
      */
-    private String write(Path file) throws IOException {
+    private String write(Path file) throws InterruptedException, IOException {
         PixelHash hash = new PixelHash();
         long[] covered = new long[1];
         try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {

@@ -52,7 +52,7 @@ class GrowthTest {
     }
 
     @Test
-    void aRunWritesResultsPageChartsAndModel(@TempDir Path folder) throws IOException {
+    void aRunWritesResultsPageChartsAndModel(@TempDir Path folder) throws InterruptedException, IOException {
         Path page = folder.resolve("growth.md");
         Path file = folder.resolve("results.json");
         Files.copy(DOCS.resolve("growth.md"), page);
@@ -83,7 +83,7 @@ class GrowthTest {
     }
 
     @Test
-    void whatIsTooSlowIsNotMeasuredFurtherOn(@TempDir Path folder) throws IOException {
+    void whatIsTooSlowIsNotMeasuredFurtherOn(@TempDir Path folder) throws InterruptedException, IOException {
         Path page = folder.resolve("growth.md");
         Path file = folder.resolve("results.json");
         Files.writeString(page, "<!-- generated: shading time -->\n<!-- end -->\n");

@@ -47,7 +47,7 @@ class WorkloadsTest {
     }
 
     @Test
-    void layersDifferInOrderOnly() {
+    void layersDifferInOrderOnly() throws InterruptedException {
         Image backToFront = new Tiled().render(Workloads.scene("S3").frame(16, 16));
         Image frontToBack = new Tiled().render(Workloads.scene("S4").frame(16, 16));
         assertArrayEquals(backToFront.getArgb(), frontToBack.getArgb());
@@ -57,7 +57,7 @@ class WorkloadsTest {
     }
 
     @Test
-    void largerRasterIsTheSameSceneLarger() {
+    void largerRasterIsTheSameSceneLarger() throws InterruptedException {
         double small =
                 (double) new Tiled().render(Workloads.scene("S2").frame(64, 64)).getVisible() / (64 * 64);
         double large = (double) new Tiled()
@@ -68,7 +68,7 @@ class WorkloadsTest {
     }
 
     @Test
-    void builtInScenesAreTrianglesToo() {
+    void builtInScenesAreTrianglesToo() throws InterruptedException {
         for (String id : new String[] {"city", "molecule", "cycle", "teapot"}) {
             Triangles baked = Baked.of(id, Workloads.scene(id));
             Image ours = new Tiled().render(Workloads.scene(id).frame(128, 128));

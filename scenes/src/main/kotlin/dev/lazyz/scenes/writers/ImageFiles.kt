@@ -7,7 +7,6 @@ import java.io.OutputStream
 import java.nio.channels.Channels
 import java.nio.channels.FileChannel
 import java.nio.file.Path
-import java.util.function.Function
 
 /**
  * Writes images to files, row by row while they are rendered.
@@ -39,7 +38,7 @@ public object ImageFiles {
         height: Int,
         format: ImageFormat = formatOf(path),
         alpha: AlphaChannel = AlphaChannel.KEEP,
-        produce: Function<RowSink, R>,
+        produce: RowProducer<R>,
     ): R = AtomicFile.write(path) { channel -> write(channel, width, height, format, alpha, produce) }
 
     /**
@@ -74,11 +73,11 @@ public object ImageFiles {
         height: Int,
         format: ImageFormat,
         alpha: AlphaChannel,
-        produce: Function<RowSink, R>,
+        produce: RowProducer<R>,
     ): R = when (format) {
-        ImageFormat.PNG -> PngSink(Channels.newOutputStream(channel), width, height, alpha).use { produce.apply(it) }
-        ImageFormat.PPM -> PpmSink(Channels.newOutputStream(channel), width, height).use { produce.apply(it) }
-        ImageFormat.PFM -> PfmSink(channel, width, height).use { produce.apply(it) }
+        ImageFormat.PNG -> PngSink(Channels.newOutputStream(channel), width, height, alpha).use { produce.sendTo(it) }
+        ImageFormat.PPM -> PpmSink(Channels.newOutputStream(channel), width, height).use { produce.sendTo(it) }
+        ImageFormat.PFM -> PfmSink(channel, width, height).use { produce.sendTo(it) }
     }
 }
 

@@ -33,7 +33,7 @@ class ImageSinksTest {
         intArrayOf(0xFF010203.toInt(), 0x80FF00FF.toInt(), 0, 0xFFFFFFFF.toInt(), 0xFF808080.toInt(), 0x10203040),
         intArrayOf(Depth.NEAR, Depth.FAR, Int.MAX_VALUE, Depth.ofUnit(0.25), Depth.ofUnit(0.5), Int.MAX_VALUE),
         intArrayOf(0, 1, DepthTest.BACKGROUND, 2, 3, DepthTest.BACKGROUND),
-        Counters(),
+        Counters.NONE,
     )
 
     @Test
@@ -62,14 +62,14 @@ class ImageSinksTest {
         }
         val bytes = ByteArrayOutputStream()
         PngSink(bytes, side, side, AlphaChannel.DROP).use {
-            Image(side, side, argb, IntArray(argb.size), IntArray(argb.size), Counters()).sendTo(it)
+            Image(side, side, argb, IntArray(argb.size), IntArray(argb.size), Counters.NONE).sendTo(it)
         }
         assertTrue(bytes.size() < 4000, "${bytes.size()} bytes")
     }
 
     @Test
     fun aPictureInMemoryIsWrittenWithoutAlphaIfItIsOpaque() {
-        val opaque = Image(1, 1, intArrayOf(-1), IntArray(1), IntArray(1), Counters())
+        val opaque = Image(1, 1, intArrayOf(-1), IntArray(1), IntArray(1), Counters.NONE)
         opaque.writePng(folder.resolve("opaque.png"))
         image.writePng(folder.resolve("clear.png"))
         assertEquals(3, ImageIO.read(folder.resolve("opaque.png").toFile()).colorModel.numComponents)

@@ -56,7 +56,7 @@ class PngSinkProperties {
                 else -> 0xFF336699.toInt()
             }
         }
-        Image(width, height, argb, IntArray(argb.size), IntArray(argb.size), Counters())
+        Image(width, height, argb, IntArray(argb.size), IntArray(argb.size), Counters.NONE)
     }
 
     private fun png(image: Image, alpha: AlphaChannel): ByteArray {

@@ -24,7 +24,7 @@ internal object MemoryGallery {
     )
 
     private fun wholePicture() = BrokenRenderer("whole-picture", setOf(Capability.CONSTANT_MEMORY)) { frame, sink ->
-        ZBuffer().render(frame, sink).apply { peakBytes = 12L * frame.width }
+        ZBuffer().render(frame, sink).toBuilder().apply { peakBytes = 12L * frame.width }.build()
     }
 
     private fun hoardsPrimitives() =
@@ -59,7 +59,7 @@ internal object MemoryGallery {
     ) { frame, sink ->
         val image = Hybrid(RenderOptions(memoryBudget = 0)).render(Frame(frame.raster, emptyList(), frame.region))
         val most = image.counters.peakBytes + (options.memoryBudget ?: Long.MAX_VALUE / 2)
-        Hybrid().render(frame, sink).apply { peakBytes = minOf(peakBytes, most) }
+        Hybrid().render(frame, sink).toBuilder().apply { peakBytes = minOf(peakBytes, most) }.build()
     }
 
     private fun keepsTheLastFrame(): BrokenRenderer {

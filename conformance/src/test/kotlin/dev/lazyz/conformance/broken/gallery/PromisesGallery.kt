@@ -3,13 +3,16 @@ package dev.lazyz.conformance.broken.gallery
 import dev.lazyz.conformance.broken.BrokenColours
 import dev.lazyz.conformance.broken.BrokenPromises
 import dev.lazyz.conformance.broken.BrokenRenderers
+import dev.lazyz.conformance.broken.BrokenStreams
 import dev.lazyz.conformance.broken.gallery.RuleNames.among
 import dev.lazyz.conformance.broken.gallery.RuleNames.arrivals
 import dev.lazyz.conformance.broken.gallery.RuleNames.budget
 import dev.lazyz.conformance.broken.gallery.RuleNames.counts
 import dev.lazyz.conformance.broken.gallery.RuleNames.empty
+import dev.lazyz.conformance.broken.gallery.RuleNames.ended
 import dev.lazyz.conformance.broken.gallery.RuleNames.fragments
 import dev.lazyz.conformance.broken.gallery.RuleNames.memory
+import dev.lazyz.conformance.broken.gallery.RuleNames.oneByOne
 import dev.lazyz.conformance.broken.gallery.RuleNames.options
 import dev.lazyz.conformance.broken.gallery.RuleNames.parallel
 import dev.lazyz.conformance.broken.gallery.RuleNames.passes
@@ -21,6 +24,7 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.streams
 import dev.lazyz.conformance.broken.gallery.RuleNames.sums
 import dev.lazyz.conformance.broken.gallery.RuleNames.told
 import dev.lazyz.conformance.broken.gallery.RuleNames.unpulled
+import dev.lazyz.conformance.broken.gallery.RuleNames.unsupported
 
 /** The gallery's part about counters and capabilities. */
 internal object PromisesGallery {
@@ -45,6 +49,14 @@ internal object PromisesGallery {
         Mutant(BrokenPromises::keepsStepping, "told to step and then not to step, it goes on stepping", stepping),
         Mutant(BrokenColours::countsNoSteps, "does not count steps", steps),
         Mutant(BrokenColours::countsWholeChains, "counts the steps of a row as one chain", steps),
+        Mutant(BrokenStreams::forgetsTheLast, "draws a primitive when the next one arrives", oneByOne),
+        Mutant(BrokenStreams::drawsOnOneCanvas, "draws two images in progress into one", oneByOne),
+        Mutant(BrokenStreams::countsTheRefused, "gives an index to a primitive that it refuses", oneByOne),
+        Mutant(BrokenStreams::drawsTheTranslucent, "draws translucent primitives as opaque ones", oneByOne),
+        Mutant(BrokenStreams::deliversAgain, "delivers an image again when it is finished twice", ended),
+        Mutant(BrokenStreams::continuesAfterAFailure, "begins again after a primitive has failed", ended),
+        Mutant(BrokenStreams::ignoresOptions, "ignores options that it does not support", unsupported),
+        Mutant(BrokenStreams::refusesItsOwnOptions, "refuses options that it promises to support", unsupported),
         Mutant(BrokenPromises::memoryGrows, "promises constant memory, and says that it is not", memory),
         Mutant(BrokenPromises::keepsRows, "promises constant memory, and keeps the rows without saying so", memory),
         Mutant(BrokenPromises::buffersRows, "promises to stream rows, and buffers the picture", streams, unpulled),

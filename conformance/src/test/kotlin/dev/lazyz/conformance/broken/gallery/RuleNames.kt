@@ -27,6 +27,9 @@ internal object RuleNames {
     val late = RendererConformance::rule_7_1_nobodyAsksAfterTheEnd.name
     val halfDone = RendererConformance::rule_7_1_interruptedCallersGetNoHalfPicture.name
     val showing = RendererConformance::rule_8_2_whatIsBlendedIsShadedOnlyIfItShows.name
+    val oneByOne = RendererConformance::rule_7_10_primitivesOneByOneGiveTheSamePicture.name
+    val ended = RendererConformance::rule_7_10_endedPicturesCannotBeContinued.name
+    val unsupported = RendererConformance::rule_7_5_optionsThatAreNotSupportedAreRefused.name
     val index = RendererConformance::rule_9_4_primitivesThatCoverNothingKeepTheirIndex.name
     val many = RendererConformance::rule_9_4_indicesAreNotCut.name
     val empty = RendererConformance::rule_9_6_framesWithoutPrimitivesAreOrdinary.name

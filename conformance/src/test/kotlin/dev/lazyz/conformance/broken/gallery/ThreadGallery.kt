@@ -79,7 +79,7 @@ internal object ThreadGallery {
     private fun losesUpdates() = crew("loses-updates", 4) { Tools(isLocked = false) }
 
     private fun sharesCounters() = crew("shares-counters", 4) {
-        val counters = Counters()
+        val counters = Counters.Builder()
         Tools(counters = { counters })
     }
 

@@ -17,7 +17,11 @@ import dev.lazyz.strategies.tiled.raster.TileKeys
  *
  * @param opaque the keys of the opaque primitives, final before the first fragment is added
  */
-internal class TileLayers(private val opaque: TileKeys, private val test: DepthTest, private val counters: Counters) {
+internal class TileLayers(
+    private val opaque: TileKeys,
+    private val test: DepthTest,
+    private val counters: Counters.Builder
+) {
     /** Key and sample of each fragment, in order of arrival. */
     private var keys = LongArray(0)
     private var samples = IntArray(0)

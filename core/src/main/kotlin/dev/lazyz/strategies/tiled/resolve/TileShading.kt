@@ -29,7 +29,7 @@ internal class TileShading(
     private val layers: TileLayers,
     coherence: Coherence,
     private val kernel: FragmentKernel,
-    private val counters: Counters,
+    private val counters: Counters.Builder,
     private val checkpoint: Checkpoint,
 ) {
     private val content = frame.content

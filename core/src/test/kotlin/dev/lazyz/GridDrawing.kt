@@ -22,7 +22,7 @@ data class GridPoint(val x: Int, val y: Int) {
 }
 
 /** Contours on a small raster, and their coverage as defined by the contract: the oracle of the coverage tests. */
-data class Drawing(val width: Int, val height: Int, val contours: List<List<GridPoint>>) {
+data class GridDrawing(val width: Int, val height: Int, val contours: List<List<GridPoint>>) {
     val raster: Raster get() = Raster(width, height)
 
     /** Sum of the windings at or left of a sample (contract rules 2.1 to 2.4), for each edge, in exact integers. */
@@ -53,7 +53,7 @@ data class Drawing(val width: Int, val height: Int, val contours: List<List<Grid
 
     fun samples(rule: FillRule): SampleSet = primitive(rule).samples(raster)
 
-    fun moved(columns: Int, rows: Int): Drawing =
+    fun moved(columns: Int, rows: Int): GridDrawing =
         copy(contours = contours.map { it.map { p -> GridPoint(p.x + 256 * columns, p.y + 256 * rows) } })
 
     companion object {
@@ -86,15 +86,15 @@ data class Drawing(val width: Int, val height: Int, val contours: List<List<Grid
         ).`as` { width, height -> Pair(width, height) }
 
         /** One to three contours of up to [vertices] vertices each, which can overlap and self-intersect. */
-        fun any(vertices: Int = 7): Arbitrary<Drawing> = sizes().flatMap { (width, height) ->
+        fun any(vertices: Int = 7): Arbitrary<GridDrawing> = sizes().flatMap { (width, height) ->
             points(width, height).list().ofMinSize(1).ofMaxSize(vertices)
                 .list().ofMinSize(1).ofMaxSize(3)
-                .map { Drawing(width, height, it) }
+                .map { GridDrawing(width, height, it) }
         }
 
         /** Three vertices at arbitrary positions. */
-        fun triangles(): Arbitrary<Drawing> = sizes().flatMap { (width, height) ->
-            points(width, height).list().ofSize(3).map { Drawing(width, height, listOf(it)) }
+        fun triangles(): Arbitrary<GridDrawing> = sizes().flatMap { (width, height) ->
+            points(width, height).list().ofSize(3).map { GridDrawing(width, height, listOf(it)) }
         }
     }
 }

@@ -1,0 +1,78 @@
+package dev.lazyz.conformance.rules
+
+import dev.lazyz.Capability
+import dev.lazyz.Frame
+import dev.lazyz.StreamingRenderer
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.glazed
+import dev.lazyz.conformance.frames.MixedCases
+import dev.lazyz.conformance.judgement.Judgement
+import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.judgement.requireStreaming
+import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.conformance.probes.OneByOne
+import dev.lazyz.conformance.probes.Question
+import dev.lazyz.conformance.probes.Trap
+import dev.lazyz.conformance.probes.answer
+import dev.lazyz.conformance.probes.hasEnded
+import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.ForAll
+import net.jqwik.api.Property
+
+/**
+ * Rules about primitives that arrive one by one. They apply only to a [StreamingRenderer]. Part of
+ * `RendererConformance`.
+ */
+@Suppress("ktlint:standard:function-naming")
+public sealed interface StreamingRules : RulesForOne {
+    /** Primitives that arrive one by one give the same picture as a frame, also while another is in progress. */
+    @Rule(
+        intent = "A StreamingRenderer gives the same picture however it gets the primitives, and may draw several " +
+            "pictures at the same time.",
+        look = "Draw in both ways by the same code, and keep what belongs to a picture in the Drawing. A primitive " +
+            "that is refused has no index.",
+    )
+    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_10_primitivesOneByOneGiveTheSamePicture(
+        @ForAll(supplier = MixedCases::class) case: FrameCase,
+        @ForAll choice: Int,
+    ) {
+        val renderer = requireStreaming(renderer())
+        Judgement(OneByOne(renderer), case, "primitives one by one").equalsReference().rowsInOrder()
+
+        // With glass, which a renderer that does not blend refuses, and continues without
+        val glazed = case.glazed(choice)
+        val judgement = Judgement(OneByOne(renderer), glazed, "primitives one by one, some translucent")
+        val isBlending = Capability.TRANSPARENCY in renderer.capabilities
+        val accepted = glazed.frame.primitives.filter { isBlending || !it.isTranslucent }
+        val expected = Frame(case.frame.raster, accepted, case.frame.region)
+        val difference = difference(Rendering.of(ReferenceRenderer(), expected).image, judgement.rendering.image)
+        difference?.let { judgement.fail("", it) }
+    }
+
+    /** A picture that is complete, or whose primitive failed, takes no more primitives and delivers no more rows. */
+    @Rule(
+        intent = "A picture cannot be continued after it was delivered, or after a primitive failed half-way.",
+        look = "Throw IllegalStateException from both functions of the Drawing once finish was called or add has " +
+            "thrown.",
+    )
+    @Property(tries = 10, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_10_endedPicturesCannotBeContinued(
+        @ForAll(supplier = MixedCases::class) case: FrameCase,
+        @ForAll salt: Int,
+    ) {
+        val renderer = requireStreaming(renderer())
+        val opaque = case.frame.asOpaque()
+        val finished = renderer.begin(opaque.raster, opaque.region)
+        opaque.primitives.forEach(finished::add)
+        finished.finish { _, _, _, _ -> }
+        hasEnded(renderer, finished, "by finish")
+
+        // A primitive fails in one of its first queries
+        val trap = Trap(opaque, Question.SPANS, Math.floorMod(salt, case.frame.height))
+        val failed = renderer.begin(opaque.raster, opaque.region)
+        val thrown = answer { trap.frame.primitives.forEach(failed::add) }
+        if (thrown != null) hasEnded(renderer, failed, "because a primitive threw an exception")
+    }
+}

@@ -1,0 +1,122 @@
+package dev.lazyz.conformance.broken
+
+import dev.lazyz.Capability
+import dev.lazyz.Counters
+import dev.lazyz.Drawing
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.RowSink
+import dev.lazyz.StreamingRenderer
+import dev.lazyz.conformance.cases.NothingThere
+import dev.lazyz.strategies.zbuffer.ZBuffer
+
+/** Renderers that are right for frames, but wrong for primitives that arrive one by one, or for unsupported options. */
+object BrokenStreams {
+    fun forgetsTheLast() = stream("stream-forgets-the-last") { begin ->
+        val drawing = begin()
+        object : Drawing {
+            private var last: Primitive? = null
+
+            override fun add(primitive: Primitive) {
+                last?.let(drawing::add)
+                last = primitive
+            }
+
+            override fun finish(sink: RowSink): Counters = drawing.finish(sink)
+        }
+    }
+
+    fun drawsOnOneCanvas(): BrokenRenderer {
+        var common: Drawing? = null
+        return stream("stream-on-one-canvas") { begin ->
+            val drawing = common ?: begin().also { common = it }
+            object : Drawing by drawing {
+                override fun finish(sink: RowSink): Counters {
+                    val first = common
+                    common = null
+                    return if (first === drawing) Counters.NONE else drawing.finish(sink)
+                }
+            }
+        }
+    }
+
+    fun countsTheRefused() = stream("stream-counts-the-refused") { begin ->
+        val drawing = begin()
+        object : Drawing by drawing {
+            override fun add(primitive: Primitive) = try {
+                drawing.add(primitive)
+            } catch (e: IllegalArgumentException) {
+                drawing.add(NothingThere(Raster(1, 1)))
+                throw e
+            }
+        }
+    }
+
+    fun drawsTheTranslucent() = stream("stream-draws-the-translucent") { begin ->
+        val drawing = begin()
+        object : Drawing by drawing {
+            override fun add(primitive: Primitive) =
+                drawing.add(Frame(Raster(1, 1), listOf(primitive)).asOpaque().primitives.single())
+        }
+    }
+
+    fun deliversAgain() = stream("stream-delivers-again") { begin ->
+        val added = ArrayList<Primitive>()
+        object : Drawing {
+            override fun add(primitive: Primitive) {
+                require(!primitive.isTranslucent)
+                added += primitive
+            }
+
+            override fun finish(sink: RowSink): Counters {
+                val drawing = begin()
+                added.forEach(drawing::add)
+                return drawing.finish(sink)
+            }
+        }
+    }
+
+    fun continuesAfterAFailure() = stream("stream-continues-after-a-failure") { begin ->
+        var drawing = begin()
+        object : Drawing {
+            override fun add(primitive: Primitive) {
+                try {
+                    drawing.add(primitive)
+                } catch (e: IllegalArgumentException) {
+                    throw e
+                } catch (e: IllegalStateException) {
+                    drawing = begin()
+                    throw e
+                }
+            }
+
+            override fun finish(sink: RowSink): Counters = drawing.finish(sink)
+        }
+    }
+
+    fun ignoresOptions(): BrokenRenderer =
+        object : BrokenRenderer("ignores-options", how = { frame, sink -> ZBuffer().render(frame, sink) }) {
+            override fun configured(options: RenderOptions): Renderer = this
+        }
+
+    fun refusesItsOwnOptions(): BrokenRenderer = object : BrokenRenderer(
+        "refuses-its-own-options",
+        setOf(Capability.COHERENCE),
+        how = { frame, sink -> ZBuffer().render(frame, sink) },
+    ) {
+        override fun configured(options: RenderOptions): Renderer =
+            throw IllegalArgumentException("no options are supported")
+    }
+
+    private fun stream(id: String, make: (begin: () -> Drawing) -> Drawing): BrokenRenderer = BrokenStream(id, make)
+
+    private class BrokenStream(id: String, private val make: (begin: () -> Drawing) -> Drawing) :
+        BrokenRenderer(id, how = { frame, sink -> ZBuffer().render(frame, sink) }),
+        StreamingRenderer {
+        override fun begin(raster: Raster, region: Region): Drawing = make { ZBuffer().begin(raster, region) }
+    }
+}
