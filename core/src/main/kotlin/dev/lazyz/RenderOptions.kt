@@ -1,5 +1,7 @@
 package dev.lazyz
 
+import java.util.concurrent.Executor
+
 /**
  * Options of a rendering. Except for [selector], they change its cost and never its image. Immutable.
  *
@@ -13,6 +15,8 @@ package dev.lazyz
  * @property tileSize width and height of tiles in samples, a power of two in 8..512; for renderers that have tiles
  * @property selector chooses what each sample shows, for renderers with [Capability.SELECTION]. With null, a sample
  *   shows its visible fragment, or all fragments blended if the frame has translucent primitives
+ * @property executor runs the threads other than the calling one; null for threads of the library. Renderers do not
+ *   wait for the executor to begin a task: if it is busy, the calling thread does the work
  * @throws IllegalArgumentException if a number is out of range
  */
 public class RenderOptions @JvmOverloads constructor(
@@ -21,7 +25,10 @@ public class RenderOptions @JvmOverloads constructor(
     public val threads: Int = Runtime.getRuntime().availableProcessors(),
     public val tileSize: Int = 64,
     public val selector: Selector? = null,
+    public val executor: Executor? = null,
 ) {
+    internal val workers: Workers get() = Workers(threads, executor ?: LibraryThreads)
+
     init {
         require(memoryBudget == null || memoryBudget >= 0) { "memoryBudget must not be negative: $memoryBudget" }
         require(threads >= 1) { "threads must be at least 1: $threads" }
@@ -82,15 +89,19 @@ public class RenderOptions @JvmOverloads constructor(
     /** Returns these options with a [selector], or without one. */
     public fun withSelector(selector: Selector?): RenderOptions = copy(selector = selector)
 
+    /** Returns these options with an [executor] for the threads, or with the library's own threads. */
+    public fun withExecutor(executor: Executor?): RenderOptions = copy(executor = executor)
+
     private fun copy(
         coherence: Coherence = this.coherence,
         memoryBudget: Long? = this.memoryBudget,
         threads: Int = this.threads,
         tileSize: Int = this.tileSize,
         selector: Selector? = this.selector,
-    ): RenderOptions = RenderOptions(coherence, memoryBudget, threads, tileSize, selector)
+        executor: Executor? = this.executor,
+    ): RenderOptions = RenderOptions(coherence, memoryBudget, threads, tileSize, selector, executor)
 
     override fun toString(): String =
         "RenderOptions($coherence, memoryBudget=$memoryBudget, threads=$threads, tileSize=$tileSize, " +
-            "selector=$selector)"
+            "selector=$selector, executor=$executor)"
 }

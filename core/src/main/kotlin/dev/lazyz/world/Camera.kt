@@ -160,6 +160,25 @@ public class Camera private constructor(
     }
 
     /**
+     * Returns this camera rotated so that the axis [up] becomes y.
+     *
+     * @throws UnsupportedOperationException if the projection is [Projection.Screen]
+     */
+    internal fun withUpAxis(up: UpAxis): Camera {
+        val eye = up.toWorld(eye)
+        val target = Vectors.minus(eye, up.toWorld(backward))
+        val upward = up.toWorld(upward)
+        return when (projection) {
+            is Projection.Perspective ->
+                perspective(eye, target, upward, projection.verticalFieldOfView, near, far)
+
+            is Projection.Orthographic -> orthographic(eye, target, upward, projection.height, near, far)
+
+            Projection.Screen -> throw UnsupportedOperationException("a scene given on the screen cannot be rotated")
+        }
+    }
+
+    /**
      * Half the visible height, world units: at distance 1 for perspective, at any distance for orthographic.
      * Meaningless for [Projection.Screen].
      */

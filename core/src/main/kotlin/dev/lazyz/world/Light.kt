@@ -18,6 +18,9 @@ public sealed class Light {
     /** Returns this light relative to [origin]. */
     internal open fun relativeTo(origin: Vector3dc): Light = this
 
+    /** Returns this light rotated so that the axis [up] becomes y. */
+    internal open fun withUpAxis(up: UpAxis): Light = this
+
     /** Ambient light, equal on every surface. */
     public class Ambient(override val color: Rgba) : Light() {
         override fun toString(): String = "Light.Ambient($color)"
@@ -27,6 +30,8 @@ public sealed class Light {
     public class Directional(direction: Vector3dc, override val color: Rgba) : Light() {
         /** The direction in which the light travels; unit length. */
         public val direction: Vector3dc = Vectors.unit(direction, "direction of a light")
+
+        override fun withUpAxis(up: UpAxis): Directional = Directional(up.toWorld(direction), color)
 
         override fun toString(): String = "Light.Directional($direction, $color)"
     }
@@ -45,6 +50,8 @@ public sealed class Light {
         }
 
         override fun relativeTo(origin: Vector3dc): Point = Point(Vectors.minus(position, origin), color)
+
+        override fun withUpAxis(up: UpAxis): Point = Point(up.toWorld(position), color)
 
         override fun toString(): String = "Light.Point($position, $color)"
     }

@@ -68,6 +68,9 @@ public class Lines @JvmOverloads constructor(
     override fun withMaterials(change: UnaryOperator<Material>): Lines =
         Lines(positions, segments, width, change.apply(material), colors, origin)
 
+    override fun withUpAxis(up: UpAxis): Lines =
+        Lines(up.toWorld(positions), segments, width, material, colors, up.toWorld(origin))
+
     /** Returns these lines with another [width]; the arrays are shared. */
     public fun withWidth(width: Double): Lines = Lines(positions, segments, width, material, colors, origin)
 

@@ -70,6 +70,10 @@ public class Mesh @JvmOverloads constructor(
     override fun withMaterials(change: UnaryOperator<Material>): Mesh =
         Mesh(positions, triangles, change.apply(material), normals, uvs, colors, origin)
 
+    override fun withUpAxis(up: UpAxis): Mesh = Mesh(
+        up.toWorld(positions), triangles, material, normals?.let(up::toWorld), uvs, colors, up.toWorld(origin),
+    )
+
     /** Returns the same mesh with positions relative to [origin]. */
     internal fun relativeTo(origin: Vector3dc): Mesh = if (origin == this.origin) {
         this

@@ -65,6 +65,9 @@ public class Points @JvmOverloads constructor(
     override fun withMaterials(change: UnaryOperator<Material>): Points =
         Points(positions, size, change.apply(material), normals, colors, origin)
 
+    override fun withUpAxis(up: UpAxis): Points =
+        Points(up.toWorld(positions), size, material, normals?.let(up::toWorld), colors, up.toWorld(origin))
+
     /** Returns these points with another [size]; the arrays are shared. */
     public fun withSize(size: Double): Points = Points(positions, size, material, normals, colors, origin)
 

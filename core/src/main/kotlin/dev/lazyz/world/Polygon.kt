@@ -7,6 +7,7 @@ import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Vectors
 import java.util.function.UnaryOperator
 import org.joml.Matrix4dc
+import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
@@ -34,6 +35,9 @@ public class Polygon @JvmOverloads constructor(
 
     override fun withMaterials(change: UnaryOperator<Material>): Polygon =
         Polygon(contours, change.apply(material), fillRule)
+
+    override fun withUpAxis(up: UpAxis): Polygon =
+        Polygon(contours.map { contour -> contour.map { it.withUpAxis(up) } }, material, fillRule)
 
     /** Returns this polygon transformed by an affine [transform]. */
     public fun transformed(transform: Matrix4dc): Polygon =
@@ -81,6 +85,11 @@ public class Vertex @JvmOverloads constructor(
         v,
         color,
     )
+
+    internal fun withUpAxis(up: UpAxis): Vertex {
+        val turned = up.toWorld(Vector3d(x, y, z))
+        return Vertex(turned.x, turned.y, turned.z, u, v, color)
+    }
 
     internal fun relativeTo(origin: Vector3dc): Vertex =
         Vertex(x - origin.x(), y - origin.y(), z - origin.z(), u, v, color)

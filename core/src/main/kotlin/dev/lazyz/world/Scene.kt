@@ -5,7 +5,9 @@ import dev.lazyz.Frame
 import dev.lazyz.FrameContent
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
+import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
+import dev.lazyz.Workers
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Vectors
 import java.util.function.UnaryOperator
@@ -51,14 +53,15 @@ public class Scene @JvmOverloads constructor(
      * one surface at a time.
      */
     public fun primitives(raster: Raster): Sequence<Primitive> {
-        val setUp = setUp(raster)
+        val setUp = setUp(raster, Workers.ALL)
         return surfaces.asSequence().flatMap { it.primitives(setUp) }
     }
 
-    private fun setUp(raster: Raster): SetUp {
+    private fun setUp(raster: Raster, workers: Workers): SetUp {
         val camera = camera(raster.width, raster.height)
         val isOnScreen = camera.projection == Projection.Screen
-        return SetUp(raster, camera, lights.ifEmpty { Light.studio(camera) }, if (isOnScreen) Vectors.ZERO else origin)
+        val lights = lights.ifEmpty { Light.studio(camera) }
+        return SetUp(raster, camera, lights, if (isOnScreen) Vectors.ZERO else origin, workers)
     }
 
     /**
@@ -73,9 +76,12 @@ public class Scene @JvmOverloads constructor(
      * Sets up the scene for [raster], whose background replaces the scene's own. Cost: linear in the size of the scene.
      * Opaque meshes are stored as arrays, with 20 bytes a vertex and no object for each triangle; large ones are set up
      * in parallel.
+     *
+     * @param options [RenderOptions.threads] and [RenderOptions.executor] are used, the others are not
      */
-    public fun frame(raster: Raster): Frame {
-        val setUp = setUp(raster)
+    @JvmOverloads
+    public fun frame(raster: Raster, options: RenderOptions = RenderOptions()): Frame {
+        val setUp = setUp(raster, options.workers)
         val content = FrameContent.Builder()
         for (surface in surfaces) {
             val batch = if (surface is Mesh) setUp.batch(surface, content.next) else null
@@ -87,6 +93,24 @@ public class Scene @JvmOverloads constructor(
     /** Returns this scene with each material replaced by the result of [change]. */
     public fun withMaterials(change: UnaryOperator<Material>): Scene =
         Scene(surfaces.map { it.withMaterials(change) }, lights, viewpoint, background)
+
+    /**
+     * Returns this scene, in which the axis [up] points up, rotated so that y points up. Its lights and its camera are
+     * rotated, too; a rule such as [Camera.fit] is kept. Cost: a copy of all positions and normals.
+     *
+     * @throws UnsupportedOperationException if the camera's projection is [Projection.Screen], or a surface cannot be
+     *   rotated, see [Surface.withUpAxis]
+     */
+    public fun withUpAxis(up: UpAxis): Scene = if (up == UpAxis.Y) {
+        this
+    } else {
+        Scene(
+            surfaces.map { it.withUpAxis(up) },
+            lights.map { it.withUpAxis(up) },
+            if (viewpoint is Camera) viewpoint.withUpAxis(up) else viewpoint,
+            background,
+        )
+    }
 
     /** Returns this scene with another viewpoint. */
     public fun withViewpoint(viewpoint: Viewpoint): Scene = Scene(surfaces, lights, viewpoint, background)

@@ -3,6 +3,7 @@ package dev.lazyz.world
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Shader
+import dev.lazyz.Workers
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.LineStrokes
@@ -30,12 +31,17 @@ import org.joml.Vector3dc
  * @throws IllegalArgumentException if [origin] is not finite, or is not 0 and the camera's projection is
  *   [Projection.Screen]
  */
-public class SetUp @JvmOverloads constructor(
+public class SetUp internal constructor(
     public val raster: Raster,
     public val camera: Camera,
     public val lights: List<Light>,
-    public val origin: Vector3dc = Vector3d(),
+    public val origin: Vector3dc,
+    workers: Workers,
 ) {
+    @JvmOverloads
+    public constructor(raster: Raster, camera: Camera, lights: List<Light>, origin: Vector3dc = Vector3d()) :
+        this(raster, camera, lights, origin, Workers.ALL)
+
     init {
         require(Vectors.isFinite(origin)) { "origin must be finite: $origin" }
         require(Vectors.isZero(origin) || camera.projection != Projection.Screen) {
@@ -47,7 +53,7 @@ public class SetUp @JvmOverloads constructor(
     private val viewport = Viewport.of(raster, near)
     private val lighting = Lighting(lights.map { it.relativeTo(origin) }, near)
     private val stage = VertexStage(near, viewport)
-    private val planar = PlanarSetUp(stage, lighting)
+    private val planar = PlanarSetUp(stage, lighting, workers)
     private val rays by lazy { SampleRays(near, viewport) }
 
     /**

@@ -1,8 +1,8 @@
 package dev.lazyz.world
 
+import dev.lazyz.Workers
 import dev.lazyz.geometry.CornerNormals
 import dev.lazyz.geometry.CornersByPosition
-import dev.lazyz.inParallel
 
 /**
  * Computes normals of a mesh from its triangles, see [Mesh.withSmoothNormals].
@@ -30,7 +30,7 @@ internal class SmoothNormals(private val mesh: Mesh, private val creaseAngle: Do
         val chunks = List((byPosition.count + CHUNK - 1) / CHUNK) {
             CornerNormals(mesh.positions, mesh.triangles, creaseAngle, firstCopy, triangles)
         }
-        inParallel(chunks.size) { chunk ->
+        Workers.ALL.forEach(chunks.size) { chunk ->
             for (position in chunk * CHUNK until minOf((chunk + 1) * CHUNK, byPosition.count)) {
                 chunks[chunk].add(byPosition.corners, byPosition.starts[position], byPosition.starts[position + 1])
             }

@@ -50,6 +50,8 @@ public class Sphere @JvmOverloads constructor(
 
     override fun withMaterials(change: UnaryOperator<Material>): Sphere = Sphere(center, radius, change.apply(material))
 
+    override fun withUpAxis(up: UpAxis): Sphere = Sphere(up.toWorld(center), radius, material)
+
     /**
      * Returns this sphere transformed by [transform], which must scale all directions equally.
      *

@@ -27,4 +27,16 @@ public interface Surface {
      * materials.
      */
     public fun withMaterials(change: UnaryOperator<Material>): Surface = this
+
+    /**
+     * Returns this surface rotated so that the axis [up] becomes y, see [Scene.withUpAxis].
+     *
+     * @throws UnsupportedOperationException if this kind of surface cannot be rotated: a custom surface that does not
+     *   override this function
+     */
+    public fun withUpAxis(up: UpAxis): Surface = if (up == UpAxis.Y) {
+        this
+    } else {
+        throw UnsupportedOperationException("a surface of class ${javaClass.name} cannot be rotated")
+    }
 }

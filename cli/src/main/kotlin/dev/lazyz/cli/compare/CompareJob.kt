@@ -23,7 +23,7 @@ internal class CompareJob(private val request: CompareRequest, private val strea
 
     /** Compares pictures of the scene [loaded] from [source], from the side [view] unless it is null. */
     fun compare(source: FrameSource, loaded: LoadedScene, view: View? = null): Comparison {
-        val frame = source.frame(loaded, view)
+        val frame = source.frame(loaded, request.choices.options(), view)
         val able = strategies.filter { canRender(it, frame) }
         if (able.isEmpty()) throw Mistake(noneBlends())
         for (strategy in able) MemoryNeed.check(strategy, frame.region, kept = BYTES_PER_PIXEL)

@@ -3,6 +3,7 @@ package dev.lazyz.cli.input
 import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Region
+import dev.lazyz.RenderOptions
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.scenes.DepthRules
@@ -32,10 +33,17 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         return input.load(streams)
     }
 
-    /** Returns the frame of [loaded], seen from [view] or, if that is null, from the side that the options choose. */
-    fun frame(loaded: LoadedScene, view: View? = null): Frame {
+    /**
+     * Returns the frame of [loaded], seen from [view] or, if that is null, from the side that the options choose. It is
+     * set up by the threads of [options].
+     */
+    fun frame(loaded: LoadedScene, options: RenderOptions, view: View? = null): Frame {
         // Apply the options of axis, camera and shading
-        val upright = if (subject.up == Up.Z) UpAxis.fromZ(loaded.scene) else loaded.scene
+        val upright = try {
+            loaded.scene.withUpAxis(subject.up)
+        } catch (e: UnsupportedOperationException) {
+            throw Mistake("--up: ${e.message}")
+        }
         val pointOfView = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
         val seen = subject.sizes.applyTo(pointOfView.applyTo(upright))
         val scene = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
@@ -44,24 +52,13 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         val raster = raster(scene, loaded)
         val region = region(raster)
         streams.progress("setting up ${raster.width}x${raster.height} ...")
-        val frame = scene.frame(raster).within(region)
+        val frame = scene.frame(raster, options).within(region)
         return if (subject.translucency == Translucency.OPAQUE) frame.asOpaque() else frame
     }
 
     /** Replaces the shading of [material]. Removes its custom shader, too, which would take precedence. */
-    private fun shaded(material: Material, shading: Shading): Material = Material(
-        material.baseColor,
-        material.texture,
-        shading,
-        material.specular,
-        material.shininess,
-        material.emission,
-        material.alphaMode,
-        material.alphaCutoff,
-        material.sides,
-        null,
-        material.name,
-    )
+    private fun shaded(material: Material, shading: Shading): Material =
+        material.withShading(shading).withShader(null)
 
     private fun raster(scene: Scene, loaded: LoadedScene): Raster {
         val size = subject.size ?: loaded.size ?: DEFAULT_SIZE

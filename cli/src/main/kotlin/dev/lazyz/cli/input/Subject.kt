@@ -7,9 +7,7 @@ import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Shading
-
-/** Which axis of the input points up. */
-internal enum class Up { Y, Z }
+import dev.lazyz.world.UpAxis
 
 /** How to render translucent materials. */
 internal enum class Translucency { BLENDED, OPAQUE }
@@ -19,7 +17,7 @@ internal class Subject(
     val input: String,
     val format: SceneFormat?,
     val loading: LoadOptions,
-    val up: Up,
+    val up: UpAxis,
     val size: ImageSize?,
     val region: Region?,
     val background: Rgba?,

@@ -14,7 +14,6 @@ import dev.lazyz.cli.input.PixelSizes
 import dev.lazyz.cli.input.PointOfView
 import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.input.Translucency
-import dev.lazyz.cli.input.Up
 import dev.lazyz.cli.input.View
 import dev.lazyz.cli.strategies.Choices
 import dev.lazyz.scenes.LoadOptions
@@ -22,6 +21,7 @@ import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Fit
 import dev.lazyz.world.Points
 import dev.lazyz.world.Shading
+import dev.lazyz.world.UpAxis
 
 /** The help text of INPUT. */
 internal const val INPUT_HELP: String =
@@ -64,9 +64,9 @@ internal class ReadingOptions : OptionGroup("Reading") {
     val format by option("--format", help = "Format of INPUT: ${names(formats.keys)}; default: by its extension")
         .oneOf("FORMAT", formats)
 
-    val up by option("--up", help = "Which axis of the model points up: y or z; default: y")
-        .oneOf("AXIS", Up.entries.associateBy { it.name.lowercase() })
-        .default(Up.Y)
+    val up by option("--up", help = "Which axis of the model points up: ${names(upAxes.keys)}; default: y")
+        .oneOf("AXIS", upAxes)
+        .default(UpAxis.Y)
 
     val animationTime by option(
         "--animation-time",
@@ -165,6 +165,8 @@ internal class CostOptions : OptionGroup("Cost (the picture stays the same; see 
 private const val LEAST_SIZE = 0.001
 
 private val formats = SceneFormat.entries.associateBy { it.id }
+
+private val upAxes = UpAxis.entries.associateBy { it.id }
 
 private val shadings = Shading.entries.associateBy { it.name.lowercase().replace('_', '-') }
 

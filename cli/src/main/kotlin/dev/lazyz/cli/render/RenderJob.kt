@@ -19,7 +19,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         // Read, set up, and choose a strategy that supports the frame
         val loaded = source.load()
         val start = System.nanoTime()
-        val frame = source.frame(loaded)
+        val frame = source.frame(loaded, request.choices.options())
         val strategy = choice.strategyFor(frame)
         if (request.isExplained) streams.note(choice.explain(strategy, frame))
         MemoryNeed.check(strategy, frame.region)

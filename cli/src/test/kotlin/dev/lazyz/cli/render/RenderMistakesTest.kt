@@ -85,7 +85,7 @@ class RenderMistakesTest {
             "--background|red|'red' is not black, white, transparent",
             "--background|#12345|hexadecimal",
             "--background|whit|did you mean 'white'?",
-            "--up|x|'x' is not one of y, z",
+            "--up|w|'w' is not one of x, -x, y, -y, z, -z",
             "--depth-convention|bigger|smaller, larger",
             "--format|objj|did you mean 'obj'?",
             "--stats=xml|--stats=json|'xml' is not one of table, json",

@@ -64,6 +64,7 @@ class ScreenSceneTest {
 
     @Test
     fun screenHasNoUpAxis() {
-        zcli("render", file, "--up", "z", "-o", folder.resolve("out.png")).mistake("--up z cannot turn a scene")
+        val run = zcli("render", file, "--up", "z", "-o", folder.resolve("out.png"))
+        run.mistake("--up: a scene given on the screen cannot be rotated")
     }
 }

@@ -4,7 +4,7 @@ import dev.lazyz.Attributes
 import dev.lazyz.EmptyPrimitive
 import dev.lazyz.FillRule
 import dev.lazyz.Primitive
-import dev.lazyz.inParallel
+import dev.lazyz.Workers
 import dev.lazyz.setup.VertexStage
 import dev.lazyz.shading.Lighting
 import dev.lazyz.shading.MaterialShader
@@ -17,7 +17,11 @@ import dev.lazyz.world.Shading
 import dev.lazyz.world.Sides
 
 /** Converts meshes and polygons to primitives. */
-internal class PlanarSetUp(private val stage: VertexStage, private val lighting: Lighting) {
+internal class PlanarSetUp(
+    private val stage: VertexStage,
+    private val lighting: Lighting,
+    private val workers: Workers,
+) {
     fun mesh(mesh: Mesh): Sequence<Primitive> = sequence {
         val vertices = meshVertices(mesh)
         val face = face(mesh)
@@ -35,7 +39,7 @@ internal class PlanarSetUp(private val stage: VertexStage, private val lighting:
         if (mesh.material.alphaMode != AlphaMode.OPAQUE) return null
         val snapped = SnappedVertices(stage, mesh)
         val chunks = (mesh.vertexCount - 1) / CHUNK + 1
-        inParallel(chunks) { snapped.snap(it * CHUNK, minOf((it + 1) * CHUNK, mesh.vertexCount)) }
+        workers.forEach(chunks) { snapped.snap(it * CHUNK, minOf((it + 1) * CHUNK, mesh.vertexCount)) }
 
         // Triangles that must be clipped are set up one by one; those whose visible side is not drawn are omitted
         var hidden: LongArray? = null

@@ -3,7 +3,9 @@ package dev.lazyz.strategies.tiled
 import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.Frame
+import dev.lazyz.Helpers
 import dev.lazyz.RowSink
+import dev.lazyz.Workers
 import dev.lazyz.strategies.tiled.binning.ArrayPool
 import dev.lazyz.strategies.tiled.binning.Arrivals
 import dev.lazyz.strategies.tiled.binning.Band
@@ -22,14 +24,14 @@ internal class Rendering(
     private val frame: Frame,
     private val grid: TileGrid,
     private val coherence: Coherence,
-    private val threads: Int,
+    private val workers: Workers,
     private val kernels: Kernels,
     private val pool: ArrayPool,
 ) {
     private val columns = grid.columns.toLong()
 
     /** Number of threads, including the calling thread. */
-    private val threadCount = minOf(threads.toLong(), columns * grid.bands).toInt()
+    private val threadCount = minOf(workers.threads.toLong(), columns * grid.bands).toInt()
     private val schedule = Schedule(grid.columns, threadCount)
     private val arrivals = Arrivals(frame, grid)
 
@@ -50,14 +52,9 @@ internal class Rendering(
 
     /** Renders the frame and passes every row to [sink]. */
     fun run(sink: RowSink): Counters {
-        val workers = ArrayList<Thread>()
+        val helpers = Helpers(workers.executor)
         try {
-            for (number in 1 until threadCount) {
-                val worker = Thread({ runWorker(number) }, "lazyz-tiled-$number")
-                worker.isDaemon = true
-                worker.start()
-                workers += worker
-            }
+            for (number in 1 until threadCount) helpers.start { runWorker(number) }
             runCallingThread(sink)
         } catch (e: Throwable) {
             // If another thread failed first, its exception is thrown instead of this one: keep the interrupt status
@@ -65,7 +62,9 @@ internal class Rendering(
             if (e is InterruptedException && schedule.firstFailure !== e) Thread.currentThread().interrupt()
         } finally {
             schedule.end()
-            endAll(workers)
+
+            // After a failure, the other threads may be blocked in custom code
+            helpers.end(interrupt = schedule.firstFailure != null)
         }
         schedule.firstFailure?.let { throw it }
         for (band in bands) band.release()
@@ -116,7 +115,7 @@ internal class Rendering(
         arrivals.moveTo(filled)
         if (hasBatches && filled % bandsAtOnce == 0) {
             val until = minOf(filled + bandsAtOnce, grid.bands)
-            bins = TriangleBins(frame.content, grid, test, filled, until, threads, kernels::coverage, pool)
+            bins = TriangleBins(frame.content, grid, test, filled, until, workers, kernels::coverage, pool)
                 .also { binBytes = maxOf(binBytes, it.bytes) }
         }
         bandAt(filled).fill(filled, arrivals, bins)
@@ -130,22 +129,6 @@ internal class Rendering(
     private fun passCallerCheckpoint() {
         if (Thread.interrupted()) throw InterruptedException("interrupted while rendering")
         schedule.pass()
-    }
-
-    /** Waits until all threads have ended. After a failure, interrupts threads that may be blocked in custom code. */
-    private fun endAll(workers: List<Thread>) {
-        if (schedule.firstFailure != null) for (worker in workers) worker.interrupt()
-        var isInterrupted = false
-        for (worker in workers) {
-            while (worker.isAlive) {
-                try {
-                    worker.join()
-                } catch (_: InterruptedException) {
-                    isInterrupted = true
-                }
-            }
-        }
-        if (isInterrupted) Thread.currentThread().interrupt()
     }
 
     private fun counters(): Counters {

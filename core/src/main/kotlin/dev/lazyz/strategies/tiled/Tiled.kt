@@ -4,13 +4,16 @@ import dev.lazyz.Capability
 import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.Frame
+import dev.lazyz.LibraryThreads
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.Workers
 import dev.lazyz.strategies.tiled.binning.ArrayPool
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import java.io.IOException
 import java.lang.ref.SoftReference
+import java.util.concurrent.Executor
 import java.util.concurrent.atomic.AtomicReference
 
 /**
@@ -49,8 +52,9 @@ import java.util.concurrent.atomic.AtomicReference
  * Time: proportional to the number of triangles, of samples that are not rejected and of visible samples, divided by
  * the number of threads.
  *
- * The sink is called on the calling thread, which also renders tiles. [RenderOptions.threads] - 1 threads are started
- * for a rendering and have always ended when it ends. An exception that a primitive, a shader or the sink throws on any
+ * The sink is called on the calling thread, which also renders tiles. Up to [RenderOptions.threads] - 1 other threads
+ * help, from [RenderOptions.executor] or from a pool of the library, and have always stopped when the rendering ends.
+ * An exception that a primitive, a shader or the sink throws on any
  * thread is thrown unchanged to the caller; if there are several, one is thrown, and the others are suppressed.
  * Primitives and shaders are called from all threads concurrently. Thread safe; only unused arrays are kept between
  * calls.
@@ -68,14 +72,18 @@ public class Tiled internal constructor(
     private val threads: Int,
     private val tileSize: Int,
     private val kernels: () -> Kernels = Kernels::best,
+    private val executor: Executor = LibraryThreads,
 ) : Renderer {
     /** The arrays of the last rendering, as long as there is enough memory. */
     private val kept = AtomicReference<SoftReference<ArrayPool>>()
 
-    /** Creates a renderer that uses [RenderOptions.coherence], [RenderOptions.threads] and [RenderOptions.tileSize]. */
+    /**
+     * Creates a renderer that uses [RenderOptions.coherence], [RenderOptions.threads], [RenderOptions.executor] and
+     * [RenderOptions.tileSize].
+     */
     @JvmOverloads
     public constructor(options: RenderOptions = RenderOptions()) :
-        this(options.coherence, options.threads, options.tileSize) {
+        this(options.coherence, options.threads, options.tileSize, executor = options.executor ?: LibraryThreads) {
         options.requireSupportedBy(this)
     }
 
@@ -108,7 +116,8 @@ public class Tiled internal constructor(
         // Concurrent renderings each have their own pool
         val pool = kept.getAndSet(null)?.get() ?: ArrayPool()
         pool.begin()
-        val counters = Rendering(frame, TileGrid(frame.region, tileSize), coherence, threads, kernels(), pool).run(sink)
+        val workers = Workers(threads, executor)
+        val counters = Rendering(frame, TileGrid(frame.region, tileSize), coherence, workers, kernels(), pool).run(sink)
         kept.set(SoftReference(pool))
         return counters
     }

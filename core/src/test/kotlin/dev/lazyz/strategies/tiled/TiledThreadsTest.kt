@@ -6,10 +6,11 @@ import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Region
+import dev.lazyz.RenderOptions
 import dev.lazyz.Spans
-import java.util.Collections
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.CyclicBarrier
+import java.util.concurrent.Executor
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.LockSupport
@@ -33,8 +34,10 @@ class TiledThreadsTest {
 
     @AfterEach
     fun noThreadIsLeft() {
-        val left = Thread.getAllStackTraces().keys.filter { it.name.startsWith("lazyz-tiled") && it.isAlive }
-        assertEquals(emptyList<Thread>(), left)
+        val working = Thread.getAllStackTraces().filter { (thread, frames) ->
+            thread.name.startsWith("lazyz-") && frames.any { it.className.startsWith("dev.lazyz.strategies.") }
+        }
+        assertEquals(emptySet<Thread>(), working.keys)
         assertFalse(Thread.interrupted()) { "the test's thread is left interrupted" }
     }
 
@@ -55,13 +58,12 @@ class TiledThreadsTest {
 
     @Test
     fun noMoreThreadsAreStartedThanThereAreTiles() {
-        val names = Collections.synchronizedSet(HashSet<String>())
-        val small = Frame(Raster(17, 16), listOf(Probe(Region(0, 0, 17, 16)) { _, _ -> names += threadNames() }))
-        tiled(50).render(small)
-        assertTrue(names.size <= 1) { "$names" }
+        val tasks = AtomicInteger()
+        val executor = Executor { tasks.incrementAndGet() }
+        val small = Frame(Raster(17, 16), listOf(Probe(Region(0, 0, 17, 16)) { _, _ -> }))
+        Tiled(RenderOptions(threads = 50, tileSize = 16, executor = executor)).render(small)
+        assertEquals(1, tasks.get())
     }
-
-    private fun threadNames() = Thread.getAllStackTraces().keys.map { it.name }.filter { it.startsWith("lazyz-tiled") }
 
     @Test
     fun anExceptionInAShaderReachesTheCaller() {
@@ -126,7 +128,7 @@ class TiledThreadsTest {
         val thrown = assertThrows(IllegalStateException::class.java) {
             tiled(2).render(
                 frame { x, y ->
-                    val isCaller = !Thread.currentThread().name.startsWith("lazyz-tiled")
+                    val isCaller = !Thread.currentThread().name.startsWith("lazyz-")
                     if (isCaller) {
                         asleep.await()
                         throw exception

@@ -6,6 +6,7 @@ import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
 import dev.lazyz.world.Light
+import dev.lazyz.world.UpAxis
 import dev.lazyz.world.Viewpoint
 import org.joml.Vector3d
 
@@ -88,7 +89,7 @@ internal class CameraReader(private val up: UpAxis) {
 
     private fun color(members: JsonMembers): Rgba = members["color"]?.let(ColorReader::read) ?: Rgba.WHITE
 
-    private fun vector(node: JsonNode): Vector3d = up.toWorld(node.doubles(3))
+    private fun vector(node: JsonNode): Vector3d = up.toWorld(Vector3d(node.doubles(3)))
 
     private companion object {
         const val DEFAULT_AZIMUTH = 30.0

@@ -9,6 +9,7 @@ import dev.lazyz.world.Shading
 import dev.lazyz.world.Sides
 import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.UpAxis
 
 /** The names of the library's enum constants in scene files: lower case, with hyphens. */
 internal object SceneFileNames {
@@ -22,6 +23,8 @@ internal object SceneFileNames {
 
     val conventions: Map<String, DepthConvention> = names(DepthConvention.entries)
     val depthTests: Map<String, DepthTest> = names(DepthTest.entries)
+
+    val upAxes: Map<String, UpAxis> = UpAxis.entries.associateBy { it.id }
 
     fun of(constant: Enum<*>): String = constant.name.lowercase().replace('_', '-')
 

@@ -10,6 +10,7 @@ import dev.lazyz.scenes.json.JsonText
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.UpAxis
 import kotlinx.serialization.json.JsonObject
 
 /** Reads a whole scene file; docs/scene-file.md describes the format. */
@@ -25,7 +26,7 @@ internal class SceneFileReader(private val source: Source) {
             root.members("lazyz", "size", "up", "background", "depth", "camera", "lights", "materials", "surfaces")
 
         // Read what surfaces and lights depend on first
-        val up = members["up"]?.choice(UpAxis.byId) ?: UpAxis.Y
+        val up = members["up"]?.choice(SceneFileNames.upAxes) ?: UpAxis.Y
         val cameras = CameraReader(up)
         val materials = MaterialReader(source)
         members["materials"]?.let(materials::readNamed)

@@ -14,6 +14,7 @@ import dev.lazyz.world.Points
 import dev.lazyz.world.Polygon
 import dev.lazyz.world.Sphere
 import dev.lazyz.world.Surface
+import dev.lazyz.world.UpAxis
 import dev.lazyz.world.Vertex
 import java.nio.file.Path
 import org.joml.Matrix4d
@@ -45,8 +46,11 @@ internal class SurfaceReader(
         // Compute normals, then set the material, then transform
         val smoothed = members["smoothNormals"]?.let { smooth(surfaces, kind, it) } ?: surfaces
         val painted = if (material != null) smoothed.map { it.withMaterials { material } } else smoothed
-        val transform = up.toWorld(members["transform"]?.let(TransformReader::read)) ?: return painted
-        return (members["transform"] ?: node).checked { painted.map { moved(it, transform) } }
+        val moved = members["transform"]?.let { node ->
+            val transform = TransformReader.read(node)
+            node.checked { painted.map { moved(it, transform) } }
+        }
+        return (moved ?: painted).map { it.withUpAxis(up) }
     }
 
     private fun smooth(surfaces: List<Surface>, kind: String, node: JsonNode): List<Surface> {

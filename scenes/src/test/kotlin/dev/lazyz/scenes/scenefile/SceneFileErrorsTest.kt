@@ -72,7 +72,7 @@ class SceneFileErrorsTest {
             arguments(file(""""size": [640]"""), "size", "needs 2 numbers, width and height, not 1"),
             arguments(file(""""size": [0, 10]"""), "size", "width must be in 1..262144: 0"),
             arguments(file(""""size": [6.5, 10]"""), "size[0]", "must be a whole number, not 6.5"),
-            arguments(file(""""up": "x""""), "up", "write one of \"y\", \"z\""),
+            arguments(file(""""up": "w""""), "up", "write one of \"x\", \"-x\", \"y\", \"-y\", \"z\", \"-z\""),
             arguments(file(""""background": "red""""), "background", "#rrggbb"),
             arguments(file(""""background": [1, 2]"""), "background", "needs 3 or 4 numbers, not 2"),
             arguments(file(""""background": null"""), "background", "must be a colour"),

@@ -2,7 +2,7 @@ package dev.lazyz.strategies.tiled.binning
 
 import dev.lazyz.DepthTest
 import dev.lazyz.FrameContent
-import dev.lazyz.inParallel
+import dev.lazyz.Workers
 import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.setup.planar.triangleBatch
 import dev.lazyz.strategies.tiled.raster.TileGrid
@@ -31,14 +31,14 @@ internal class TriangleBins(
     test: DepthTest,
     bandStart: Int,
     bandEnd: Int,
-    threads: Int,
+    workers: Workers,
     coverage: () -> CoverageKernel,
     private val pool: ArrayPool,
 ) {
     private val area = BinArea(grid, bandStart, bandEnd)
     private var bandsLeft = bandEnd - bandStart
     private val total = content.batches.sumOf { it.count }
-    private val chunks = minOf(threads, (total - 1) / LEAST_CHUNK + 1)
+    private val chunks = minOf(workers.threads, (total - 1) / LEAST_CHUNK + 1)
 
     /** Bounds of each tile's triangles within [triangles], and of its fragments within [keys] and [places]. */
     private val triangleEnds = BinEnds(1 + chunks, area.tiles)
@@ -54,19 +54,19 @@ internal class TriangleBins(
         val fillers = List(chunks) {
             BinFiller(it, area, grid, test, coverage(), pool, triangleEnds, fragmentEnds)
         }
-        inParallel(chunks) { forEach(it, fillers[it]::enter) }
+        workers.forEach(chunks) { forEach(it, fillers[it]::enter) }
         val wide = NearToFar()
         for (filler in fillers) wide.addAll(filler.wide)
         wide.sort()
         val parts = if (wide.count == 0) 0 else minOf(chunks, area.bands)
         val wideParts = List(parts) { WideTriangles(content, area, grid, test, pool, triangleEnds) }
-        inParallel(parts) { wideParts[it].enter(wide, it, parts) }
+        workers.forEach(parts) { wideParts[it].enter(wide, it, parts) }
         val found = fillers.sumOf { it.bytes } + wide.bytes + wideParts.sumOf { it.bytes }
         triangles = pool.longs(ArrayPool.roomy(triangleEnds.sumUp()))
         val fragments = ArrayPool.roomy(fragmentEnds.sumUp())
         keys = pool.longs(fragments)
         places = pool.ints(fragments)
-        inParallel(chunks) {
+        workers.forEach(chunks) {
             if (it < parts) wideParts[it].distribute(triangles)
             fillers[it].distribute(triangles, keys, places)
         }

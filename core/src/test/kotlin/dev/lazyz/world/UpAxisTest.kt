@@ -1,22 +1,11 @@
-package dev.lazyz.cli.input
+package dev.lazyz.world
 
 import dev.lazyz.Rgba
-import dev.lazyz.cli.output.Mistake
 import dev.lazyz.strategies.zbuffer.ZBuffer
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Light
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.Points
-import dev.lazyz.world.Polygon
-import dev.lazyz.world.Scene
-import dev.lazyz.world.SetUp
-import dev.lazyz.world.Sphere
-import dev.lazyz.world.Surface
-import dev.lazyz.world.Vertex
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Test
 
@@ -24,7 +13,7 @@ class UpAxisTest {
     private val positions = floatArrayOf(0.1f, 0.2f, 0.3f, 1f, 0f, 0f, 0f, 1f, Float.POSITIVE_INFINITY)
     private val turned = floatArrayOf(0.1f, 0.3f, -0.2f, 1f, 0f, -0f, 0f, Float.POSITIVE_INFINITY, -1f)
 
-    private fun turn(surface: Surface) = UpAxis.fromZ(Scene(listOf(surface))).surfaces.single()
+    private fun turn(surface: Surface) = Scene(listOf(surface)).withUpAxis(UpAxis.Z).surfaces.single()
 
     @Test
     fun meshesTurnWithoutRounding() {
@@ -55,13 +44,14 @@ class UpAxisTest {
     }
 
     @Test
-    fun aSurfaceOfAnUnknownKindIsAMistake() {
+    fun aCustomSurfaceThatCannotTurnIsRefused() {
         val unknown = object : Surface {
             override val bounds = null
 
             override fun primitives(setUp: SetUp) = emptySequence<Nothing>()
         }
-        assertThrows(Mistake::class.java) { turn(unknown) }
+        assertThrows(UnsupportedOperationException::class.java) { turn(unknown) }
+        assertSame(unknown, unknown.withUpAxis(UpAxis.Y))
     }
 
     @Test
@@ -80,8 +70,30 @@ class UpAxisTest {
             Camera.orthographic(eye, Vector3d(), up, 3.0, 1.0, 20.0),
         )) {
             val scene = Scene(listOf(ball, small), lights, camera)
-            val upright = UpAxis.fromZ(scene)
+            val upright = scene.withUpAxis(UpAxis.Z)
             assertEquals(ZBuffer().render(scene.frame(60, 60)), ZBuffer().render(upright.frame(60, 60)))
         }
+    }
+
+    /** Each rotation puts its axis on top, keeps lengths, and does not mirror. */
+    @Test
+    fun allSixAxesTurnUp() {
+        val axes = listOf(Vector3d(1.0, 0.0, 0.0), Vector3d(0.0, 1.0, 0.0), Vector3d(0.0, 0.0, 1.0))
+        for (up in UpAxis.entries) {
+            val (x, y, z) = axes.map(up::toWorld)
+            assertEquals(z, Vector3d(x).cross(y), "$up is a rotation")
+            val name = up.id.removePrefix("-")
+            val axis = Vector3d(axes["xyz".indexOf(name)]).mul(if (up.id == name) 1.0 else -1.0)
+            assertEquals(1.0, up.toWorld(axis).y, "$up is on top")
+            val numbers = up.toWorld(floatArrayOf(1f, 2f, 3f, 4f, 5f, 6f)).map { it.toDouble() }
+            val last = up.toWorld(Vector3d(4.0, 5.0, 6.0))
+            assertEquals(listOf(last.x, last.y, last.z), numbers.drop(3), "$up of arrays")
+        }
+    }
+
+    @Test
+    fun aSceneOnTheScreenCannotTurn() {
+        val scene = Scene(emptyList(), viewpoint = Camera.screen())
+        assertThrows(UnsupportedOperationException::class.java) { scene.withUpAxis(UpAxis.Z) }
     }
 }

@@ -1,0 +1,164 @@
+package dev.lazyz
+
+import java.util.concurrent.Executor
+import java.util.concurrent.RejectedExecutionException
+import java.util.concurrent.SynchronousQueue
+import java.util.concurrent.ThreadPoolExecutor
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
+import java.util.concurrent.atomic.AtomicReference
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/**
+ * The threads for a rendering or a set-up: the calling thread, and helpers from an executor. All threads of the library
+ * come from here.
+ *
+ * The calling thread takes part in the work and never waits for a helper to begin. If the executor is busy, rejects
+ * tasks, or runs them late, the calling thread does the work alone. Thread safe.
+ *
+ * @property threads maximum number of threads, including the calling thread
+ * @property executor runs the helpers
+ */
+internal class Workers(val threads: Int, val executor: Executor) {
+    /**
+     * Calls [action] for each number in 0 until [count], on several threads if there are several numbers. If a call
+     * throws, those that have not begun are skipped, and the first exception is thrown to the caller.
+     */
+    fun forEach(count: Int, action: (number: Int) -> Unit) {
+        val helperCount = minOf(threads, count) - 1
+        if (helperCount < 1) return repeat(count, action)
+        val loop = SharedLoop(count, action)
+        val helpers = Helpers(executor)
+        repeat(helperCount) { helpers.start(loop::takePart) }
+        loop.takePart()
+        helpers.end(interrupt = false)
+        loop.failure.get()?.let { throw it }
+    }
+
+    /** Numbers that several threads take one by one. */
+    private class SharedLoop(private val count: Int, private val action: (number: Int) -> Unit) {
+        private val next = AtomicInteger()
+        val failure = AtomicReference<Throwable>()
+
+        fun takePart() {
+            try {
+                while (failure.get() == null) {
+                    val number = next.getAndIncrement()
+                    if (number >= count) return
+                    action(number)
+                }
+            } catch (e: Throwable) {
+                failure.compareAndSet(null, e)
+            }
+        }
+    }
+
+    companion object {
+        /** As many threads as there are processors, from the library's own pool. */
+        val ALL = Workers(Runtime.getRuntime().availableProcessors(), LibraryThreads)
+    }
+}
+
+/**
+ * The helpers of the thread that creates this, for one piece of work. Not thread safe.
+ *
+ * @param executor runs the helpers
+ */
+internal class Helpers(private val executor: Executor) {
+    private val caller = Thread.currentThread()
+    private val helpers = ArrayList<Helper>()
+
+    /** Lets a helper do [work] as soon as the executor has a thread for it. Exceptions of [work] are not reported. */
+    fun start(work: () -> Unit) {
+        val helper = Helper(caller, work)
+        try {
+            executor.execute(helper)
+            helpers += helper
+        } catch (_: RejectedExecutionException) {
+            // The calling thread does the work
+        } catch (_: OutOfMemoryError) {
+            // Likewise: no thread can be created
+        }
+    }
+
+    /**
+     * Waits until all helpers that have begun have ended; the others never begin. An interrupt of the calling thread
+     * does not end the wait, and stays set.
+     *
+     * @param interrupt whether to interrupt the helpers, which may be blocked
+     */
+    fun end(interrupt: Boolean) {
+        for (helper in helpers) helper.withdraw(interrupt)
+        var isInterrupted = false
+        for (helper in helpers) {
+            while (true) {
+                try {
+                    helper.awaitEnd()
+                    break
+                } catch (_: InterruptedException) {
+                    isInterrupted = true
+                }
+            }
+        }
+        if (isInterrupted) caller.interrupt()
+    }
+
+    private class Helper(private val caller: Thread, private var work: (() -> Unit)?) : Runnable {
+        private val lock = ReentrantLock()
+        private val ended = lock.newCondition()
+        private var thread: Thread? = null
+        private var isInterrupted = false
+
+        override fun run() {
+            // An executor may run the task at once, in the calling thread, which has to do its own part
+            if (Thread.currentThread() === caller) return
+            val work = begin() ?: return
+            try {
+                work()
+            } finally {
+                finish()
+            }
+        }
+
+        private fun begin(): (() -> Unit)? = lock.withLock {
+            if (work != null) thread = Thread.currentThread()
+            work
+        }
+
+        private fun finish() = lock.withLock {
+            // The interrupt was meant for this work, and not for the next task of the executor
+            if (isInterrupted) Thread.interrupted()
+            thread = null
+            work = null
+            ended.signalAll()
+        }
+
+        /** If the helper has not begun, it never will, and no longer refers to its work. */
+        fun withdraw(interrupt: Boolean) = lock.withLock {
+            if (thread == null) work = null
+            isInterrupted = interrupt && thread != null
+            if (isInterrupted) thread?.interrupt()
+        }
+
+        fun awaitEnd() = lock.withLock { while (thread != null) ended.await() }
+    }
+}
+
+/** The library's own threads: daemons, as many as are needed at the same time. They end when they are not used. */
+internal object LibraryThreads : Executor {
+    private const val IDLE_SECONDS = 1L
+
+    private val number = AtomicInteger()
+    private val pool =
+        ThreadPoolExecutor(0, Int.MAX_VALUE, IDLE_SECONDS, TimeUnit.SECONDS, SynchronousQueue()) { task ->
+            Thread(task, "lazyz-${number.incrementAndGet()}").apply {
+                isDaemon = true
+
+                // The pool serves all callers, and must not keep the classes of the first one
+                contextClassLoader = LibraryThreads::class.java.classLoader
+            }
+        }
+
+    override fun execute(task: Runnable) = pool.execute(task)
+}

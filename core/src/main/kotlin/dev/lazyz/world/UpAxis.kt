@@ -1,0 +1,51 @@
+package dev.lazyz.world
+
+import org.joml.Vector3d
+import org.joml.Vector3dc
+
+/**
+ * The axis of a model that points up. In Lazy Z it is y; [Scene.withUpAxis] rotates scenes in which it is another one.
+ *
+ * The rotation only exchanges and negates coordinates, so nothing is rounded: with z up, (x, y, z) becomes (x, z, -y).
+ *
+ * @property id short name: `x`, `-x`, `y`, `-y`, `z`, `-z`
+ */
+public enum class UpAxis(public val id: String, private val sources: IntArray, private val signs: IntArray) {
+    /** (x, y, z) becomes (-y, x, z). */
+    X("x", intArrayOf(1, 0, 2), intArrayOf(-1, 1, 1)),
+
+    /** (x, y, z) becomes (y, -x, z). */
+    MINUS_X("-x", intArrayOf(1, 0, 2), intArrayOf(1, -1, 1)),
+
+    /** Nothing changes. */
+    Y("y", intArrayOf(0, 1, 2), intArrayOf(1, 1, 1)),
+
+    /** (x, y, z) becomes (x, -y, -z). */
+    MINUS_Y("-y", intArrayOf(0, 1, 2), intArrayOf(1, -1, -1)),
+
+    /** (x, y, z) becomes (x, z, -y). Usual in STL files, in 3MF files and in CAD. */
+    Z("z", intArrayOf(0, 2, 1), intArrayOf(1, 1, -1)),
+
+    /** (x, y, z) becomes (x, -z, y). */
+    MINUS_Z("-z", intArrayOf(0, 2, 1), intArrayOf(1, -1, 1)),
+    ;
+
+    /** Returns the point or direction [v] of a model with this axis up, in a world with y up. A new vector. */
+    public fun toWorld(v: Vector3dc): Vector3d = Vector3d(component(v, 0), component(v, 1), component(v, 2))
+
+    /** Returns points or directions, three numbers each, in a world with y up. A new array, except for [Y]. */
+    internal fun toWorld(xyz: FloatArray): FloatArray = if (this == Y) {
+        xyz
+    } else {
+        FloatArray(xyz.size) {
+            val row = it % 3
+            val number = xyz[it - row + sources[row]]
+            if (signs[row] > 0) number else -number
+        }
+    }
+
+    private fun component(v: Vector3dc, row: Int): Double {
+        val number = v.get(sources[row])
+        return if (signs[row] > 0) number else -number
+    }
+}

@@ -1,0 +1,163 @@
+package dev.lazyz
+
+import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Scene
+import java.lang.ref.WeakReference
+import java.util.Collections
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.CyclicBarrier
+import java.util.concurrent.Executor
+import java.util.concurrent.Executors
+import java.util.concurrent.ForkJoinPool
+import java.util.concurrent.RejectedExecutionException
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertSame
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.Timeout
+
+/** The calling thread and helpers from any executor do each part of the work once, and stop when they must. */
+@Timeout(60)
+class WorkersTest {
+    /** Executors with and without threads: of the library, of the JDK, in the caller, never, and refusing. */
+    private val executors: Map<String, Executor> = mapOf(
+        "library" to LibraryThreads,
+        "common pool" to ForkJoinPool.commonPool(),
+        "the calling thread" to Executor { it.run() },
+        "never runs a task" to Executor { },
+        "rejects" to Executor { throw RejectedExecutionException("full") },
+        "no memory for a thread" to Executor { throw OutOfMemoryError("unable to create native thread") },
+    )
+
+    @Test
+    fun eachNumberIsTakenOnceWithAnyExecutor() {
+        for ((name, executor) in executors) {
+            val taken = Collections.synchronizedList(ArrayList<Int>())
+            Workers(4, executor).forEach(100) { taken += it }
+            assertEquals((0 until 100).toList(), taken.sorted(), name)
+        }
+    }
+
+    @Test
+    fun severalThreadsTakePart() {
+        // Each number waits for the others
+        val barrier = CyclicBarrier(4)
+        Workers(4, LibraryThreads).forEach(4) { barrier.await(10, TimeUnit.SECONDS) }
+    }
+
+    @Test
+    fun oneThreadIsTheCallingThread() {
+        val none = Executor { throw AssertionError("no other thread is permitted") }
+        val threads = HashSet<Thread>()
+        Workers(1, none).forEach(10) { threads += Thread.currentThread() }
+        assertEquals(setOf(Thread.currentThread()), threads)
+    }
+
+    @Test
+    fun theFirstExceptionReachesTheCallerAndTheRestIsSkipped() {
+        for ((name, executor) in executors) {
+            val planted = StackOverflowError(name)
+            val after = AtomicInteger()
+            val thrown = assertThrows(StackOverflowError::class.java) {
+                Workers(2, executor).forEach(100_000) {
+                    if (it == 3) throw planted
+                    after.incrementAndGet()
+                }
+            }
+            assertSame(planted, thrown)
+            assertTrue(after.get() < 90_000, name)
+        }
+    }
+
+    @Test
+    fun aTaskThatRunsLateDoesNothing() {
+        val tasks = ArrayList<Runnable>()
+        val calls = AtomicInteger()
+        Workers(3, tasks::add).forEach(5) { calls.incrementAndGet() }
+        assertEquals(2, tasks.size)
+        tasks.forEach { task -> Thread(task).apply { start() }.join() }
+        assertEquals(5, calls.get())
+    }
+
+    @Test
+    fun aTaskThatWaitsInItsQueueRefersToNothing() {
+        val tasks = ArrayList<Runnable>()
+        val data = usedByTasks(tasks)
+        val end = System.nanoTime() + TimeUnit.SECONDS.toNanos(20)
+        while (data.get() != null && System.nanoTime() < end) {
+            System.gc()
+            Thread.sleep(10)
+        }
+        assertNull(data.get(), "a task that has not begun keeps what its work refers to")
+        assertEquals(1, tasks.size)
+    }
+
+    private fun usedByTasks(tasks: MutableList<Runnable>): WeakReference<ByteArray> {
+        val data = ByteArray(1 shl 20)
+        Workers(2, tasks::add).forEach(2) { data[it] = 1 }
+        return WeakReference(data)
+    }
+
+    @Test
+    fun anInterruptForTheWorkDoesNotReachTheExecutorsNextTask() {
+        val executor = Executors.newSingleThreadExecutor()
+        try {
+            val begun = CountDownLatch(1)
+            val helpers = Helpers(executor)
+            helpers.start {
+                begun.countDown()
+                assertThrows(InterruptedException::class.java) { Thread.sleep(600_000) }
+                Thread.currentThread().interrupt()
+            }
+            begun.await()
+            helpers.end(interrupt = true)
+            assertFalse(executor.submit<Boolean> { Thread.currentThread().isInterrupted }.get())
+        } finally {
+            executor.shutdownNow()
+        }
+    }
+
+    @Test
+    fun anInterruptOfTheCallerStaysSet() {
+        Thread.currentThread().interrupt()
+        Workers(4, LibraryThreads).forEach(100) { Thread.onSpinWait() }
+        assertTrue(Thread.interrupted())
+    }
+
+    @Test
+    fun aFrameAndItsPictureAreMadeByTheCallersThreads() {
+        val side = 200
+        val positions = FloatArray(3 * side * side) {
+            when (it % 3) {
+                0 -> (it / 3 % side).toFloat()
+                1 -> (it / 3 / side).toFloat()
+                else -> (it % 7).toFloat()
+            }
+        }
+        val triangles = IntArray(6 * (side - 1) * (side - 1)) {
+            val cell = it / 6
+            val corner = cell / (side - 1) * side + cell % (side - 1)
+            corner + intArrayOf(0, 1, side, 1, side + 1, side)[it % 6]
+        }
+        val scene = Scene(listOf(Mesh(positions, triangles, Material())))
+        val raster = Raster(96, 96)
+        val expected = ZBuffer().render(scene.frame(raster))
+        for ((name, executor) in executors) {
+            val options = RenderOptions(threads = 3, tileSize = 16, executor = executor)
+            assertEquals(expected, Tiled(options).render(scene.frame(raster, options)), name)
+        }
+
+        // With one thread, the executor gets no task
+        val none = Executor { throw AssertionError("no other thread is permitted") }
+        val alone = RenderOptions(threads = 1, executor = none)
+        assertEquals(expected, Tiled(alone).render(scene.frame(raster, alone)))
+    }
+}
