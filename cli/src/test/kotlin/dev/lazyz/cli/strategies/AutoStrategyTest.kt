@@ -6,6 +6,7 @@ import dev.lazyz.cli.glass
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.withRenderers
 import dev.lazyz.cli.zcli
+import dev.lazyz.Capability
 import dev.lazyz.strategies.Renderers
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -34,9 +35,11 @@ class AutoStrategyTest {
 
     @Test
     fun autoHeedsFlagsAndTheScene() {
-        assertEquals("hybrid", auto("teapot", "--memory-budget", "1k").done().stat("strategy"))
+        val budgeted = auto("teapot", "--memory-budget", "1k").done().stat("strategy")
+        assertTrue(Capability.MEMORY_BUDGET in Strategies.find(budgeted).capabilities, budgeted)
         assertEquals("lists", auto("teapot", "--select", "farthest").done().stat("strategy"))
-        assertTrue(auto(folder.glass()).done().stat("strategy") in setOf("tiled", "lists"))
+        val blending = auto(folder.glass()).done().stat("strategy")
+        assertTrue(Capability.TRANSPARENCY in Strategies.find(blending).capabilities, blending)
         auto("teapot", "--memory-budget", "1k", "--select", "count").mistake("no single strategy supports all of")
         auto(folder.glass(), "--memory-budget", "1k").mistake("blends")
     }
