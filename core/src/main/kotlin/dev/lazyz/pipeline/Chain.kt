@@ -98,7 +98,10 @@ internal class Chain(
         }
     }
 
-    /** Adds a stage for the primitive [index]; or, if it does not fit into the budget, draws this row and returns true. */
+    /**
+     * Adds a stage for the primitive [index]. If the stage does not fit into the budget, draws [row] instead, and
+     * returns true.
+     */
     private fun isStageless(index: Int, row: Row): Boolean {
         val joining = stage(frame, index, row.y, spans)
         if (!hasRoom(joining.bytes)) {

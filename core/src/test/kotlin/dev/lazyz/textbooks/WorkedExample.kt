@@ -14,8 +14,8 @@ import org.junit.jupiter.api.Assertions.assertEquals
 internal class Shape(val name: Char, vararg val contour: Double)
 
 /**
- * An example of a few samples that can be worked by hand: shapes that are drawn one after the other, and the contents of
- * the depth buffer before the first and after each of them.
+ * An example of a few samples that can be worked by hand: shapes that are drawn one after the other, and the contents
+ * of the depth buffer before the first and after each of them.
  *
  * @param depths the expected depths after each step, in rows from the top; `inf` is the background
  * @param owners the names of the visible shapes at the end, `.` for the background

@@ -63,7 +63,9 @@ class WorkedExamplesTest {
     @Test
     fun trianglesWithACommonEdgeDrawEachSampleOnce() {
         val grid = WorkedExamples.grid
-        for (renderer in Renderers.builtIn) assertEquals(16, renderer.render(grid.frame()).counters.fragments, renderer.id)
+        for (renderer in Renderers.builtIn) {
+            assertEquals(16, renderer.render(grid.frame()).counters.fragments, renderer.id)
+        }
     }
 
     @Test

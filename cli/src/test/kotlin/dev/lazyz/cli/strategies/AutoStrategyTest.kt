@@ -1,12 +1,12 @@
 package dev.lazyz.cli.strategies
 
+import dev.lazyz.Capability
 import dev.lazyz.cli.CapableRenderer
 import dev.lazyz.cli.Zrun
 import dev.lazyz.cli.glass
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.withRenderers
 import dev.lazyz.cli.zcli
-import dev.lazyz.Capability
 import dev.lazyz.strategies.Renderers
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals

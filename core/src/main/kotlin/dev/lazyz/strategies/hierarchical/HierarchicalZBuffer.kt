@@ -14,16 +14,16 @@ import dev.lazyz.shading.LateShading
 /**
  * A depth buffer that maintains the farthest depth of each block of samples, and of each block of blocks.
  *
- * Primitives are drawn from near to far, or in the order of submission, see [Order]. A primitive that is behind the farthest sample of all the blocks that it may
- * reach is hidden, which takes a few comparisons. Otherwise each block is tested before its samples are. Visible
- * samples are shaded after all primitives are drawn.
+ * Primitives are drawn from near to far, or in the order of submission, see [Order]. A primitive that is behind the
+ * farthest sample of all the blocks that it may reach is hidden, which takes a few comparisons. Otherwise each block is
+ * tested before its samples are. Visible samples are shaded after all primitives are drawn.
  *
  * Use it where much is hidden and the picture fits into memory. Where little is hidden, it is a depth buffer with an
  * additional sort. For pictures larger than memory use a renderer that streams rows.
  *
  * Memory: 8 bytes a sample, 12 a block of 64 samples, and 8 a primitive to sort it. Time: the fragments in blocks where
- * they are not hidden, plus one step for each row of a hidden primitive, plus n log n to sort n primitives. Thread safe;
- * no state between calls.
+ * they are not hidden, plus one step for each row of a hidden primitive, plus n log n to sort n primitives. Thread
+ * safe; no state between calls.
  *
  * Source: Ned Greene, Michael Kass, Gavin Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993. In the paper, an
  * octree yields the primitives from near to far and rejects many at once; here they are sorted, and rejected one by

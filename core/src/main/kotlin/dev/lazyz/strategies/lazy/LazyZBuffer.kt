@@ -22,10 +22,11 @@ import kotlin.streams.asStream
  * evaluation the z-buffer becomes a scan-line method, which is the main result of the paper.
  *
  * Memory: the stages of the primitives that are active on one row, that row, and 8 bytes for each primitive of the
- * region; nothing grows with the number of rows. With [RenderOptions.memoryBudget], stages are suspended only as long as
- * they fit. The other primitives are begun again on each of their rows, which takes time and nothing else: picture and
- * shading calls are the same, and rows still arrive one by one. Time: proportional to the number of fragments, plus one resumed
- * coroutine for each primitive and row. Shading calls: exactly one for each visible sample whose colour is read.
+ * region; nothing grows with the number of rows. With [RenderOptions.memoryBudget], stages are suspended only as long
+ * as they fit. The other primitives are begun again on each of their rows, which takes time and nothing else: picture
+ * and shading calls are the same, and rows still arrive one by one. Time: proportional to the number of fragments, plus
+ * one resumed coroutine for each primitive and row. Shading calls: exactly one for each visible sample whose colour is
+ * read.
  *
  * Use it for pictures larger than memory, for expensive shaders, and to compute only some samples or only the first
  * rows. Do not use it where primitives arrive one by one, because the first row needs all of them, or to use several

@@ -11,8 +11,8 @@ import dev.lazyz.shading.LayerShading
  * A canvas for frames with translucent primitives: at each sample the visible opaque primitive, and the translucent
  * layers painted over it, the nearest on top.
  *
- * A translucent primitive becomes a layer; an opaque one removes the layers that it is over. Both are usually painted on
- * top. Where the order of painting was not proved, a primitive goes below the layers that are over it. Colours are
+ * A translucent primitive becomes a layer; an opaque one removes the layers that it is over. Both are usually painted
+ * on top. Where the order of painting was not proved, a primitive goes below the layers that are over it. Colours are
  * computed at the end and from the front, because contract rule 5.5 blends in this direction, and shades nothing behind
  * layers that no light passes.
  */

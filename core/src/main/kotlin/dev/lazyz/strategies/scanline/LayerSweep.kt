@@ -9,8 +9,8 @@ import dev.lazyz.shading.LateShading
 import dev.lazyz.shading.LayerShading
 
 /**
- * Moves along a row a second time, after [RowSweep], and blends the translucent spans that are before the visible opaque
- * ones.
+ * Moves along a row a second time, after [RowSweep], and blends the translucent spans that are before the visible
+ * opaque ones.
  *
  * Between two edges of translucent spans, and as long as the same opaque primitive is visible, the candidates stay the
  * same. They are sorted by depth once, at the first sample, if the order is proved to hold up to the last one. If it is

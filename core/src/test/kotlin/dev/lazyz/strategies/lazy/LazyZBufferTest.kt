@@ -191,7 +191,8 @@ class LazyZBufferTest {
     @Test
     fun withABudgetOnlyRowsThatAreDemandedAreMade() {
         val layers = PipelineScenes.layers(raster, 10)
-        for (row in renderer.configured(RenderOptions(memoryBudget = 0)).rows(Frame(raster, layers)).take(3)) row.argb(5)
+        val budgeted = renderer.configured(RenderOptions(memoryBudget = 0))
+        for (row in budgeted.rows(Frame(raster, layers)).take(3)) row.argb(5)
         assertTrue(layers.all { it.rows == listOf(0, 1, 2) && it.cursors == listOf(0, 1, 2) })
         assertEquals(3, layers.sumOf { it.shaded.size })
     }
