@@ -61,6 +61,20 @@ internal class Blending {
     /** Returns the final colour, packed to 8-bit sRGB, `0xAARRGGBB`. */
     fun toArgb(): Int = Srgb.pack(red, green, blue, alpha)
 
+    /**
+     * Blends one sample, and returns its final colour, packed to 8-bit sRGB. The [layers] translucent fragments have
+     * the numbers from 0 on, from the nearest; the opaque fragment behind them has the number [layers]. If there is
+     * none ([hasBackdrop] is false), the [background] is behind them. [shade] computes the colour of the fragment with
+     * a number; it is called only for fragments that are visible.
+     */
+    inline fun blend(layers: Int, hasBackdrop: Boolean, background: Rgba, shade: (number: Int) -> Fragment): Int {
+        clear()
+        var number = 0
+        while (number < layers && isOpen) add(shade(number++))
+        if (isOpen && hasBackdrop) end(shade(layers)) else end(background)
+        return toArgb()
+    }
+
     private fun add(red: Float, green: Float, blue: Float, opacity: Float) {
         val weight = transmittance * opacity
         this.red += weight * red

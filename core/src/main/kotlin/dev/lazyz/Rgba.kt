@@ -1,5 +1,7 @@
 package dev.lazyz
 
+import kotlin.math.abs
+
 /**
  * A colour in linear light with straight (not premultiplied) alpha.
  *
@@ -56,6 +58,50 @@ public class Rgba @JvmOverloads constructor(
         public fun ofRgb(rgb: Int): Rgba = ofArgb(rgb or (0xFF shl 24))
 
         /**
+         * Returns the colour of a hue, a saturation and a value (HSV, also called HSB).
+         *
+         * As in image editors, HSV describes the sRGB-encoded components, each in 0..1; they are then decoded to the
+         * linear light of this class. So `hsv(h, s, v).toArgb()` is the 8-bit colour that an editor shows for h, s and
+         * v. With saturation 0 the colour is grey, whatever the hue; with value 0 it is black.
+         *
+         * Source: Alvy Ray Smith, "Color Gamut Transform Pairs", SIGGRAPH 1978, the hexcone model. There a hue is a
+         * fraction of the full turn, here it is in degrees.
+         *
+         * @param hueDegrees angle in degrees, any finite number: 0 is red, 60 yellow, 120 green, 180 cyan, 240 blue,
+         *   300 magenta, and 360 red again
+         * @param saturation distance from grey, 0..1
+         * @param value the largest of the three encoded components, 0..1
+         * @param alpha opacity, 0..1
+         * @throws IllegalArgumentException if a number is outside its range or NaN
+         */
+        @JvmStatic
+        @JvmOverloads
+        public fun hsv(hueDegrees: Float, saturation: Float, value: Float, alpha: Float = 1f): Rgba {
+            require(hueDegrees.isFinite()) { "hueDegrees must be finite: $hueDegrees" }
+            require(saturation in 0f..1f) { "saturation must be in 0..1: $saturation" }
+            require(value in 0f..1f) { "value must be in 0..1: $value" }
+            require(alpha in 0f..1f) { "alpha must be in 0..1: $alpha" }
+            val sextant = hueDegrees.toDouble().mod(360.0) / 60.0
+            return Rgba(
+                ofHexcone(sextant, RED_SEXTANT, saturation, value),
+                ofHexcone(sextant, GREEN_SEXTANT, saturation, value),
+                ofHexcone(sextant, BLUE_SEXTANT, saturation, value),
+                alpha,
+            )
+        }
+
+        /**
+         * Returns a component in linear light. Its encoded value is largest up to one sextant away from its own hue,
+         * [own], and least from two sextants on; it is linear in between.
+         */
+        private fun ofHexcone(sextant: Double, own: Double, saturation: Float, value: Float): Float {
+            val difference = abs(sextant - own)
+            val distance = minOf(difference, 6.0 - difference)
+            val missing = (distance - 1.0).coerceIn(0.0, 1.0)
+            return Srgb.decode(value * (1.0 - saturation * missing)).toFloat()
+        }
+
+        /**
          * Parses an sRGB colour: `#rgb`, `#rrggbb`, `#rrggbbaa`, `transparent`, `black` or `white`.
          *
          * @throws IllegalArgumentException if [text] has none of these forms
@@ -76,6 +122,11 @@ public class Rgba @JvmOverloads constructor(
             val alpha = if (long.length == 8) long.substring(6).toInt(16) else 0xFF
             return ofArgb(alpha shl 24 or rgb)
         }
+
+        /** The hues at which the components are alone, in sixths of a turn. */
+        private const val RED_SEXTANT = 0.0
+        private const val GREEN_SEXTANT = 2.0
+        private const val BLUE_SEXTANT = 4.0
 
         private val HEX = Regex("#([0-9a-fA-F]{3}|[0-9a-fA-F]{6}|[0-9a-fA-F]{8})")
     }

@@ -7,14 +7,14 @@ package dev.lazyz
  * [StrictMath], so that no call depends on a library's `pow` (contract rule 6.3).
  */
 internal object Srgb {
-    private val linearOfCode = FloatArray(256) { toLinear(it / 255.0).toFloat() }
+    private val linearOfCode = FloatArray(256) { decode(it / 255.0).toFloat() }
 
     /** `threshold[k]` is the smallest linear value whose code is at least k. */
     private val threshold = FloatArray(257) {
         when (it) {
             0 -> Float.NEGATIVE_INFINITY
             256 -> Float.POSITIVE_INFINITY
-            else -> leastFloatFrom(toLinear((it - 0.5) / 255.0))
+            else -> leastFloatFrom(decode((it - 0.5) / 255.0))
         }
     }
 
@@ -35,6 +35,7 @@ internal object Srgb {
         }
     }
 
+    /** Returns the linear value of an 8-bit [code]. */
     fun decode(code: Int): Float = linearOfCode[code]
 
     /** Returns the 8-bit code of [linear]; values outside 0..1 are clamped and NaN gives 0. */
@@ -60,7 +61,8 @@ internal object Srgb {
         return if (nearest < value) Math.nextUp(nearest) else nearest
     }
 
-    private fun toLinear(encoded: Double): Double =
+    /** Returns the linear value of [encoded], 0..1. */
+    fun decode(encoded: Double): Double =
         if (encoded <= 0.04045) encoded / 12.92 else StrictMath.pow((encoded + 0.055) / 1.055, 2.4)
 
     private fun leastOfBucket(bucket: Int): Float = Float.fromBits(LEAST_BITS + (bucket shl BUCKET_SHIFT))

@@ -27,6 +27,12 @@ class JavaSampleTest {
     }
 
     @Test
+    void coloursOfAHue() {
+        assertEquals(Rgba.ofRgb(0x00FF00), Rgba.hsv(120, 1, 1));
+        assertEquals(Rgba.ofArgb(0x330000FF), Rgba.hsv(240, 1, 1, 0.2f));
+    }
+
+    @Test
     void rowsGoToASink() throws InterruptedException, IOException {
         int[] rows = {0};
         Frame frame = new FrameBuilder(new Raster(5, 3))

@@ -34,4 +34,55 @@ class RgbaTest {
         assertEquals(Rgba.WHITE.hashCode(), Rgba(1f, 1f, 1f).hashCode())
         assertTrue(Rgba.WHITE != Rgba.BLACK && !Rgba.WHITE.equals("white"))
     }
+
+    @Test
+    fun huesGoAroundTheHexcone() {
+        val hues = listOf(0xFF0000, 0xFFFF00, 0x00FF00, 0x00FFFF, 0x0000FF, 0xFF00FF, 0xFF0000)
+        for ((i, rgb) in hues.withIndex()) {
+            assertEquals(Rgba.ofRgb(rgb), Rgba.hsv(60f * i, 1f, 1f))
+            assertEquals(Rgba.ofRgb(rgb), Rgba.hsv(60f * i - 720f, 1f, 1f))
+        }
+        assertEquals(Rgba.WHITE, Rgba.hsv(77f, 0f, 1f))
+        assertEquals(Rgba.BLACK, Rgba.hsv(77f, 1f, 0f))
+        assertEquals(Rgba(1f, 0f, 0f, 0.25f), Rgba.hsv(0f, 1f, 1f, 0.25f))
+
+        // Half of the way from red to yellow, green is encoded as 1/2: ((0.5 + 0.055) / 1.055) to the power of 2.4
+        assertEquals(0.21404114f, Rgba.hsv(30f, 1f, 1f).green, 1e-7f)
+        assertEquals(Rgba.hsv(0f, 1f, 1f), Rgba.hsv(-Float.MIN_VALUE, 1f, 1f))
+    }
+
+    /** Smith's inverse: value is the greatest component, saturation the range divided by it, hue where in its sixth. */
+    @Test
+    fun everyCodeHasItsHueSaturationAndValue() {
+        for (rgb in 0..0xFFFFFF step 997) {
+            val red = (rgb ushr 16) / 255.0
+            val green = (rgb ushr 8 and 0xFF) / 255.0
+            val blue = (rgb and 0xFF) / 255.0
+            val value = maxOf(red, green, blue)
+            val range = value - minOf(red, green, blue)
+            val sixth = when {
+                range == 0.0 -> 0.0
+                value == red -> (green - blue) / range
+                value == green -> 2.0 + (blue - red) / range
+                else -> 4.0 + (red - green) / range
+            }
+            val saturation = if (value == 0.0) 0.0 else range / value
+            val color = Rgba.hsv((60.0 * sixth).toFloat(), saturation.toFloat(), value.toFloat())
+            assertEquals(Rgba.ofRgb(rgb).toArgb(), color.toArgb()) { "#" + rgb.toString(16) }
+        }
+    }
+
+    @Test
+    fun hsvOutsideItsRangeIsNamedInTheMessage() {
+        fun assertNamed(name: String, action: () -> Unit) {
+            val message = assertThrows(IllegalArgumentException::class.java, action).message
+            assertTrue(message!!.startsWith(name)) { message }
+        }
+        for (wrong in listOf(-0.001f, 1.001f, Float.NaN)) {
+            assertNamed("saturation") { Rgba.hsv(0f, wrong, 1f) }
+            assertNamed("value") { Rgba.hsv(0f, 1f, wrong) }
+            assertNamed("alpha") { Rgba.hsv(0f, 1f, 1f, wrong) }
+        }
+        for (wrong in listOf(Float.NaN, Float.POSITIVE_INFINITY)) assertNamed("hueDegrees") { Rgba.hsv(wrong, 1f, 1f) }
+    }
 }

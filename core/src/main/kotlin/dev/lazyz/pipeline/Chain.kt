@@ -5,6 +5,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Spans
 import dev.lazyz.raster.reaches
+import dev.lazyz.shading.LateShading
 
 /**
  * The stages that rows pass through, in submission order: one for each primitive that can cover the current row.
@@ -17,27 +18,43 @@ import dev.lazyz.raster.reaches
  *     for (i in 0 until chain.size) row = chain[i].next(row)
  *     chain.end(row)
  *
+ * With a budget, a stage is added only if it fits, and the list of primitives is kept only if it fits. A primitive
+ * without a stage is drawn at the beginning of each of its rows, by a stage that is made for this row and then dropped.
+ *
  * Used by one thread.
  *
  * @param stage creates the stage of a primitive from the frame, the primitive's index, the first row that the stage
  *   will receive, and scratch memory for spans
+ * @param budget most bytes to hold in addition to what a frame without primitives takes, or null for no limit
  */
 internal class Chain(
     private val frame: Frame,
-    private val coherence: Coherence,
+    coherence: Coherence,
     private val stage: (Frame, Int, Int, Spans) -> Stage,
+    private val budget: Long? = null,
 ) {
+    /** The budget also holds the state of incremental shading; without room for it, rows are shaded directly. */
+    private val coherence =
+        if (budget == null || LateShading.mostBytes(frame) <= budget) coherence else Coherence.DIRECT
+    private val shadingBytes = if (this.coherence == Coherence.DIRECT) 0L else LateShading.mostBytes(frame)
+
     /**
-     * Primitives of the region: first row and index in one word, sorted. Those before [entered] have already been
-     * added.
+     * Primitives of the region: first row and index in one word, sorted; null if they do not fit into the budget. The
+     * sign bit is set once a primitive needs no stage any more, because it has one or has ended. This is so for those
+     * before [settled]. The rows of those before [entered] have begun.
      */
-    private val entries = entries(frame)
+    private val entries: LongArray? = entries()
+    private var settled = 0
     private var entered = 0
 
     /** The stages, from upstream to downstream; null from [size] on. */
     private var stages = arrayOfNulls<Stage>(CAPACITY)
     private var stageBytes = 0L
     private val spans = Spans(frame.region)
+
+    /** Bytes of [spans]. With a budget, these are the most that it can grow to, whatever the primitives are. */
+    private val spansBytes: Long
+        get() = if (budget == null) spans.bytes else maxOf(spans.bytes, Long.SIZE_BYTES * (frame.width + 1L))
 
     /** Number of stages. */
     var size: Int = 0
@@ -47,34 +64,69 @@ internal class Chain(
 
     /**
      * Begins row [y]: adds the stages whose primitives begin here. Returns the input of the first stage: a row of
-     * background.
+     * background, on which only the primitives without a stage are drawn.
      */
     fun begin(y: Int): Row {
-        join(y)
         val row = Row(frame, y, coherence)
         if (y == frame.region.rowStart) row.counting.primitives = frame.primitives.size.toLong()
+        if (entries != null) join(entries, row) else drawAll(row)
         return row
     }
 
     /** Ends [row], the output of the last stage: removes the stages whose primitives end here. */
     fun end(row: Row) {
         row.counting.peakSuspensions = row.keys.count { row.test.indexOf(it) != DepthTest.BACKGROUND }.toLong()
-        row.hold(Long.SIZE_BYTES * entries.size + REFERENCE_BYTES * stages.size + stageBytes + spans.bytes)
+        row.hold(Long.SIZE_BYTES * (entries?.size ?: 0) + REFERENCE_BYTES * stages.size + stageBytes + spansBytes)
         leave(row.y)
     }
 
-    private fun join(y: Int) {
+    private fun join(entries: LongArray, row: Row) {
+        val y = row.y
         val before = size
-        while (entered < entries.size && (entries[entered] ushr 32).toInt() <= y) {
-            if (size == stages.size) stages = stages.copyOf(2 * size)
-            val joining = stage(frame, entries[entered++].toInt(), y, spans)
-            stages[size++] = joining
-            stageBytes += joining.bytes
+        while (entered < entries.size && (entries[entered] ushr 32).toInt() <= y) entered++
+        for (i in settled until entered) {
+            if (entries[i] < 0) continue
+            val index = entries[i].toInt()
+            val hasEnded = frame.primitives[index].rowEnd <= y
+            if (hasEnded || !isStageless(index, row)) entries[i] = entries[i] or Long.MIN_VALUE
         }
+        while (settled < entered && entries[settled] < 0) settled++
 
         // Two sequences in submission order become one; merge sort does this in linear time
         if (before in 1 until size && get(before - 1).index > get(before).index) {
             java.util.Arrays.sort(stages, 0, size, BY_INDEX)
+        }
+    }
+
+    /**
+     * Adds a stage for the primitive [index]. If the stage does not fit into the budget, draws [row] instead, and
+     * returns true.
+     */
+    private fun isStageless(index: Int, row: Row): Boolean {
+        val joining = stage(frame, index, row.y, spans)
+        if (!hasRoom(joining.bytes)) {
+            joining.next(row)
+            return true
+        }
+        if (size == stages.size) stages = stages.copyOf(2 * size)
+        stages[size++] = joining
+        stageBytes += joining.bytes
+        return false
+    }
+
+    /** Whether a stage of [bytes] fits into the budget. While the array of stages is replaced, both are counted. */
+    private fun hasRoom(bytes: Long): Boolean {
+        if (budget == null) return true
+        val capacity = if (size == stages.size) 3 * size else stages.size
+        val held = shadingBytes + Long.SIZE_BYTES * (entries?.size ?: 0) + stageBytes
+        return bytes + REFERENCE_BYTES * (capacity - CAPACITY) <= budget - held
+    }
+
+    /** Draws all primitives of the row, without stages. */
+    private fun drawAll(row: Row) {
+        for ((index, primitive) in frame.primitives.withIndex()) {
+            if (row.y !in primitive.rowStart until primitive.rowEnd || !primitive.reaches(frame.region)) continue
+            stage(frame, index, row.y, spans).next(row)
         }
     }
 
@@ -92,6 +144,20 @@ internal class Chain(
         if (stages.size > CAPACITY && stages.size / 4 >= size) stages = stages.copyOf(maxOf(CAPACITY, 2 * size))
     }
 
+    /** Finds the primitives that can cover samples of the region, and sorts them by first row, then by index. */
+    private fun entries(): LongArray? {
+        val region = frame.region
+        val count = frame.primitives.count { it.reaches(region) }
+        if (budget != null && Long.SIZE_BYTES * count.toLong() > budget - shadingBytes) return null
+        val all = LongArray(count)
+        var used = 0
+        for ((index, primitive) in frame.primitives.withIndex()) {
+            if (!primitive.reaches(region)) continue
+            all[used++] = maxOf(primitive.rowStart, region.rowStart).toLong() shl 32 or index.toLong()
+        }
+        return all.apply { sort() }
+    }
+
     private companion object {
         const val CAPACITY = 16
 
@@ -99,18 +165,5 @@ internal class Chain(
         const val REFERENCE_BYTES = 8L
 
         val BY_INDEX = Comparator<Stage?> { a, b -> a!!.index.compareTo(b!!.index) }
-
-        /** Finds the primitives that can cover samples of the region, and sorts them by first row, then by index. */
-        fun entries(frame: Frame): LongArray {
-            val region = frame.region
-            val all = LongArray(frame.primitives.size)
-            var count = 0
-            for ((index, primitive) in frame.primitives.withIndex()) {
-                if (!primitive.reaches(region)) continue
-                all[count++] = maxOf(primitive.rowStart, region.rowStart).toLong() shl 32 or index.toLong()
-            }
-            all.sort(0, count)
-            return if (count == all.size) all else all.copyOf(count)
-        }
     }
 }

@@ -117,8 +117,11 @@ internal class LateShading(
     private fun isWorthStepping(gap: Int, primitive: Primitive): Boolean =
         coherence == Coherence.INCREMENTAL || gap <= primitive.shadingStartCost
 
-    private companion object {
+    companion object {
         /** Bytes of a chain: two objects of a header and five 8-byte fields, and a map entry. */
-        const val CHAIN_BYTES = 152L
+        private const val CHAIN_BYTES = 152L
+
+        /** Returns the largest [peakBytes] that shading a row of [frame] with chains of steps can take. */
+        fun mostBytes(frame: Frame): Long = CHAIN_BYTES * minOf(frame.width, frame.primitives.size)
     }
 }

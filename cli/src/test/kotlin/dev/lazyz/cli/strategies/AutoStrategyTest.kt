@@ -1,5 +1,6 @@
 package dev.lazyz.cli.strategies
 
+import dev.lazyz.Capability
 import dev.lazyz.cli.CapableRenderer
 import dev.lazyz.cli.Zrun
 import dev.lazyz.cli.glass
@@ -34,9 +35,11 @@ class AutoStrategyTest {
 
     @Test
     fun autoHeedsFlagsAndTheScene() {
-        assertEquals("hybrid", auto("teapot", "--memory-budget", "1k").done().stat("strategy"))
+        val budgeted = auto("teapot", "--memory-budget", "1k").done().stat("strategy")
+        assertTrue(Capability.MEMORY_BUDGET in Strategies.find(budgeted).capabilities, budgeted)
         assertEquals("lists", auto("teapot", "--select", "farthest").done().stat("strategy"))
-        assertTrue(auto(folder.glass()).done().stat("strategy") in setOf("tiled", "lists"))
+        val blending = auto(folder.glass()).done().stat("strategy")
+        assertTrue(Capability.TRANSPARENCY in Strategies.find(blending).capabilities, blending)
         auto("teapot", "--memory-budget", "1k", "--select", "count").mistake("no single strategy supports all of")
         auto(folder.glass(), "--memory-budget", "1k").mistake("blends")
     }

@@ -15,27 +15,42 @@ import java.io.IOException
 /**
  * A depth buffer that maintains the farthest depth of each block of samples, and of each block of blocks.
  *
- * Primitives are drawn from near to far. A primitive that is behind the farthest sample of all the blocks that it may
- * reach is hidden, which takes a few comparisons. Otherwise each block is tested before its samples are. Visible
- * samples are shaded after all primitives are drawn.
+ * Primitives are drawn from near to far, or in the order of submission, see [Order]. A primitive that is behind the
+ * farthest sample of all the blocks that it may reach is hidden, which takes a few comparisons. Otherwise each block is
+ * tested before its samples are. Visible samples are shaded after all primitives are drawn.
  *
  * Use it where much is hidden and the picture fits into memory. Where little is hidden, it is a depth buffer with an
  * additional sort. For pictures larger than memory use a renderer that streams rows.
  *
- * Memory: 8 bytes a sample, 12 a block of 64 samples, and 8 a primitive. Time: the fragments in blocks where they are
- * not hidden, plus one step for each row of a hidden primitive, plus n log n for n primitives. Thread safe; no state
- * between calls.
+ * Memory: 8 bytes a sample, 12 a block of 64 samples, and 8 a primitive to sort it. Time: the fragments in blocks where
+ * they are not hidden, plus one step for each row of a hidden primitive, plus n log n to sort n primitives. Thread
+ * safe; no state between calls.
  *
  * Source: Ned Greene, Michael Kass, Gavin Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993. In the paper, an
  * octree yields the primitives from near to far and rejects many at once; here they are sorted, and rejected one by
  * one.
  *
  * @param options only [RenderOptions.coherence] is used
+ * @param order the order in which primitives are drawn; changes the cost and never the image
  */
-public class HierarchicalZBuffer @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) :
-    Renderer {
+public class HierarchicalZBuffer @JvmOverloads constructor(
+    private val options: RenderOptions = RenderOptions(),
+    private val order: Order = Order.NEAREST_FIRST,
+) : Renderer {
     init {
         options.requireSupportedBy(this)
+    }
+
+    /** The order in which a [HierarchicalZBuffer] draws the primitives of a frame. */
+    public enum class Order {
+        /** From near to far, by the nearest depth that a primitive can have. Most of what is hidden is rejected. */
+        NEAREST_FIRST,
+
+        /**
+         * In the order of submission, without sorting. Use it for frames that are already sorted, or to show how the
+         * pyramid depends on the order: submitted from far to near, nothing is rejected.
+         */
+        SUBMISSION,
     }
 
     override val id: String get() = "hierarchical"
@@ -45,7 +60,7 @@ public class HierarchicalZBuffer @JvmOverloads constructor(private val options: 
     override val capabilities: Set<Capability>
         get() = setOf(Capability.SHADES_ONLY_VISIBLE, Capability.COHERENCE)
 
-    override fun configured(options: RenderOptions): Renderer = HierarchicalZBuffer(options)
+    override fun configured(options: RenderOptions): Renderer = HierarchicalZBuffer(options, order)
 
     @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
@@ -54,19 +69,23 @@ public class HierarchicalZBuffer @JvmOverloads constructor(private val options: 
         counters.primitives = frame.primitives.size.toLong()
         val test = frame.raster.depthTest
 
-        // Draw from near to far
-        val nearestFirst = nearestFirst(frame)
+        // Draw in the chosen order
         val drawing = PyramidDrawing(frame, counters)
-        for (key in nearestFirst) drawing.draw(test.indexOf(key))
+        val sorted = if (order == Order.NEAREST_FIRST) nearestFirst(frame) else null
+        if (sorted != null) {
+            for (key in sorted) drawing.draw(test.indexOf(key))
+        } else {
+            for (index in frame.primitives.indices) drawing.draw(index)
+        }
 
         // Shade after all primitives are drawn
         val rows = KeyedRows(frame, LateShading(frame, options.coherence, counters), counters)
         rows.handOut(frame.region, drawing.keys, sink)
-        counters.peakBytes = drawing.bytes + Long.SIZE_BYTES * nearestFirst.size + rows.bytes
+        counters.peakBytes = drawing.bytes + Long.SIZE_BYTES * (sorted?.size ?: 0) + rows.bytes
         return counters.build()
     }
 
-    override fun toString(): String = "HierarchicalZBuffer($options)"
+    override fun toString(): String = "HierarchicalZBuffer($options, $order)"
 
     /** Returns a lower bound of the keys of each primitive's fragments, ascending. */
     private fun nearestFirst(frame: Frame): LongArray {

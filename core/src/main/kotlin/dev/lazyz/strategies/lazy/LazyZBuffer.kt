@@ -23,8 +23,11 @@ import kotlin.streams.asStream
  * evaluation the z-buffer becomes a scan-line method, which is the main result of the paper.
  *
  * Memory: the stages of the primitives that are active on one row, that row, and 8 bytes for each primitive of the
- * region; nothing grows with the number of rows. Time: proportional to the number of fragments, plus one resumed
- * coroutine for each primitive and row. Shading calls: exactly one for each visible sample whose colour is read.
+ * region; nothing grows with the number of rows. With [RenderOptions.memoryBudget], stages are suspended only as long
+ * as they fit. The other primitives are begun again on each of their rows, which takes time and nothing else: picture
+ * and shading calls are the same, and rows still arrive one by one. Time: proportional to the number of fragments, plus
+ * one resumed coroutine for each primitive and row. Shading calls: exactly one for each visible sample whose colour is
+ * read.
  *
  * Use it for pictures larger than memory, for expensive shaders, and to compute only some samples or only the first
  * rows. Do not use it where primitives arrive one by one, because the first row needs all of them, or to use several
@@ -36,7 +39,7 @@ import kotlin.streams.asStream
  * lazy functional language suspends lists and colours; here [sequence] suspends rows, and all cells of a span are
  * transformed at once.
  *
- * @property options only [RenderOptions.coherence] is used
+ * @property options only [RenderOptions.coherence] and [RenderOptions.memoryBudget] are used
  */
 public class LazyZBuffer @JvmOverloads constructor(private val options: RenderOptions = RenderOptions()) : Renderer {
     init {
@@ -49,7 +52,11 @@ public class LazyZBuffer @JvmOverloads constructor(private val options: RenderOp
 
     override val capabilities: Set<Capability>
         get() = setOf(
-            Capability.SHADES_ONLY_VISIBLE, Capability.CONSTANT_MEMORY, Capability.STREAMS_ROWS, Capability.COHERENCE,
+            Capability.SHADES_ONLY_VISIBLE,
+            Capability.CONSTANT_MEMORY,
+            Capability.STREAMS_ROWS,
+            Capability.MEMORY_BUDGET,
+            Capability.COHERENCE,
         )
 
     override fun configured(options: RenderOptions): LazyZBuffer = LazyZBuffer(options)
@@ -77,7 +84,7 @@ public class LazyZBuffer @JvmOverloads constructor(private val options: RenderOp
     public fun rows(frame: Frame): Sequence<Row> {
         requireOpaque(frame, this)
         return sequence {
-            val chain = Chain(frame, options.coherence, ::LazyStage)
+            val chain = Chain(frame, options.coherence, ::LazyStage, options.memoryBudget)
             for (y in frame.region.rowStart until frame.region.rowEnd) {
                 // The request has reached the upstream end: pass the row down the chain
                 var row = chain.begin(y)

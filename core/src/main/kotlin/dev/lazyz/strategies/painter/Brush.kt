@@ -8,8 +8,8 @@ import dev.lazyz.Spans
  * Paints primitives onto a canvas, over primitives that are proved to be behind, without comparing depths.
  *
  * The order of painting is chosen so that every primitive is painted after those that it hides. If primitives form a
- * cycle or surfaces cross, no such order exists. The brush therefore looks at the primitive already painted at each
- * sample (not at its depth). Once for each pair of primitives, it checks whether an order is proved; if not, it
+ * cycle or surfaces cross, no such order exists. The brush therefore looks at the primitives already painted at each
+ * sample (not at their depths). Once for each pair of primitives, it checks whether an order is proved; if not, it
  * compares the two at the samples that they share. At every sample, the canvas thus holds the visible one of all
  * primitives painted so far, in any order of painting, because visibility is a minimum. The background is painted
  * first.
@@ -41,27 +41,19 @@ internal class Brush(
         val cursor = primitive.cursor(rowStart)
         for (y in rowStart until rowEnd) {
             cursor.next(spans)
-            for (i in 0 until spans.count) paintSpan(index, y, spans.start(i), spans.end(i))
-        }
-    }
-
-    private fun paintSpan(index: Int, y: Int, start: Int, end: Int) {
-        counters.fragments += end - start
-        var at = canvas.at(start, y)
-        for (x in start until end) {
-            val other = canvas.indices[at]
-            val isVisible = when (orderOf(index, other)) {
-                OVER -> true
-                UNDER -> false
-                else -> isVisible(x, y, index, other)
+            for (i in 0 until spans.count) {
+                counters.fragments += spans.end(i) - spans.start(i)
+                canvas.paint(index, y, spans.start(i), spans.end(i), this)
             }
-            if (isVisible) canvas.paint(x, y, at, index)
-            at++
         }
     }
 
-    private fun isVisible(x: Int, y: Int, index: Int, other: Int): Boolean =
-        test.key(canvas.depth(x, y, index), index) < test.key(canvas.depth(x, y, other), other)
+    /** Whether the primitive [index] is visible before [other] at a sample that both cover. */
+    fun isOver(x: Int, y: Int, index: Int, other: Int): Boolean = when (orderOf(index, other)) {
+        OVER -> true
+        UNDER -> false
+        else -> test.key(canvas.depth(x, y, index), index) < test.key(canvas.depth(x, y, other), other)
+    }
 
     /** Returns the order that is proved for the primitive [index] and the [other] wherever both cover a sample. */
     private fun orderOf(index: Int, other: Int): Byte {

@@ -2,46 +2,35 @@ package dev.lazyz.strategies.painter
 
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.RowSink
 
 /**
- * The picture painted so far: colour and primitive of each sample. Depth is evaluated at the end, for visible samples
- * only.
+ * The picture painted so far. Depth is evaluated at the end, for visible samples only.
+ *
+ * An [OpaqueCanvas] shades what is painted on it. A [LayeredCanvas] keeps translucent layers, and shades at the end.
  */
-internal class Canvas(private val frame: Frame, private val counters: Counters.Builder) {
-    private val region = frame.region
-    private val width = region.width
-    private val fragment = Fragment()
-    private val argb: IntArray
+internal sealed class Canvas(protected val frame: Frame, protected val counters: Counters.Builder) {
+    protected val region = frame.region
+    protected val width = region.width
 
-    /** The visible primitive of each sample, or [DepthTest.BACKGROUND], in rows from the top. */
-    val indices: IntArray
+    /** The visible opaque primitive of each sample, or [DepthTest.BACKGROUND], in rows from the top. */
+    protected val indices: IntArray
 
     init {
         require(region.size <= MAX_SAMPLES) { "the painter holds at most $MAX_SAMPLES samples: ${region.size}" }
-        argb = IntArray(region.size.toInt())
         indices = IntArray(region.size.toInt())
-        argb.fill(frame.raster.background.toArgb())
         indices.fill(DepthTest.BACKGROUND)
     }
 
     /** Bytes held. */
-    val bytes: Long get() = BYTES_PER_SAMPLE * region.size + Int.SIZE_BYTES * 3L * width
+    abstract val bytes: Long
 
-    /** Returns the array index of the sample at column [x] and row [y] of the raster. */
-    fun at(x: Int, y: Int): Int = (y - region.rowStart) * width + (x - region.columnStart)
+    /** Paints the primitive [index] at the columns [start] until [end] of row [y], over what [brush] is over. */
+    abstract fun paint(index: Int, y: Int, start: Int, end: Int, brush: Brush)
 
-    /** Paints the primitive [index] at the sample at column [x] and row [y], whose array index is [at]. */
-    fun paint(x: Int, y: Int, at: Int, index: Int) {
-        counters.depthPasses++
-        counters.shadingCalls++
-        fragment.moveTo(x, y)
-        frame.primitives[index].shade(fragment)
-        argb[at] = fragment.toArgb()
-        indices[at] = index
-    }
+    /** Writes colours and visible primitives of row [y], whose first sample has the array index [start]. */
+    protected abstract fun finishRow(y: Int, start: Int, colors: IntArray, visible: IntArray)
 
     /** Passes the rows to [sink]. */
     fun finish(sink: RowSink) {
@@ -49,9 +38,7 @@ internal class Canvas(private val frame: Frame, private val counters: Counters.B
         val depths = IntArray(width)
         val visible = IntArray(width)
         for (y in region.rowStart until region.rowEnd) {
-            val start = at(region.columnStart, y)
-            argb.copyInto(colors, 0, start, start + width)
-            indices.copyInto(visible, 0, start, start + width)
+            finishRow(y, at(region.columnStart, y), colors, visible)
             for (i in 0 until width) depths[i] = depth(region.columnStart + i, y, visible[i])
             sink.row(y, colors, depths, visible)
         }
@@ -64,8 +51,10 @@ internal class Canvas(private val frame: Frame, private val counters: Counters.B
         return frame.primitives[index].depth(x, y)
     }
 
+    /** Returns the array index of the sample at column [x] and row [y] of the raster. */
+    protected fun at(x: Int, y: Int): Int = (y - region.rowStart) * width + (x - region.columnStart)
+
     private companion object {
-        const val BYTES_PER_SAMPLE = 8L
         const val MAX_SAMPLES = Int.MAX_VALUE - 8L
     }
 }

@@ -5,7 +5,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 
 /**
- * Moves along a row from edge to edge, and determines the visible primitive and its depth at every sample.
+ * Moves along a row from edge to edge, and determines the visible opaque primitive and its depth at every sample.
  *
  * Between two edges, the tournament of spans with linear depth yields runs of one visible span, whose depth is stepped.
  * For each run, the primitives without linear depth are then compared, except those that their bounds prove to be
@@ -21,6 +21,7 @@ internal class RowSweep(
 ) {
     private val region = frame.region
     private val test = frame.raster.depthTest
+    private val hasLayers = frame.hasTranslucency
     private val duel = Duel(frame, edges, counters)
     private val tournament = Tournament(edges, duel)
     private val curved = CurvedSpans(frame, edges, counters)
@@ -58,7 +59,9 @@ internal class RowSweep(
 
     private fun pass(edge: Int) {
         val span = edges.span(edge)
-        val isLinear = frame.primitives[edges.primitive(span)].depthForm != null
+        val primitive = frame.primitives[edges.primitive(span)]
+        if (hasLayers && primitive.isTranslucent) return
+        val isLinear = primitive.depthForm != null
         if (edges.isStart(edge)) {
             if (isLinear) tournament.join(span) else curved.join(span)
         } else {

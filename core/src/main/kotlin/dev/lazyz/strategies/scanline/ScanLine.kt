@@ -6,7 +6,6 @@ import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.requireOpaque
 import dev.lazyz.shading.LateShading
 import java.io.IOException
 
@@ -17,6 +16,9 @@ import java.io.IOException
  * are the edges, which are kept in order of columns from row to row. Along the row, a tournament among the active
  * primitives determines the visible one. It is replayed only where an edge is passed or two surfaces cross. The samples
  * of a row are shaded after the visible primitives of the row are known.
+ *
+ * Translucent spans do not take part in the tournament. Where they are before what is visible of the opaque ones, they
+ * are sorted by depth, once between two edges unless they cross, and blended.
  *
  * Use it where primitives are larger than a few samples, or lie in many layers: the number of depth evaluations grows
  * with visible samples and edges, not with fragments. Use it also for pictures larger than memory. For very small
@@ -49,6 +51,7 @@ public class ScanLine @JvmOverloads constructor(private val options: RenderOptio
             Capability.SHADES_ONLY_VISIBLE,
             Capability.CONSTANT_MEMORY,
             Capability.STREAMS_ROWS,
+            Capability.TRANSPARENCY,
             Capability.COHERENCE,
         )
 
@@ -56,12 +59,12 @@ public class ScanLine @JvmOverloads constructor(private val options: RenderOptio
 
     @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
-        requireOpaque(frame, this)
         val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()
         val edges = ActiveEdges(frame, counters)
         val sweep = RowSweep(frame, edges, counters)
         val shading = LateShading(frame, options.coherence, counters)
+        val layers = if (frame.hasTranslucency) LayerSweep(frame, edges, shading, counters) else null
         val colors = IntArray(frame.width)
         for (y in frame.region.rowStart until frame.region.rowEnd) {
             // Step every active edge to this row
@@ -69,11 +72,15 @@ public class ScanLine @JvmOverloads constructor(private val options: RenderOptio
 
             // Determine what is visible, from edge to edge
             sweep.sweep(y)
-            counters.peakBytes = maxOf(counters.peakBytes, edges.bytes + sweep.bytes)
 
             // Shade after the visible primitives are known
             val shadedBefore = counters.shadingCalls
-            shading.shadeRow(y, sweep.indices, colors)
+            if (layers == null) {
+                shading.shadeRow(y, sweep.indices, colors)
+            } else {
+                layers.shadeRow(y, sweep.depths, sweep.indices, colors)
+            }
+            counters.peakBytes = maxOf(counters.peakBytes, edges.bytes + sweep.bytes + (layers?.bytes ?: 0))
             counters.peakSuspensions = maxOf(counters.peakSuspensions, counters.shadingCalls - shadedBefore)
             sink.row(y, colors, sweep.depths, sweep.indices)
         }

@@ -3,6 +3,7 @@ package dev.lazyz.strategies.hierarchical
 import dev.lazyz.Coherence
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
+import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer.Order
 import dev.lazyz.strategies.scanline.AwkwardFrames
 import dev.lazyz.strategies.warnock.AreaFrames
 import dev.lazyz.strategies.zbuffer.ZBuffer
@@ -17,6 +18,7 @@ class HierarchicalZBufferProperties {
         assertEquals(expected, actual, name)
         assertEquals(expected.counters.fragments, actual.counters.fragments, name)
         assertEquals(expected.visible.toLong(), actual.counters.shadingCalls, name)
+        assertEquals(expected, HierarchicalZBuffer(order = Order.SUBMISSION).render(frame), name)
     }
 
     @Property(tries = 3000, seed = "1993")

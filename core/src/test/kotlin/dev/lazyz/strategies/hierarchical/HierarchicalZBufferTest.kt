@@ -7,8 +7,10 @@ import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
+import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.Spans
+import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer.Order
 import dev.lazyz.strategies.scanline.City
 import dev.lazyz.strategies.warnock.AreaFrames
 import dev.lazyz.strategies.warnock.Stacks
@@ -43,6 +45,46 @@ class HierarchicalZBufferTest {
                 assertEquals(16_384, counters.depthEvaluations, "$count layers $submission")
             }
         }
+    }
+
+    /** Draws in the order of submission, and checks that picture and shading calls do not depend on it. */
+    private fun unsorted(frame: Frame): Counters {
+        val image = HierarchicalZBuffer(order = Order.SUBMISSION).render(frame)
+        assertEquals(HierarchicalZBuffer().render(frame), image)
+        assertEquals(image.visible.toLong(), image.counters.shadingCalls)
+        return image.counters
+    }
+
+    @Test
+    fun withoutSortingTheCostDependsOnTheOrderOfSubmission() {
+        val best = unsorted(Stacks.layers(Raster(64, 64), 1000, Submission.FRONT_TO_BACK))
+        assertEquals(listOf(4_096L, 4_096L), listOf(best.depthEvaluations, best.depthPasses))
+
+        // From back to front, each layer is the nearest when it is drawn: nothing is rejected
+        val worst = unsorted(Stacks.layers(Raster(64, 64), 1000, Submission.BACK_TO_FRONT))
+        assertEquals(listOf(4_096_000L, 4_096_000L), listOf(worst.depthEvaluations, worst.depthPasses))
+        assertEquals(best.shadingCalls, worst.shadingCalls)
+        assertEquals(listOf(4_096_000L, 4_096_000L), listOf(best.fragments, worst.fragments))
+    }
+
+    @Test
+    fun withoutSortingACityCostsMore() {
+        val city = City.frame(640, 360, blocks = 16)
+        val backwards = Frame(city.raster, city.primitives.reversed())
+        val costs = listOf(counted(city), unsorted(city), unsorted(backwards))
+            .map { it.depthEvaluations.toDouble() / it.fragments }
+
+        // As they were submitted, far houses often follow near ones; backwards, they often precede them
+        assertEquals(listOf("0.20", "0.25", "0.82"), costs.map { "%.2f".format(null, it) }, "evaluations a fragment")
+    }
+
+    @Test
+    fun theOrderIsKeptWhenOptionsChange() {
+        val frame = Stacks.layers(Raster(32, 32), 10, Submission.BACK_TO_FRONT)
+        val configured = HierarchicalZBuffer(order = Order.SUBMISSION).configured(RenderOptions(threads = 1))
+        assertEquals(10L * 1024, configured.render(frame).counters.depthEvaluations)
+        val sorted = HierarchicalZBuffer().render(frame).counters.peakBytes
+        assertEquals(sorted - 8 * 10, configured.render(frame).counters.peakBytes)
     }
 
     @Test

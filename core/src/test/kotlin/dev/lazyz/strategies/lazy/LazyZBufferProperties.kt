@@ -3,6 +3,7 @@ package dev.lazyz.strategies.lazy
 import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
+import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
 import dev.lazyz.pipeline.PipelineFrames
 import dev.lazyz.strategies.zbuffer.ZBuffer
@@ -11,6 +12,7 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
 
 /** Contract rules 5, 7 and 8: the same picture as the z-buffer's, with the promised amount of work. */
 class LazyZBufferProperties {
@@ -27,6 +29,24 @@ class LazyZBufferProperties {
         assertEquals(expected.counters.depthEvaluations, image.counters.depthEvaluations)
         assertEquals(expected.counters.depthPasses, image.counters.depthPasses)
         assertEquals(image.visible.toLong(), image.counters.shadingCalls)
+    }
+
+    @Property(tries = 600, seed = "57", edgeCases = EdgeCasesMode.NONE)
+    fun rule_7_6_anyBudgetIsKeptAndGivesTheSameRows(@ForAll seed: Long, @ForAll coherence: Coherence) {
+        val frame = PipelineFrames(seed).next()
+        val random = Random(seed)
+        val expected = ZBuffer().render(frame)
+        for (budget in listOf(0L, random.nextInt(1_000).toLong(), random.nextInt(8_000).toLong(), Long.MAX_VALUE)) {
+            val renderer = LazyZBuffer(RenderOptions(coherence, memoryBudget = budget))
+            val image = renderer.render(frame)
+            assertEquals(expected, image)
+            assertEquals(expected.counters.primitives, image.counters.primitives)
+            assertEquals(expected.counters.fragments, image.counters.fragments)
+            assertEquals(expected.counters.depthEvaluations, image.counters.depthEvaluations)
+            assertEquals(image.visible.toLong(), image.counters.shadingCalls)
+            val empty = renderer.render(Frame(frame.raster, emptyList(), frame.region)).counters.peakBytes
+            assertTrue(image.counters.peakBytes - empty <= budget) { "$budget: ${image.counters.peakBytes}, $empty" }
+        }
     }
 
     @Property(tries = 200, seed = "56", edgeCases = EdgeCasesMode.NONE)

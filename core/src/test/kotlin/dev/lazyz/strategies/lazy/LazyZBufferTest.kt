@@ -160,6 +160,43 @@ class LazyZBufferTest {
         assertNull(first.get()) { "the chain holds on to a row" }
     }
 
+    /** The table of `docs/algorithms/lazy.md`. */
+    @Test
+    fun aBudgetIsPaidForByBeginningPrimitivesAgain() {
+        val raster = Raster(64, 100)
+        val counts = listOf(null, 200_000L, 100_000L, 10_000L, 0L).map { budget ->
+            val layers = PipelineScenes.layers(raster, 1_000)
+            val renderer = LazyZBuffer(RenderOptions(memoryBudget = budget))
+            val empty = renderer.render(Frame(raster, emptyList())).counters.peakBytes
+            val image = renderer.render(Frame(raster, layers))
+            assertEquals(listOf(6_400_000L, 6_400L), image.counters.run { listOf(depthEvaluations, shadingCalls) })
+            assertTrue(layers.all { layer -> layer.rows == (0 until 100).toList() })
+            Pair(layers.sumOf { it.cursors.size }, image.counters.peakBytes - empty)
+        }
+        val expected = listOf(1_000 to 216_064L, 9_019 to 199_864L, 56_440 to 99_968L, 99_010 to 10_000L, 100_000 to 0L)
+        assertEquals(expected, counts)
+    }
+
+    @Test
+    fun aPrimitiveIsSuspendedAsSoonAsThereIsRoom() {
+        // The first layer ends at row 10; then its room is free for the second one
+        val first = Witness(Region(0, 0, 8, 10), Depth.NEAR)
+        val second = Witness(Region(0, 0, 8, 100), Depth.FAR)
+        renderer.configured(RenderOptions(memoryBudget = 220)).render(Frame(raster, listOf(first, second)))
+        assertEquals(listOf(0), first.cursors)
+        assertEquals((0..10).toList(), second.cursors)
+        assertEquals((0 until 100).toList(), second.rows)
+    }
+
+    @Test
+    fun withABudgetOnlyRowsThatAreDemandedAreMade() {
+        val layers = PipelineScenes.layers(raster, 10)
+        val budgeted = renderer.configured(RenderOptions(memoryBudget = 0))
+        for (row in budgeted.rows(Frame(raster, layers)).take(3)) row.argb(5)
+        assertTrue(layers.all { it.rows == listOf(0, 1, 2) && it.cursors == listOf(0, 1, 2) })
+        assertEquals(3, layers.sumOf { it.shaded.size })
+    }
+
     @Test
     fun aHundredThousandStagesNeedNoStack() {
         val frame = PipelineScenes.crowd(100_000, 3)

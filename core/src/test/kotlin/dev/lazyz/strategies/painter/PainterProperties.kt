@@ -1,5 +1,7 @@
 package dev.lazyz.strategies.painter
 
+import dev.lazyz.pipeline.LayeredFrames
+import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.scanline.AwkwardFrames
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import net.jqwik.api.ForAll
@@ -16,5 +18,16 @@ class PainterProperties {
         assertEquals(expected, actual, "AwkwardFrames($seed).frame()")
         assertEquals(expected.counters.fragments, actual.counters.fragments)
         assertTrue(actual.counters.shadingCalls >= expected.visible)
+    }
+
+    @Property(tries = 1500, seed = "1972")
+    fun rule_5_5_blendsLikeTheLists(@ForAll seed: Long) {
+        val frame = LayeredFrames.translucent(seed)
+        if (!frame.hasTranslucency) return
+        val expected = Lists().render(frame)
+        val actual = Painter().render(frame)
+        assertEquals(expected, actual, "LayeredFrames.translucent($seed)")
+        assertEquals(expected.counters.fragments, actual.counters.fragments)
+        assertEquals(expected.counters.shadingCalls, actual.counters.shadingCalls)
     }
 }

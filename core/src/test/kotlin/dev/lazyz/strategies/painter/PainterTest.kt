@@ -7,6 +7,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
+import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.scanline.City
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.FrameBuilder
@@ -76,26 +77,79 @@ class PainterTest {
     @Test
     fun aCircleIsResolvedWithoutAnOrder() {
         // Four bars, each over the next at one end and under the one before at the other, so that they form a cycle
-        val counters = counted(circle())
+        val counters = counted(circle(1f))
         assertEquals(4L * 80 * 10, counters.fragments)
         assertEquals(counters.fragments - 10 * 10, counters.shadingCalls)
         assertTrue(counters.depthEvaluations < counters.fragments, "$counters")
     }
 
-    private fun circle(): Frame {
+    private fun circle(alpha: Float): Frame {
+        val color = Rgba(0.2f, 0.4f, 0.6f, alpha)
         val builder = FrameBuilder(Raster(100, 100))
         val near = 0.2
         val far = 0.8
-        builder.polygon(Rgba.BLACK, bar(10.0, 20.0, 90.0, 30.0, near, far, far, near))
-        builder.polygon(Rgba.BLACK, bar(70.0, 10.0, 80.0, 90.0, near, near, far, far))
-        builder.polygon(Rgba.BLACK, bar(10.0, 70.0, 90.0, 80.0, far, near, near, far))
-        builder.polygon(Rgba.BLACK, bar(20.0, 10.0, 30.0, 90.0, far, far, near, near))
+        builder.polygon(color, bar(10.0, 20.0, 90.0, 30.0, near, far, far, near))
+        builder.polygon(color, bar(70.0, 10.0, 80.0, 90.0, near, near, far, far))
+        builder.polygon(color, bar(10.0, 70.0, 90.0, 80.0, far, near, near, far))
+        builder.polygon(color, bar(20.0, 10.0, 30.0, 90.0, far, far, near, near))
         return builder.build()
     }
 
     /** A rectangle with depths at its corners, clockwise from the upper left. */
     private fun bar(x0: Double, y0: Double, x1: Double, y1: Double, vararg z: Double) =
         doubleArrayOf(x0, y0, z[0], x1, y0, z[1], x1, y1, z[2], x0, y1, z[3])
+
+    private fun countedGlass(frame: Frame): Counters {
+        val expected = Lists().render(frame)
+        val image = Painter().render(frame)
+        assertEquals(expected, image)
+        assertEquals(expected.counters.shadingCalls, image.counters.shadingCalls)
+        return image.counters
+    }
+
+    /** A frame of sheets over the whole raster, each nearer than the one before, with these alphas. */
+    private fun sheets(raster: Raster, vararg alphas: Float): Frame {
+        val x = raster.width.toDouble()
+        val y = raster.height.toDouble()
+        val builder = FrameBuilder(raster)
+        for ((i, alpha) in alphas.withIndex()) {
+            val z = 0.9 - 0.8 * i / alphas.size
+            builder.polygon(Rgba(0.2f, 0.4f, 0.6f, alpha), bar(0.0, 0.0, x, y, z, z, z, z))
+        }
+        return builder.build()
+    }
+
+    @Test
+    fun rule_5_5_layersArePaintedOverEachOtherWithoutComparingDepths() {
+        val counters = countedGlass(sheets(Raster(32, 32), 1f, *FloatArray(40) { 0.125f }))
+        assertEquals(41L * 1024, counters.fragments)
+        assertEquals(counters.fragments, counters.shadingCalls)
+        assertEquals(counters.fragments, counters.peakSuspensions)
+
+        // Depth is evaluated once a sample, for the output
+        assertEquals(1024, counters.depthEvaluations)
+    }
+
+    @Test
+    fun rule_5_5_anOpaqueSheetRemovesTheLayersThatItIsOver() {
+        val alphas = FloatArray(300) { if (it % 3 == 0) 1f else 0.5f }
+        val counters = countedGlass(sheets(Raster(32, 32), *alphas))
+        assertEquals(300L * 1024, counters.depthPasses)
+        assertEquals(3L * 1024, counters.shadingCalls)
+        assertEquals(3L * 1024, counters.peakSuspensions)
+
+        // 8 bytes a sample, two layers of 8 bytes; all else is for the primitives
+        val few = countedGlass(sheets(Raster(32, 32), 1f, 0.5f, 0.5f)).peakBytes
+        assertTrue(counters.peakBytes - few < 300 * 400, "$few bytes for 3 sheets, ${counters.peakBytes} for 300")
+    }
+
+    @Test
+    fun rule_5_5_glassInACircleIsBlendedInTheOrderOfEachSample() {
+        val counters = countedGlass(circle(0.5f))
+        assertEquals(4L * 80 * 10, counters.fragments)
+        assertEquals(counters.fragments, counters.shadingCalls)
+        assertTrue(counters.depthEvaluations < counters.fragments, "$counters")
+    }
 
     @Test
     fun whatCrossesIsComparedBySamples() {

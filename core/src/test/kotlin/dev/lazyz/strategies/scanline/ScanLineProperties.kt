@@ -2,6 +2,8 @@ package dev.lazyz.strategies.scanline
 
 import dev.lazyz.Coherence
 import dev.lazyz.RenderOptions
+import dev.lazyz.pipeline.LayeredFrames
+import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
@@ -25,5 +27,15 @@ class ScanLineProperties {
             val renderer = ScanLine().configured(RenderOptions(coherence))
             assertEquals(ZBuffer().render(frame), renderer.render(frame), "AwkwardFrames($seed).frame(), $coherence")
         }
+    }
+
+    @Property(tries = 1500, seed = "1967")
+    fun rule_5_5_blendsLikeTheLists(@ForAll seed: Long, @ForAll coherence: Coherence) {
+        val frame = LayeredFrames.translucent(seed)
+        val expected = Lists().render(frame)
+        val actual = ScanLine(RenderOptions(coherence)).render(frame)
+        assertEquals(expected, actual, "LayeredFrames.translucent($seed), $coherence")
+        assertEquals(expected.counters.fragments, actual.counters.fragments)
+        assertEquals(expected.counters.shadingCalls, actual.counters.shadingCalls)
     }
 }

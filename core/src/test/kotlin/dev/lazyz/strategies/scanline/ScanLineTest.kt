@@ -8,6 +8,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
+import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.FrameBuilder
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -90,6 +91,53 @@ class ScanLineTest {
         val counters = counted(builder.polygon(Rgba.BLACK, wall).build())
         assertTrue(counters.fragments > 10 * 64 * 64)
         assertEquals(64L * 64, counters.depthEvaluations)
+    }
+
+    /** A sheet over the whole raster with a depth at its left and one at its right edge. */
+    private fun sheet(raster: Raster, alpha: Float, left: Double, right: Double): Primitive {
+        val x = raster.width.toDouble()
+        val y = raster.height.toDouble()
+        val contour = doubleArrayOf(0.0, 0.0, left, x, 0.0, right, x, y, right, 0.0, y, left)
+        return FrameBuilder(raster).polygon(Rgba(0.2f, 0.4f, 0.6f, alpha), contour).build().primitives.single()
+    }
+
+    private fun countedGlass(frame: Frame): Counters {
+        val expected = Lists().render(frame)
+        val image = ScanLine().render(frame)
+        assertEquals(expected, image)
+        assertEquals(expected.counters.shadingCalls, image.counters.shadingCalls)
+        return image.counters
+    }
+
+    @Test
+    fun rule_5_5_translucentSpansAreSortedOnceARow() {
+        val raster = Raster(1000, 8)
+        val glass = List(20) { sheet(raster, 0.25f, 0.1 + 0.03 * (it * 7 % 20), 0.12 + 0.03 * (it * 7 % 20)) }
+        val counters = countedGlass(Frame(raster, glass + sheet(raster, 1f, 0.9, 0.9)))
+        assertEquals(21L * 8000, counters.shadingCalls)
+
+        // The opaque sheet and the nearest layer at each sample; each layer and the sheet at both ends of a row
+        assertEquals(2 * 8000L + 8 * (2 * 21 - 1), counters.depthEvaluations)
+        assertEquals(21L * 1000, counters.peakSuspensions)
+    }
+
+    @Test
+    fun rule_5_5_whereTranslucentSpansCrossTheRowIsHalved() {
+        val raster = Raster(1000, 8)
+        val glass = listOf(sheet(raster, 0.25f, 0.1, 0.7), sheet(raster, 0.5f, 0.6, 0.3))
+        val counters = countedGlass(Frame(raster, glass))
+
+        // Ten halves of 1,000 samples, and as many stretches, with two depths at two ends of each
+        assertTrue(counters.depthEvaluations - 8000 < 8 * 4 * 2 * 20, "$counters")
+    }
+
+    @Test
+    fun rule_5_5_translucentSpansBehindAWallAreNeitherShadedNorCompared() {
+        val raster = Raster(1000, 8)
+        val glass = List(20) { sheet(raster, 0.25f, 0.5 + 0.02 * it, 0.51 + 0.02 * it) }
+        val counters = countedGlass(Frame(raster, glass + sheet(raster, 1f, 0.1, 0.2)))
+        assertEquals(8000, counters.shadingCalls)
+        assertEquals(8000L + 8 * 2 * 21, counters.depthEvaluations)
     }
 
     @Test

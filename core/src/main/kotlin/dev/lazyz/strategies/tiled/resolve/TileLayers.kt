@@ -102,10 +102,10 @@ internal class TileLayers(
      * [background].
      */
     inline fun blend(sample: Int, backdrop: Long?, background: Rgba, shade: (key: Long) -> Fragment): Int {
-        blending.clear()
-        var i = start(sample)
-        while (i < end(sample) && blending.isOpen) blending.add(shade(ordered[i++]))
-        if (blending.isOpen && backdrop != null) blending.end(shade(backdrop)) else blending.end(background)
-        return blending.toArgb()
+        val first = start(sample)
+        val layers = end(sample) - first
+        return blending.blend(layers, backdrop != null, background) { i ->
+            shade(if (i < layers) ordered[first + i] else checkNotNull(backdrop))
+        }
     }
 }
