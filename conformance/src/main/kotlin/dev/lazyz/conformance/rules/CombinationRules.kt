@@ -27,7 +27,7 @@ public sealed interface CombinationRules : RulesForOne {
             "they matter.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_7_5_combinedFeaturesAreDrawnCorrectly(
+    public fun rule_7_5_combinationsAreRight(
         @ForAll(supplier = Combination.Cases::class) cases: List<FrameCase>,
         @ForAll(supplier = Combination.Choices::class) choices: List<Int>,
     ) {

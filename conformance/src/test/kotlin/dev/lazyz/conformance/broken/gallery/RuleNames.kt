@@ -38,7 +38,7 @@ internal object RuleNames {
     val thousands = RendererConformance::rule_5_1_nearestOfThousandsOfLayersIsVisible.name
     val thin = RendererConformance::rule_5_5_dozensOfThinLayersBlend.name
     val floats = RendererConformance::rule_9_4_indicesAboveTwoToThe24AreExact.name
-    val together = RendererConformance::rule_7_5_combinedFeaturesAreDrawnCorrectly.name
+    val together = RendererConformance::rule_7_5_combinationsAreRight.name
     val moved = RendererConformance::rule_1_3_movingByWholePixelsMovesThePicture.name
     val halves = RendererConformance::rule_2_5_primitivesCutInTwoGiveTheSamePicture.name
     val hidden = RendererConformance::rule_5_1_hiddenSurfacesChangeNothing.name

@@ -2,7 +2,6 @@ package dev.lazyz.strategies.tiled.resolve
 
 import dev.lazyz.Attributes
 import dev.lazyz.FragmentBatch
-import dev.lazyz.raster.Edge
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.planar.FaceSetUp
 import dev.lazyz.setup.planar.TriangleBatch
@@ -76,17 +75,19 @@ internal class ScatteredAttributes {
         val a = corners[3 * triangle]
         val b = corners[3 * triangle + 1]
         val c = corners[3 * triangle + 2]
-        val sampleX = x * ScreenGrid.STEPS + ScreenGrid.CENTER
-        val sampleY = y * ScreenGrid.STEPS + ScreenGrid.CENTER
-        val ax = grid[TriangleBatch.STRIDE * a]
-        val ay = grid[TriangleBatch.STRIDE * a + 1]
-        val bx = grid[TriangleBatch.STRIDE * b]
-        val by = grid[TriangleBatch.STRIDE * b + 1]
-        val cx = grid[TriangleBatch.STRIDE * c]
-        val cy = grid[TriangleBatch.STRIDE * c + 1]
-        val e0 = Edge.function(bx, by, cx, cy, sampleX, sampleY)
-        val e1 = Edge.function(cx, cy, ax, ay, sampleX, sampleY)
-        val e2 = Edge.function(ax, ay, bx, by, sampleX, sampleY)
+        val right = x * ScreenGrid.STEPS + ScreenGrid.CENTER
+        val down = y * ScreenGrid.STEPS + ScreenGrid.CENTER
+
+        // The edge functions, relative to the sample. With Edge.function, S2 takes 8 percent more processor time
+        val ax = (grid[TriangleBatch.STRIDE * a] - right).toLong()
+        val ay = (grid[TriangleBatch.STRIDE * a + 1] - down).toLong()
+        val bx = (grid[TriangleBatch.STRIDE * b] - right).toLong()
+        val by = (grid[TriangleBatch.STRIDE * b + 1] - down).toLong()
+        val cx = (grid[TriangleBatch.STRIDE * c] - right).toLong()
+        val cy = (grid[TriangleBatch.STRIDE * c + 1] - down).toLong()
+        val e0 = bx * cy - by * cx
+        val e1 = cx * ay - cy * ax
+        val e2 = ax * by - ay * bx
         val sign = if (e0 + e1 + e2 < 0) -1L else 1L
         weight0[i] = (sign * e0).toDouble() * triangles.inverseW(a)
         weight1[i] = (sign * e1).toDouble() * triangles.inverseW(b)
