@@ -44,7 +44,7 @@ class DocumentationTest {
         val codes = listOf(ExitCode.DONE, ExitCode.DIFFERENT, ExitCode.MISTAKE, ExitCode.BUG)
         for (code in codes) assertTrue("| `$code` |" in page, "$code")
         val json = zcli("render", "teapot", "-o", "-", "--size", "4x3", "--stats=json").errors
-        val keys = Regex("\"(\\w+)\": ").findAll(json).map { it.groupValues[1] }.toList()
+        val keys = Regex("\"(\\w+)\":").findAll(json).map { it.groupValues[1] }.toList()
         val rows = Regex("""\| `(\w+)` \|""").findAll(page.substringAfter("## Statistics")).map { it.groupValues[1] }
         assertEquals(keys, rows.toList(), "one row for each key of the statistics, in their order")
     }
@@ -52,10 +52,10 @@ class DocumentationTest {
     @Test
     fun keysOfAComparisonAreTold() {
         val json = zcli("compare", "teapot", "--size", "4x3", "--strategy", "zbuffer", "--json").done().text
-        val own = Regex("\"(\\w+)\": ").findAll(json).map { it.groupValues[1] }.toSet()
+        val own = Regex("\"(\\w+)\":").findAll(json).map { it.groupValues[1] }.toSet()
         val section = page.substringAfter("## zcli compare").substringBefore("\n## ")
         val statistics = zcli("render", "teapot", "-o", "-", "--size", "4x3", "--stats=json").errors
-        for (key in own) assertTrue("`$key`" in section || "\"$key\": " in statistics, key)
+        for (key in own) assertTrue("`$key`" in section || "\"$key\":" in statistics, key)
     }
 
     @Test

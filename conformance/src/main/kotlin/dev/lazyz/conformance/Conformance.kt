@@ -101,10 +101,10 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     public fun waivers(waivers: Waivers): Conformance = apply { this.waivers = waivers }
 
     /**
-     * Also tests the scene files and meshes in [folder], with the rule `rule_7_1_framesOfOnesOwnAreRight`, each as a
-     * whole and in part. This rule is run before all others. Each frame on which a rule fails is added to the folder as
-     * a scene file, if the scene file format can express it. The folder is created if it does not exist. Files that are
-     * not scenes are ignored.
+     * Also tests the scene files and meshes in [folder], each as a whole and in part, with the rule
+     * `rule_7_1_userFramesAreDrawnCorrectly`. This rule is run before all others. Each frame on which a rule fails is
+     * added to the folder as a scene file, if the scene file format can express it. The folder is created if it does
+     * not exist. Files that are not scenes are ignored.
      */
     public fun frames(folder: Path): Conformance = apply { frames = folder }
 

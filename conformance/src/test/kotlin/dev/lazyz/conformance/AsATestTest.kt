@@ -37,11 +37,11 @@ class AsATestTest {
 
     private val nearest = "rule_5_1_nearestFragmentIsVisible"
     private val promise = "rule_8_2_promiseToShadeOnlyTheVisibleIsKept"
-    private val counts = "rule_8_1_countersCountWhatHappens"
+    private val counts = "rule_8_1_countersEqualTheObservedCalls"
 
     /** Also ignored by build tools. */
     class Secretive : RendererConformance() {
-        override fun renderer(): Renderer = BrokenPromises.keepsMemorySecret()
+        override fun renderer(): Renderer = BrokenPromises.reportsNoMemory()
     }
 
     /** Runs the rules named [rules], or all. */

@@ -50,7 +50,7 @@ internal object SupervisedRun {
     }
 
     /** A rule with primitives to draw, and a rule without. */
-    val RULES: List<String> = listOf(RuleNames.ties, "rule_9_6_framesWithoutPrimitivesAreOrdinary")
+    val RULES: List<String> = listOf(RuleNames.ties, "rule_9_6_framesWithoutPrimitivesShowTheBackground")
 }
 
 /** Files of a [SupervisedRun] in [folder]. */

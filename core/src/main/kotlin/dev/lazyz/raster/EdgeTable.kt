@@ -99,9 +99,7 @@ internal class EdgeTable(
      */
     fun crossing(edge: Int, y: Int): Long {
         val at = STRIDE * edge
-        val dy = fields[at + DY].toLong()
-        val down = (y * ScreenGrid.STEPS + ScreenGrid.CENTER - fields[at + Y]).toLong()
-        return (fields[at + X] - ScreenGrid.CENTER) * dy + down * fields[at + DX]
+        return Edge.crossing(fields[at + X], fields[at + Y], fields[at + DX], fields[at + DY], y)
     }
 
     /** Returns the first column whose sample is at or after the crossing of [edge] with row [y]. */

@@ -8,13 +8,8 @@ import dev.lazyz.LinearForm
  * Coordinates are on the 1/256 pixel grid, within the guard band, so all products below are exact in 64 bits.
  */
 internal class ReferenceTriangle(val x0: Int, val y0: Int, val x1: Int, val y1: Int, val x2: Int, val y2: Int) {
-    private val dx1: Long get() = (x1 - x0).toLong()
-    private val dy1: Long get() = (y1 - y0).toLong()
-    private val dx2: Long get() = (x2 - x0).toLong()
-    private val dy2: Long get() = (y2 - y0).toLong()
-
     /** Twice the signed area, square grid units; positive if the vertices are in clockwise order on the screen. */
-    private val area: Long get() = dx1 * dy2 - dx2 * dy1
+    private val area: Long get() = Edge.function(x0, y0, x1, y1, x2, y2)
 
     /** Twice the area, square grid units. */
     val size: Long get() = Math.abs(area)
@@ -32,11 +27,9 @@ internal class ReferenceTriangle(val x0: Int, val y0: Int, val x1: Int, val y1: 
 
     private fun edgeFunction(fromX: Int, fromY: Int, toX: Int, toY: Int): LinearForm {
         val sign = if (area < 0) -1L else 1L
-        val runX = sign * (toX - fromX)
-        val runY = sign * (toY - fromY)
-        val down = (ScreenGrid.CENTER - fromY).toLong()
-        val right = (ScreenGrid.CENTER - fromX).toLong()
-        return LinearForm(runX * down - runY * right, -ScreenGrid.STEPS * runY, ScreenGrid.STEPS * runX)
+        val origin = sign * Edge.function(fromX, fromY, toX, toY, ScreenGrid.CENTER, ScreenGrid.CENTER)
+        val steps = sign * ScreenGrid.STEPS
+        return LinearForm(origin, -steps * (toY - fromY), steps * (toX - fromX))
     }
 
     /**
@@ -48,32 +41,64 @@ internal class ReferenceTriangle(val x0: Int, val y0: Int, val x1: Int, val y1: 
     fun form(v0: Int, v1: Int, v2: Int): LinearForm = formUnlessSteep(v0, v1, v2) ?: LinearForm.constant(v0)
 
     /** As [form], but returns null if the form is too steep or the triangle has no area. */
-    fun formUnlessSteep(v0: Int, v1: Int, v2: Int): LinearForm? {
-        val dv1 = v1.toLong() - v0
-        val dv2 = v2.toLong() - v0
-
-        // Solve for the plane exactly, round each slope once
-        val slopeX = slope(dv1 * dy2 - dv2 * dy1, area)
-        val slopeY = slope(dv2 * dx1 - dv1 * dx2, area)
-        if (isSteep(slopeX, slopeY)) return null
-        return LinearForm(origin(v0, x0, y0, slopeX, slopeY), rounded(slopeX), rounded(slopeY))
-    }
+    fun formUnlessSteep(v0: Int, v1: Int, v2: Int): LinearForm? =
+        form(x0, y0, v0, x1, y1, v1, x2, y2, v2, steep = { null }) { origin, dx, dy -> LinearForm(origin, dx, dy) }
 
     /** Returns the value of the plane at the grid point ([x], [y]); NaN or infinite if there is no plane. */
-    fun valueAt(x: Int, y: Int, v0: Int, v1: Int, v2: Int): Double {
-        val dv1 = v1.toLong() - v0
-        val dv2 = v2.toLong() - v0
-        val slopeX = (dv1 * dy2 - dv2 * dy1).toDouble() / area.toDouble()
-        val slopeY = (dv2 * dx1 - dv1 * dx2).toDouble() / area.toDouble()
-        return v0 + slopeX * (x - x0).toDouble() + slopeY * (y - y0).toDouble()
-    }
+    fun valueAt(x: Int, y: Int, v0: Int, v1: Int, v2: Int): Double =
+        slopes(x0, y0, v0, x1, y1, v1, x2, y2, v2) { slopeX, slopeY ->
+            v0 + slopeX * (x - x0).toDouble() + slopeY * (y - y0).toDouble()
+        }
 
     companion object {
-        /** Returns a slope of a form in fraction units a pixel: [numerator] / [area], both exact. */
-        fun slope(numerator: Long, area: Long): Double = numerator.toDouble() / area.toDouble() * PER_PIXEL
+        /**
+         * Passes the form that has the values [v0], [v1], [v2] at three vertices to [use]: its value at sample (0, 0)
+         * and its steps. If it is too steep, or the triangle has no area, calls [steep] instead.
+         */
+        inline fun <R> form(
+            x0: Int,
+            y0: Int,
+            v0: Int,
+            x1: Int,
+            y1: Int,
+            v1: Int,
+            x2: Int,
+            y2: Int,
+            v2: Int,
+            steep: () -> R,
+            use: (origin: Long, dx: Long, dy: Long) -> R,
+        ): R = slopes(x0, y0, v0, x1, y1, v1, x2, y2, v2) { gridX, gridY ->
+            val slopeX = gridX * PER_PIXEL
+            val slopeY = gridY * PER_PIXEL
+            val isGentle = Math.abs(slopeX) < STEEP && Math.abs(slopeY) < STEEP
+            if (isGentle) use(origin(v0, x0, y0, slopeX, slopeY), rounded(slopeX), rounded(slopeY)) else steep()
+        }
 
-        /** Whether the slopes are too steep for a form, or NaN. */
-        fun isSteep(slopeX: Double, slopeY: Double): Boolean = !(Math.abs(slopeX) < STEEP && Math.abs(slopeY) < STEEP)
+        /**
+         * Passes the slopes of the plane through three vertices to [use], in units a grid step. Each is an exact
+         * numerator, divided once by the exact area; NaN or infinite without area.
+         */
+        inline fun <R> slopes(
+            x0: Int,
+            y0: Int,
+            v0: Int,
+            x1: Int,
+            y1: Int,
+            v1: Int,
+            x2: Int,
+            y2: Int,
+            v2: Int,
+            use: (slopeX: Double, slopeY: Double) -> R,
+        ): R {
+            val dx1 = (x1 - x0).toLong()
+            val dy1 = (y1 - y0).toLong()
+            val dx2 = (x2 - x0).toLong()
+            val dy2 = (y2 - y0).toLong()
+            val dv1 = v1.toLong() - v0
+            val dv2 = v2.toLong() - v0
+            val area = Edge.function(x0, y0, x1, y1, x2, y2).toDouble()
+            return use((dv1 * dy2 - dv2 * dy1).toDouble() / area, (dv2 * dx1 - dv1 * dx2).toDouble() / area)
+        }
 
         /** Returns the step of a form with this slope. */
         fun rounded(slope: Double): Long = Math.rint(slope).toLong()
@@ -93,7 +118,7 @@ internal class ReferenceTriangle(val x0: Int, val y0: Int, val x1: Int, val y1: 
         }
 
         /** Conversion from a slope in units a grid step to fraction units a pixel: 256 steps a pixel times 2^32. */
-        private const val PER_PIXEL = 256.0 * 4294967296.0
+        const val PER_PIXEL: Double = 256.0 * 4294967296.0
 
         /** The smallest slope that is too steep: 2^61, a quarter of the range of depths from one sample to the next. */
         const val STEEP: Double = 2305843009213693952.0

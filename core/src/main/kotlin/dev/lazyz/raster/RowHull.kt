@@ -22,10 +22,9 @@ internal class RowHull(private val y: Int) {
         val lowerX = if (isDown) toX else fromX
         val lowerY = if (isDown) toY else fromY
         if (y < ScreenGrid.firstSample(upperY) || y >= ScreenGrid.firstSample(lowerY)) return
-        val dy = (lowerY - upperY).toLong()
-        val down = (y * ScreenGrid.STEPS + ScreenGrid.CENTER - upperY).toLong()
-        val crossing = (upperX - ScreenGrid.CENTER) * dy + down * (lowerX - upperX)
-        val column = EdgeTable.ceilDiv(crossing, ScreenGrid.STEPS * dy).toInt()
+        val runY = lowerY - upperY
+        val crossing = Edge.crossing(upperX, upperY, lowerX - upperX, runY, y)
+        val column = EdgeTable.ceilDiv(crossing, ScreenGrid.STEPS * runY.toLong()).toInt()
         left = minOf(left, column)
         right = maxOf(right, column)
     }

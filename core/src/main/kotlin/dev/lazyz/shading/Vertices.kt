@@ -66,6 +66,10 @@ internal class Vertices(count: Int) {
         data[at + 3] = colors[4 * from + 3].toDouble()
     }
 
+    /** Returns the weighted sum of the [field] of the vertices [a], [b] and [c]. */
+    fun mixed(field: Int, a: Int, w0: Double, b: Int, w1: Double, c: Int, w2: Double): Double =
+        w0 * get(a, field) + w1 * get(b, field) + w2 * get(c, field)
+
     /** Returns a new object with copies of the vertices in [selection], in that order. */
     fun copyOf(selection: IntArray): Vertices {
         val copy = Vertices(selection.size)

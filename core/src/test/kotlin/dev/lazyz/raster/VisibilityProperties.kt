@@ -176,7 +176,7 @@ class VisibilityProperties {
     }
 
     @Property(seed = "1995", tries = 60, edgeCases = EdgeCasesMode.NONE)
-    fun rule_5_1_partsMergeIntoTheWhole(@ForAll random: Random, @ForAll("tests") test: DepthTest) {
+    fun rule_5_1_mergedPartsEqualTheWholePicture(@ForAll random: Random, @ForAll("tests") test: DepthTest) {
         val raster = Raster(16, 12, depthTest = test, backgroundDepth = test.farthest())
         val frame = SampleScenes.drawn(random, raster, 9)
         val whole = ZBuffer().render(frame)

@@ -204,7 +204,7 @@ class DegenerateTest {
     }
 
     @Test
-    fun rule_9_6_narrowRastersAreOrdinary() {
+    fun rule_9_6_narrowRastersAreDrawnCorrectly() {
         val random = Random(8)
         for ((width, height) in listOf(Pair(1, 1), Pair(1, 40), Pair(40, 1), Pair(2, 3))) {
             repeat(10) {

@@ -32,7 +32,6 @@ import dev.lazyz.cli.options.listOf
 import dev.lazyz.cli.options.subject
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Failure
-import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.StrategyPath
@@ -86,7 +85,7 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
         val job = CompareJob(request, streams)
         val comparison = job.compare(source, source.load(), request.views.singleOrNull())
         if (comparison.isBlank) streams.nothingIsVisible()
-        streams.print(if (comparing.isJson) Json.of(comparison.entries) + "\n" else ComparisonTable.of(comparison))
+        streams.print(if (comparing.isJson) comparison.toJson() + "\n" else ComparisonTable.of(comparison))
         for (bug in comparison.bugs) streams.messages.println(Failure.bugReport(bug, args.toTypedArray()))
         return if (comparison.isGood) ExitCode.DONE else ExitCode.DIFFERENT
     }

@@ -8,6 +8,9 @@ import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.OutputClosed
 import dev.lazyz.cli.output.Streams
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.put
 
 /** The outcome for one input, from best to worst. */
 internal enum class Verdict(val word: String) {
@@ -70,7 +73,7 @@ internal class CompareSeveralJob(
                 if (comparison.isBlank) blank++
                 line.add(comparison)
                 comparison.bugs.forEach { report(it) }
-                if (isJson) printLine(Json.of(comparison.entries))
+                if (isJson) printLine(comparison.toJson())
             }
         } catch (closed: OutputClosed) {
             throw closed
@@ -80,7 +83,7 @@ internal class CompareSeveralJob(
             if (mistake == null) report(failure)
             val message = mistake ?: "bug in zcli, $failure"
             line.add(message)
-            if (isJson) printLine(Json.of(mapOf("input" to input, "message" to message)))
+            if (isJson) printLine(Json.of(error(input, message)))
         }
         return line
     }
@@ -107,9 +110,17 @@ internal class CompareSeveralJob(
         count(Verdict.ERROR),
     ) + "%,d pictures, %,d of them blank".format(null, pictures, blank)
 
-    private fun totals(): Map<String, Any> =
-        mapOf("inputs" to verdicts.size) + Verdict.entries.associate { it.word to count(it) } +
-            mapOf("pictures" to pictures, "blank" to blank)
+    private fun totals(): JsonObject = buildJsonObject {
+        put("inputs", verdicts.size)
+        for (verdict in Verdict.entries) put(verdict.word, count(verdict))
+        put("pictures", pictures)
+        put("blank", blank)
+    }
+
+    private fun error(input: String, message: String): JsonObject = buildJsonObject {
+        put("input", input)
+        put("message", message)
+    }
 }
 
 /** The line that is printed for one [input]. */

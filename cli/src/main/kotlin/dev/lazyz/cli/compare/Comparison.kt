@@ -8,6 +8,11 @@ import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.Statistics
 import dev.lazyz.cli.strategies.Strategies
+import kotlinx.serialization.json.JsonObjectBuilder
+import kotlinx.serialization.json.addJsonObject
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.put
+import kotlinx.serialization.json.putJsonArray
 
 /** The outcome of rendering with one strategy. */
 internal sealed interface Outcome {
@@ -31,7 +36,7 @@ internal class Reference(val id: String, val image: Image)
 
 /**
  * The result of `zcli compare` for one frame: an outcome for each strategy id, in the order in which the strategies
- * ran. Scripts depend on the names of [entries].
+ * ran. Scripts depend on the names in [toJson].
  *
  * @property view one of the requested sides, or null if there were none
  */
@@ -58,20 +63,21 @@ internal class Comparison(
             .mapNotNull { (_, outcome) -> (outcome as? Outcome.Failed)?.failure }
             .filter { Failure.mistake(it) == null }
 
-    /** The whole result, for [Json]. */
-    val entries: Map<String, Any?>
-        get() = mapOf(
-            "input" to input,
-            *listOfNotNull(view?.let { "view" to it.name.lowercase() }).toTypedArray(),
-            "width" to frame.width,
-            "height" to frame.height,
-            "repeat" to repeat,
-            "warnings" to warnings,
-            "identical" to isGood,
-            "reference" to reference?.id,
-            "pixelHash" to reference?.image?.pixelHash(),
-            "strategies" to outcomes.map { (id, outcome) -> mapOf("strategy" to id) + entries(id, outcome) },
-        )
+    /** Returns the whole result as one line of JSON. */
+    fun toJson(): String = Json.of(
+        buildJsonObject {
+            put("input", input)
+            if (view != null) put("view", view.name.lowercase())
+            put("width", frame.width)
+            put("height", frame.height)
+            put("repeat", repeat)
+            put("warnings", warnings)
+            put("identical", isGood)
+            put("reference", reference?.id)
+            put("pixelHash", reference?.image?.pixelHash())
+            putJsonArray("strategies") { for ((id, outcome) in outcomes) addJsonObject { add(id, outcome) } }
+        },
+    )
 
     /** Whether the picture shows only the background. */
     val isBlank: Boolean get() = reference?.image?.visible == 0
@@ -85,17 +91,27 @@ internal class Comparison(
     fun statistics(outcome: Outcome.Rendered): Map<String, Any> =
         Statistics.counted(outcome.counters, frame.region) + ("millis" to Statistics.millis(outcome.nanoseconds))
 
-    private fun entries(id: String, outcome: Outcome): Map<String, Any?> = when (outcome) {
-        is Outcome.NotBlending -> mapOf("outcome" to "not blending")
-        is Outcome.Failed -> mapOf("outcome" to "failed", "message" to outcome.message)
-        is Outcome.Rendered -> {
-            val difference = outcome.difference
-            val word = when {
-                difference != null -> "different"
-                id == reference?.id -> "reference"
-                else -> "identical"
+    private fun JsonObjectBuilder.add(id: String, outcome: Outcome) {
+        put("strategy", id)
+        when (outcome) {
+            is Outcome.NotBlending -> put("outcome", "not blending")
+
+            is Outcome.Failed -> {
+                put("outcome", "failed")
+                put("message", outcome.message)
             }
-            mapOf("outcome" to word) + statistics(outcome) + difference?.entries.orEmpty()
+
+            is Outcome.Rendered -> {
+                val difference = outcome.difference
+                val word = when {
+                    difference != null -> "different"
+                    id == reference?.id -> "reference"
+                    else -> "identical"
+                }
+                put("outcome", word)
+                for ((key, value) in statistics(outcome)) put(key, Json.primitive(value))
+                difference?.addTo(this)
+            }
         }
     }
 }

@@ -4,12 +4,22 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Image
 import dev.lazyz.Region
 import dev.lazyz.RowSink
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonObjectBuilder
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.put
+import kotlinx.serialization.json.putJsonObject
 
 /** One pixel of a picture. */
 internal class Pixel(private val argb: Int, private val depth: Int, private val primitive: Int) {
     private val color: String get() = "#%06x%02x".format(argb and 0xFFFFFF, argb ushr 24)
 
-    val entries: Map<String, Any> get() = mapOf("color" to color, "depth" to depth, "primitive" to primitive)
+    /** This pixel as JSON. */
+    fun toJson(): JsonObject = buildJsonObject {
+        put("color", color)
+        put("depth", depth)
+        put("primitive", primitive)
+    }
 
     override fun toString(): String {
         val seen = if (primitive == DepthTest.BACKGROUND) "background" else "primitive $primitive"
@@ -25,12 +35,16 @@ internal class Pixel(private val argb: Int, private val depth: Int, private val 
  * @property y its row
  */
 internal class Difference(val pixels: Long, val x: Int, val y: Int, val expected: Pixel, val actual: Pixel) {
-    val entries: Map<String, Any>
-        get() = mapOf(
-            "differingPixels" to pixels,
-            "firstDifference" to
-                mapOf("x" to x, "y" to y, "expected" to expected.entries, "actual" to actual.entries),
-        )
+    /** Adds this difference to a JSON object. */
+    fun addTo(json: JsonObjectBuilder) {
+        json.put("differingPixels", pixels)
+        json.putJsonObject("firstDifference") {
+            put("x", x)
+            put("y", y)
+            put("expected", expected.toJson())
+            put("actual", actual.toJson())
+        }
+    }
 }
 
 /** Compares each row with that of a [reference] when it arrives, so that no second picture is kept in memory. */

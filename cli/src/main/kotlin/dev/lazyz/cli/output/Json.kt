@@ -1,25 +1,23 @@
 package dev.lazyz.cli.output
 
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonPrimitive
+
 /** Formats JSON (RFC 8259) as one line of ASCII. */
 internal object Json {
-    /** Returns [value] as JSON: a map (keys keep their order), a list, a string, a number, a boolean or null. */
-    fun of(value: Any?): String = when (value) {
-        null, is Number, is Boolean -> value.toString()
-        is String -> quoted(value)
-        is List<*> -> value.joinToString(", ", "[", "]") { of(it) }
-        is Map<*, *> -> value.entries.joinToString(", ", "{", "}") { (key, item) -> "\"$key\": ${of(item)}" }
-        else -> error("no JSON for ${value.javaClass.name}")
-    }
+    private val notAscii = Regex("[^ -~]")
 
-    private fun quoted(text: String): String = buildString {
-        append('"')
-        for (char in text) {
-            when {
-                char == '"' || char == '\\' -> append('\\').append(char)
-                char in ' '..'~' -> append(char)
-                else -> append("\\u").append(char.code.toString(16).padStart(4, '0'))
-            }
-        }
-        append('"')
+    /**
+     * Returns [element] as text. Characters outside ASCII can only be in its strings; they are escaped, so that the
+     * encoding of standard error does not matter, and file names that are not legal Unicode remain distinct.
+     */
+    fun of(element: JsonElement): String =
+        notAscii.replace(element.toString()) { "\\u%04x".format(null, it.value.single().code) }
+
+    /** Returns [value], which is a number, a boolean or a text, as JSON. */
+    fun primitive(value: Any): JsonPrimitive = when (value) {
+        is Number -> JsonPrimitive(value)
+        is Boolean -> JsonPrimitive(value)
+        else -> JsonPrimitive(value as String)
     }
 }

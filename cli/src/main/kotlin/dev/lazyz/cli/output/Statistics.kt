@@ -7,6 +7,7 @@ import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.strategies.tiled.Tiled
+import kotlinx.serialization.json.JsonObject
 
 /**
  * The statistics of a rendering, by name, in the order of the output. Scripts depend on the names.
@@ -38,7 +39,7 @@ internal class Statistics(
     )
 
     /** Returns a JSON object in one line. */
-    fun toJson(): String = Json.of(entries)
+    fun toJson(): String = Json.of(JsonObject(entries.mapValues { Json.primitive(it.value) }))
 
     companion object {
         /** Returns the entries that derive from [counters], for a rendering of [picture]. */

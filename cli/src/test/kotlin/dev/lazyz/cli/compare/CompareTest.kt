@@ -47,7 +47,7 @@ class CompareTest {
 
     /** Returns all values of [key] in the JSON, in their order. */
     private fun Zrun.stats(key: String): List<String> =
-        Regex("\"$key\": (\"[^\"]*\"|[^,}]+)").findAll(text).map { it.groupValues[1].trim('"') }.toList()
+        Regex("\"$key\":(\"[^\"]*\"|[^,}]+)").findAll(text).map { it.groupValues[1].trim('"') }.toList()
 
     private fun Zrun.rows(): Map<String, List<String>> =
         text.lines().filter { it.startsWith("|") }.drop(1).associate { line ->

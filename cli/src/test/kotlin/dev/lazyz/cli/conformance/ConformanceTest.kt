@@ -110,7 +110,8 @@ class ConformanceTest {
     @Test
     fun framesOfOnesOwnAreTried() {
         val frames = folder.resolve("frames")
-        val words = arrayOf("--strategy", "zbuffer", "--rule", "rule_7_1_framesOfOnesOwnAreRight", "--frames", frames)
+        val rule = "rule_7_1_userFramesAreDrawnCorrectly"
+        val words = arrayOf("--strategy", "zbuffer", "--rule", rule, "--frames", frames)
         assertTrue("0 frames, of which" in conformance(*words).done().text)
         frames.resolve("mine.obj").writeText("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         assertTrue("2 frames, of which" in conformance(*words).done().text)
@@ -145,7 +146,7 @@ class ConformanceTest {
 
     @Test
     fun numberOfTriesHasBounds() {
-        val narrow = "rule_9_6_narrowRastersAreOrdinary"
+        val narrow = "rule_9_6_narrowRastersAreDrawnCorrectly"
         fun tries(factor: String) = judge("--strategy", "zbuffer", "--rule", narrow, "--tries", factor)
         val least = tries("0.001").done()
         assertTrue(", tries x0.001\n" in least.text && "     1 tries" in least.text, least.text)
@@ -166,7 +167,7 @@ class ConformanceTest {
     @Test
     fun strategyThatExitsGetsAVerdictAndTheOtherRulesAreTried() {
         val jar = jar(ExitingRenderer::class.java)
-        val rules = arrayOf("--rule", ties, "--rule", "rule_9_6_framesWithoutPrimitivesAreOrdinary")
+        val rules = arrayOf("--rule", ties, "--rule", "rule_9_6_framesWithoutPrimitivesShowTheBackground")
         val words = arrayOf("--strategy", "exiting", "--classpath", jar, "--tries", "0.05", "--json")
         val run = zcli("conformance", *words, *rules)
         assertEquals(ExitCode.DIFFERENT, run.code, run.errors)
@@ -181,7 +182,7 @@ class ConformanceTest {
     @Test
     fun strategyThatHaltsGetsAVerdictAndTheOtherRulesAreTried() {
         val jar = jar(HaltingRenderer::class.java)
-        val empty = "rule_9_6_framesWithoutPrimitivesAreOrdinary"
+        val empty = "rule_9_6_framesWithoutPrimitivesShowTheBackground"
         val words = arrayOf("--strategy", "halting", "--classpath", jar, "--tries", "0.05", "--json")
         val run = zcli("conformance", *words, "--rule", ties, "--rule", empty)
         assertEquals(ExitCode.DIFFERENT, run.code, run.errors)

@@ -56,7 +56,7 @@ public sealed interface ChangeRules : RulesForOne {
         about = [Symptom.COVERAGE],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_2_5_primitivesInTwoPartsAreTheWhole(
+    public fun rule_2_5_primitivesCutInTwoGiveTheSamePicture(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
     ) {
@@ -94,7 +94,7 @@ public sealed interface ChangeRules : RulesForOne {
         look = "Primitives that Frame.keeping leaves out must keep their indices.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_5_1_partsMergeIntoTheWhole(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+    public fun rule_5_1_mergedPartsEqualTheWholePicture(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
         val even = Judgement(renderer, case.keeping(0)).equalsReference().rendering.image
         val odd = Judgement(renderer, case.keeping(1)).equalsReference().rendering.image
@@ -156,7 +156,7 @@ public sealed interface ChangeRules : RulesForOne {
         about = [Symptom.REGION],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_7_4_regionIsThatPartOfThePicture(
+    public fun rule_7_4_regionEqualsThatPartOfThePicture(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
     ) {

@@ -11,5 +11,5 @@ public object ConformanceVersions {
     public const val CONTRACT: String = "0.1"
 
     /** Version of the suite. It changes when the test of a rule is added, renamed or removed. */
-    public const val SUITE: String = "0.1"
+    public const val SUITE: String = "0.2"
 }

@@ -34,7 +34,7 @@ public sealed interface CounterRules : RulesForOne {
         about = [Symptom.COUNTERS],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_8_1_countersCountWhatHappens(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+    public fun rule_8_1_countersEqualTheObservedCalls(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val witness = ShadingWitness(case.frame)
         val judgement = Judgement(renderer(), case.watched(witness.frame))
         val counters = judgement.rendering.counters
@@ -53,7 +53,7 @@ public sealed interface CounterRules : RulesForOne {
         look = "Count where spans are read. Parts outside the region, and whole rows or tiles, are easily missed.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_8_1_fragmentsAreTheCoveredSamples(
+    public fun rule_8_1_fragmentsEqualTheCoveredSamples(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Int,
     ) {
@@ -91,7 +91,7 @@ public sealed interface CounterRules : RulesForOne {
         look = "Count a pass where a fragment wins the depth comparison, not where it is looked up later.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_8_1_passesAreAmongTheFragments(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+    public fun rule_8_1_passesAreAtMostTheFragments(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val judgement = Judgement(renderer(), case)
         val counters = judgement.rendering.counters
         val covered = Rendering.of(ReferenceRenderer(), case.frame).counters.fragments
@@ -138,7 +138,7 @@ public sealed interface CounterRules : RulesForOne {
         look = "A gap equal to shadingStartCost is stepped across; check also which options configured() keeps.",
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_8_1_shadingStepsAsTheOptionsSay(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+    public fun rule_8_1_shadingStepsFollowTheOptions(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
         requireDeclared(renderer, Capability.COHERENCE)
         requireDeclared(renderer, Capability.SHADES_ONLY_VISIBLE)
@@ -166,7 +166,7 @@ public sealed interface CounterRules : RulesForOne {
             "fragment.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_8_2_visibleSamplesArePassedAndShaded(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+    public fun rule_8_2_visibleSamplesPassTheTestAndAreShaded(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val judgement = Judgement(renderer(), case)
         val visible = judgement.rendering.image.visible
         val counters = judgement.rendering.counters
@@ -215,7 +215,7 @@ public sealed interface CounterRules : RulesForOne {
         about = [Symptom.COUNTERS],
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_8_2_whatIsBlendedIsShadedOnlyIfItShows(
+    public fun rule_8_2_blendedFragmentsAreShadedOnlyIfVisible(
         @ForAll(supplier = TranslucentCases::class) case: FrameCase,
     ) {
         val renderer = renderer()

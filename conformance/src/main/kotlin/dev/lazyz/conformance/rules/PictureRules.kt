@@ -44,7 +44,7 @@ public sealed interface PictureRules : RulesForOne {
         about = [Symptom.OWN_PRIMITIVE],
     )
     @Property(tries = 200, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_2_8_primitivesOfOnesOwnCoverWhatTheySay(@ForAll(supplier = ConfettiCases::class) case: FrameCase) {
+    public fun rule_2_8_customPrimitivesCoverTheirSpans(@ForAll(supplier = ConfettiCases::class) case: FrameCase) {
         Judgement(renderer(), case).equalsReference()
     }
 
@@ -57,7 +57,9 @@ public sealed interface PictureRules : RulesForOne {
         about = [Symptom.BACKGROUND],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_4_3_backgroundIsWhereNothingPasses(@ForAll(supplier = ScreenCases::class) case: FrameCase) {
+    public fun rule_4_3_backgroundIsVisibleWhereNoFragmentPasses(
+        @ForAll(supplier = ScreenCases::class) case: FrameCase,
+    ) {
         // Put the background in front of everything, behind everything, and at the depth of a visible sample
         val visible = Rendering.of(ReferenceRenderer(), case.frame).image.depth
         for (depth in listOf(0, Int.MAX_VALUE, visible[visible.size / 2])) {
@@ -125,7 +127,7 @@ public sealed interface PictureRules : RulesForOne {
             "first?",
     )
     @Property(tries = 1)
-    public fun rule_5_3_everyPairInASmallWorldIsRight() {
+    public fun rule_5_3_allPairsOnATinyRasterAreDrawnCorrectly() {
         smallWorlds(renderer())
     }
 
@@ -152,7 +154,9 @@ public sealed interface PictureRules : RulesForOne {
         about = [Symptom.TRANSLUCENT],
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_5_6_whoCannotBlendRefuses(@ForAll(supplier = TranslucentCases::class) case: FrameCase) {
+    public fun rule_5_6_renderersWithoutTransparencyRefuseTranslucentFrames(
+        @ForAll(supplier = TranslucentCases::class) case: FrameCase,
+    ) {
         val renderer = renderer()
         if (Capability.TRANSPARENCY !in renderer.capabilities && case.frame.hasTranslucency) refused(renderer, case)
         Judgement(renderer, case.asOpaque()).equalsReference()
@@ -165,7 +169,7 @@ public sealed interface PictureRules : RulesForOne {
         about = [Symptom.TRANSLUCENT],
     )
     @Property(tries = 20, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_5_6_hiddenTranslucencyIsRefused(
+    public fun rule_5_6_hiddenTranslucentPrimitivesAreRefused(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
     ) {
@@ -195,7 +199,7 @@ public sealed interface PictureRules : RulesForOne {
         about = [Symptom.MANY_PRIMITIVES],
     )
     @Property(tries = 8, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_9_4_indicesAreNotCut(@ForAll(supplier = TiedCases::class) case: FrameCase) {
+    public fun rule_9_4_indicesAreNotTruncated(@ForAll(supplier = TiedCases::class) case: FrameCase) {
         val renderer = renderer()
         val many = case.behindMany()
         Judgement(renderer, many).equalsReference()
@@ -213,7 +217,9 @@ public sealed interface PictureRules : RulesForOne {
         about = [Symptom.NO_PRIMITIVES],
     )
     @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_9_6_framesWithoutPrimitivesAreOrdinary(@ForAll(supplier = EmptyCases::class) case: FrameCase) {
+    public fun rule_9_6_framesWithoutPrimitivesShowTheBackground(
+        @ForAll(supplier = EmptyCases::class) case: FrameCase,
+    ) {
         val judgement = Judgement(renderer(), case).equalsReference()
         val counters = judgement.rendering.counters
         if (counters.fragments != 0L || counters.shadingCalls != 0L) {
@@ -228,7 +234,7 @@ public sealed interface PictureRules : RulesForOne {
         about = [Symptom.NARROW],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_9_6_narrowRastersAreOrdinary(@ForAll(supplier = NarrowCases::class) case: FrameCase) {
+    public fun rule_9_6_narrowRastersAreDrawnCorrectly(@ForAll(supplier = NarrowCases::class) case: FrameCase) {
         Judgement(renderer(), case).equalsReference()
     }
 }

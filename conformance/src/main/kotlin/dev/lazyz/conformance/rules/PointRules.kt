@@ -21,7 +21,7 @@ public sealed interface PointRules : RulesForOne {
         about = [Symptom.IN_SPACE],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_2_9_pointsAreOrdinary(@ForAll(supplier = PointCases::class) case: FrameCase) {
+    public fun rule_2_9_pointsAreDrawnCorrectly(@ForAll(supplier = PointCases::class) case: FrameCase) {
         Judgement(renderer(), case).equalsReference()
     }
 
@@ -32,7 +32,7 @@ public sealed interface PointRules : RulesForOne {
         about = [Symptom.IN_SPACE],
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_2_10_linesAreOrdinary(@ForAll(supplier = LineCases::class) case: FrameCase) {
+    public fun rule_2_10_linesAreDrawnCorrectly(@ForAll(supplier = LineCases::class) case: FrameCase) {
         Judgement(renderer(), case).equalsReference()
     }
 

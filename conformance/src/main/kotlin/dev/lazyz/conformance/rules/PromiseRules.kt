@@ -70,7 +70,7 @@ public sealed interface PromiseRules : RulesForOne {
         look = "When the sink throws, rethrow at once: do not finish, start or fetch a row in a finally block.",
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_7_3_rowsThatAreNotPulledCostNothing(
+    public fun rule_7_3_rowsAfterTheSinkStopsAreNotRendered(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Int,
     ) {
@@ -173,7 +173,7 @@ public sealed interface PromiseRules : RulesForOne {
         look = "Free before you allocate, count memory before you hold it, and do without it where nothing fits.",
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_8_1_promiseToKeepToTheBudgetIsKept(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+    public fun rule_8_1_promiseToStayWithinTheBudgetIsKept(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
         requireDeclared(renderer, Capability.MEMORY_BUDGET)
         var least = Long.MAX_VALUE
@@ -197,7 +197,7 @@ public sealed interface PromiseRules : RulesForOne {
             "grow.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_8_1_heapKeepsToTheBudget() {
+    public fun rule_8_1_heapStaysWithinTheBudget() {
         val renderer = renderer()
         requireDeclared(renderer, Capability.MEMORY_BUDGET)
         budgetOnTheHeap(renderer)

@@ -57,7 +57,7 @@ public sealed interface ShadingRules : RulesForOne {
         about = [Symptom.COLOR],
     )
     @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_6_1_everySampleHasItsOwnColour(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+    public fun rule_6_1_everySampleIsShadedSeparately(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         Judgement(renderer(), case.flecked()).equalsReference()
     }
 
@@ -68,7 +68,7 @@ public sealed interface ShadingRules : RulesForOne {
         about = [Symptom.COLOR],
     )
     @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_6_4_lightOfAnyStrengthIsPacked(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+    public fun rule_6_4_coloursOfAnyBrightnessArePacked(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         Judgement(renderer(), case.dazzling()).equalsReference()
     }
 
@@ -92,7 +92,9 @@ public sealed interface ShadingRules : RulesForOne {
         about = [Symptom.COLOR],
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_6_5_litAndTexturedScenesAreShadedRight(@ForAll(supplier = LongRowCases::class) case: FrameCase) {
+    public fun rule_6_5_litAndTexturedScenesAreShadedCorrectly(
+        @ForAll(supplier = LongRowCases::class) case: FrameCase,
+    ) {
         Judgement(renderer(), case).equalsReference()
     }
 }

@@ -30,7 +30,7 @@ public sealed interface SizeRules : RulesForOne {
             "tiles.",
     )
     @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_1_1_rastersOfSeveralTilesAreOrdinary(
+    public fun rule_1_1_rastersOfSeveralTilesAreDrawnCorrectly(
         @ForAll(supplier = SeveralTilesCases::class) case: FrameCase,
     ) {
         Judgement(renderer(), case).equalsReference().rowsInOrder()
@@ -42,7 +42,7 @@ public sealed interface SizeRules : RulesForOne {
         look = "Look for columns and rows in 16 bits, and for row times width in 32; allocate only for the region.",
     )
     @Property(tries = 12, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_1_1_columnsAndRowsAreNotCut(@ForAll(supplier = FarAwayCases::class) case: FrameCase) {
+    public fun rule_1_1_columnsAndRowsAreNotTruncated(@ForAll(supplier = FarAwayCases::class) case: FrameCase) {
         Judgement(renderer(), case).equalsReference().rowsInOrder()
     }
 
@@ -52,7 +52,7 @@ public sealed interface SizeRules : RulesForOne {
         look = "Look for arrays with a fixed number of spans or edges, and for what happens when they are full.",
     )
     @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_2_3_manySpansInARowAreOrdinary(@ForAll(supplier = ManySpansCases::class) case: FrameCase) {
+    public fun rule_2_3_allSpansOfARowAreDrawn(@ForAll(supplier = ManySpansCases::class) case: FrameCase) {
         Judgement(renderer(), case).equalsReference()
     }
 
@@ -62,7 +62,9 @@ public sealed interface SizeRules : RulesForOne {
         look = "Look for lists of fragments, bins or active primitives of a fixed length.",
     )
     @Property(tries = 12, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_5_1_dozensOfLayersAreOrdinary(@ForAll(supplier = DozensOfLayersCases::class) case: FrameCase) {
+    public fun rule_5_1_nearestOfDozensOfLayersIsVisible(
+        @ForAll(supplier = DozensOfLayersCases::class) case: FrameCase,
+    ) {
         Judgement(renderer(), case).equalsReference()
     }
 
@@ -72,7 +74,7 @@ public sealed interface SizeRules : RulesForOne {
         look = "Look for recursion from primitive to primitive, and for counts of fragments in a byte or a short.",
     )
     @Property(tries = 6, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_5_1_thousandsOfLayersAreOrdinary(
+    public fun rule_5_1_nearestOfThousandsOfLayersIsVisible(
         @ForAll(supplier = ThousandsOfLayersCases::class) case: FrameCase,
     ) {
         Judgement(renderer(), case).equalsReference()

@@ -31,7 +31,7 @@ public sealed interface ThreadRules : RulesForOne {
         look = "Look for fragments, spans and rows in fields of the renderer, or in state shared by all renderings.",
     )
     @Property(tries = 4, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_7_1_renderingsThatMeetDoNotDisturbEachOther(@ForAll salt: Long) {
+    public fun rule_7_1_concurrentRenderingsAreIndependent(@ForAll salt: Long) {
         val renderer = renderer()
         val meeting = Meeting(Where.ANY_SAMPLE)
         atOnce(List(2) { Crowd.quiet(salt + it, Where.ANY_SAMPLE) }.withIndex().toList()) { (number, quiet) ->

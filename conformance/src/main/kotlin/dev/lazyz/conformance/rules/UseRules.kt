@@ -35,7 +35,7 @@ public sealed interface UseRules : RulesForOne {
         about = [Symptom.AGAIN],
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_7_1_sameBitsAgain(@ForAll(supplier = SeveralCases::class) cases: List<FrameCase>) {
+    public fun rule_7_1_repeatedRenderingsAreIdentical(@ForAll(supplier = SeveralCases::class) cases: List<FrameCase>) {
         val renderer = renderer()
         val parts = cases.flatMap { it.halves() }
         for (case in cases + parts + cases) Judgement(renderer, case).equalsReference().equalsItsImage()
@@ -48,7 +48,7 @@ public sealed interface UseRules : RulesForOne {
         look = "The message names the file: find out how that frame differs from the suite's frames.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_7_1_framesOfOnesOwnAreRight() {
+    public fun rule_7_1_userFramesAreDrawnCorrectly() {
         for (case in TryUnderWay.current?.ownCases.orEmpty() + frames()) framesAreRight(renderer(), case)
     }
 
@@ -58,7 +58,9 @@ public sealed interface UseRules : RulesForOne {
         look = "Look for fields of the renderer that a rendering writes; keep such state local to the call.",
     )
     @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_7_1_sameBitsFromSeveralThreads(@ForAll(supplier = SeveralCases::class) cases: List<FrameCase>) {
+    public fun rule_7_1_renderingsFromSeveralThreadsAreIdentical(
+        @ForAll(supplier = SeveralCases::class) cases: List<FrameCase>,
+    ) {
         val renderer = renderer()
         atOnce(cases) { case -> repeat(3) { Judgement(renderer, case).equalsReference() } }
     }
@@ -148,7 +150,7 @@ public sealed interface UseRules : RulesForOne {
         look = "Compare a primitive's bounds with the region before you ask it for spans, a cursor or a depth.",
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_7_7_whatIsOutsideTheRegionIsLeftAlone(
+    public fun rule_7_7_primitivesOutsideTheRegionAreNotQueried(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
     ) {

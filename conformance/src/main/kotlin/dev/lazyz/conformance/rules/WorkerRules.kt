@@ -23,7 +23,7 @@ public sealed interface WorkerRules : RulesForOne {
             "half-finished row.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_7_1_failuresOfItsThreadsReachTheCaller() {
+    public fun rule_7_1_failuresInThreadsReachTheCaller() {
         passesOnFailuresOfWorkers(renderer().configured(FOUR_THREADS))
     }
 
@@ -33,7 +33,7 @@ public sealed interface WorkerRules : RulesForOne {
         look = "Wait for all threads before you rethrow a failure of the caller's own part or of the sink.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_7_1_nobodyAsksAfterTheEnd() {
+    public fun rule_7_1_primitivesAreNotCalledAfterTheEnd() {
         makesNoLateQueries(renderer().configured(FOUR_THREADS))
     }
 
@@ -57,7 +57,7 @@ public sealed interface WorkerRules : RulesForOne {
             "that threads share.",
     )
     @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_7_5_threadsThatMeetLoseNothing(@ForAll salt: Long) {
+    public fun rule_7_5_concurrentThreadsLoseNoFragments(@ForAll salt: Long) {
         val configured = renderer().configured(FOUR_THREADS)
         for (where in Where.entries) {
             whileTheyMeet(where) { meeting, round ->
@@ -73,7 +73,7 @@ public sealed interface WorkerRules : RulesForOne {
         about = [Symptom.COUNTERS],
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_8_1_threadsThatMeetLoseNoCounts(@ForAll salt: Long) {
+    public fun rule_8_1_concurrentThreadsLoseNoCounts(@ForAll salt: Long) {
         for (where in Where.entries) {
             whileTheyMeet(where) { meeting, round ->
                 countsInACrowd(renderer(), Crowd.quiet(salt + round, where), Crowd(salt + round, where, meeting))

@@ -62,7 +62,7 @@ internal class OwnFrames(private val folder: Path) {
         private val USUAL_SIZE = ImageSize(64, 48)
 
         /** Name of the rule that tests them. */
-        val RULE: String = UseRules::rule_7_1_framesOfOnesOwnAreRight.name
+        val RULE: String = UseRules::rule_7_1_userFramesAreDrawnCorrectly.name
     }
 }
 

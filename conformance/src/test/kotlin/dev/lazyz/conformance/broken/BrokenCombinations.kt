@@ -19,9 +19,9 @@ object BrokenCombinations {
         }
     }) { frame, sink -> ZBuffer().render(frame, sink) }
 
-    fun glassInParts() = glazier("glass-in-parts") { frame, _ -> frame.region != frame.raster.region }
+    fun noBlendingInRegions() = glazier("no-blending-in-regions") { frame, _ -> frame.region != frame.raster.region }
 
-    fun glassOfSeveralThreads() = glazier("glass-of-several-threads") { _, options -> options.threads > 1 }
+    fun noBlendingWithThreads() = glazier("no-blending-with-threads") { _, options -> options.threads > 1 }
 
     /** Treats glass as opaque when [isLost]. */
     private fun glazier(id: String, isLost: (Frame, RenderOptions) -> Boolean): BrokenRenderer {

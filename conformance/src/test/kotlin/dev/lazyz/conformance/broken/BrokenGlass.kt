@@ -16,7 +16,9 @@ object BrokenGlass {
     fun zeroTimesInfinity() = blending("zero-times-infinity") { cell -> blend(cell, isAdded = { true }) }
 
     /** Where all weights are 0, the colour is black. */
-    fun nothingIsBlack() = blending("nothing-is-black") { cell -> blend(cell, isShownAsItIs = { it > 0f }) }
+    fun backdropLostAtAlpha0() = blending("backdrop-lost-at-alpha-0") { cell ->
+        blend(cell, isShownAsItIs = { it > 0f })
+    }
 
     /** Shades all translucent fragments in front of the backdrop, and then blends. */
     fun shadesAhead() = blending("shades-ahead", setOf(Capability.SHADES_ONLY_VISIBLE)) { cell ->
@@ -29,7 +31,7 @@ object BrokenGlass {
     fun nanIsWhite() = primitives("nan-is-white") { Whitened(it) }
 
     /** Removes primitives whose bounds are outside the region before it checks for translucent ones. */
-    fun refusesInSight() = drawing("refuses-in-sight") { frame ->
+    fun refusesOnlyInTheRegion() = drawing("refuses-only-in-the-region") { frame ->
         val region = frame.region
         frame.keeping {
             with(frame.primitives[it]) {

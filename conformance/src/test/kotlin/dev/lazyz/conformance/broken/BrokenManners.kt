@@ -67,9 +67,9 @@ object BrokenManners {
         }
     }
 
-    fun poisonedByFailure(): BrokenRenderer {
+    fun failsAfterAFailure(): BrokenRenderer {
         var hasFailed = false
-        return BrokenRenderer("poisoned-by-failure") { frame, sink ->
+        return BrokenRenderer("fails-after-a-failure") { frame, sink ->
             check(!hasFailed) { "still failing" }
             hasFailed = true
             ZBuffer().render(frame, sink).also { hasFailed = false }
@@ -122,7 +122,7 @@ object BrokenManners {
         counters
     }
 
-    fun interruptedHalfWay() = BrokenRenderer("gives-up-when-interrupted") { frame, sink ->
+    fun interruptedHalfWay() = BrokenRenderer("empty-when-interrupted") { frame, sink ->
         val primitives = if (Thread.interrupted()) emptyList() else frame.primitives
         ZBuffer().render(Frame(frame.raster, primitives, frame.region), sink)
     }

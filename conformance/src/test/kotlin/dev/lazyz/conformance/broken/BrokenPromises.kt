@@ -36,11 +36,11 @@ object BrokenPromises {
 
     private val stepping = setOf(Capability.SHADES_ONLY_VISIBLE, Capability.COHERENCE)
 
-    fun stepsLess() = BrokenRenderer(
-        "steps-less",
+    fun startsTooOften() = BrokenRenderer(
+        "starts-too-often",
         stepping,
         options = { options ->
-            BrokenRenderer("steps-less", stepping) { frame, sink ->
+            BrokenRenderer("starts-too-often", stepping) { frame, sink ->
                 val cheap = frame.primitives.map { CheapStarts(it) }
                 LazyZBuffer(options).render(Frame(frame.raster, cheap, frame.region), sink)
             }
@@ -68,7 +68,7 @@ object BrokenPromises {
     }
 
     /** Finishes the picture although the sink has failed. */
-    fun finishesAnyway() = BrokenRenderer("finishes-anyway", setOf(Capability.STREAMS_ROWS)) { frame, sink ->
+    fun ignoresTheStop() = BrokenRenderer("ignores-the-stop", setOf(Capability.STREAMS_ROWS)) { frame, sink ->
         var isOver = false
         try {
             LazyZBuffer().render(frame, sink).also { isOver = true }
@@ -84,7 +84,7 @@ object BrokenPromises {
         options = { Tiled().configured(RenderOptions(threads = 4, tileSize = 8)) },
     ) { frame, sink -> Tiled().render(frame, sink) }
 
-    fun parallelInName() = claiming("parallel-in-name", Capability.PARALLEL, ZBuffer())
+    fun notParallel() = claiming("not-parallel", Capability.PARALLEL, ZBuffer())
 
     fun countsByThread() = threaded("counts-by-thread") { counters, threads -> counters.depthEvaluations += threads }
 
@@ -99,11 +99,13 @@ object BrokenPromises {
     fun budgetIgnored() = claiming("budget-ignored", Capability.MEMORY_BUDGET, Hybrid())
 
     /** Without memory for a suspension, the sample stays unchanged. */
-    fun budgetCostsColours() = BrokenRenderer(
-        "budget-costs-colours",
+    fun noColoursWithoutBudget() = BrokenRenderer(
+        "no-colours-without-budget",
         setOf(Capability.MEMORY_BUDGET),
-        { if (it.memoryBudget == 0L) painting("budget-costs-colours") { image, _ -> image.dark() } else Hybrid(it) },
+        { if (it.memoryBudget == 0L) withoutColours() else Hybrid(it) },
     ) { frame, sink -> ZBuffer().render(frame, sink) }
+
+    private fun withoutColours() = painting("no-colours-without-budget") { image, _ -> image.dark() }
 
     private fun Image.dark() = Image(region, IntArray(argb.size), depth, primitive, counters)
 
@@ -181,7 +183,7 @@ object BrokenPromises {
 
     fun testsTheBackground() = counting("tests-the-background") { depthEvaluations += it.region.size }
 
-    fun keepsMemorySecret() = counting("keeps-memory-secret") { peakBytes = 0 }
+    fun reportsNoMemory() = counting("reports-no-memory") { peakBytes = 0 }
 
     private fun claiming(id: String, capability: Capability, renderer: Renderer) =
         BrokenRenderer(id, setOf(capability)) { frame: Frame, sink: RowSink -> renderer.render(frame, sink) }

@@ -110,7 +110,9 @@ object BrokenRenderers {
     fun ignoresTheRegion() = drawing("ignores-the-region") { Frame(it.raster, it.primitives) }
 
     /** Renders another picture when it is configured. */
-    fun optionsMatter() = BrokenRenderer("options-matter", options = { lastWinsTies() }) { frame, sink ->
+    fun pictureDependsOnOptions() = BrokenRenderer("picture-depends-on-options", options = {
+        lastWinsTies()
+    }) { frame, sink ->
         ZBuffer().render(frame, sink)
     }
 
@@ -121,7 +123,7 @@ object BrokenRenderers {
         }
 
     /** Treats translucent primitives as opaque instead of rejecting them. */
-    fun takesGlassForOpaque() = drawing("takes-glass-for-opaque") { it.asOpaque() }
+    fun translucentAsOpaque() = drawing("translucent-as-opaque") { it.asOpaque() }
 
     /** Blends in the order of submission. */
     fun blendsAsSubmitted() = blending("blends-as-submitted") { cell ->

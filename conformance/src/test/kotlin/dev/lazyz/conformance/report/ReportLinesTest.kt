@@ -26,8 +26,8 @@ class ReportLinesTest {
     private val nearest = "rule_5_1_nearestFragmentIsVisible"
     private val promise = "rule_8_2_promiseToShadeOnlyTheVisibleIsKept"
     private val rows = "rule_7_3_rowsArriveInOrderEachOnce"
-    private val background = "rule_4_3_backgroundIsWhereNothingPasses"
-    private val unrun = "rule_9_6_narrowRastersAreOrdinary"
+    private val background = "rule_4_3_backgroundIsVisibleWhereNoFragmentPasses"
+    private val unrun = "rule_9_6_narrowRastersAreDrawnCorrectly"
 
     private fun waiver(rule: String, expires: String = "9999-01-01") =
         "rule: $rule\nreason: <none>\nlink: https://example.org/7\nexpires: $expires\n\n"
@@ -83,7 +83,7 @@ class ReportLinesTest {
 
     @Test
     fun summaryTellsHowManyFramesWereNotLookedAt() {
-        val long = Conformance { PlainRenderer() }.tries(1.0).rule("rule_9_4_indicesAreNotCut").run()
+        val long = Conformance { PlainRenderer() }.tries(1.0).rule("rule_9_4_indicesAreNotTruncated").run()
         assertTrue(long.distribution.unexamined > 0, "${long.distribution}")
         assertTrue("${long.distribution.unexamined}  not looked at\n" in long.toText(), long.toText())
         assertTrue("not looked at" !in report.toText())

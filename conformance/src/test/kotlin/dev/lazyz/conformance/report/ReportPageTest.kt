@@ -16,7 +16,7 @@ class ReportPageTest {
     private val nearest = "rule_5_1_nearestFragmentIsVisible"
     private val promise = "rule_8_2_promiseToShadeOnlyTheVisibleIsKept"
     private val rows = "rule_7_3_rowsArriveInOrderEachOnce"
-    private val background = "rule_4_3_backgroundIsWhereNothingPasses"
+    private val background = "rule_4_3_backgroundIsVisibleWhereNoFragmentPasses"
 
     private fun waiver(rule: String) = "rule: $rule\nreason: <i> & \"so\" 'on'\nlink: none\nexpires: 9999-01-01\n\n"
 

@@ -167,7 +167,7 @@ class ReportTest {
     @Test
     fun whatIsNotFollowedIsToldAndDoesNoHarm() {
         val rule = "rule_8_3_workingMemoryIsReported"
-        val report = Conformance { BrokenPromises.keepsMemorySecret() }.tries(0.1).rule(rule).run()
+        val report = Conformance { BrokenPromises.reportsNoMemory() }.tries(0.1).rule(rule).run()
         assertTrue(report.isConformant)
         val result = report.results.single()
         assertEquals(RuleOutcome.NOT_FOLLOWED, result.outcome)
@@ -183,7 +183,7 @@ class ReportTest {
         assertTrue("failure" in told)
         val xml = report.toJUnitXml()
         assertTrue("failures=\"0\"" in xml && "skipped=\"1\"" in xml, xml)
-        assertTrue("<skipped message=\"not followed: keeps-memory-secret: a primitive is visible" in xml, xml)
+        assertTrue("<skipped message=\"not followed: reports-no-memory: a primitive is visible" in xml, xml)
         val html = report.toHtml()
         assertTrue("<h2>Not followed</h2>" in html && "<h2>Failures</h2>" !in html, html)
         report.writeTo(folder)
@@ -198,7 +198,7 @@ class ReportTest {
             val conformance = Conformance { renderer }.tries(0.1).rule(rule).waivers(waivers)
             return conformance.run().results.single().outcome
         }
-        val secretive = BrokenPromises.keepsMemorySecret()
+        val secretive = BrokenPromises.reportsNoMemory()
         assertEquals(RuleOutcome.WAIVED, outcome(secretive, "9999-01-01"))
         assertEquals(RuleOutcome.WAIVER_EXPIRED, outcome(secretive, "2001-01-01"))
         assertEquals(RuleOutcome.WAIVED_BUT_PASSES, outcome(PlainRenderer(), "9999-01-01"))

@@ -6,6 +6,7 @@ import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Shader
+import dev.lazyz.raster.Edge
 import dev.lazyz.raster.EdgeTable
 import dev.lazyz.raster.ReferenceTriangle
 import dev.lazyz.raster.ScreenGrid
@@ -71,9 +72,9 @@ internal class PlanarAssembly(
             val dy = (ys[it] - ys[0]).toLong()
             dx * dx + dy * dy
         }
-        val runX = (xs[second] - xs[0]).toLong()
-        val runY = (ys[second] - ys[0]).toLong()
-        val third = xs.indices.maxBy { Math.abs(runX * (ys[it] - ys[0]) - runY * (xs[it] - xs[0])) }
+        val third = xs.indices.maxBy {
+            Math.abs(Edge.function(xs[0], ys[0], xs[second], ys[second], xs[it], ys[it]))
+        }
         return intArrayOf(0, second, third)
     }
 

@@ -19,9 +19,8 @@ import dev.lazyz.shading.Vertices
  * A flat primitive: a triangle, or a polygon with any contours.
  *
  * Attributes are interpolated with three weights, one for each vertex of the reference triangle: the opposite edge
- * function divided by w of the vertex. Dividing by the sum of the three makes the weights perspective-correct, and the
- * same three edge functions serve any number of attributes (contract rule 3.6). They are computed when the primitive is
- * first shaded.
+ * function divided by w of the vertex, see [PerspectiveWeights]. The same three edge functions serve any number of
+ * attributes (contract rule 3.6). They are computed when the primitive is first shaded.
  *
  * Source: James Blinn, "Hyperbolic Interpolation", IEEE Computer Graphics and Applications 12 (1992).
  *
@@ -115,47 +114,39 @@ internal class PlanarPrimitive(
 
     /** Sets the attributes from the values of the three edge functions. */
     private fun mix(fragment: Fragment, first: Long, second: Long, third: Long) {
-        // Perspective-correct weights: the only division for the fragment
-        val data = vertices.data
-        val a = Vertices.STRIDE * corners[0]
-        val b = Vertices.STRIDE * corners[1]
-        val c = Vertices.STRIDE * corners[2]
-        val over0 = first.toDouble() * (1.0 / data[a + Vertices.W])
-        val over1 = second.toDouble() * (1.0 / data[b + Vertices.W])
-        val over2 = third.toDouble() * (1.0 / data[c + Vertices.W])
-        val scale = 1.0 / maxOf(over0 + over1 + over2, reference.size.toDouble() * leastInverseW)
-        val w0 = over0 * scale
-        val w1 = over1 * scale
-        val w2 = over2 * scale
+        PerspectiveWeights.of(
+            first.toDouble(), second.toDouble(), third.toDouble(),
+            1.0 / vertices.get(corners[0], Vertices.W), 1.0 / vertices.get(corners[1], Vertices.W),
+            1.0 / vertices.get(corners[2], Vertices.W), reference.size.toDouble() * leastInverseW,
+        ) { w0, w1, w2 -> mix(fragment, w0, w1, w2) }
+    }
 
-        // Interpolate the attributes that the shader uses
+    /** Interpolates the attributes that the shader uses. */
+    private fun mix(fragment: Fragment, w0: Double, w1: Double, w2: Double) {
         if (fields and Attributes.WORLD != 0) {
-            val i = Vertices.WORLD
-            fragment.worldX = (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i]).toFloat()
-            fragment.worldY = (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1]).toFloat()
-            fragment.worldZ = (w0 * data[a + i + 2] + w1 * data[b + i + 2] + w2 * data[c + i + 2]).toFloat()
+            fragment.worldX = mixed(w0, w1, w2, Vertices.WORLD).toFloat()
+            fragment.worldY = mixed(w0, w1, w2, Vertices.WORLD + 1).toFloat()
+            fragment.worldZ = mixed(w0, w1, w2, Vertices.WORLD + 2).toFloat()
         }
         if (fields and Attributes.NORMAL != 0) {
-            val i = Vertices.NORMAL
-            fragment.normalX = (normalSign * (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i])).toFloat()
-            fragment.normalY =
-                (normalSign * (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1])).toFloat()
-            fragment.normalZ =
-                (normalSign * (w0 * data[a + i + 2] + w1 * data[b + i + 2] + w2 * data[c + i + 2])).toFloat()
+            fragment.normalX = (normalSign * mixed(w0, w1, w2, Vertices.NORMAL)).toFloat()
+            fragment.normalY = (normalSign * mixed(w0, w1, w2, Vertices.NORMAL + 1)).toFloat()
+            fragment.normalZ = (normalSign * mixed(w0, w1, w2, Vertices.NORMAL + 2)).toFloat()
         }
         if (fields and Attributes.UV != 0) {
-            val i = Vertices.UV
-            fragment.u = (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i]).toFloat()
-            fragment.v = (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1]).toFloat()
+            fragment.u = mixed(w0, w1, w2, Vertices.UV).toFloat()
+            fragment.v = mixed(w0, w1, w2, Vertices.UV + 1).toFloat()
         }
         if (fields and Attributes.COLOR != 0) {
-            val i = Vertices.COLOR
-            fragment.vertexRed = (w0 * data[a + i] + w1 * data[b + i] + w2 * data[c + i]).toFloat()
-            fragment.vertexGreen = (w0 * data[a + i + 1] + w1 * data[b + i + 1] + w2 * data[c + i + 1]).toFloat()
-            fragment.vertexBlue = (w0 * data[a + i + 2] + w1 * data[b + i + 2] + w2 * data[c + i + 2]).toFloat()
-            fragment.vertexAlpha = (w0 * data[a + i + 3] + w1 * data[b + i + 3] + w2 * data[c + i + 3]).toFloat()
+            fragment.vertexRed = mixed(w0, w1, w2, Vertices.COLOR).toFloat()
+            fragment.vertexGreen = mixed(w0, w1, w2, Vertices.COLOR + 1).toFloat()
+            fragment.vertexBlue = mixed(w0, w1, w2, Vertices.COLOR + 2).toFloat()
+            fragment.vertexAlpha = mixed(w0, w1, w2, Vertices.COLOR + 3).toFloat()
         }
     }
+
+    private fun mixed(w0: Double, w1: Double, w2: Double, field: Int): Double =
+        vertices.mixed(field, corners[0], w0, corners[1], w1, corners[2], w2)
 
     override fun toString(): String =
         "PlanarPrimitive(rows $rowStart..<$rowEnd, columns $columnStart..<$columnEnd, $depthForm)"

@@ -3,6 +3,7 @@ package dev.lazyz.strategies.painter
 import dev.lazyz.Primitive
 import dev.lazyz.Region
 import dev.lazyz.Spans
+import dev.lazyz.raster.Edge
 
 /**
  * The corners of the convex hull of the samples that a primitive covers in a region, in order around the hull.
@@ -104,6 +105,6 @@ internal class Outline private constructor(val xs: IntArray, val ys: IntArray) {
 
         /** Positive if the path from a via b to c turns right on the screen, 0 if it is straight. */
         private fun turn(ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int): Long =
-            (bx - ax).toLong() * (cy - ay) - (by - ay).toLong() * (cx - ax)
+            Edge.function(ax, ay, bx, by, cx, cy)
     }
 }

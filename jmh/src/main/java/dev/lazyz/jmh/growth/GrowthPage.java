@@ -12,7 +12,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 
 /**
- * Writes the tables of {@code docs/growth.md}, its charts, and the coefficients of
+ * Writes the tables of {@code docs/growth.md} and {@code docs/growth-tables.md}, their charts, and the coefficients of
  * {@link dev.lazyz.strategies.StrategyModel}, from the results of {@link Growth}.
  */
 public final class GrowthPage {
@@ -56,7 +56,7 @@ public final class GrowthPage {
         Path file = Path.of(args[1]);
         GrowthResults results = GrowthResults.read(file);
         Files.writeString(Path.of(args[2]), new ModelFit(results).toKotlin());
-        Files.writeString(page, new GrowthPage(results).fill(Files.readString(page)));
+        GeneratedPage.update(page, new GrowthPage(results)::fill);
         new GrowthCharts(results).write(file.toAbsolutePath().getParent());
     }
 
@@ -74,6 +74,9 @@ public final class GrowthPage {
             List<List<String>> rows = new ArrayList<>();
             results.facts().forEach((fact, value) -> rows.add(List.of(fact, value)));
             return GeneratedPage.table(List.of("fact", "value"), rows);
+        }
+        if (name.equals("summary")) {
+            return summary();
         }
         if (name.equals("crossings")) {
             return crossings();
@@ -93,6 +96,47 @@ public final class GrowthPage {
         }
         throw new IllegalArgumentException("no table '" + name + "'");
     }
+
+    /** Returns the table of one large frame for each quantity that grows, and how often {@code tiled} is the fastest. */
+    private String summary() {
+        List<Key> keys = List.of(
+                new Key(Axis.TRIANGLES, 1_000_000, Quantity.TIME, "1,000,000 triangles, ms"),
+                new Key(Axis.PIXELS, 4096L * 4096, Quantity.TIME, "4096 x 4096 pixels, ms"),
+                new Key(Axis.PIXELS, 4096L * 4096, Quantity.PEAK, "the same, working memory"),
+                new Key(Axis.DEPTH, 1_000, Quantity.TIME, "1,000 layers, ms"),
+                new Key(Axis.SHADING, 1_000, Quantity.TIME, "1,000 rounds of shading, ms"));
+        List<String> head = new ArrayList<>(List.of("strategy"));
+        keys.forEach(key -> head.add(key.title));
+        List<List<String>> rows = new ArrayList<>();
+        for (String strategy : results.strategies()) {
+            List<String> row = new ArrayList<>(List.of(strategy));
+            keys.forEach(key -> row.add(cell(key, strategy)));
+            rows.add(row);
+        }
+        List<GrowthResults.Point> compared = results.points().stream()
+                .filter(point -> measured(point).size() > 1)
+                .toList();
+        long best = compared.stream()
+                .filter(point -> fastest(point, measured(point)).equals("tiled"))
+                .count();
+        return GeneratedPage.table(head, rows) + "\n`tiled` is the fastest in " + best + " of " + compared.size()
+                + " measured frames. Measured on " + results.facts().getOrDefault("date", "") + ", "
+                + results.facts().getOrDefault("processor", "") + ".\n";
+    }
+
+    private String cell(Key key, String strategy) {
+        return results.points(key.axis).stream()
+                .filter(point -> point.value() == key.value)
+                .findFirst()
+                .map(point -> {
+                    OptionalDouble median = results.median(point, strategy, key.quantity.of);
+                    return median.isPresent() ? key.quantity.text(median.getAsDouble()) : gap(point, strategy);
+                })
+                .orElse("");
+    }
+
+    /** A column of the summary. */
+    private record Key(Axis axis, long value, Quantity quantity, String title) {}
 
     private String curves(Axis axis, Quantity quantity) {
         List<GrowthResults.Point> points = results.points(axis);

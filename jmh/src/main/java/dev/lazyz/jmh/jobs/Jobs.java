@@ -1,5 +1,6 @@
 package dev.lazyz.jmh.jobs;
 
+import dev.lazyz.jmh.report.GeneratedPage;
 import dev.lazyz.jmh.report.Options;
 import java.io.BufferedReader;
 import java.io.BufferedWriter;
@@ -52,7 +53,7 @@ public final class Jobs {
         }
         Files.writeString(Path.of(options.get("results", "jobs.json")), results.toJson());
         Path page = Path.of(options.get("page", "docs/performance.md"));
-        Files.writeString(page, results.fill(Files.readString(page)));
+        GeneratedPage.update(page, results::fill);
     }
 
     private static Map<String, String> facts(Options options) {

@@ -8,6 +8,7 @@ import dev.lazyz.RenderOptions;
 import dev.lazyz.Renderer;
 import dev.lazyz.Rgba;
 import dev.lazyz.RowSink;
+import dev.lazyz.jmh.report.JsonRecords;
 import dev.lazyz.jmh.report.Options;
 import dev.lazyz.strategies.Renderers;
 import dev.lazyz.world.Scene;
@@ -20,7 +21,6 @@ import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Locale;
 import java.util.Set;
 
 /**
@@ -49,6 +49,13 @@ public final class PeerRun {
     private final Renderer renderer;
     private volatile int seen;
 
+    /** Times of frames in milliseconds, the first one before the warm-up; and the version of the runtime. */
+    private record Measured(
+            double median, double q1, double q3, double min, double max, double first, int frames, String version) {}
+
+    /** Number of samples of a picture in which something is visible, and the picture's hash. */
+    private record Written(long covered, String hash) {}
+
     private PeerRun(Scene scene, int side, Renderer renderer) {
         this.scene = scene;
         this.raster = new Raster(side, side, Rgba.TRANSPARENT);
@@ -71,13 +78,22 @@ public final class PeerRun {
         String picture = options.get("picture", "");
         if (picture.isEmpty()) {
             double warmUp = Double.parseDouble(options.get("warm-up", "3"));
-            System.out.println(run.measure(warmUp, Double.parseDouble(options.get("measure", "4"))));
+            print(run.measure(warmUp, Double.parseDouble(options.get("measure", "4"))));
         } else {
-            System.out.println(run.write(Path.of(picture)));
+            print(run.write(Path.of(picture)));
         }
     }
 
-    private String measure(double warmUp, double measure) throws InterruptedException, IOException {
+    private static void print(Record results) {
+        System.out.println(JsonRecords.of(results));
+    }
+
+    /** Returns {@code milliseconds} with four decimals. */
+    private static double rounded(double milliseconds) {
+        return Math.rint(1e4 * milliseconds) / 1e4;
+    }
+
+    private Measured measure(double warmUp, double measure) throws InterruptedException, IOException {
         double first = frame();
         warmUp((long) (1e9 * warmUp));
         double[] times = new double[1 << 16];
@@ -87,18 +103,15 @@ public final class PeerRun {
             times[count++] = frame();
         }
         Arrays.sort(times, 0, count);
-        return String.format(
-                Locale.ROOT,
-                "{\"median\":%.4f,\"q1\":%.4f,\"q3\":%.4f,\"min\":%.4f,\"max\":%.4f,\"first\":%.2f,\"frames\":%d,"
-                        + "\"version\":\"%s\"}",
-                times[count / 2],
-                times[count / 4],
-                times[3 * count / 4],
-                times[0],
-                times[count - 1],
-                first,
+        return new Measured(
+                rounded(times[count / 2]),
+                rounded(times[count / 4]),
+                rounded(times[3 * count / 4]),
+                rounded(times[0]),
+                rounded(times[count - 1]),
+                rounded(first),
                 count,
-                Runtime.version());
+                Runtime.version().toString());
     }
 
     /** Renders for at least {@code least} nanoseconds, and longer while Java's compilers are active. */
@@ -130,7 +143,7 @@ public final class PeerRun {
     /**
      * Writes the image like the other renderers: red, green, blue, alpha, one byte each, sRGB, in rows from the top.
      */
-    private String write(Path file) throws InterruptedException, IOException {
+    private Written write(Path file) throws InterruptedException, IOException {
         PixelHash hash = new PixelHash();
         long[] covered = new long[1];
         try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
@@ -152,6 +165,6 @@ public final class PeerRun {
             };
             renderer.render(scene.frame(raster), sink);
         }
-        return String.format(Locale.ROOT, "{\"covered\":%d,\"hash\":\"%s\"}", covered[0], hash.digest());
+        return new Written(covered[0], hash.digest());
     }
 }

@@ -2,7 +2,6 @@ package dev.lazyz.jmh.peers;
 
 import dev.lazyz.jmh.report.GeneratedPage;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -12,8 +11,28 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Predicate;
 
-/** Writes the tables of {@code docs/performance.md}, and its charts, from the results of {@link SideBySide}. */
+/**
+ * Writes the tables of {@code docs/performance.md} and {@code docs/performance-tables.md}, and their charts, from the
+ * results of {@link SideBySide}.
+ */
 public final class PerformancePage {
+    /** Width and height of the pictures in the summary. */
+    private static final int SIDE = 1024;
+
+    /** The renderer that the summary is about, and the same without the Vector API. */
+    private static final String OURS = "JDK 25, Vector API";
+
+    private static final String PLAIN = "JDK 25";
+
+    /** What the scenes are, for the summary. */
+    private static final Map<String, String> CONTENTS = Map.of(
+            "S1", "S1, 100,000 triangles of about 200 pixels",
+            "S2", "S2, a mesh of 1,002,252 triangles of 1 to 2 pixels",
+            "S3", "S3, 100 layers, from back to front",
+            "S4", "S4, 100 layers, from front to back",
+            "S5", "S5, the triangles of S1 with an expensive shader",
+            "S6", "S6, 10,000 triangles of about 20,000 pixels");
+
     private final Results results;
 
     PerformancePage(Results results) {
@@ -28,7 +47,7 @@ public final class PerformancePage {
         Path page = Path.of(args[0]);
         Path file = Path.of(args[1]);
         Results results = Results.read(file);
-        Files.writeString(page, new PerformancePage(results).fill(Files.readString(page)));
+        GeneratedPage.update(page, new PerformancePage(results)::fill);
         new Charts(results).write(file.toAbsolutePath().getParent());
     }
 
@@ -43,6 +62,7 @@ public final class PerformancePage {
 
     private String section(String name) {
         return switch (name) {
+            case "summary" -> summary();
             case "facts" -> facts();
             case "pictures" -> pictures();
             case "compared" -> times(PerformancePage::isCompared);
@@ -51,7 +71,7 @@ public final class PerformancePage {
             case "gain" -> gain();
             case "starts" -> starts();
             // Written by dev.lazyz.jmh.jobs.Jobs
-            case "jobs" -> null;
+            case "jobs", "jobs summary" -> null;
             default -> throw new IllegalArgumentException("no table '" + name + "'");
         };
     }
@@ -69,6 +89,83 @@ public final class PerformancePage {
     /** Whether a time belongs to a scene other than S1 to S6 and mesh files. */
     static boolean isOther(Results.Time time) {
         return !isCompared(time) && !isMesh(time);
+    }
+
+    /** Returns the figures that matter, all with one thread: each scene at the main size, mesh files, processes. */
+    private String summary() {
+        List<Results.Time> times = results.times().stream()
+                .filter(time -> time.side() == SIDE && time.threads() == 1 && !isMesh(time))
+                .toList();
+        List<List<String>> rows = new ArrayList<>();
+        for (String scene : distinct(times.stream().map(Results.Time::scene).toList())) {
+            List<String> row = new ArrayList<>(List.of(CONTENTS.getOrDefault(scene, scene)));
+            row.add(time(times, scene, Results.BASE));
+            for (String contender : List.of(OURS, PLAIN)) {
+                row.add(time(times, scene, contender));
+                double[] ratios = ratios(times, scene, contender);
+                row.add(ratios.length == 0 ? "" : number("**%.2f**", median(ratios)));
+            }
+            rows.add(row);
+        }
+        List<String> head = List.of(
+                SIDE + " x " + SIDE + ", 1 thread",
+                Results.BASE + ", ms",
+                "Lazy Z with the Vector API, ms",
+                "times as fast",
+                "Lazy Z without, ms",
+                "times as fast");
+        String java = results.facts().getOrDefault("version of JDK 25", "");
+        return GeneratedPage.table(head, rows) + "\n" + meshSummary() + startSummary() + "Measured on "
+                + results.facts().getOrDefault("date", "") + ", "
+                + results.facts().getOrDefault("processor", "") + ", "
+                + (java.isEmpty() ? "" : "Java " + java) + ".\n";
+    }
+
+    private String time(List<Results.Time> times, String scene, String contender) {
+        double[] own = medians(times, scene, contender);
+        return own.length == 0 ? "" : milliseconds(median(own));
+    }
+
+    /** Returns a sentence about all pictures of mesh files. */
+    private String meshSummary() {
+        List<Results.Time> meshes =
+                results.times().stream().filter(PerformancePage::isMesh).toList();
+        double[] ratios = meshes.stream()
+                .filter(time -> time.contender().equals(OURS))
+                .flatMap(own -> meshes.stream()
+                        .filter(base -> base.contender().equals(Results.BASE))
+                        .filter(base -> base.scene().equals(own.scene()) && base.side() == own.side())
+                        .filter(base -> base.round() == own.round())
+                        .map(base -> base.median() / own.median()))
+                .mapToDouble(Double::doubleValue)
+                .sorted()
+                .toArray();
+        if (ratios.length == 0) {
+            return "";
+        }
+        long faster = Arrays.stream(ratios).filter(ratio -> ratio > 1).count();
+        return "Mesh files: faster than " + Results.BASE + " in " + faster + " of " + ratios.length + " pictures, "
+                + number("%.2f", ratios[0]) + " to " + number("%.2f", ratios[ratios.length - 1]) + " times as fast, "
+                + number("%.2f", median(ratios)) + " in the median.\n\n";
+    }
+
+    /** Returns a sentence about the time of whole processes. */
+    private String startSummary() {
+        List<String> times = new ArrayList<>();
+        for (String contender :
+                distinct(results.starts().stream().map(Results.Start::contender).toList())) {
+            times.add(contender + " " + milliseconds(median(startTimes(contender))) + " ms");
+        }
+        return times.isEmpty()
+                ? ""
+                : "A process that renders a teapot to a file, from start to end: " + String.join("; ", times) + ".\n\n";
+    }
+
+    private double[] startTimes(String contender) {
+        return sorted(results.starts().stream()
+                .filter(start -> start.contender().equals(contender))
+                .mapToDouble(Results.Start::time)
+                .toArray());
     }
 
     private String facts() {
@@ -171,9 +268,7 @@ public final class PerformancePage {
     }
 
     private static String cell(List<Results.Time> times, String scene, String contender) {
-        double[] own = sorted(of(times, scene, contender).stream()
-                .mapToDouble(Results.Time::median)
-                .toArray());
+        double[] own = medians(times, scene, contender);
         if (own.length == 0) {
             return "";
         }
@@ -183,6 +278,13 @@ public final class PerformancePage {
                         + ")";
         double[] ratios = contender.equals(Results.BASE) ? new double[0] : ratios(times, scene, contender);
         return ratios.length == 0 ? cell : cell + ", **" + ratio(ratios) + "**";
+    }
+
+    /** Returns the medians of the rounds, in ascending order. */
+    private static double[] medians(List<Results.Time> times, String scene, String contender) {
+        return sorted(of(times, scene, contender).stream()
+                .mapToDouble(Results.Time::median)
+                .toArray());
     }
 
     /** Returns how many times faster than the base, per round, in ascending order; empty if one was not measured. */
@@ -232,10 +334,7 @@ public final class PerformancePage {
         List<List<String>> rows = new ArrayList<>();
         for (String contender :
                 distinct(results.starts().stream().map(Results.Start::contender).toList())) {
-            double[] times = sorted(results.starts().stream()
-                    .filter(start -> start.contender().equals(contender))
-                    .mapToDouble(Results.Start::time)
-                    .toArray());
+            double[] times = startTimes(contender);
             rows.add(List.of(
                     contender,
                     milliseconds(median(times)),

@@ -1,7 +1,11 @@
 package dev.lazyz.jmh.report;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 
 /**
  * A page of Markdown with generated parts: the text between {@code <!-- generated: NAME -->} and {@code <!-- end -->}
@@ -40,6 +44,21 @@ public final class GeneratedPage {
             from = end + END.length();
         }
         return filled.append(page.substring(from)).toString();
+    }
+
+    /**
+     * Rewrites a page, and the page of its long tables beside it, if there is one: for {@code NAME.md}, that is
+     * {@code NAME-tables.md}.
+     *
+     * @param filled returns a page with its generated parts updated
+     */
+    public static void update(Path page, UnaryOperator<String> filled) throws IOException {
+        Path tables = page.resolveSibling(page.getFileName().toString().replace(".md", "-tables.md"));
+        for (Path each : List.of(page, tables)) {
+            if (Files.exists(each)) {
+                Files.writeString(each, filled.apply(Files.readString(each)));
+            }
+        }
     }
 
     /** Returns a table. */

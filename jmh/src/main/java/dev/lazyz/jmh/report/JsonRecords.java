@@ -2,6 +2,7 @@ package dev.lazyz.jmh.report;
 
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,13 +27,29 @@ public final class JsonRecords {
 
     /** Returns the text of a file: {@code facts}, then the lists, by name. */
     public static String write(Map<String, String> facts, Map<String, List<? extends Record>> lists) {
-        StringBuilder text = new StringBuilder("{\n\"facts\": {\n");
-        text.append(lines(new ArrayList<>(facts.entrySet()), e -> quoted(e.getKey()) + ": " + quoted(e.getValue())));
-        text.append("\n}");
-        lists.forEach((name, records) -> text.append(",\n" + quoted(name) + ": [\n")
-                .append(lines(records, JsonRecords::json))
-                .append("\n]"));
-        return text.append("\n}\n").toString();
+        List<String> members = new ArrayList<>();
+        members.add(member("facts", "{", facts.entrySet(), e -> quoted(e.getKey()) + ":" + quoted(e.getValue()), "}"));
+        lists.forEach((name, records) -> members.add(member(name, "[", records, r -> of(r).toString(), "]")));
+        return "{\n" + String.join(",\n", members) + "\n}\n";
+    }
+
+    /** Returns the components of {@code measurement} by name. */
+    public static JsonObject of(Record measurement) {
+        Map<String, JsonElement> members = new LinkedHashMap<>();
+        for (RecordComponent component : measurement.getClass().getRecordComponents()) {
+            try {
+                component.getAccessor().setAccessible(true);
+                Object value = component.getAccessor().invoke(measurement);
+                members.put(
+                        component.getName(),
+                        value instanceof Number number
+                                ? JsonElementKt.JsonPrimitive(number)
+                                : JsonElementKt.JsonPrimitive((String) value));
+            } catch (ReflectiveOperationException e) {
+                throw new IllegalStateException(e);
+            }
+        }
+        return new JsonObject(members);
     }
 
     /** Returns the texts of the object called {@code name}. */
@@ -97,23 +114,11 @@ public final class JsonRecords {
         return type == double.class ? Double.valueOf(text) : text;
     }
 
-    private static String json(Record measurement) {
-        List<String> fields = new ArrayList<>();
-        for (RecordComponent component : measurement.getClass().getRecordComponents()) {
-            try {
-                component.getAccessor().setAccessible(true);
-                Object value = component.getAccessor().invoke(measurement);
-                String text = value instanceof String string ? quoted(string) : value.toString();
-                fields.add(quoted(component.getName()) + ": " + text);
-            } catch (ReflectiveOperationException e) {
-                throw new IllegalStateException(e);
-            }
-        }
-        return "{" + String.join(", ", fields) + "}";
-    }
-
-    private static <T> String lines(List<T> elements, Function<T, String> line) {
-        return String.join(",\n", elements.stream().map(line).toList());
+    /** Returns a member with one element per line, so that a new measurement is one line of a difference. */
+    private static <T> String member(
+            String name, String open, Collection<T> elements, Function<T, String> line, String close) {
+        List<String> lines = elements.stream().map(line).toList();
+        return quoted(name) + ":" + open + "\n" + String.join(",\n", lines) + "\n" + close;
     }
 
     private static String quoted(String text) {

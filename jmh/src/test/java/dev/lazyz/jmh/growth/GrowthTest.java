@@ -45,17 +45,30 @@ class GrowthTest {
 
     @Test
     void thePageAndTheModelAreThoseOfTheResults() throws IOException {
-        String page = Files.readString(DOCS.resolve("growth.md"));
         String remedy = "run GrowthPage, see jmh/README.md";
-        assertEquals(page, new GrowthPage(committed()).fill(page), remedy);
+        for (String name : List.of("growth.md", "growth-tables.md")) {
+            String page = Files.readString(DOCS.resolve(name));
+            assertEquals(page, new GrowthPage(committed()).fill(page), remedy);
+        }
         assertEquals(Files.readString(ROOT.resolve(GrowthPage.COSTS)), new ModelFit(committed()).toKotlin(), remedy);
+    }
+
+    /** The first screen, of about forty lines, has the figures that matter. */
+    @Test
+    void thePageBeginsWithTheSummary() throws IOException {
+        List<String> lines = Files.readAllLines(DOCS.resolve("growth.md"));
+        assertTrue(lines.indexOf("## What is measured") <= 40);
+        assertTrue(lines.indexOf("<!-- generated: summary -->") < lines.indexOf("<!-- end -->"));
+        assertTrue(lines.indexOf("<!-- end -->") < lines.indexOf("## What is measured"));
     }
 
     @Test
     void aRunWritesResultsPageChartsAndModel(@TempDir Path folder) throws InterruptedException, IOException {
         Path page = folder.resolve("growth.md");
+        Path tables = folder.resolve("growth-tables.md");
         Path file = folder.resolve("results.json");
         Files.copy(DOCS.resolve("growth.md"), page);
+        Files.copy(DOCS.resolve("growth-tables.md"), tables);
         Growth.main(new String[] {
             "--points",
             "2",
@@ -77,7 +90,10 @@ class GrowthTest {
         assertEquals(
                 Renderers.getBuiltIn().size(), results.strategies(Axis.DEPTH).size());
         assertEquals(List.of("tiled"), results.strategies(Axis.THREADS));
-        assertTrue(Files.readString(page).contains("| depth complexity | 1 | 3 | theory |"));
+        assertTrue(Files.readString(tables).contains("| depth complexity | 1 | 3 | theory |"));
+        String summary = Files.readString(page);
+        assertTrue(summary.contains("| tiled |  |  |  |  |  |\n"), summary);
+        assertTrue(summary.matches("(?s).*`tiled` is the fastest in \\d of 2 measured frames\\..*"), summary);
         assertTrue(Files.size(folder.resolve("depth-time.png")) > 0);
         assertTrue(Files.readString(folder.resolve("costs.kt")).contains("\"tiled\" to doubleArrayOf("));
     }

@@ -32,6 +32,12 @@ class JobResultsTest {
     }
 
     @Test
+    void theSummaryHasTheExtremes() {
+        String page = RESULTS.fill("<!-- generated: jobs summary -->\n<!-- end -->");
+        assertTrue(page.contains("3.0 to 3.0 times as fast as VTK (1 files)"), page);
+    }
+
+    @Test
     void resultsAreKept() {
         var root = JsonRecords.parse(RESULTS.toJson());
         assertEquals(RESULTS.jobs(), JsonRecords.records(root, "jobs", JobResults.Job.class));
@@ -43,8 +49,10 @@ class JobResultsTest {
         var root = JsonRecords.parse(Files.readString(docs.resolve("performance/jobs.json")));
         JobResults results = new JobResults(
                 JsonRecords.texts(root, "facts"), JsonRecords.records(root, "jobs", JobResults.Job.class));
-        String page = Files.readString(docs.resolve("performance.md"));
-        assertEquals(page, results.fill(page), "run jmh/peers/whole-job");
+        for (String name : List.of("performance.md", "performance-tables.md")) {
+            String page = Files.readString(docs.resolve(name));
+            assertEquals(page, results.fill(page), "run jmh/peers/whole-job");
+        }
     }
 
     private static JobResults.Job job(String file, String program, int round, double total) {

@@ -109,8 +109,37 @@ class PerformancePageTest {
     void thePageShowsTheResultsBesideIt() throws IOException {
         Path docs = Path.of("..", "docs").toAbsolutePath().normalize();
         Results results = Results.read(docs.resolve("performance/results.json"));
-        String page = Files.readString(docs.resolve("performance.md"));
-        assertEquals(page, new PerformancePage(results).fill(page), "run PerformancePage, see jmh/README.md");
+        for (String name : List.of("performance.md", "performance-tables.md")) {
+            String page = Files.readString(docs.resolve(name));
+            assertEquals(page, new PerformancePage(results).fill(page), "run PerformancePage, see jmh/README.md");
+        }
+    }
+
+    /** The first screen, of about forty lines, has the figures that matter. */
+    @Test
+    void thePageBeginsWithTheSummary() throws IOException {
+        Path docs = Path.of("..", "docs").toAbsolutePath().normalize();
+        List<String> lines = Files.readAllLines(docs.resolve("performance.md"));
+        assertTrue(lines.indexOf("## What is measured") <= 45);
+        assertTrue(lines.indexOf("<!-- generated: summary -->") < lines.indexOf("## What is measured"));
+        assertTrue(lines.indexOf("<!-- generated: jobs summary -->") < lines.indexOf("## What is measured"));
+    }
+
+    @Test
+    void theSummaryTellsWhatTheTablesTell() {
+        String page = fill("summary");
+        assertTrue(page.contains("| S1, 100,000 triangles of about 200 pixels | 100 |  |  | 30.0 | **4.00** |"), page);
+        assertTrue(page.contains("| city | 3.00 |  |  | 2.00 | **1.50** |"), page);
+        assertTrue(page.contains("from start to end: zcli 450 ms; VTK 900 ms."), page);
+        List<Results.Time> meshes = List.of(
+                time("a.obj", 1, "llvmpipe", 1, 8),
+                time("a.obj", 1, "JDK 25, Vector API", 1, 2),
+                time("b.obj", 1, "llvmpipe", 1, 3),
+                time("b.obj", 1, "JDK 25, Vector API", 1, 4));
+        String meshPage = new PerformancePage(new Results(Map.of(), meshes, List.of(), List.of()))
+                .fill("<!-- generated: summary -->\n<!-- end -->");
+        String sentence = "faster than llvmpipe in 1 of 2 pictures, 0.75 to 4.00 times as fast, 2.38 in the median.";
+        assertTrue(meshPage.contains(sentence), meshPage);
     }
 
     private static String fill(String table) {

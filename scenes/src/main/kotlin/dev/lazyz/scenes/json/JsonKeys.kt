@@ -1,5 +1,7 @@
 package dev.lazyz.scenes.json
 
+import dev.lazyz.scenes.text.EditDistance
+
 /** Helpers for JSON paths, misspelt keys and the grammar of numbers. */
 internal object JsonKeys {
     private val identifier = Regex("[A-Za-z_][A-Za-z0-9_-]*")
@@ -11,10 +13,10 @@ internal object JsonKeys {
         else -> "$path.$key"
     }
 
-    /** Returns the word of [known] that differs from [key] by at most two letters, or null. */
+    /** Returns the word of [known] that differs the least from [key], in at most two edits, or null. */
     fun nearest(key: String, known: List<String>): String? =
         known.filter { StrictMath.abs(it.length - key.length) <= MAX_EDITS }
-            .map { it to edits(key, it) }
+            .map { it to EditDistance.between(key, it) }
             .filter { (word, edits) -> edits <= MAX_EDITS && edits < word.length / 2 }
             .minByOrNull { it.second }
             ?.first
@@ -44,21 +46,6 @@ internal object JsonKeys {
         var i = start
         while (i < text.length && text[i] in '0'..'9') i++
         return i
-    }
-
-    /** Returns the number of letters to insert, delete or replace between two words (Levenshtein distance). */
-    private fun edits(a: String, b: String): Int {
-        var previous = IntArray(b.length + 1) { it }
-        for (i in 1..a.length) {
-            val row = IntArray(b.length + 1)
-            row[0] = i
-            for (j in 1..b.length) {
-                val replaced = previous[j - 1] + if (a[i - 1] == b[j - 1]) 0 else 1
-                row[j] = minOf(replaced, previous[j] + 1, row[j - 1] + 1)
-            }
-            previous = row
-        }
-        return previous[b.length]
     }
 
     private const val MAX_EDITS = 2

@@ -21,17 +21,21 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.ties
 /** The gallery's part about depth and order. */
 internal object DepthAndOrderGallery {
     val mutants: List<Mutant> = listOf(
-        Mutant(BrokenRenderers::lastWinsTies, "`<=` where `<` is meant", ties, tests, pairs),
+        Mutant(BrokenRenderers::lastWinsTies, "compares with `<=` instead of `<`", ties, tests, pairs),
         Mutant(BrokenRenderers::usualTestOnly, "the usual depth test, whatever the raster says", tests, pairs),
         Mutant(BrokenDepths::reversedTestsSwapTies, "where the greatest depth wins, ties go the wrong way", tests),
         Mutant(BrokenRenderers::lastSubmittedWins, "the painter's algorithm without its sort", nearest, scenes, order),
         Mutant(
             BrokenDepths::flatPrimitives,
-            "primitives are compared by their nearest depths, not at samples",
+            "whole primitives are sorted by their nearest depths, instead of comparing samples",
             nearest, hidden,
         ),
         Mutant(BrokenDepths::spanComparedAtItsStart, "one comparison a span, at its start", nearest, scenes),
-        Mutant(BrokenDepths::staleRejection, "one old sample decides that a whole primitive is hidden", nearest, order),
+        Mutant(
+            BrokenDepths::staleRejection,
+            "a whole primitive is rejected if it is hidden at one sample",
+            nearest, order,
+        ),
         Mutant(
             BrokenDepths::signedKeys,
             "keys with the upper bit of depth are compared as if they were signed",
@@ -42,15 +46,23 @@ internal object DepthAndOrderGallery {
         Mutant(BrokenDepths::formsInDouble, "linear forms are evaluated in floating point", own),
         Mutant(
             BrokenDepths::roundedDown,
-            "half a unit is taken off, as if forms were yet to be rounded",
+            "half a unit is subtracted, as if forms were not rounded yet",
             nearest, scenes,
         ),
         Mutant(BrokenDepths::oneStepBehind, "depth along a span is one step behind", nearest, scenes),
         Mutant(BrokenDepths::clampedToPlanes, "depth is clamped to the near and the far plane", own),
         Mutant(BrokenRenderers::backgroundAtInfinity, "a background that is always behind everything", background),
         Mutant(BrokenDepths::backgroundLosesTies, "the background loses ties", background),
-        Mutant(BrokenRenderers::dropsTheInvisible, "primitives that cover nothing have no index", index, counts, parts),
+        Mutant(
+            BrokenRenderers::dropsTheInvisible,
+            "primitives that cover nothing get no index, so later primitives have wrong ones",
+            index, counts, parts,
+        ),
         Mutant(BrokenManners::indexIn16Bits, "indices have 16 bits", many),
-        Mutant(BrokenManners::indexByIdentity, "a primitive's index is where the list first holds it", copies),
+        Mutant(
+            BrokenManners::indexByIdentity,
+            "a primitive that is submitted twice has the index of its first occurrence",
+            copies,
+        ),
     )
 }

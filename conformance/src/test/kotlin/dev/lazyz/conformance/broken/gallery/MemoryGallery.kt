@@ -15,10 +15,14 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
 /** The gallery's part about memory that is held but not reported. All counters are correct. */
 internal object MemoryGallery {
     val mutants: List<Mutant> = listOf(
-        Mutant(::wholePicture, "promises constant memory, holds the picture, and tells a row's memory", memory),
-        Mutant(::hoardsPrimitives, "promises to stream primitives, and keeps each in a list", arrivals),
-        Mutant(::notesPrimitives, "promises to stream primitives, and notes the bounds of each", arrivals),
-        Mutant(::budgetKeptInName, "ignores the memory budget, and tells that it is kept", heap),
+        Mutant(
+            ::wholePicture,
+            "promises constant memory, but holds the picture and reports the memory of a row",
+            memory,
+        ),
+        Mutant(::storesPrimitives, "promises to stream primitives, but stores each in a list", arrivals),
+        Mutant(::notesPrimitives, "promises to stream primitives, but stores the bounds of each", arrivals),
+        Mutant(::reportsTheBudgetAsKept, "ignores the memory budget, but reports that it is kept", heap),
         Mutant(::keepsTheLastFrame, "keeps the last frame until the next one comes", kept),
         Mutant(::keepsFailedFrames, "keeps frames that could not be rendered", kept),
     )
@@ -27,8 +31,8 @@ internal object MemoryGallery {
         ZBuffer().render(frame, sink).toBuilder().apply { peakBytes = 12L * frame.width }.build()
     }
 
-    private fun hoardsPrimitives() =
-        BrokenRenderer("hoards-primitives", setOf(Capability.STREAMS_PRIMITIVES)) { frame, sink ->
+    private fun storesPrimitives() =
+        BrokenRenderer("stores-primitives", setOf(Capability.STREAMS_PRIMITIVES)) { frame, sink ->
             val hoard = ArrayList<Primitive>()
             ZBuffer().render(frame.heard { hoard.add(it) }, sink).also { hoard.clear() }
         }
@@ -50,12 +54,12 @@ internal object MemoryGallery {
         return Frame(raster, primitives, region)
     }
 
-    private fun budgetKeptInName(): BrokenRenderer = budgetKeptInName(RenderOptions())
+    private fun reportsTheBudgetAsKept(): BrokenRenderer = reportsTheBudgetAsKept(RenderOptions())
 
-    private fun budgetKeptInName(options: RenderOptions): BrokenRenderer = BrokenRenderer(
-        "budget-kept-in-name",
+    private fun reportsTheBudgetAsKept(options: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "reports-the-budget-as-kept",
         setOf(Capability.MEMORY_BUDGET),
-        { budgetKeptInName(it) },
+        { reportsTheBudgetAsKept(it) },
     ) { frame, sink ->
         val image = Hybrid(RenderOptions(memoryBudget = 0)).render(Frame(frame.raster, emptyList(), frame.region))
         val most = image.counters.peakBytes + (options.memoryBudget ?: Long.MAX_VALUE / 2)

@@ -16,12 +16,16 @@ internal object ShadingGallery {
             turned,
         ),
         Mutant(BrokenShading::highlightsLost, "light without highlights", turned, lit),
-        Mutant(BrokenShading::emissionLost, "what gives off light by itself does not", lit),
-        Mutant(BrokenShading::nearestTexel, "reads one texel where four are to be mixed", lit),
-        Mutant(BrokenShading::clampsColumns, "repeats textures downward only", lit),
+        Mutant(BrokenShading::emissionLost, "ignores the light that materials emit", lit),
+        Mutant(BrokenShading::nearestTexel, "reads the nearest texel instead of mixing four", lit),
+        Mutant(BrokenShading::clampsColumns, "repeats textures vertically, but clamps them horizontally", lit),
         Mutant(BrokenShading::flatInterpolation, "interpolates on the screen, without perspective", lit),
-        Mutant(BrokenShading::strictMask, "cuts out what has exactly the alpha of the cutoff", scenes),
+        Mutant(BrokenShading::strictMask, "removes fragments whose alpha equals the cutoff", scenes),
         Mutant(BrokenShading::vertexAlphaIgnored, "blends as if vertex colours were opaque", blended),
-        Mutant(BrokenShading::blendsFrontFacesOnly, "leaves out what blends and is seen from behind", blended),
+        Mutant(
+            BrokenShading::blendsFrontFacesOnly,
+            "does not draw translucent faces that are seen from behind",
+            blended,
+        ),
     )
 }

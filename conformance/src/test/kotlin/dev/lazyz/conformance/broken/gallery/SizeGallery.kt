@@ -15,9 +15,13 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.together
 internal object CombinationGallery {
     val mutants: List<Mutant> = listOf(
         Mutant(BrokenCombinations::partsInSmallTiles, "parts that begin within a small tile lack a column", together),
-        Mutant(BrokenCombinations::glassInParts, "in parts of a raster nothing is blended", together),
-        Mutant(BrokenCombinations::glassOfSeveralThreads, "several threads blend nothing", together),
-        Mutant(BrokenCombinations::failureShowsLater, "with options, a failure shows in the next picture", together),
+        Mutant(
+            BrokenCombinations::noBlendingInRegions,
+            "nothing is blended if the region is a part of the raster",
+            together,
+        ),
+        Mutant(BrokenCombinations::noBlendingWithThreads, "nothing is blended with several threads", together),
+        Mutant(BrokenCombinations::failureShowsLater, "with options, a failure damages the next picture", together),
     )
 }
 

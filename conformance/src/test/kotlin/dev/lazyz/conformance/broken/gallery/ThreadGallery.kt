@@ -28,14 +28,26 @@ internal object ThreadGallery {
         Mutant(::sharesSpans, "threads of one rendering share spans", lost),
         Mutant(::losesUpdates, "threads compare and write the key of a sample without a lock", lost),
         Mutant(::sharesCounters, "threads count in the same counters without a lock", lostCounts),
-        Mutant(::losesErrors, "an error, which is no exception, ends its thread without a word", workers),
-        Mutant(::asksOn, "when the caller's part has failed, a thread goes on with its own", late),
-        Mutant(::handsOutHalf, "a caller that is interrupted hands out what its threads have done so far", halfDone),
+        Mutant(::losesErrors, "an Error that is not an Exception ends its thread and is not reported", workers),
+        Mutant(
+            ::callsAfterTheEnd,
+            "when the caller's thread has failed, another thread continues to call primitives",
+            late,
+        ),
+        Mutant(
+            ::deliversHalfPictures,
+            "an interrupted caller delivers what its threads have finished so far",
+            halfDone,
+        ),
         Mutant(::keepsAFragment, "the fragment is in a field, for all renderings", meets),
         Mutant(::keepsSpans, "the spans are in a field, for all renderings", meets),
         Mutant(::callsFromAThread, "the sink is called by a thread of the renderer's own", caller),
         Mutant(::callsAtOnce, "several threads call the sink, each with its row", caller),
-        Mutant(::buildsOnItsRows, "a row is written only where it is not as the one before", overwrites),
+        Mutant(
+            ::writesOnlyChanges,
+            "an element of a row is written only if it differs from the row before",
+            overwrites,
+        ),
         Mutant(::fillsRowsLater, "the next row is written into the arrays that the sink still has", overwrites),
         Mutant(::losesTheInterrupt, "the interrupt status is cleared, and the picture is made all the same", status),
         Mutant(::interruptsTwice, "InterruptedException is thrown with the status still set", status),
@@ -45,7 +57,7 @@ internal object ThreadGallery {
         emit(Crew(frame, threads, tools()).render(), sink)
     }
 
-    private fun asksOn() = BrokenRenderer("asks-on") { frame, sink ->
+    private fun callsAfterTheEnd() = BrokenRenderer("calls-after-the-end") { frame, sink ->
         val helper = thread(isDaemon = true) {
             val spans = Spans()
             try {
@@ -85,7 +97,7 @@ internal object ThreadGallery {
 
     private fun losesErrors() = crew("loses-errors", 4) { Tools(isTold = { it !is Error }) }
 
-    private fun handsOutHalf() = crew("hands-out-half", 4) { Tools(isPatient = false) }
+    private fun deliversHalfPictures() = crew("delivers-half-pictures", 4) { Tools(isPatient = false) }
 
     private fun keepsAFragment(): BrokenRenderer {
         val fragment = Fragment()
@@ -109,7 +121,7 @@ internal object ThreadGallery {
         image.counters
     }
 
-    private fun buildsOnItsRows() = BrokenRenderer("builds-on-its-rows") { frame, sink ->
+    private fun writesOnlyChanges() = BrokenRenderer("writes-only-changes") { frame, sink ->
         val image = ZBuffer().render(frame)
         val rows = List(3) { IntArray(image.width) }
         for (y in 0 until image.height) {

@@ -11,9 +11,9 @@ import java.util.concurrent.CountDownLatch
 internal object TidyGallery {
     val mutants: List<Mutant> = listOf(
         Mutant(::prints, "a line on standard output for each rendering", RuleNames.tidy),
-        Mutant(::complains, "a line on standard error, from a thread of its own", RuleNames.tidy),
+        Mutant(::printsErrors, "a line on standard error, from a thread of its own", RuleNames.tidy),
         Mutant(::leavesAThread, "a daemon thread that waits forever, for each rendering", RuleNames.tidy),
-        Mutant(::keepsTheProcess, "a pool whose threads are no daemons", RuleNames.tidy),
+        Mutant(::keepsTheProcessAlive, "a pool whose threads are no daemons", RuleNames.tidy),
         Mutant(::leavesAFile, "a temporary file for each rendering", RuleNames.tidy),
         Mutant(::setsTheLocale, "another default locale", RuleNames.tidy),
         Mutant(::setsAProperty, "a system property", RuleNames.tidy),
@@ -21,7 +21,7 @@ internal object TidyGallery {
 
     private fun prints() = having("prints") { println("rendering ${it.width} x ${it.height}") }
 
-    private fun complains() = having("complains") {
+    private fun printsErrors() = having("prints-errors") {
         Thread { System.err.println("careful") }.apply { start() }.join()
     }
 
@@ -30,7 +30,7 @@ internal object TidyGallery {
     }
 
     /** The thread ends by itself, so that the process of this test can end. */
-    private fun keepsTheProcess() = having("keeps-the-process") {
+    private fun keepsTheProcessAlive() = having("keeps-the-process-alive") {
         Thread({ Thread.sleep(3000) }, "kept").apply { isDaemon = false }.start()
     }
 

@@ -1,5 +1,6 @@
 package dev.lazyz.strategies.tiled.binning
 
+import dev.lazyz.raster.Edge
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.strategies.tiled.raster.TileGrid
@@ -54,8 +55,7 @@ internal class TriangleTiles(private val area: BinArea, private val grid: TileGr
      * one edge. `isCovered` is true only if the triangle covers all samples of the tile.
      */
     inline fun forEach(isHidden: (tile: Int) -> Boolean, action: (tile: Int, isCovered: Boolean) -> Unit) {
-        val isClockwise = (bx - ax).toLong() * (cy - ay) - (cx - ax).toLong() * (by - ay) >= 0
-        val sign = if (isClockwise) 1L else -1L
+        val sign = if (Edge.function(ax, ay, bx, by, cx, cy) < 0) -1L else 1L
         var first0 = greatest(sign, ax, ay, bx, by)
         var first1 = greatest(sign, bx, by, cx, cy)
         var first2 = greatest(sign, cx, cy, ax, ay)
@@ -88,8 +88,9 @@ internal class TriangleTiles(private val area: BinArea, private val grid: TileGr
         val runY = sign * (toY - fromY)
         val x = grid.columnStart(firstColumn) + if (runY < 0) grid.size - 1 else 0
         val y = grid.rowStart(firstBand) + if (runX > 0) grid.size - 1 else 0
-        return runX * (y * ScreenGrid.STEPS + ScreenGrid.CENTER - fromY) -
-            runY * (x * ScreenGrid.STEPS + ScreenGrid.CENTER - fromX)
+        val sampleX = x * ScreenGrid.STEPS + ScreenGrid.CENTER
+        val sampleY = y * ScreenGrid.STEPS + ScreenGrid.CENTER
+        return sign * Edge.function(fromX, fromY, toX, toY, sampleX, sampleY)
     }
 
     /**

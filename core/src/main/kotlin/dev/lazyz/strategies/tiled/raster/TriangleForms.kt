@@ -2,6 +2,7 @@ package dev.lazyz.strategies.tiled.raster
 
 import dev.lazyz.DepthTest
 import dev.lazyz.LinearForm
+import dev.lazyz.raster.Edge
 import dev.lazyz.raster.ReferenceTriangle
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.planar.TriangleBatch
@@ -39,9 +40,7 @@ internal class TriangleForms(private val test: DepthTest) : EdgeForms() {
      */
     fun edges(ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int, column: Int, row: Int) {
         // Make the triangle clockwise on the screen, so that all edge functions are positive inside
-        if ((bx - ax).toLong() * (cy - ay) - (cx - ax).toLong() * (by - ay) < 0) {
-            return edges(ax, ay, cx, cy, bx, by, column, row)
-        }
+        if (Edge.function(ax, ay, bx, by, cx, cy) < 0) return edges(ax, ay, cx, cy, bx, by, column, row)
         val sampleX = column * ScreenGrid.STEPS + ScreenGrid.CENTER
         val sampleY = row * ScreenGrid.STEPS + ScreenGrid.CENTER
         e0dx = -STEPS * (by - ay)
@@ -56,10 +55,8 @@ internal class TriangleForms(private val test: DepthTest) : EdgeForms() {
     }
 
     private fun edge(fromX: Int, fromY: Int, toX: Int, toY: Int, sampleX: Int, sampleY: Int): Long {
-        val runX = (toX - fromX).toLong()
-        val runY = (toY - fromY).toLong()
-        val isOwner = runY < 0 || (runY == 0L && runX > 0)
-        return runX * (sampleY - fromY) - runY * (sampleX - fromX) - if (isOwner) 0 else 1
+        val lowered = if (Edge.ownsSamples(toX - fromX, toY - fromY)) 0 else 1
+        return Edge.function(fromX, fromY, toX, toY, sampleX, sampleY) - lowered
     }
 
     /**
@@ -67,24 +64,10 @@ internal class TriangleForms(private val test: DepthTest) : EdgeForms() {
      */
     private fun depth(index: Int, ax: Int, ay: Int, az: Int, bx: Int, by: Int, bz: Int, cx: Int, cy: Int, cz: Int) {
         rank(index, minOf(az, minOf(bz, cz)) - 1, maxOf(az, maxOf(bz, cz)) + 1)
-        val dx1 = (bx - ax).toLong()
-        val dy1 = (by - ay).toLong()
-        val dx2 = (cx - ax).toLong()
-        val dy2 = (cy - ay).toLong()
-        val dz1 = bz.toLong() - az
-        val dz2 = cz.toLong() - az
-        val area = dx1 * dy2 - dx2 * dy1
-        val slopeX = ReferenceTriangle.slope(dz1 * dy2 - dz2 * dy1, area)
-        val slopeY = ReferenceTriangle.slope(dz2 * dx1 - dz1 * dx2, area)
-        if (ReferenceTriangle.isSteep(slopeX, slopeY)) {
-            form((az.toLong() shl 32) + LinearForm.HALF, 0, 0)
-        } else {
-            form(
-                ReferenceTriangle.origin(az, ax, ay, slopeX, slopeY),
-                ReferenceTriangle.rounded(slopeX),
-                ReferenceTriangle.rounded(slopeY),
-            )
-        }
+        ReferenceTriangle.form(
+            ax, ay, az, bx, by, bz, cx, cy, cz,
+            steep = { form((az.toLong() shl 32) + LinearForm.HALF, 0, 0) },
+        ) { origin, dx, dy -> form(origin, dx, dy) }
     }
 
     /** Sets the depth of triangle number [triangle] of [batch]. */

@@ -4,8 +4,10 @@ import dev.lazyz.Attributes
 import dev.lazyz.Fragment
 import dev.lazyz.FragmentBatch
 import dev.lazyz.Shader
+import dev.lazyz.raster.Edge
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.planar.FaceSetUp
+import dev.lazyz.setup.planar.PerspectiveWeights
 import dev.lazyz.setup.planar.PlanarAssembly
 import dev.lazyz.setup.planar.PlanarPrimitive
 import dev.lazyz.setup.planar.TriangleBatch
@@ -147,7 +149,7 @@ internal class Face : EdgeForms() {
     }
 
     private fun edges(ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int) {
-        val sign = if ((bx - ax).toLong() * (cy - ay) - (cx - ax).toLong() * (by - ay) < 0) -1L else 1L
+        val sign = if (Edge.function(ax, ay, bx, by, cx, cy) < 0) -1L else 1L
         val steps = sign * ScreenGrid.STEPS
         e0dx = -steps * (cy - by)
         e0dy = steps * (cx - bx)
@@ -161,17 +163,17 @@ internal class Face : EdgeForms() {
     }
 
     private fun edge(fromX: Int, fromY: Int, toX: Int, toY: Int): Long =
-        (toX - fromX).toLong() * (ScreenGrid.CENTER - fromY) - (toY - fromY).toLong() * (ScreenGrid.CENTER - fromX)
+        Edge.function(fromX, fromY, toX, toY, ScreenGrid.CENTER, ScreenGrid.CENTER)
 
     /** Fills in the attributes of one sample, at index [i] of [batch]. */
     fun attributes(batch: FragmentBatch, i: Int, x: Int, y: Int) {
-        val part0 = (e0 + e0dx * x + e0dy * y).toDouble() * over0
-        val part1 = (e1 + e1dx * x + e1dy * y).toDouble() * over1
-        val part2 = (e2 + e2dx * x + e2dy * y).toDouble() * over2
-        val scale = 1.0 / maxOf(part0 + part1 + part2, least)
-        val w0 = part0 * scale
-        val w1 = part1 * scale
-        val w2 = part2 * scale
+        val at0 = (e0 + e0dx * x + e0dy * y).toDouble()
+        val at1 = (e1 + e1dx * x + e1dy * y).toDouble()
+        val at2 = (e2 + e2dx * x + e2dy * y).toDouble()
+        PerspectiveWeights.of(at0, at1, at2, over0, over1, over2, least) { w0, w1, w2 -> mix(batch, i, w0, w1, w2) }
+    }
+
+    private fun mix(batch: FragmentBatch, i: Int, w0: Double, w1: Double, w2: Double) {
         if (fields and Attributes.WORLD != 0) {
             batch.worldX[i] = mixed(w0, w1, w2, Vertices.WORLD).toFloat()
             batch.worldY[i] = mixed(w0, w1, w2, Vertices.WORLD + 1).toFloat()
@@ -195,7 +197,7 @@ internal class Face : EdgeForms() {
     }
 
     private fun mixed(w0: Double, w1: Double, w2: Double, field: Int): Double =
-        w0 * vertices.get(0, field) + w1 * vertices.get(1, field) + w2 * vertices.get(2, field)
+        vertices.mixed(field, 0, w0, 1, w1, 2, w2)
 
     companion object {
         /** Bound of the sum: all integers up to eight times this, 2^53, are exact as doubles. */

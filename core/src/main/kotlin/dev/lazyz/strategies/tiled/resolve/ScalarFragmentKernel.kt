@@ -2,6 +2,7 @@ package dev.lazyz.strategies.tiled.resolve
 
 import dev.lazyz.FragmentBatch
 import dev.lazyz.Srgb
+import dev.lazyz.setup.planar.PerspectiveWeights
 import dev.lazyz.shading.Vertices
 
 /** Loops that run on any JVM. C2 can vectorize those over arrays. */
@@ -21,13 +22,14 @@ internal class ScalarFragmentKernel : FragmentKernel(long = 12) {
         for (i in 0 until fragments.size - at) {
             val column = columns[at + i]
             val row = rows[at + i]
-            val part0 = (first0 + column * right0 + row * down0) * face.over0
-            val part1 = (first1 + column * right1 + row * down1) * face.over1
-            val part2 = (first2 + column * right2 + row * down2) * face.over2
-            val scale = 1.0 / maxOf(part0 + part1 + part2, face.least)
-            weight0[i] = part0 * scale
-            weight1[i] = part1 * scale
-            weight2[i] = part2 * scale
+            val at0 = first0 + column * right0 + row * down0
+            val at1 = first1 + column * right1 + row * down1
+            val at2 = first2 + column * right2 + row * down2
+            PerspectiveWeights.of(at0, at1, at2, face.over0, face.over1, face.over2, face.least) { w0, w1, w2 ->
+                weight0[i] = w0
+                weight1[i] = w1
+                weight2[i] = w2
+            }
         }
     }
 

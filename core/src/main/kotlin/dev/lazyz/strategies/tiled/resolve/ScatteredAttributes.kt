@@ -77,6 +77,8 @@ internal class ScatteredAttributes {
         val c = corners[3 * triangle + 2]
         val right = x * ScreenGrid.STEPS + ScreenGrid.CENTER
         val down = y * ScreenGrid.STEPS + ScreenGrid.CENTER
+
+        // The edge functions, relative to the sample. With Edge.function, S2 takes 8 percent more processor time
         val ax = (grid[TriangleBatch.STRIDE * a] - right).toLong()
         val ay = (grid[TriangleBatch.STRIDE * a + 1] - down).toLong()
         val bx = (grid[TriangleBatch.STRIDE * b] - right).toLong()

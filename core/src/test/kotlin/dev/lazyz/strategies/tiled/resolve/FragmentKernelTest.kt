@@ -3,8 +3,13 @@ package dev.lazyz.strategies.tiled.resolve
 import dev.lazyz.BatchShader
 import dev.lazyz.Fragment
 import dev.lazyz.FragmentBatch
+import dev.lazyz.Frame
+import dev.lazyz.Spans
+import dev.lazyz.samples
 import dev.lazyz.setup.planar.PlanarPrimitive
+import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.setup.planar.triangleBatch
+import dev.lazyz.shading.Vertices
 import dev.lazyz.strategies.tiled.Kernels
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
@@ -14,6 +19,7 @@ import dev.lazyz.world.Scene
 import java.util.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /**
@@ -53,22 +59,91 @@ class FragmentKernelTest {
             val surface = if (seed % 2 == 0) mesh(random) else twoSided(random)
             val frame = Scene(listOf(surface), emptyList(), camera(random.nextBoolean())).frame(SIDE, SIDE)
             val batch = frame.content.triangleBatch(0)
-            val faces = batch.faces()
-            val fragments = FragmentBatch(FragmentBatch.CAPACITY)
             val numbers = IntArray(FragmentBatch.CAPACITY) { random.nextInt(batch.count) }
-            fragments.begin(faces.fields)
-            fragments.size = numbers.size
-            for (i in numbers.indices) fragments.place(i, random.nextInt(SIDE), random.nextInt(SIDE), 1)
-            ScatteredAttributes().fill(fragments, batch, numbers, faces)
-            val expected = Fragment()
-            val actual = Fragment()
-            for (i in numbers.indices) {
-                expected.moveTo(fragments.x[i], fragments.y[i])
-                (frame.primitives[numbers[i]] as PlanarPrimitive).attributes(expected)
-                fragments.moveTo(actual, i)
-                assertEquals(attributes(expected), attributes(actual)) { "seed $seed, sample $i" }
-            }
+            assertScattered(frame, batch, numbers, random, "seed $seed")
         }
+    }
+
+    /** Compares fragments at random samples that the first primitive covers, each of the triangle in [numbers]. */
+    private fun assertScattered(
+        frame: Frame,
+        batch: TriangleBatch,
+        numbers: IntArray,
+        random: Random,
+        what: String,
+    ) {
+        val faces = batch.faces()
+        val fragments = FragmentBatch(FragmentBatch.CAPACITY)
+        fragments.begin(faces.fields)
+        fragments.size = numbers.size
+        val covered = frame.primitives.first().samples(frame.raster)
+        val samples = List(SIDE * SIDE) { it % SIDE to it / SIDE }.filter { (x, y) -> covered[x, y] }
+        for (i in numbers.indices) {
+            val (x, y) = samples[random.nextInt(samples.size)]
+            fragments.place(i, x, y, 1)
+        }
+        ScatteredAttributes().fill(fragments, batch, numbers, faces)
+        val expected = Fragment()
+        val actual = Fragment()
+        for (i in numbers.indices) {
+            expected.moveTo(fragments.x[i], fragments.y[i])
+            (frame.primitives[numbers[i]] as PlanarPrimitive).attributes(expected)
+            fragments.moveTo(actual, i)
+            assertEquals(attributes(expected), attributes(actual)) { "$what, sample $i" }
+        }
+    }
+
+    /**
+     * Triangles from the size of the picture to that of the guard band, with vertices of any w: edge functions up to
+     * the largest, and sums of weights near 0.
+     */
+    @Test
+    fun attributesAreExactUpToTheEdgesOfTheDomain() {
+        val exact = HashSet<Boolean>()
+        var leastRatio = 1.0
+        for (seed in 0L until 256L) {
+            val random = Random(seed)
+            val frame = Scene(listOf(farReaching(random)), emptyList(), nearCamera).frame(SIDE, SIDE)
+            val primitive = frame.primitives.single() as PlanarPrimitive
+            val batch = frame.content.triangleBatch(0)
+            assertTrue(batch.isDrawn(0))
+            val spans = Spans().also { primitive.spans(ROW, it) }
+            val face = Face().apply { fill(batch, 0, batch.faces(), Fragment()) }
+            val copy = Face().apply { fill(0, primitive, Fragment()) }
+            val ws = List(3) { primitive.vertices.get(primitive.corners[it], Vertices.W) }
+            leastRatio = minOf(leastRatio, ws.min() / ws.max())
+            exact += face.isExact
+            for (kernels in available()) {
+                for (count in COUNTS.filter { it <= spans.end(0) - spans.start(0) }) {
+                    val what = "$kernels, seed $seed, $count samples"
+                    val start = spans.start(0)
+                    assertAttributes(kernels.fragments(), face, primitive, count, what, start)
+                    assertAttributes(kernels.fragments(), copy, primitive, count, "$what, face of the primitive", start)
+                }
+            }
+            assertScattered(frame, batch, IntArray(FragmentBatch.CAPACITY), random, "seed $seed")
+        }
+        assertEquals(setOf(false, true), exact)
+        assertTrue(leastRatio < 1e-8) { "$leastRatio" }
+    }
+
+    /** Looks along -z from the origin; a pixel is 2 / [SIDE] units wide at distance 1. */
+    private val nearCamera =
+        Camera.perspective(Vector3d(), Vector3d(0.0, 0.0, -1.0), Vector3d(0.0, 1.0, 0.0), 90.0, 1e-9, 1e4)
+
+    private fun farReaching(random: Random): Mesh {
+        val reach = SIDE * StrictMath.pow(2.0, random.nextInt(13).toDouble())
+        val positions = FloatArray(9)
+        for ((corner, place) in listOf(-1.0 to -0.9, 1.0 to -0.8, 0.1 to 1.0).withIndex()) {
+            val w = StrictMath.pow(10.0, random.nextInt(13) - 9 + random.nextDouble())
+            positions[3 * corner] = (place.first * reach * 2 / SIDE * w).toFloat()
+            positions[3 * corner + 1] = (place.second * reach * 2 / SIDE * w).toFloat()
+            positions[3 * corner + 2] = -w.toFloat()
+        }
+        return Mesh(
+            positions, intArrayOf(0, 1, 2), Material(shader = BatchShader { }),
+            numbers(random, 3), numbers(random, 2), numbers(random, 4),
+        )
     }
 
     /** The mesh with a copy of its triangle in the opposite orientation. */
@@ -77,25 +152,26 @@ class FragmentKernelTest {
         return Mesh(mesh.positions, intArrayOf(0, 1, 2, 0, 2, 1), mesh.material, mesh.normals, mesh.uvs, mesh.colors)
     }
 
-    /** Compares [count] samples from the middle row of the primitive, which covers the whole picture. */
+    /** Compares [count] samples of the middle row from column [start] on; the primitive covers all of them. */
     private fun assertAttributes(
         kernel: FragmentKernel,
         face: Face,
         primitive: PlanarPrimitive,
         count: Int,
         what: String,
+        start: Int = 0,
     ) {
         val fragments = WaitingFragments()
         fragments.batch.begin(face.fields)
         // Some fragments that were filled in before, so that the first index is not 0
         fragments.add(PrimitiveRuns.place(0, 0), DONE)
-        fragments.add(PrimitiveRuns.place(ROW, 0), count)
+        fragments.add(PrimitiveRuns.place(ROW, start), count)
         kernel.attributes(face, fragments, DONE, 0, 0)
         val expected = Fragment()
         val actual = Fragment()
         fragments.locate(0, 0)
         for (i in 0 until count) {
-            expected.moveTo(i, ROW)
+            expected.moveTo(start + i, ROW)
             primitive.attributes(expected)
             fragments.batch.moveTo(actual, DONE + i)
             assertEquals(attributes(expected), attributes(actual)) { "$what, sample $i" }
