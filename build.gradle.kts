@@ -5,6 +5,7 @@ import org.jetbrains.dokka.gradle.DokkaExtension
 import org.jetbrains.kotlin.gradle.dsl.JvmDefaultMode
 import org.jetbrains.kotlin.gradle.dsl.JvmTarget
 import org.jetbrains.kotlin.gradle.dsl.KotlinJvmProjectExtension
+import org.jetbrains.kotlin.gradle.dsl.KotlinVersion
 
 plugins {
     alias(libs.plugins.dokka.javadoc) apply false
@@ -45,6 +46,10 @@ subprojects {
     configure<KotlinJvmProjectExtension> {
         compilerOptions {
             allWarningsAsErrors = true
+            // For users with an older Kotlin: Kotlin 2.1 reads classes of 2.2, and has all functions of 2.1
+            languageVersion = KotlinVersion.fromVersion("2.2")
+            apiVersion = KotlinVersion.fromVersion("2.1")
+            freeCompilerArgs.add("-Xsuppress-version-warnings")
             jvmDefault = JvmDefaultMode.NO_COMPATIBILITY
             moduleName = "lazyz-${project.name}"
             jvmTarget = JvmTarget.fromTarget(javaRelease.toString())

@@ -88,6 +88,11 @@ class BuildsAgreeTest {
         assertTrue("val javaRelease = ${properties.value("java.release")}\n" in gradleRoot, "Java release")
         val compiler = pom.child("build").child("plugins").textContent
         assertEquals("-Werror" in compiler, "allWarningsAsErrors = true" in gradleRoot, "warnings as errors")
+        for (version in listOf("languageVersion", "apiVersion")) {
+            val gradle = Regex("""\b$version = KotlinVersion.fromVersion\("(.*)"\)""").find(gradleRoot)
+            assertEquals(properties.value("kotlin.compiler.$version"), gradle?.groupValues?.get(1), version)
+        }
+        assertEquals("-Xsuppress-version-warnings" in compiler, "\"-Xsuppress-version-warnings\"" in gradleRoot)
         assertEquals("-jvm-default=no-compatibility" in compiler, "JvmDefaultMode.NO_COMPATIBILITY" in gradleRoot)
         val lint = Regex("""-Xlint:[\w,-]+""")
         assertEquals(lint.find(compiler)?.value, lint.find(gradleRoot)?.value, "javac's lint")
