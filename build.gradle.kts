@@ -26,7 +26,7 @@ val fatJars = mapOf(
     "jmh" to ("benchmarks" to "org.openjdk.jmh.Main"),
 )
 
-subprojects {
+configure(subprojects.filter { it.name != "bom" }) {
     apply(plugin = "java-library")
     apply(plugin = catalog.plugins.kotlin.jvm.get().pluginId)
     apply(plugin = catalog.plugins.kotlin.serialization.get().pluginId)
@@ -100,16 +100,17 @@ subprojects {
 // The libraries that go to Maven Central, with sources and documentation.
 for (module in listOf("core", "scenes", "conformance")) {
     project(":$module") {
-        apply(plugin = "maven-publish")
         apply(plugin = catalog.plugins.dokka.javadoc.get().pluginId)
 
         configure<JavaPluginExtension> {
             withSourcesJar()
         }
         configure<DokkaExtension> {
+            moduleName = "lazyz-$module"
             dokkaPublications.configureEach { failOnWarning = true }
             dokkaSourceSets.configureEach {
                 jdkVersion = javaRelease
+                includes.from("api/packages.md")
                 // Links to other libraries' pages would need a network
                 enableJdkDocumentationLink = false
                 enableKotlinStdLibDocumentationLink = false
@@ -119,34 +120,53 @@ for (module in listOf("core", "scenes", "conformance")) {
             archiveClassifier = "javadoc"
             from(tasks.named("dokkaGeneratePublicationJavadoc"))
         }
-        configure<PublishingExtension> {
-            publications.create<MavenPublication>("maven") {
-                from(components["java"])
-                artifact(javadocJar)
-                artifactId = "lazyz-${project.name}"
-                pom {
-                    name = "Lazy Z ${project.name}"
-                    description = provider { project.description }
-                    url = "https://github.com/lazyz/lazyz"
-                    inceptionYear = "2026"
-                    licenses {
-                        license {
-                            name = "Apache-2.0"
-                            url = "https://www.apache.org/licenses/LICENSE-2.0.txt"
-                            distribution = "repo"
-                        }
+        publish("java", "Lazy Z $module") { artifact(javadocJar) }
+    }
+}
+
+// The versions that belong together.
+project(":bom") {
+    apply(plugin = "java-platform")
+    publish("javaPlatform", "Lazy Z BOM")
+}
+
+/** Publishes a component, with what Maven Central demands of a POM. */
+fun Project.publish(component: String, title: String, more: MavenPublication.() -> Unit = {}) {
+    apply(plugin = "maven-publish")
+
+    configure<PublishingExtension> {
+        repositories {
+            maven {
+                name = "folder"
+                url = uri(rootProject.layout.buildDirectory.dir("publication"))
+            }
+        }
+        publications.create<MavenPublication>("maven") {
+            from(components[component])
+            more()
+            artifactId = "lazyz-${project.name}"
+            pom {
+                name = title
+                description = provider { project.description }
+                url = "https://github.com/lazyz/lazyz"
+                inceptionYear = "2026"
+                licenses {
+                    license {
+                        name = "Apache-2.0"
+                        url = "https://www.apache.org/licenses/LICENSE-2.0.txt"
+                        distribution = "repo"
                     }
-                    developers {
-                        developer {
-                            name = "Lazy Z developers"
-                            url = "https://github.com/lazyz/lazyz"
-                        }
-                    }
-                    scm {
-                        connection = "scm:git:https://github.com/lazyz/lazyz.git"
-                        developerConnection = "scm:git:https://github.com/lazyz/lazyz.git"
+                }
+                developers {
+                    developer {
+                        name = "Lazy Z developers"
                         url = "https://github.com/lazyz/lazyz"
                     }
+                }
+                scm {
+                    connection = "scm:git:https://github.com/lazyz/lazyz.git"
+                    developerConnection = "scm:git:https://github.com/lazyz/lazyz.git"
+                    url = "https://github.com/lazyz/lazyz"
                 }
             }
         }
