@@ -8,7 +8,7 @@ import org.jetbrains.kotlin.gradle.dsl.KotlinJvmProjectExtension
 import org.jetbrains.kotlin.gradle.dsl.KotlinVersion
 
 plugins {
-    alias(libs.plugins.dokka.javadoc) apply false
+    alias(libs.plugins.dokka) apply false
     alias(libs.plugins.kotlin.jvm) apply false
     alias(libs.plugins.kotlin.serialization) apply false
     alias(libs.plugins.spotless) apply false
@@ -100,7 +100,7 @@ configure(subprojects.filter { it.name != "bom" }) {
 // The libraries that go to Maven Central, with sources and documentation.
 for (module in listOf("core", "scenes", "conformance")) {
     project(":$module") {
-        apply(plugin = catalog.plugins.dokka.javadoc.get().pluginId)
+        apply(plugin = catalog.plugins.dokka.get().pluginId)
 
         configure<JavaPluginExtension> {
             withSourcesJar()
@@ -118,7 +118,7 @@ for (module in listOf("core", "scenes", "conformance")) {
         }
         val javadocJar = tasks.register<Jar>("javadocJar") {
             archiveClassifier = "javadoc"
-            from(tasks.named("dokkaGeneratePublicationJavadoc"))
+            from(tasks.named("dokkaGeneratePublicationHtml"))
         }
         publish("java", "Lazy Z $module") { artifact(javadocJar) }
     }
