@@ -124,6 +124,26 @@ for (module in listOf("core", "scenes", "conformance")) {
     }
 }
 
+// Descriptors of modules go into the jar only, so that compilers and tests go on without modules.
+for (module in listOf("core", "scenes")) {
+    project(":$module") {
+        val main = the<SourceSetContainer>()["main"]
+        val modulePath = files(configurations.named("runtimeClasspath"))
+        val descriptor = tasks.register<JavaCompile>("descriptor") {
+            source("src/main/module")
+            classpath = files()
+            destinationDirectory = layout.buildDirectory.dir("descriptor")
+            inputs.files(modulePath, main.output.classesDirs)
+            options.compilerArgs.add("-Xlint:-requires-automatic")
+            options.compilerArgumentProviders.add {
+                val classes = "dev.lazyz.$module=${main.output.classesDirs.asPath}"
+                listOf("--module-path", modulePath.asPath, "--patch-module", classes)
+            }
+        }
+        tasks.named<Jar>("jar") { from(descriptor) }
+    }
+}
+
 // The versions that belong together.
 project(":bom") {
     apply(plugin = "java-platform")

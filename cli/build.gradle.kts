@@ -38,6 +38,7 @@ tasks.test {
     inputs.files(
         rootProject.fileTree(rootDir) {
             include("*.kts", "*.properties", "pom.xml", "gradle/*.toml", "*/build.gradle.kts", "*/pom.xml", "*/api/*")
+            include("*/src/main/module/*", "docs/architecture.md")
         },
     )
 }

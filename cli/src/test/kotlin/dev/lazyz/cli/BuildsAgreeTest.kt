@@ -25,6 +25,7 @@ class BuildsAgreeTest {
         .single { it.value("artifactId") == "maven-surefire-plugin" }
     private val folders = pom.child("modules").children("module").map { it.textContent }
     private val modules = folders - "bom"
+    private val published = quoted(Regex("""for \(module in listOf\((.*)\)\)""").find(gradleRoot)!!.groupValues[1])
 
     @Test
     fun modules() {
@@ -112,6 +113,26 @@ class BuildsAgreeTest {
         }
     }
 
+    /** A module exports the packages that have a text, which are those with public types. */
+    @Test
+    fun moduleDescriptors() {
+        val withDescriptor = modules.filter { root.resolve("$it/src/main/module/module-info.java").exists() }
+        assertTrue("core" in withDescriptor)
+        val gradle = Regex("""(?m)^// Descriptors.*\nfor \(module in listOf\((.*)\)\)""").find(gradleRoot)!!
+        assertEquals(withDescriptor, quoted(gradle.groupValues[1]))
+        for (module in modules) {
+            val skip = xml("$module/pom.xml").child("properties").valueOrNull("moditect.skip")
+            assertEquals(if (module in withDescriptor) "false" else null, skip, module)
+        }
+        for (module in withDescriptor) {
+            val descriptor = text("$module/src/main/module/module-info.java")
+            assertTrue("module dev.lazyz.$module {" in descriptor, module)
+            val exported = Regex("""(?m)^ +exports (.*);$""").findAll(descriptor).map { it.groupValues[1] }
+            val texts = Regex("""(?m)^# Package (.*)$""").findAll(text("$module/api/packages.md"))
+            assertEquals(texts.map { it.groupValues[1] }.sorted().toList(), exported.toList(), module)
+        }
+    }
+
     /** The BOM has no parent, so it repeats what users see of it. It lists what is published. */
     @Test
     fun bom() {
@@ -123,7 +144,6 @@ class BuildsAgreeTest {
         }
         val managed = bom.child("dependencyManagement").child("dependencies").children("dependency")
         assertEquals(setOf("\${project.version}"), managed.map { it.value("version") }.toSet())
-        val published = quoted(Regex("""for \(module in listOf\((.*)\)\)""").find(gradleRoot)!!.groupValues[1])
         assertEquals(published.map { "dev.lazyz:lazyz-$it" }, managed.map { it.coordinates() })
         val constraints = Regex("""api\(project\(":(.*)"\)\)""").findAll(gradleFile("bom")).map { it.groupValues[1] }
         assertEquals(published, constraints.toList())
@@ -173,7 +193,6 @@ class BuildsAgreeTest {
 
     @Test
     fun fatJarsAndPublications() {
-        val published = quoted(Regex("""for \(module in listOf\((.*)\)\)""").find(gradleRoot)!!.groupValues[1])
         for (module in modules) {
             val properties = xml("$module/pom.xml").childOrNull("properties")
             assertEquals(
