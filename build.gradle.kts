@@ -5,9 +5,10 @@ import org.jetbrains.dokka.gradle.DokkaExtension
 import org.jetbrains.kotlin.gradle.dsl.JvmDefaultMode
 import org.jetbrains.kotlin.gradle.dsl.JvmTarget
 import org.jetbrains.kotlin.gradle.dsl.KotlinJvmProjectExtension
+import org.jetbrains.kotlin.gradle.dsl.KotlinVersion
 
 plugins {
-    alias(libs.plugins.dokka.javadoc) apply false
+    alias(libs.plugins.dokka) apply false
     alias(libs.plugins.kotlin.jvm) apply false
     alias(libs.plugins.kotlin.serialization) apply false
     alias(libs.plugins.spotless) apply false
@@ -25,7 +26,7 @@ val fatJars = mapOf(
     "jmh" to ("benchmarks" to "org.openjdk.jmh.Main"),
 )
 
-subprojects {
+configure(subprojects.filter { it.name != "bom" }) {
     apply(plugin = "java-library")
     apply(plugin = catalog.plugins.kotlin.jvm.get().pluginId)
     apply(plugin = catalog.plugins.kotlin.serialization.get().pluginId)
@@ -45,6 +46,10 @@ subprojects {
     configure<KotlinJvmProjectExtension> {
         compilerOptions {
             allWarningsAsErrors = true
+            // For users with an older Kotlin: Kotlin 2.1 reads classes of 2.2, and has all functions of 2.1
+            languageVersion = KotlinVersion.fromVersion("2.2")
+            apiVersion = KotlinVersion.fromVersion("2.1")
+            freeCompilerArgs.add("-Xsuppress-version-warnings")
             jvmDefault = JvmDefaultMode.NO_COMPATIBILITY
             moduleName = "lazyz-${project.name}"
             jvmTarget = JvmTarget.fromTarget(javaRelease.toString())
@@ -95,16 +100,17 @@ subprojects {
 // The libraries that go to Maven Central, with sources and documentation.
 for (module in listOf("core", "scenes", "conformance")) {
     project(":$module") {
-        apply(plugin = "maven-publish")
-        apply(plugin = catalog.plugins.dokka.javadoc.get().pluginId)
+        apply(plugin = catalog.plugins.dokka.get().pluginId)
 
         configure<JavaPluginExtension> {
             withSourcesJar()
         }
         configure<DokkaExtension> {
+            moduleName = "lazyz-$module"
             dokkaPublications.configureEach { failOnWarning = true }
             dokkaSourceSets.configureEach {
                 jdkVersion = javaRelease
+                includes.from("api/packages.md")
                 // Links to other libraries' pages would need a network
                 enableJdkDocumentationLink = false
                 enableKotlinStdLibDocumentationLink = false
@@ -112,36 +118,75 @@ for (module in listOf("core", "scenes", "conformance")) {
         }
         val javadocJar = tasks.register<Jar>("javadocJar") {
             archiveClassifier = "javadoc"
-            from(tasks.named("dokkaGeneratePublicationJavadoc"))
+            from(tasks.named("dokkaGeneratePublicationHtml"))
         }
-        configure<PublishingExtension> {
-            publications.create<MavenPublication>("maven") {
-                from(components["java"])
-                artifact(javadocJar)
-                artifactId = "lazyz-${project.name}"
-                pom {
-                    name = "Lazy Z ${project.name}"
-                    description = provider { project.description }
-                    url = "https://github.com/lazyz/lazyz"
-                    inceptionYear = "2026"
-                    licenses {
-                        license {
-                            name = "Apache-2.0"
-                            url = "https://www.apache.org/licenses/LICENSE-2.0.txt"
-                            distribution = "repo"
-                        }
+        publish("java", "Lazy Z $module") { artifact(javadocJar) }
+    }
+}
+
+// Descriptors of modules go into the jar only, so that compilers and tests go on without modules.
+for (module in listOf("core", "scenes")) {
+    project(":$module") {
+        val main = the<SourceSetContainer>()["main"]
+        val modulePath = files(configurations.named("runtimeClasspath"))
+        val descriptor = tasks.register<JavaCompile>("descriptor") {
+            source("src/main/module")
+            classpath = files()
+            destinationDirectory = layout.buildDirectory.dir("descriptor")
+            inputs.files(modulePath, main.output.classesDirs)
+            options.compilerArgs.add("-Xlint:-requires-automatic")
+            options.compilerArgumentProviders.add {
+                val classes = "dev.lazyz.$module=${main.output.classesDirs.asPath}"
+                listOf("--module-path", modulePath.asPath, "--patch-module", classes)
+            }
+        }
+        tasks.named<Jar>("jar") { from(descriptor) }
+    }
+}
+
+// The versions that belong together.
+project(":bom") {
+    apply(plugin = "java-platform")
+    publish("javaPlatform", "Lazy Z BOM")
+}
+
+/** Publishes a component, with what Maven Central demands of a POM. */
+fun Project.publish(component: String, title: String, more: MavenPublication.() -> Unit = {}) {
+    apply(plugin = "maven-publish")
+
+    configure<PublishingExtension> {
+        repositories {
+            maven {
+                name = "folder"
+                url = uri(rootProject.layout.buildDirectory.dir("publication"))
+            }
+        }
+        publications.create<MavenPublication>("maven") {
+            from(components[component])
+            more()
+            artifactId = "lazyz-${project.name}"
+            pom {
+                name = title
+                description = provider { project.description }
+                url = "https://github.com/lazyz/lazyz"
+                inceptionYear = "2026"
+                licenses {
+                    license {
+                        name = "Apache-2.0"
+                        url = "https://www.apache.org/licenses/LICENSE-2.0.txt"
+                        distribution = "repo"
                     }
-                    developers {
-                        developer {
-                            name = "Lazy Z developers"
-                            url = "https://github.com/lazyz/lazyz"
-                        }
-                    }
-                    scm {
-                        connection = "scm:git:https://github.com/lazyz/lazyz.git"
-                        developerConnection = "scm:git:https://github.com/lazyz/lazyz.git"
+                }
+                developers {
+                    developer {
+                        name = "Lazy Z developers"
                         url = "https://github.com/lazyz/lazyz"
                     }
+                }
+                scm {
+                    connection = "scm:git:https://github.com/lazyz/lazyz.git"
+                    developerConnection = "scm:git:https://github.com/lazyz/lazyz.git"
+                    url = "https://github.com/lazyz/lazyz"
                 }
             }
         }

@@ -12,4 +12,4 @@ dependencyResolutionManagement {
 
 rootProject.name = "lazyz"
 
-include("core", "scenes", "conformance", "cli", "jmh")
+include("bom", "core", "scenes", "conformance", "cli", "jmh")

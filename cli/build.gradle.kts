@@ -35,10 +35,11 @@ tasks.assemble {
 
 tasks.test {
     inputs.dir("src/main/sh")
-    // BuildsAgreeTest and PublicApiTest read them
+    // BuildsAgreeTest, PublicApiTest and PackageTextsTest read them
     inputs.files(
         rootProject.fileTree(rootDir) {
-            include("*.kts", "*.properties", "pom.xml", "gradle/*.toml", "*/build.gradle.kts", "*/pom.xml", "*/api/*.api")
+            include("*.kts", "*.properties", "pom.xml", "gradle/*.toml", "*/build.gradle.kts", "*/pom.xml", "*/api/*")
+            include("*/src/main/module/*", "docs/architecture.md")
         },
     )
 }

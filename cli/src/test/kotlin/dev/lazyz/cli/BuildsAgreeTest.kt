@@ -23,12 +23,14 @@ class BuildsAgreeTest {
     private val gradleRoot = text("build.gradle.kts")
     private val surefire = pom.child("build").child("plugins").children("plugin")
         .single { it.value("artifactId") == "maven-surefire-plugin" }
-    private val modules = pom.child("modules").children("module").map { it.textContent }
+    private val folders = pom.child("modules").children("module").map { it.textContent }
+    private val modules = folders - "bom"
+    private val published = quoted(Regex("""for \(module in listOf\((.*)\)\)""").find(gradleRoot)!!.groupValues[1])
 
     @Test
     fun modules() {
         val included = Regex("""include\((.*?)\)""", RegexOption.DOT_MATCHES_ALL).findAll(text("settings.gradle.kts"))
-        assertEquals(modules.toSet(), included.flatMap { quoted(it.groupValues[1]) }.toSet())
+        assertEquals(folders.toSet(), included.flatMap { quoted(it.groupValues[1]) }.toSet())
     }
 
     @Test
@@ -37,10 +39,11 @@ class BuildsAgreeTest {
         assertEquals(pom.value("groupId"), gradle["group"])
         assertEquals(pom.value("version"), gradle["version"])
         assertTrue("""artifactId = "lazyz-${'$'}{project.name}"""" in gradleRoot, "artifactId in build.gradle.kts")
-        for (module in modules) {
+        for (module in folders) {
             val modulePom = xml("$module/pom.xml")
             assertEquals("lazyz-$module", modulePom.value("artifactId"))
-            assertEquals(pom.value("version"), modulePom.child("parent").value("version"), "parent of $module")
+            val versioned = modulePom.childOrNull("parent") ?: modulePom
+            assertEquals(pom.value("version"), versioned.value("version"), "version of $module")
             val description = Regex("""^description = "(.*)"$""", RegexOption.MULTILINE).find(gradleFile(module))
             assertEquals(modulePom.value("description"), description?.groupValues?.get(1), "description of $module")
         }
@@ -88,6 +91,11 @@ class BuildsAgreeTest {
         assertTrue("val javaRelease = ${properties.value("java.release")}\n" in gradleRoot, "Java release")
         val compiler = pom.child("build").child("plugins").textContent
         assertEquals("-Werror" in compiler, "allWarningsAsErrors = true" in gradleRoot, "warnings as errors")
+        for (version in listOf("languageVersion", "apiVersion")) {
+            val gradle = Regex("""\b$version = KotlinVersion.fromVersion\("(.*)"\)""").find(gradleRoot)
+            assertEquals(properties.value("kotlin.compiler.$version"), gradle?.groupValues?.get(1), version)
+        }
+        assertEquals("-Xsuppress-version-warnings" in compiler, "\"-Xsuppress-version-warnings\"" in gradleRoot)
         assertEquals("-jvm-default=no-compatibility" in compiler, "JvmDefaultMode.NO_COMPATIBILITY" in gradleRoot)
         val lint = Regex("""-Xlint:[\w,-]+""")
         assertEquals(lint.find(compiler)?.value, lint.find(gradleRoot)?.value, "javac's lint")
@@ -103,6 +111,52 @@ class BuildsAgreeTest {
         for (module in modules) {
             assertEquals("dev.lazyz.$module", xml("$module/pom.xml").child("properties").value("module.name"))
         }
+    }
+
+    /** A module exports the packages that have a text, which are those with public types. */
+    @Test
+    fun moduleDescriptors() {
+        val withDescriptor = modules.filter { root.resolve("$it/src/main/module/module-info.java").exists() }
+        assertTrue("core" in withDescriptor)
+        val gradle = Regex("""(?m)^// Descriptors.*\nfor \(module in listOf\((.*)\)\)""").find(gradleRoot)!!
+        assertEquals(withDescriptor, quoted(gradle.groupValues[1]))
+        for (module in modules) {
+            val skip = xml("$module/pom.xml").child("properties").valueOrNull("moditect.skip")
+            assertEquals(if (module in withDescriptor) "false" else null, skip, module)
+        }
+        for (module in withDescriptor) {
+            val descriptor = text("$module/src/main/module/module-info.java")
+            assertTrue("module dev.lazyz.$module {" in descriptor, module)
+            val exported = Regex("""(?m)^ +exports (.*);$""").findAll(descriptor).map { it.groupValues[1] }
+            val texts = Regex("""(?m)^# Package (.*)$""").findAll(text("$module/api/packages.md"))
+            assertEquals(texts.map { it.groupValues[1] }.sorted().toList(), exported.toList(), module)
+        }
+    }
+
+    /** The BOM has no parent, so it repeats what users see of it. It lists what is published. */
+    @Test
+    fun bom() {
+        val bom = xml("bom/pom.xml")
+        assertTrue(bom.childOrNull("parent") == null)
+        for (fact in listOf("groupId", "version", "url", "inceptionYear", "licenses", "developers", "scm")) {
+            fun text(pom: Element) = pom.value(fact).replace(Regex("""\s+"""), " ")
+            assertEquals(text(pom), text(bom), fact)
+        }
+        val managed = bom.child("dependencyManagement").child("dependencies").children("dependency")
+        assertEquals(setOf("\${project.version}"), managed.map { it.value("version") }.toSet())
+        assertEquals(published.map { "dev.lazyz:lazyz-$it" }, managed.map { it.coordinates() })
+        val constraints = Regex("""api\(project\(":(.*)"\)\)""").findAll(gradleFile("bom")).map { it.groupValues[1] }
+        assertEquals(published, constraints.toList())
+
+        val plugins = pom.child("build").child("pluginManagement").child("plugins").children("plugin")
+        for (plugin in bom.child("build").child("pluginManagement").child("plugins").children("plugin")) {
+            val same = plugins.single { it.coordinates() == plugin.coordinates() }
+            assertEquals(same.value("version"), plugin.value("version"), plugin.coordinates())
+        }
+        fun signatures(pom: Element) = pom.child("profiles").children("profile")
+            .single { it.value("id") == "release" }.child("build").child("plugins").children("plugin")
+            .single { it.value("artifactId") == "maven-gpg-plugin" }.textContent
+        assertEquals(signatures(pom), signatures(bom))
     }
 
     @Test
@@ -139,7 +193,6 @@ class BuildsAgreeTest {
 
     @Test
     fun fatJarsAndPublications() {
-        val published = quoted(Regex("""for \(module in listOf\((.*)\)\)""").find(gradleRoot)!!.groupValues[1])
         for (module in modules) {
             val properties = xml("$module/pom.xml").childOrNull("properties")
             assertEquals(

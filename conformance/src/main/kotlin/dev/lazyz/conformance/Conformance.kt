@@ -6,6 +6,8 @@ import dev.lazyz.conformance.report.StrategyInfo
 import dev.lazyz.conformance.results.RuleListener
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.results.Waivers
+import dev.lazyz.conformance.results.WaiversException
+import dev.lazyz.conformance.run.FramesException
 import dev.lazyz.conformance.run.Journal
 import dev.lazyz.conformance.run.LastWords
 import dev.lazyz.conformance.run.Late

@@ -4,22 +4,27 @@ import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
 import java.nio.ByteBuffer
 import java.nio.charset.CharacterCodingException
-import kotlinx.serialization.ExperimentalSerializationApi
+import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
-import kotlinx.serialization.json.JsonDecodingException
 import kotlinx.serialization.json.JsonElement
 
 /** Parses bytes to a JSON tree, and reports the place of every error. */
 internal object JsonText {
-    @OptIn(ExperimentalSerializationApi::class)
+    /**
+     * A parser's message: offset, error, and the path, which is always the root. Versions of the parser for older Kotlin
+     * compilers give the offset in no other way, and newer ones have the same message.
+     */
+    private val message =
+        Regex("""(?:Unexpected JSON token at offset (\d+): )?(.*?)(?: at path: .*)?""", RegexOption.DOT_MATCHES_ALL)
+
     fun parse(source: Source): JsonElement {
         val text = decode(source)
         NestingCheck(source, text).run()
         try {
             return Json.parseToJsonElement(text)
-        } catch (e: JsonDecodingException) {
-            val place = if (e.offset < 0) null else place(text, e.offset)
-            source.fail(place, "is not JSON: ${e.shortMessage}", cause = e)
+        } catch (e: SerializationException) {
+            val (offset, error) = message.matchEntire(e.message.orEmpty())!!.destructured
+            source.fail(offset.toIntOrNull()?.let { place(text, it) }, "is not JSON: $error", cause = e)
         } catch (e: OutOfMemoryError) {
             source.fail(null, "does not fit into memory", "keep meshes in files of their own, or raise -Xmx", e)
         }

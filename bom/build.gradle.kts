@@ -1,0 +1,9 @@
+description = "The versions of the libraries of Lazy Z that belong together."
+
+dependencies {
+    constraints {
+        api(project(":core"))
+        api(project(":scenes"))
+        api(project(":conformance"))
+    }
+}

@@ -1,0 +1,26 @@
+/** The contract of hidden-surface rendering, ten renderers that keep it, and the scenes that they draw. */
+module dev.lazyz.core {
+    requires transitive kotlin.stdlib;
+    requires transitive kotlinx.coroutines.core;
+    requires transitive org.joml;
+    // For kernels that are loaded only where the JVM has it
+    requires static jdk.incubator.vector;
+
+    exports dev.lazyz.geometry;
+    exports dev.lazyz.pipeline;
+    exports dev.lazyz.strategies.flow;
+    exports dev.lazyz.strategies.hierarchical;
+    exports dev.lazyz.strategies.hybrid;
+    exports dev.lazyz.strategies.lazy;
+    exports dev.lazyz.strategies.lists;
+    exports dev.lazyz.strategies.painter;
+    exports dev.lazyz.strategies.scanline;
+    exports dev.lazyz.strategies.tiled;
+    exports dev.lazyz.strategies.warnock;
+    exports dev.lazyz.strategies.zbuffer;
+    exports dev.lazyz.strategies;
+    exports dev.lazyz.world;
+    exports dev.lazyz;
+
+    uses dev.lazyz.Renderer;
+}

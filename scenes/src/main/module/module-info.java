@@ -1,0 +1,18 @@
+/** Files of models and scenes in, image files out, and the built-in scenes. */
+module dev.lazyz.scenes {
+    requires transitive dev.lazyz.core;
+    requires transitive java.desktop;
+    requires java.xml;
+    requires kotlinx.serialization.json;
+    requires com.fasterxml.jackson.databind;
+    // These have no descriptors; their names are those of the files
+    requires drako;
+    requires earcut4j;
+    requires jgltf.impl.v2;
+    requires jgltf.model;
+    requires obj;
+
+    exports dev.lazyz.scenes.scenefile;
+    exports dev.lazyz.scenes.writers;
+    exports dev.lazyz.scenes;
+}
