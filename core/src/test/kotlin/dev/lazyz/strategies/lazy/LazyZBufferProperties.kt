@@ -32,7 +32,7 @@ class LazyZBufferProperties {
     }
 
     @Property(tries = 600, seed = "57", edgeCases = EdgeCasesMode.NONE)
-    fun rule_7_6_anyBudgetIsKeptAndGivesTheSameRows(@ForAll seed: Long, @ForAll coherence: Coherence) {
+    fun anyBudgetIsKeptAndGivesTheSameRows(@ForAll seed: Long, @ForAll coherence: Coherence) {
         val frame = PipelineFrames(seed).next()
         val random = Random(seed)
         val expected = ZBuffer().render(frame)
