@@ -38,7 +38,7 @@ class PackageTextsTest {
 
     @Test
     fun theTextsSayWhatTheArchitectureSays() {
-        val row = Regex("""(?m)^\| `(?:dev\.lazyz)?\.?([\w.]*)` \| (.*?)(?:; .*?)?(?: \|.*)?$""")
+        val row = Regex("""(?m)^\| `(?:dev\.lazyz)?\.?([\w.]*)` \| (.*?)(?:[:;] .*?)?(?: \|.*)?$""")
         val page = ProjectFiles.root.resolve("docs/architecture.md").readText()
         val rows = row.findAll(page).associate { it.groupValues[1] to it.groupValues[2] }
         var compared = 0

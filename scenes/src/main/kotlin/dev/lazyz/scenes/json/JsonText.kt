@@ -11,8 +11,8 @@ import kotlinx.serialization.json.JsonElement
 /** Parses bytes to a JSON tree, and reports the place of every error. */
 internal object JsonText {
     /**
-     * A parser's message: offset, error, and the path, which is always the root. Versions of the parser for older Kotlin
-     * compilers give the offset in no other way, and newer ones have the same message.
+     * A parser's message: offset, error, and the path, which is always the root. Versions of the parser that older
+     * Kotlin compilers can read give the offset in no other way, and newer ones have the same message.
      */
     private val message =
         Regex("""(?:Unexpected JSON token at offset (\d+): )?(.*?)(?: at path: .*)?""", RegexOption.DOT_MATCHES_ALL)

@@ -152,7 +152,7 @@ class SceneFileErrorsTest {
             arguments(file(""""up": "y", "up": "z""""), "line 1, column 25", "key \"up\" is given twice"),
             arguments("{\"lazyz\": 1,\n \"size\": [1, 2\n}", "line 3, column 2", "is not JSON: "),
             arguments("{\"lazyz\": 1,\n}", "line 1, column 13", "is not JSON: Trailing comma before the end"),
-            arguments("{}\u2028", "line 1, column 3", "is not JSON: Expected EOF after parsing"),
+            arguments("{}\u2028", "line 1, column 4", "is not JSON: Expected EOF after parsing"),
             arguments("", null, "is not JSON: Cannot read Json element because of unexpected end of the input"),
         )
     }
