@@ -35,7 +35,7 @@ internal class Zrun(val code: Int, val output: ByteArray, val errors: String) {
 }
 
 internal fun statIn(json: String, key: String): String =
-    checkNotNull(Regex("\"$key\":(\"[^\"]*\"|[^,}]+)").find(json)) { "no $key in $json" }.groupValues[1].trim('"')
+    checkNotNull(Regex("\"$key\": ?(\"[^\"]*\"|[^,}]+)").find(json)) { "no $key in $json" }.groupValues[1].trim('"')
 
 internal fun zcli(vararg args: Any): Zrun = zcliReading("", *args)
 

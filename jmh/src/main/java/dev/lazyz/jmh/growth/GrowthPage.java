@@ -97,7 +97,7 @@ public final class GrowthPage {
         throw new IllegalArgumentException("no table '" + name + "'");
     }
 
-    /** Returns the table of one large frame for each quantity that grows, and how often {@code tiled} is the fastest. */
+    /** Returns the table of a large frame for each quantity that grows, and how often {@code tiled} is the fastest. */
     private String summary() {
         List<Key> keys = List.of(
                 new Key(Axis.TRIANGLES, 1_000_000, Quantity.TIME, "1,000,000 triangles, ms"),
