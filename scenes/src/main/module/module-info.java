@@ -13,6 +13,7 @@ module dev.lazyz.scenes {
     requires obj;
 
     exports dev.lazyz.scenes.scenefile;
+    exports dev.lazyz.scenes.text;
     exports dev.lazyz.scenes.writers;
     exports dev.lazyz.scenes;
 }
