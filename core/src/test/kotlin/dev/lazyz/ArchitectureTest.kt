@@ -145,7 +145,7 @@ class ArchitectureTest {
 
     private companion object {
         /** The classes that may import the Vector API. */
-        val VECTORS = listOf("VectorBlockKernel", "VectorCoverageKernel", "VectorFragmentKernel")
+        val VECTORS = listOf("VectorBlockKernel", "VectorSmallTriangleKernel", "VectorFragmentKernel")
 
         /** Prefixes of permitted imports: of `java.`, only packages that a renderer needs. */
         val ALLOWED = listOf(

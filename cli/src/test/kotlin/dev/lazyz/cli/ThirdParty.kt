@@ -96,7 +96,7 @@ class EternalRenderer : FailingRenderer("eternal", { IllegalStateException() }) 
 class CapableRenderer(private val options: RenderOptions = RenderOptions()) : Renderer {
     override val id: String get() = "capable"
 
-    override val summary: String get() = "heeds every flag"
+    override val summary: String get() = "supports every flag"
 
     override val capabilities: Set<Capability>
         get() = setOf(
@@ -111,7 +111,7 @@ class CapableRenderer(private val options: RenderOptions = RenderOptions()) : Re
 
     override fun render(frame: Frame, sink: RowSink): Counters {
         asked = options
-        return Lists(options).render(frame, sink)
+        return Lists(options.supportedBy(Lists())).render(frame, sink)
     }
 
     companion object {

@@ -6,6 +6,7 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.filter.SuperSampling
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
@@ -34,10 +35,10 @@ internal class FrameSource(private val subject: Subject, private val streams: St
     }
 
     /**
-     * Returns the frame of [loaded], seen from [view] or, if that is null, from the side that the options choose. It is
-     * set up by the threads of [options].
+     * Returns the picture of [loaded], seen from [view] or, if that is null, from the side that the options choose. It
+     * is set up by the threads of [options].
      */
-    fun frame(loaded: LoadedScene, options: RenderOptions, view: View? = null): Frame {
+    fun frame(loaded: LoadedScene, options: RenderOptions, view: View? = null): Shot {
         // Apply the options of axis, camera and shading
         val upright = try {
             loaded.scene.withUpAxis(subject.up)
@@ -52,8 +53,17 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         val raster = raster(scene, loaded)
         val region = region(raster)
         streams.progress("setting up ${raster.width}x${raster.height} ...")
-        val frame = scene.frame(raster, options).within(region)
-        return if (subject.translucency == Translucency.OPAQUE) frame.asOpaque() else frame
+        val sampling = SuperSampling(subject.samples)
+        val frame = samples(sampling, scene, raster, options).within(sampling.samples(region))
+        return Shot(if (subject.translucency == Translucency.OPAQUE) frame.asOpaque() else frame, sampling)
+    }
+
+    private fun samples(sampling: SuperSampling, scene: Scene, raster: Raster, options: RenderOptions): Frame = try {
+        sampling.frame(scene, raster, options)
+    } catch (e: UnsupportedOperationException) {
+        throw Mistake("--aa ${sampling.factor}: ${e.message}; use --aa 1")
+    } catch (e: IllegalArgumentException) {
+        throw Mistake("--aa ${sampling.factor}: ${e.message}")
     }
 
     /** Replaces the shading of [material]. Removes its custom shader, too, which would take precedence. */

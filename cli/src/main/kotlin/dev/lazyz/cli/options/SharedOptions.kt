@@ -43,6 +43,7 @@ internal fun subject(
         up = reading.up,
         size = picture.size,
         region = picture.region,
+        samples = picture.samples,
         background = picture.background,
         shading = picture.shading,
         sizes = PixelSizes(picture.pointSize, picture.lineWidth),
@@ -86,6 +87,10 @@ internal class PictureOptions : OptionGroup("Picture") {
         help = "Render only this part of the picture, with the same pixels: column and row of its upper left pixel, " +
             "from 0,0; width and height",
     ).region()
+
+    val samples by option("--aa", help = "Anti-aliasing: N x N samples a pixel, N is 1, 2, 4 or 8; default: 1")
+        .oneOf("N", listOf(1, 2, 4, 8).associateBy { "$it" })
+        .default(1)
 
     val background by option(
         "--background",

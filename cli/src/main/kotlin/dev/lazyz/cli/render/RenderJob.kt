@@ -19,24 +19,25 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         // Read, set up, and choose a strategy that supports the frame
         val loaded = source.load()
         val start = System.nanoTime()
-        val frame = source.frame(loaded, request.choices.options())
+        val shot = source.frame(loaded, request.choices.options())
+        val frame = shot.frame
         val strategy = choice.strategyFor(frame)
         if (request.isExplained) streams.note(choice.explain(strategy, frame))
         MemoryNeed.check(strategy, frame.region)
 
         // Render to all outputs at once
         streams.progress("rendering ${frame.primitives.size} primitives with ${strategy.id} ...")
-        val tally = Tally(frame.width, request.stats != null)
-        val counters = outputs.write(frame, tally) { sink -> strategy.render(frame, sink) }
+        val tally = Tally(shot.region.width, request.stats != null)
+        val counters = outputs.write(shot, tally) { sink -> shot.render(strategy, sink) }
         val nanoseconds = System.nanoTime() - start
 
         // Report
         if (tally.visible == 0L) streams.nothingIsVisible()
-        outputs.describe(frame.region)
+        outputs.describe(shot.region)
         val form = request.stats ?: return
         val name = source.input.name
         val warnings = loaded.warnings.size
-        printStatistics(form, Statistics(name, strategy, frame.region, counters, tally, warnings, nanoseconds))
+        printStatistics(form, Statistics(name, strategy, shot.region, counters, tally, warnings, nanoseconds))
     }
 
     /** Prints [statistics] to standard output, or to standard error if standard output contains the picture. */

@@ -23,8 +23,9 @@ internal class Choices(
         selector?.let { "--select" to Capability.SELECTION },
     ).toMap()
 
-    /** Returns [renderer] with these choices, or unchanged if there are none. */
-    fun applyTo(renderer: Renderer): Renderer = if (needs.isEmpty()) renderer else renderer.configured(options())
+    /** Returns [renderer] with those of these choices that it supports, or unchanged if there are none. */
+    fun applyTo(renderer: Renderer): Renderer =
+        if (needs.isEmpty()) renderer else renderer.configured(options().supportedBy(renderer))
 
     /** Returns these choices as options, with the defaults where the user chose nothing. */
     fun options(): RenderOptions {

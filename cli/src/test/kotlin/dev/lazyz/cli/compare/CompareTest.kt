@@ -12,6 +12,7 @@ import dev.lazyz.cli.StutteringRenderer
 import dev.lazyz.cli.WrongDepthRenderer
 import dev.lazyz.cli.Zrun
 import dev.lazyz.cli.glass
+import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.run
@@ -19,6 +20,7 @@ import dev.lazyz.cli.statIn
 import dev.lazyz.cli.wedge
 import dev.lazyz.cli.withRenderers
 import dev.lazyz.cli.zcli
+import dev.lazyz.filter.SuperSampling
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.strategies.Renderers
 import java.io.ByteArrayOutputStream
@@ -159,7 +161,7 @@ class CompareTest {
         val ours = IllegalStateException("the cursor ran away")
         val outcomes = listOf("lazy" to ours, "buggy" to RuntimeException(), "zbuffer" to OutOfMemoryError())
             .map { (id, failure) -> id to Outcome.Failed(failure) }
-        val comparison = Comparison("x", null, frame, 1, 0, null, outcomes)
+        val comparison = Comparison("x", null, Shot(frame, SuperSampling.NONE), 1, 0, null, outcomes)
         assertEquals(listOf<Throwable>(ours), comparison.bugs)
         assertFalse(comparison.isGood)
     }

@@ -157,6 +157,26 @@ class RenderOptionsTest {
         assertEquals(-1, pixels()[0])
     }
 
+    /** The edges get colours between those of the wedge and of the background; all else stays. */
+    @Test
+    fun antiAliasing() {
+        val jagged = pixels()
+        assertEquals(jagged, pixels("--aa", "1"))
+        for (samples in listOf("2", "4", "8")) {
+            val smooth = pixels("--aa", samples)
+            assertEquals(jagged.size, smooth.size)
+            assertTrue(smooth.toSet().size > jagged.toSet().size, "$samples x $samples samples")
+            assertTrue(smooth.indices.count { smooth[it] == jagged[it] } > jagged.size * 3 / 4)
+        }
+        val whole = pixels("--aa", "4")
+        val part = pixels("--aa", "4", "--region", "10,5,20x15")
+        val rows = (5 until 20).flatMap { y -> whole.subList(40 * y + 10, 40 * y + 30) }
+        assertEquals(rows, part)
+        zcli("compare", folder.wedge(), "--aa", "2", "--size", "40x30").done()
+        zcli("render", folder.wedge(), "-o", out, "--aa", "3").mistake("'3' is not one of 1, 2, 4, 8")
+        zcli("render", folder.wedge(), "-o", out, "--aa", "8", "--size", "100000x8").mistake("at most 32768 pixels")
+    }
+
     @Test
     fun modelWhoseZIsUpIsTurnedExactly() {
         val turned = WEDGE.lines().joinToString("\n") { line ->

@@ -63,6 +63,12 @@ class ScreenSceneTest {
     }
 
     @Test
+    fun screenHasOneSampleAPixel() {
+        val run = zcli("render", file, "--aa", "2", "-o", folder.resolve("out.png"))
+        run.mistake("--aa 2: a scene given on the screen has one sample a pixel; use --aa 1")
+    }
+
+    @Test
     fun screenHasNoUpAxis() {
         val run = zcli("render", file, "--up", "z", "-o", folder.resolve("out.png"))
         run.mistake("--up: a scene given on the screen cannot be rotated")

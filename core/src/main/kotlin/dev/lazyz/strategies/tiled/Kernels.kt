@@ -1,8 +1,8 @@
 package dev.lazyz.strategies.tiled
 
-import dev.lazyz.strategies.tiled.binning.CoverageKernel
+import dev.lazyz.strategies.tiled.binning.SmallTriangleKernel
 import dev.lazyz.strategies.tiled.binning.ScalarCoverageKernel
-import dev.lazyz.strategies.tiled.binning.VectorCoverageKernel
+import dev.lazyz.strategies.tiled.binning.VectorSmallTriangleKernel
 import dev.lazyz.strategies.tiled.raster.BlockKernel
 import dev.lazyz.strategies.tiled.raster.ScalarBlockKernel
 import dev.lazyz.strategies.tiled.raster.VectorBlockKernel
@@ -21,7 +21,7 @@ internal enum class Kernels {
     ;
 
     /** Returns the loops that compute the coverage of small triangles. */
-    fun coverage(): CoverageKernel = if (this == VECTOR) VectorCoverageKernel() else ScalarCoverageKernel()
+    fun coverage(): SmallTriangleKernel = if (this == VECTOR) VectorSmallTriangleKernel() else ScalarCoverageKernel()
 
     /** Returns the loops that draw blocks. */
     fun blocks(): BlockKernel = if (this == VECTOR) VectorBlockKernel() else ScalarBlockKernel()

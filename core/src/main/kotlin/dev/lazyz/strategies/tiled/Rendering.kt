@@ -10,7 +10,7 @@ import dev.lazyz.strategies.tiled.binning.ArrayPool
 import dev.lazyz.strategies.tiled.binning.Arrivals
 import dev.lazyz.strategies.tiled.binning.Band
 import dev.lazyz.strategies.tiled.binning.TriangleBins
-import dev.lazyz.strategies.tiled.raster.Checkpoint
+import dev.lazyz.strategies.tiled.raster.CancellationCheck
 import dev.lazyz.strategies.tiled.raster.TileGrid
 
 /**
@@ -47,7 +47,7 @@ internal class Rendering(
 
     /** One for each thread; the first belongs to the calling thread. */
     private val renderers = List(threadCount) { number ->
-        TileRenderer(frame, grid, coherence, kernels, if (number == 0) Checkpoint(::passCallerCheckpoint) else schedule)
+        TileRenderer(frame, grid, coherence, kernels, if (number == 0) CancellationCheck(::passCallerCheckpoint) else schedule)
     }
 
     /** Renders the frame and passes every row to [sink]. */

@@ -1,6 +1,6 @@
 package dev.lazyz.strategies.tiled
 
-import dev.lazyz.strategies.tiled.raster.Checkpoint
+import dev.lazyz.strategies.tiled.raster.CancellationCheck
 import java.util.concurrent.atomic.AtomicLongArray
 import java.util.concurrent.atomic.AtomicReference
 import java.util.concurrent.locks.ReentrantLock
@@ -19,7 +19,7 @@ import kotlin.concurrent.withLock
  * @param columns tiles in a band
  * @param threads number of threads
  */
-internal class Schedule(private val columns: Int, threads: Int) : Checkpoint {
+internal class Schedule(private val columns: Int, threads: Int) : CancellationCheck {
     private val ranges = minOf(threads, columns)
 
     /** Number of tiles of each range that have been taken. */

@@ -10,9 +10,9 @@ import dev.lazyz.setup.planar.PlanarPrimitive
 import dev.lazyz.strategies.tiled.binning.Band
 import dev.lazyz.strategies.tiled.binning.BandSpans
 import dev.lazyz.strategies.tiled.binning.isOpaqueTriangle
-import dev.lazyz.strategies.tiled.raster.Checkpoint
+import dev.lazyz.strategies.tiled.raster.CancellationCheck
 import dev.lazyz.strategies.tiled.raster.TileGrid
-import dev.lazyz.strategies.tiled.raster.TileKeys
+import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 import dev.lazyz.strategies.tiled.raster.TriangleForms
 import dev.lazyz.strategies.tiled.resolve.TileLayers
 import dev.lazyz.strategies.tiled.resolve.TileShading
@@ -23,7 +23,7 @@ internal class TileRenderer(
     private val grid: TileGrid,
     coherence: Coherence,
     kernels: Kernels,
-    private val checkpoint: Checkpoint,
+    private val checkpoint: CancellationCheck,
 ) {
     /** Counters of the tiles rendered here. */
     val counters: Counters.Builder = Counters.Builder()
@@ -31,11 +31,11 @@ internal class TileRenderer(
     private val test = frame.raster.depthTest
     private val content = frame.content
     private val hasTranslucency = content.hasTranslucency
-    private val keys = TileKeys(grid, frame.raster, counters)
+    private val keys = VisibilityBuffer(grid, frame.raster, counters)
     private val layers = TileLayers(keys, test, counters)
     private val spans = Spans(frame.region)
-    private val drawing = TileTriangles(keys, kernels.blocks(), counters)
-    private val batches = BatchTriangles(content, test, keys, drawing, checkpoint)
+    private val drawing = FineRaster(keys, kernels.blocks(), counters)
+    private val batches = EarlyRejection(content, test, keys, drawing, checkpoint)
     private val forms = TriangleForms(test)
     private val shading = TileShading(frame, keys, layers, coherence, kernels.fragments(), counters, checkpoint)
     private var cursorBytes = 0L

@@ -4,7 +4,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.strategies.tiled.raster.SmallCoverage
 import dev.lazyz.strategies.tiled.raster.TileGrid
-import dev.lazyz.strategies.tiled.raster.TileKeys
+import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 import dev.lazyz.strategies.tiled.raster.TriangleForms
 
 /**
@@ -18,15 +18,15 @@ internal class BinFiller(
     private val area: BinArea,
     grid: TileGrid,
     test: DepthTest,
-    private val coverage: CoverageKernel,
+    private val coverage: SmallTriangleKernel,
     pool: ArrayPool,
-    private val triangleEnds: BinEnds,
-    private val fragmentEnds: BinEnds,
+    private val triangleEnds: BinBounds,
+    private val fragmentEnds: BinBounds,
 ) {
     private val row = WideTriangles.ROW + 1 + number
-    private val stride = TileKeys.stride(grid)
+    private val stride = VisibilityBuffer.stride(grid)
     private val forms = TriangleForms(test)
-    private val tiles = TriangleTiles(area, grid)
+    private val tiles = CoarseRaster(area, grid)
 
     /** Nearest key of each triangle that is neither small nor wide, and a tile that it reaches. */
     private val triangles = KeyedPlaces(pool)
@@ -46,7 +46,7 @@ internal class BinFiller(
         for (i in 0 until count) {
             val covered = coverage.covered[i]
             if (covered == 0 || !batch.isDrawn(first + i)) continue
-            if (covered == CoverageKernel.LARGE) {
+            if (covered == SmallTriangleKernel.LARGE) {
                 enterLarge(batch, first + i)
             } else {
                 draw(batch, first + i, coverage.left[i], coverage.top[i], covered)

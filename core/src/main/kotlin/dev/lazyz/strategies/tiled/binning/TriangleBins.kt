@@ -32,7 +32,7 @@ internal class TriangleBins(
     bandStart: Int,
     bandEnd: Int,
     workers: Workers,
-    coverage: () -> CoverageKernel,
+    coverage: () -> SmallTriangleKernel,
     private val pool: ArrayPool,
 ) {
     private val area = BinArea(grid, bandStart, bandEnd)
@@ -41,8 +41,8 @@ internal class TriangleBins(
     private val chunks = minOf(workers.threads, (total - 1) / LEAST_CHUNK + 1)
 
     /** Bounds of each tile's triangles within [triangles], and of its fragments within [keys] and [places]. */
-    private val triangleEnds = BinEnds(1 + chunks, area.tiles)
-    private val fragmentEnds = BinEnds(chunks, area.tiles)
+    private val triangleEnds = BinBounds(1 + chunks, area.tiles)
+    private val fragmentEnds = BinBounds(chunks, area.tiles)
     private val triangles: LongArray
     private val keys: LongArray
     private val places: IntArray
@@ -123,8 +123,8 @@ internal class TriangleBins(
         for (number in content.batches.indices) {
             val batch = content.triangleBatch(number)
             val last = minOf(until - offset, batch.count)
-            for (first in maxOf(from - offset, 0) until last step CoverageKernel.COUNT) {
-                action(batch, first, minOf(last - first, CoverageKernel.COUNT))
+            for (first in maxOf(from - offset, 0) until last step SmallTriangleKernel.COUNT) {
+                action(batch, first, minOf(last - first, SmallTriangleKernel.COUNT))
             }
             offset += batch.count
         }

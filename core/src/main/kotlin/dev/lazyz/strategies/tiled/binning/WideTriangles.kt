@@ -19,10 +19,10 @@ internal class WideTriangles(
     grid: TileGrid,
     private val test: DepthTest,
     pool: ArrayPool,
-    private val ends: BinEnds,
+    private val ends: BinBounds,
 ) {
     private val forms = TriangleForms(test)
-    private val tiles = TriangleTiles(area, grid)
+    private val tiles = CoarseRaster(area, grid)
 
     /** Nearest key of each triangle, and a tile that it reaches. */
     private val found = KeyedPlaces(pool)
@@ -64,7 +64,7 @@ internal class WideTriangles(
          */
         const val TILES: Int = 8
 
-        /** The row of [BinEnds] for these triangles; each tile receives them from a single part. */
+        /** The row of [BinBounds] for these triangles; each tile receives them from a single part. */
         const val ROW: Int = 0
     }
 }

@@ -6,7 +6,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Fragment
 import dev.lazyz.Primitive
 import dev.lazyz.Rgba
-import dev.lazyz.strategies.tiled.raster.TileKeys
+import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
 /**
  * The translucent fragments of one tile that are before the opaque ones, by sample and from near to far. Belongs to one
@@ -18,7 +18,7 @@ import dev.lazyz.strategies.tiled.raster.TileKeys
  * @param opaque the keys of the opaque primitives, final before the first fragment is added
  */
 internal class TileLayers(
-    private val opaque: TileKeys,
+    private val opaque: VisibilityBuffer,
     private val test: DepthTest,
     private val counters: Counters.Builder
 ) {

@@ -12,8 +12,8 @@ import dev.lazyz.Shader
 import dev.lazyz.setup.planar.triangleBatch
 import dev.lazyz.shading.LateShading
 import dev.lazyz.strategies.tiled.binning.Band
-import dev.lazyz.strategies.tiled.raster.Checkpoint
-import dev.lazyz.strategies.tiled.raster.TileKeys
+import dev.lazyz.strategies.tiled.raster.CancellationCheck
+import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
 /**
  * Computes the colours of one tile after the visible primitives are known: many samples at a time for flat primitives,
@@ -25,12 +25,12 @@ import dev.lazyz.strategies.tiled.raster.TileKeys
  */
 internal class TileShading(
     private val frame: Frame,
-    private val keys: TileKeys,
+    private val keys: VisibilityBuffer,
     private val layers: TileLayers,
     coherence: Coherence,
     private val kernel: FragmentKernel,
     private val counters: Counters.Builder,
-    private val checkpoint: Checkpoint,
+    private val checkpoint: CancellationCheck,
 ) {
     private val content = frame.content
     private val test = frame.raster.depthTest

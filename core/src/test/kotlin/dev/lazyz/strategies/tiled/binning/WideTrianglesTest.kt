@@ -67,7 +67,7 @@ class WideTrianglesTest {
         val test = frame.raster.depthTest
         val grid = TileGrid(frame.region, tileSize)
         val area = BinArea(grid, 0, grid.bands)
-        val ends = BinEnds(1, area.tiles)
+        val ends = BinBounds(1, area.tiles)
         val forms = TriangleForms(test)
         val triangles = NearToFar()
         val batch = frame.content.triangleBatch(0)

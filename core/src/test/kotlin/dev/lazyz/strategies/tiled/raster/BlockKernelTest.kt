@@ -125,7 +125,7 @@ class BlockKernelTest {
                         if (isHit && !isLegal(forms, x, y)) return null
                         val key = forms.keyAt(x, y)
                         block.keys[at] = when {
-                            // As in TileKeys: nothing is drawn outside the picture
+                            // As in VisibilityBuffer: nothing is drawn outside the picture
                             !isInside -> Long.MIN_VALUE
                             !isHit -> block.keys[at]
                             random.nextInt(4) == 0 -> Long.MAX_VALUE

@@ -121,7 +121,7 @@ internal class Version1Json private constructor(
                 node.set<JsonNode>("mesh", mesh)
             } else {
                 node.withArrayProperty("children").add(names.getValue("nodes").size + extraNodes.size)
-                extraNodes.add(JsonNodeFactory.instance.objectNode().set("mesh", mesh))
+                extraNodes.add(JsonNodeFactory.instance.objectNode().set<ObjectNode>("mesh", mesh))
             }
         }
     }

@@ -58,7 +58,7 @@ internal object JsonValues {
         val key = random.pick(listOf("a", "extensions", "mesh", "children"))
         var node = value
         repeat(1 + random.small(MOST_DEEP)) {
-            node = if (random.nextBoolean()) make.arrayNode().add(node) else make.objectNode().set(key, node)
+            node = if (random.nextBoolean()) make.arrayNode().add(node) else make.objectNode().set<JsonNode>(key, node)
         }
         return node
     }

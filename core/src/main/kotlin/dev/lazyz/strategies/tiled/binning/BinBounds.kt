@@ -7,7 +7,7 @@ package dev.lazyz.strategies.tiled.binning
  * For each chunk and tile, an element is first the number of entries; after [sumUp], the position of the next entry;
  * and finally the position after the last entry.
  */
-internal class BinEnds(private val chunks: Int, private val tiles: Int) {
+internal class BinBounds(private val chunks: Int, private val tiles: Int) {
     private val ends = IntArray(chunks * tiles)
 
     /** Bytes held. */

@@ -1,7 +1,7 @@
 package dev.lazyz.strategies.tiled.raster
 
 /** Called frequently during a rendering. */
-internal fun interface Checkpoint {
+internal fun interface CancellationCheck {
     /** Throws an exception if the rendering must end. */
     fun pass()
 }

@@ -12,7 +12,7 @@ import dev.lazyz.Raster
  * Rows and columns are padded to whole blocks. Places outside the picture have a key less than all others, so nothing
  * is ever drawn there, and they never hold the farthest key.
  */
-internal class TileKeys(grid: TileGrid, raster: Raster, private val counters: Counters.Builder) {
+internal class VisibilityBuffer(grid: TileGrid, raster: Raster, private val counters: Counters.Builder) {
     private val test = raster.depthTest
     private val background = test.key(raster.backgroundDepth, DepthTest.BACKGROUND)
 

@@ -6,20 +6,20 @@ import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.setup.planar.triangleBatchWith
 import dev.lazyz.strategies.tiled.binning.NearToFar
 import dev.lazyz.strategies.tiled.binning.TriangleBins
-import dev.lazyz.strategies.tiled.raster.Checkpoint
-import dev.lazyz.strategies.tiled.raster.TileKeys
+import dev.lazyz.strategies.tiled.raster.CancellationCheck
+import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 import dev.lazyz.strategies.tiled.raster.TriangleForms
 
 /**
  * Draws the batches' triangles of one tile from near to far, so that hidden triangles can be rejected before they are
  * drawn. Belongs to one thread; reused for each tile.
  */
-internal class BatchTriangles(
+internal class EarlyRejection(
     private val content: FrameContent,
     private val test: DepthTest,
-    private val keys: TileKeys,
-    private val drawing: TileTriangles,
-    private val checkpoint: Checkpoint,
+    private val keys: VisibilityBuffer,
+    private val drawing: FineRaster,
+    private val checkpoint: CancellationCheck,
 ) {
     private val forms = TriangleForms(test)
 

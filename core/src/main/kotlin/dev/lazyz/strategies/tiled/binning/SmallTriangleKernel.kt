@@ -9,7 +9,7 @@ import dev.lazyz.strategies.tiled.raster.SmallCoverage
  *
  * All kernels give the same bits. Results are valid until the next call; belongs to one thread.
  */
-internal abstract class CoverageKernel {
+internal abstract class SmallTriangleKernel {
     /** First column of each triangle's square of [SmallCoverage.SIDE] x [SmallCoverage.SIDE] samples. */
     @JvmField val left: IntArray = IntArray(COUNT)
 
@@ -59,7 +59,7 @@ internal abstract class CoverageKernel {
 }
 
 /** Processes one triangle after the other. */
-internal class ScalarCoverageKernel : CoverageKernel() {
+internal class ScalarCoverageKernel : SmallTriangleKernel() {
     override fun cover(batch: TriangleBatch, first: Int, count: Int) {
         for (i in 0 until count) coverOne(batch, first + i, i)
     }

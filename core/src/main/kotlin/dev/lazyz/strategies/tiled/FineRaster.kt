@@ -5,7 +5,7 @@ import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.strategies.tiled.binning.TriangleBins
 import dev.lazyz.strategies.tiled.raster.BlockKernel
 import dev.lazyz.strategies.tiled.raster.SmallCoverage
-import dev.lazyz.strategies.tiled.raster.TileKeys
+import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 import dev.lazyz.strategies.tiled.raster.TriangleForms
 
 /**
@@ -18,8 +18,8 @@ import dev.lazyz.strategies.tiled.raster.TriangleForms
  * Source: Ned Greene, Michael Kass, Gavin Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993, for rejection;
  * Juan Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988, for blocks.
  */
-internal class TileTriangles(
-    private val tile: TileKeys,
+internal class FineRaster(
+    private val tile: VisibilityBuffer,
     private val kernel: BlockKernel,
     private val counters: Counters.Builder,
 ) {

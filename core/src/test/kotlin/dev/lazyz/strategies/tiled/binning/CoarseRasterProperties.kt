@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 
 /** Compares the tiles that a triangle reaches or covers completely with the samples that it covers. */
-class TriangleTilesProperties {
+class CoarseRasterProperties {
     @Property(tries = 40, seed = "1988", edgeCases = EdgeCasesMode.NONE)
     fun tilesAreWhatTheirSamplesSay(@ForAll seed: Long) {
         val random = Random(seed)
@@ -31,7 +31,7 @@ class TriangleTilesProperties {
             val area = BinArea(grid, bandStart, bandStart + 1 + random.nextInt(grid.bands - bandStart))
             val first = random.nextInt(area.bands)
             val end = first + 1 + random.nextInt(area.bands - first)
-            val tiles = TriangleTiles(area, grid)
+            val tiles = CoarseRaster(area, grid)
             for (triangle in 0 until batch.count) {
                 val hidden = random.nextInt(area.tiles)
                 val found = HashMap<Int, Boolean>()

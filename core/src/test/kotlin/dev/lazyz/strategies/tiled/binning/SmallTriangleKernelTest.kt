@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** The coverage of many triangles at a time is that of one after the other, for any number of triangles. */
-class CoverageKernelTest {
+class SmallTriangleKernelTest {
     @Test
     fun kernelsGiveTheSameBits() {
         val batch = batch(Random(3))
@@ -23,7 +23,7 @@ class CoverageKernelTest {
         val kinds = HashSet<Int>()
         // All numbers of triangles around those that fill one, two or more vectors, also not from the first on
         for (first in 0..1) {
-            for (count in (1..70) + listOf(CoverageKernel.COUNT - 1, CoverageKernel.COUNT)) {
+            for (count in (1..70) + listOf(SmallTriangleKernel.COUNT - 1, SmallTriangleKernel.COUNT)) {
                 var start = first
                 while (start + count <= batch.count) {
                     kernel.cover(batch, start, count)
@@ -38,7 +38,7 @@ class CoverageKernelTest {
                 }
             }
         }
-        assertTrue(kinds.size > 30 && CoverageKernel.LARGE in kinds && 0 in kinds) { "$kinds" }
+        assertTrue(kinds.size > 30 && SmallTriangleKernel.LARGE in kinds && 0 in kinds) { "$kinds" }
     }
 
     /**

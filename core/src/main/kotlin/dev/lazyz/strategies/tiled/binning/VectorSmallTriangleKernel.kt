@@ -14,7 +14,7 @@ private val LANES: Int = INTS.length()
  * Processes as many triangles at once as a vector has lanes; see [SmallCoverage] for the arithmetic. Can only be loaded
  * if the JVM has the module `jdk.incubator.vector`.
  */
-internal class VectorCoverageKernel : CoverageKernel() {
+internal class VectorSmallTriangleKernel : SmallTriangleKernel() {
     private val ax = IntArray(COUNT)
     private val ay = IntArray(COUNT)
     private val bx = IntArray(COUNT)
