@@ -59,7 +59,7 @@ internal abstract class SmallTriangleKernel {
 }
 
 /** Processes one triangle after the other. */
-internal class ScalarCoverageKernel : SmallTriangleKernel() {
+internal class ScalarSmallTriangleKernel : SmallTriangleKernel() {
     override fun cover(batch: TriangleBatch, first: Int, count: Int) {
         for (i in 0 until count) coverOne(batch, first + i, i)
     }

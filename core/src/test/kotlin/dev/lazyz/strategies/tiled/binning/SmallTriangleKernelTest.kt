@@ -19,7 +19,7 @@ class SmallTriangleKernelTest {
     fun kernelsGiveTheSameBits() {
         val batch = batch(Random(3))
         val kernel = Kernels.best().coverage()
-        val plain = ScalarCoverageKernel()
+        val plain = ScalarSmallTriangleKernel()
         val kinds = HashSet<Int>()
         // All numbers of triangles around those that fill one, two or more vectors, also not from the first on
         for (first in 0..1) {
