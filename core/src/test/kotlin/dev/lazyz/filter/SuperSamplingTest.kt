@@ -173,6 +173,7 @@ class SuperSamplingTest {
         assertThrows(IllegalArgumentException::class.java) { SuperSampling(2).pixels(Region(0, 0, 3, 2)) }
         val onScreen = Scene(emptyList(), viewpoint = Camera.screen())
         assertThrows(UnsupportedOperationException::class.java) { SuperSampling(2).frame(onScreen, raster) }
-        assertArrayEquals(IntArray(1200), SuperSampling.NONE.render(ZBuffer(), SuperSampling.NONE.frame(onScreen, raster)).argb)
+        val alone = SuperSampling.NONE.frame(onScreen, raster)
+        assertArrayEquals(IntArray(1200), SuperSampling.NONE.render(ZBuffer(), alone).argb)
     }
 }

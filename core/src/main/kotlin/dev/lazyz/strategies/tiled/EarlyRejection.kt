@@ -7,8 +7,8 @@ import dev.lazyz.setup.planar.triangleBatchWith
 import dev.lazyz.strategies.tiled.binning.NearToFar
 import dev.lazyz.strategies.tiled.binning.TriangleBins
 import dev.lazyz.strategies.tiled.raster.CancellationCheck
-import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 import dev.lazyz.strategies.tiled.raster.TriangleForms
+import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
 /**
  * Draws the batches' triangles of one tile from near to far, so that hidden triangles can be rejected before they are

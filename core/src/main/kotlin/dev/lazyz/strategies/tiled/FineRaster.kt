@@ -5,8 +5,8 @@ import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.strategies.tiled.binning.TriangleBins
 import dev.lazyz.strategies.tiled.raster.BlockKernel
 import dev.lazyz.strategies.tiled.raster.SmallCoverage
-import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 import dev.lazyz.strategies.tiled.raster.TriangleForms
+import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
 /**
  * Draws triangles into the keys of a tile, block by block. Belongs to one thread.

@@ -1,7 +1,7 @@
 package dev.lazyz.strategies.tiled
 
-import dev.lazyz.strategies.tiled.binning.SmallTriangleKernel
 import dev.lazyz.strategies.tiled.binning.ScalarSmallTriangleKernel
+import dev.lazyz.strategies.tiled.binning.SmallTriangleKernel
 import dev.lazyz.strategies.tiled.binning.VectorSmallTriangleKernel
 import dev.lazyz.strategies.tiled.raster.BlockKernel
 import dev.lazyz.strategies.tiled.raster.ScalarBlockKernel
@@ -21,7 +21,13 @@ internal enum class Kernels {
     ;
 
     /** Returns the loops that compute the coverage of small triangles. */
-    fun coverage(): SmallTriangleKernel = if (this == VECTOR) VectorSmallTriangleKernel() else ScalarSmallTriangleKernel()
+    fun coverage(): SmallTriangleKernel = if (this ==
+        VECTOR
+    ) {
+        VectorSmallTriangleKernel()
+    } else {
+        ScalarSmallTriangleKernel()
+    }
 
     /** Returns the loops that draw blocks. */
     fun blocks(): BlockKernel = if (this == VECTOR) VectorBlockKernel() else ScalarBlockKernel()

@@ -47,7 +47,16 @@ internal class Rendering(
 
     /** One for each thread; the first belongs to the calling thread. */
     private val renderers = List(threadCount) { number ->
-        TileRenderer(frame, grid, coherence, kernels, if (number == 0) CancellationCheck(::passCallerCheckpoint) else schedule)
+        TileRenderer(
+            frame, grid, coherence, kernels,
+            if (number ==
+                0
+            ) {
+                CancellationCheck(::passCallerCheckpoint)
+            } else {
+                schedule
+            }
+        )
     }
 
     /** Renders the frame and passes every row to [sink]. */

@@ -4,8 +4,8 @@ import dev.lazyz.DepthTest
 import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.strategies.tiled.raster.SmallCoverage
 import dev.lazyz.strategies.tiled.raster.TileGrid
-import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 import dev.lazyz.strategies.tiled.raster.TriangleForms
+import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
 /**
  * The triangles and fragments that one chunk of a frame's triangles adds to [TriangleBins], in the order in which they
