@@ -64,7 +64,8 @@ class StrategiesAgreeProperties {
         val renderers = Renderers.builtIn.filter {
             !part.frame.hasTranslucency || Capability.TRANSPARENCY in it.capabilities
         }
-        val images = renderers.map { it.configured(options(random)) }.map { it to it.render(part.frame) }
+        val configured = renderers.map { it.configured(options(random).supportedBy(it)) }
+        val images = configured.map { it to it.render(part.frame) }
         val (first, expected) = images.first()
         for ((renderer, image) in images) {
             difference(expected, image)?.let {

@@ -32,9 +32,9 @@ public object Renderers {
     public val builtIn: List<Renderer> = listOf(
         Tiled(),
         ZBuffer(),
+        Hybrid(),
         LazyZBuffer(),
         FlowPipeline(),
-        Hybrid(),
         Lists(),
         ScanLine(),
         Painter(),

@@ -96,7 +96,7 @@ class StrategyChoiceTest {
                 .mistake("strategy 'zbuffer' does not support $name (", "See 'zcli strategies --long'")
         }
         render("teapot", "--strategy", "zbuffer", "--memory-budget", "1", "--select", "blend")
-            .mistake("--memory-budget (lazy, hybrid", "--select (lists")
+            .mistake("--memory-budget (hybrid, lazy", "--select (lists")
         render("no-such-input", "--strategy", "zbuffer", "--select", "count").mistake("does not support --select")
         assertNoPicture()
     }
@@ -104,7 +104,7 @@ class StrategyChoiceTest {
     @Test
     fun flagsThatNoOneStrategyHeedsAreAMistake() {
         render("teapot", "--memory-budget", "1", "--select", "count")
-            .mistake("no single strategy supports all of --memory-budget (lazy, hybrid", "--select (lists")
+            .mistake("no single strategy supports all of --memory-budget (hybrid, lazy", "--select (lists")
         assertNoPicture()
     }
 
@@ -116,7 +116,7 @@ class StrategyChoiceTest {
             assertNoPicture()
         }
         render(folder.glass(), "--memory-budget", "1k")
-            .mistake("no strategy that supports --memory-budget (lazy, hybrid", "blends")
+            .mistake("no strategy that supports --memory-budget (hybrid, lazy", "blends")
         assertNoPicture()
         render(folder.glass(), "--memory-budget", "1k", "--opaque").done()
     }
