@@ -4,6 +4,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.conformance.assertSamePicture
+import dev.lazyz.render
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.writers.toPng

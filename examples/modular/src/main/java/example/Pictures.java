@@ -16,13 +16,13 @@ import org.joml.Vector3d;
 class Pictures {
     private Pictures() {}
 
-    static byte[] sphere() {
+    static byte[] sphere() throws InterruptedException {
         Scene scene = Scene.builder().add(new Sphere(new Vector3d(), 1)).build();
         return Images.toPng(new FlowPipeline().render(scene.frame(64, 48)));
     }
 
     /** Returns the picture of a model that is text, such as OBJ, glTF and scene files. */
-    static Image ofModel(String text, SceneFormat format) {
+    static Image ofModel(String text, SceneFormat format) throws InterruptedException {
         var bytes = new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8));
         var frame = Scenes.load(bytes, format).getScene().frame(64, 48);
         return Renderers.auto(frame).render(frame);

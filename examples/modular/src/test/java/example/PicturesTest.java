@@ -32,7 +32,7 @@ class PicturesTest {
     }
 
     @Test
-    void modelsAreReadByLibrariesInOtherModules() {
+    void modelsAreReadByLibrariesInOtherModules() throws Exception {
         String obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
         String scene = "{\"lazyz\": 1, \"surfaces\": [{\"sphere\": {\"center\": [0, 0, 0], \"radius\": 1}}]}";
         String triangle = "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
