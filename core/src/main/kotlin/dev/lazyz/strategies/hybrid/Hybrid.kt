@@ -16,14 +16,14 @@ import java.io.IOException
 /**
  * Scan-converts each primitive as it arrives, and suspends the colours until the end.
  *
- * The memory of suspensions is accounted for. A primitive that is visible somewhere so far holds a record with the runs
- * of samples at which it was visible when it was drawn. If primitives arrive as a stream, the primitive itself is kept
- * as well (see [dev.lazyz.Primitive.heldBytes]). The record is freed when the primitive's last sample is covered by a nearer
- * primitive. Before these bytes would exceed [RenderOptions.memoryBudget], all suspended colours are computed, which
- * frees their records; after that, colours are suspended again. A primitive whose record does not fit into the budget
- * alone is shaded as it is drawn. Any budget, including 0, therefore gives the same picture; with less memory, more
- * shaded samples are covered later. The number of extra shading calls is [Counters.shadingCalls] minus the number of
- * visible samples.
+ * The memory of suspensions is accounted for. A primitive that is visible somewhere so far holds a record with the
+ * runs of samples at which it was visible when it was drawn. If primitives arrive as a stream, the primitive itself is
+ * kept as well (see [dev.lazyz.Primitive.heldBytes]). The record is freed when the primitive's last sample is covered
+ * by a nearer primitive. Before these bytes would exceed [RenderOptions.memoryBudget], all suspended colours are
+ * computed, which frees their records; after that, colours are suspended again. A primitive whose record does not fit
+ * into the budget alone is shaded as it is drawn. Any budget, including 0, therefore gives the same picture; with less
+ * memory, more shaded samples are covered later. The number of extra shading calls is [Counters.shadingCalls] minus
+ * the number of visible samples.
  *
  * Use it when primitives arrive one by one and shading is expensive, and to keep the memory of a rendering within a
  * known limit.
