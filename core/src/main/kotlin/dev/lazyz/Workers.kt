@@ -30,9 +30,12 @@ internal class Workers(val threads: Int, val executor: Executor) {
         if (helperCount < 1) return repeat(count, action)
         val loop = SharedLoop(count, action)
         val helpers = Helpers(executor)
-        repeat(helperCount) { helpers.start(loop::takePart) }
-        loop.takePart()
-        helpers.end(interrupt = false)
+        try {
+            repeat(helperCount) { helpers.start(loop::takePart) }
+            loop.takePart()
+        } finally {
+            helpers.end(interrupt = false)
+        }
         loop.failure.get()?.let { throw it }
     }
 
@@ -71,10 +74,11 @@ internal class Helpers(private val executor: Executor) {
 
     /** Lets a helper do [work] as soon as the executor has a thread for it. Exceptions of [work] are not reported. */
     fun start(work: () -> Unit) {
+        // Add it first: whatever fails after that, a helper that has begun is waited for
         val helper = Helper(caller, work)
+        helpers += helper
         try {
             executor.execute(helper)
-            helpers += helper
         } catch (_: RejectedExecutionException) {
             // The calling thread does the work
         } catch (_: OutOfMemoryError) {

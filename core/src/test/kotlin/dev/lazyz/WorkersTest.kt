@@ -78,6 +78,41 @@ class WorkersTest {
     }
 
     @Test
+    fun aHelperThatBeganIsWaitedForEvenIfItsExecutorThrows() {
+        for (failure in listOf(RejectedExecutionException(), OutOfMemoryError(), IllegalStateException())) {
+            val caller = Thread.currentThread()
+            val begun = CountDownLatch(1)
+            val working = AtomicInteger()
+            val executor = Executor { task ->
+                Thread(task).start()
+                begun.await()
+                throw failure
+            }
+            val run = {
+                Workers(2, executor).forEach(2) {
+                    if (Thread.currentThread() !== caller) {
+                        working.incrementAndGet()
+                        begun.countDown()
+                        Thread.sleep(200)
+                        working.decrementAndGet()
+                    }
+                }
+            }
+            if (failure is IllegalStateException) {
+                assertSame(
+                    failure,
+                    assertThrows(failure.javaClass) {
+                        run()
+                    }
+                )
+            } else {
+                run()
+            }
+            assertEquals(0, working.get(), "$failure")
+        }
+    }
+
+    @Test
     fun aTaskThatRunsLateDoesNothing() {
         val tasks = ArrayList<Runnable>()
         val calls = AtomicInteger()

@@ -31,7 +31,7 @@ import java.io.IOException
  * Sums are of integers, so their order does not matter. Depth and primitive are those of the sample that wins the depth
  * test. If no sample has an alpha above 0, the pixel is as its upper left sample.
  *
- * Cost: [factor]^2 samples a pixel, shaded one by one. Memory: that of the renderer for rows of samples, and 56 bytes a
+ * Cost: [factor]^2 samples a pixel, shaded one by one. Memory: that of the renderer for rows of samples, and 48 bytes a
  * column of pixels. Rows are passed on as soon as their samples are complete. Immutable and thread safe.
  *
  * @property factor samples a pixel in each direction, 1..[MAX_FACTOR]; with 1, nothing changes

@@ -58,12 +58,16 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         return Shot(if (subject.translucency == Translucency.OPAQUE) frame.asOpaque() else frame, sampling)
     }
 
-    private fun samples(sampling: SuperSampling, scene: Scene, raster: Raster, options: RenderOptions): Frame = try {
-        sampling.frame(scene, raster, options)
-    } catch (e: UnsupportedOperationException) {
-        throw Mistake("--aa ${sampling.factor}: ${e.message}; use --aa 1")
-    } catch (e: IllegalArgumentException) {
-        throw Mistake("--aa ${sampling.factor}: ${e.message}")
+    private fun samples(sampling: SuperSampling, scene: Scene, raster: Raster, options: RenderOptions): Frame {
+        // With one sample a pixel, an exception is not the user's mistake
+        if (sampling.factor == 1) return scene.frame(raster, options)
+        return try {
+            sampling.frame(scene, raster, options)
+        } catch (e: UnsupportedOperationException) {
+            throw Mistake("--aa ${sampling.factor}: ${e.message}; use --aa 1")
+        } catch (e: IllegalArgumentException) {
+            throw Mistake("--aa ${sampling.factor}: ${e.message}")
+        }
     }
 
     /** Replaces the shading of [material]. Removes its custom shader, too, which would take precedence. */

@@ -83,7 +83,7 @@ public class Tiled internal constructor(
      */
     @JvmOverloads
     public constructor(options: RenderOptions = RenderOptions()) :
-        this(options.coherence, options.threads, options.tileSize, executor = options.executor ?: LibraryThreads) {
+        this(options.coherence, options.threads, options.tileSize, executor = options.workers.executor) {
         options.requireSupportedBy(this)
     }
 
