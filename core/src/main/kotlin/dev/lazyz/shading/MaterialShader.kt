@@ -37,7 +37,7 @@ internal class MaterialShader(
         }
         if (texture != null) {
             val texel = fragment.texel
-            texture.sample(fragment.u, fragment.v, texel)
+            texture.sample(fragment, texel)
             red *= texel[0]
             green *= texel[1]
             blue *= texel[2]
@@ -88,7 +88,7 @@ internal class MaterialShader(
         var alpha = fragment.vertexAlpha
         if (!isPrelit) alpha *= base.alpha
         if (texture != null) {
-            texture.sample(fragment.u, fragment.v, fragment.texel)
+            texture.sample(fragment, fragment.texel)
             alpha *= fragment.texel[3]
         }
         return alpha
@@ -99,7 +99,7 @@ internal class MaterialShader(
      * scratch memory of 6 numbers.
      */
     fun litColor(vertices: Vertices, vertex: Int, light: FloatArray) {
-        val at = Vertices.STRIDE * vertex
+        val at = vertices.stride * vertex
         val data = vertices.data
         lighting.illuminate(
             material,

@@ -92,6 +92,9 @@ public class Material @JvmOverloads constructor(
         get() = alphaMode == AlphaMode.BLEND &&
             (!(baseColor.alpha >= 1f) || texture?.hasAlpha == true || shader != null)
 
+    /** Whether textures are read with the derivatives of their coordinates. */
+    internal val usesFootprint: Boolean get() = texture != null && texture.mipFilter != MipFilter.NONE
+
     /** Returns this material with another [baseColor]. */
     public fun withBaseColor(baseColor: Rgba): Material = copy(baseColor = baseColor)
 

@@ -12,7 +12,6 @@ import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.world.Material
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
 
 /** Reads the input that [subject] names, and creates the frame that the options describe. */
 internal class FrameSource(private val subject: Subject, private val streams: Streams) {
@@ -47,7 +46,7 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         }
         val pointOfView = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
         val seen = subject.sizes.applyTo(pointOfView.applyTo(upright))
-        val scene = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
+        val scene = if (subject.changesMaterials) seen.withMaterials(::changed) else seen
 
         // The camera is fitted to the whole raster. The picture may be a part of it
         val raster = raster(scene, loaded)
@@ -70,9 +69,13 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         }
     }
 
-    /** Replaces the shading of [material]. Removes its custom shader, too, which would take precedence. */
-    private fun shaded(material: Material, shading: Shading): Material =
-        material.withShading(shading).withShader(null)
+    /** Applies the options that change [material]. A custom shader would take precedence over other shading. */
+    private fun changed(material: Material): Material {
+        val shaded = subject.shading?.let { material.withShading(it).withShader(null) } ?: material
+        val texture = shaded.texture
+        if (subject.mipFilter == null || texture == null) return shaded
+        return shaded.withTexture(texture.withMipFilter(subject.mipFilter))
+    }
 
     private fun raster(scene: Scene, loaded: LoadedScene): Raster {
         val size = subject.size ?: loaded.size ?: DEFAULT_SIZE

@@ -19,6 +19,7 @@ import dev.lazyz.cli.strategies.Choices
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Fit
+import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Points
 import dev.lazyz.world.Shading
 import dev.lazyz.world.UpAxis
@@ -46,6 +47,7 @@ internal fun subject(
         samples = picture.samples,
         background = picture.background,
         shading = picture.shading,
+        mipFilter = picture.mipFilter,
         sizes = PixelSizes(picture.pointSize, picture.lineWidth),
         translucency = if (picture.isOpaque) Translucency.OPAQUE else Translucency.BLENDED,
         depthConvention = picture.depthConvention,
@@ -99,6 +101,12 @@ internal class PictureOptions : OptionGroup("Picture") {
 
     val shading by option("--shading", help = "Replace the shading of all materials: ${names(shadings.keys)}")
         .oneOf("SHADING", shadings)
+
+    val mipFilter by option(
+        "--texture-filter",
+        help = "How textures are read where many texels fall on one sample: ${names(mipFilters.keys)}; default: " +
+            "the scene file's, or anisotropic",
+    ).oneOf("FILTER", mipFilters)
 
     val pointSize by option("--point-size", help = "Size of points in pixels, up to 4096; default: the input's, or 2")
         .number("PX", LEAST_SIZE..Points.MAX_SIZE.toDouble(), " pixels")
@@ -172,6 +180,8 @@ private const val LEAST_SIZE = 0.001
 private val formats = SceneFormat.entries.associateBy { it.id }
 
 private val upAxes = UpAxis.entries.associateBy { it.id }
+
+private val mipFilters = MipFilter.entries.associateBy { it.name.lowercase() }
 
 private val shadings = Shading.entries.associateBy { it.name.lowercase().replace('_', '-') }
 

@@ -89,7 +89,7 @@ internal class PlanarSetUp(
 
     /** Transforms all vertices of [mesh]. */
     private fun meshVertices(mesh: Mesh): Vertices {
-        val vertices = Vertices(mesh.vertexCount)
+        val vertices = Vertices(mesh.vertexCount, Vertices.strideOf(mesh))
         for (i in 0 until mesh.vertexCount) stage.place(vertices, i, mesh, i)
         return vertices
     }
@@ -112,6 +112,10 @@ internal class PlanarSetUp(
         var fields = 0
         if (isLit) fields = fields or Attributes.WORLD or Attributes.NORMAL
         if (hasUvs && (material.texture != null || material.shader != null)) fields = fields or Attributes.UV
+        if (material.shader != null && mesh?.uvs2 != null) fields = fields or Attributes.UV2
+        if (material.shader != null && mesh?.tangents != null) fields = fields or Attributes.TANGENT
+        val hasPlaces = fields and (Attributes.UV or Attributes.UV2) != 0
+        if (hasPlaces && material.usesFootprint) fields = fields or Attributes.FOOTPRINT
         if (hasColors || isPrelit) fields = fields or Attributes.COLOR
         val usesFaceNormal = !hasNormals || (material.shader == null && material.shading == Shading.FLAT)
         val shader = MaterialShader(material, lighting, isPrelit)

@@ -5,6 +5,7 @@ import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Material
+import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Texture
 import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap
@@ -54,12 +55,13 @@ internal class MaterialReader(private val source: Source) {
 
     private fun texture(node: JsonNode): Texture? {
         if (node.isText) return picture(node)
-        val members = node.members("image", "filter", "wrap", "name")
+        val members = node.members("image", "filter", "mipFilter", "wrap", "name")
         val picture = picture(members.required("image")) ?: return null
         val filter = members["filter"]?.choice(SceneFileNames.filters) ?: TextureFilter.BILINEAR
+        val mipFilter = members["mipFilter"]?.choice(SceneFileNames.mipFilters) ?: MipFilter.ANISOTROPIC
         val (wrapU, wrapV) = members["wrap"]?.let(::wraps) ?: (TextureWrap.REPEAT to TextureWrap.REPEAT)
         val name = members["name"]?.text() ?: picture.name
-        return EmbeddedImage.texture(picture, filter, wrapU, wrapV, name)
+        return picture.withSampling(filter, wrapU, wrapV, mipFilter).withName(name)
     }
 
     private fun wraps(node: JsonNode): Pair<TextureWrap, TextureWrap> {

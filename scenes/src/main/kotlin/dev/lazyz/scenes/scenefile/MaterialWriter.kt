@@ -4,6 +4,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.json.JsonWriter
 import dev.lazyz.world.Material
+import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Texture
 import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap
@@ -55,6 +56,7 @@ internal class MaterialWriter(materials: Iterable<Material>) {
     private fun write(out: JsonWriter, texture: Texture) = out.members {
         if (texture.name.isNotEmpty()) key("name").text(texture.name)
         if (texture.filter != TextureFilter.BILINEAR) key("filter").text(SceneFileNames.of(texture.filter))
+        if (texture.mipFilter != MipFilter.ANISOTROPIC) key("mipFilter").text(SceneFileNames.of(texture.mipFilter))
         if (texture.wrapU != TextureWrap.REPEAT || texture.wrapV != TextureWrap.REPEAT) {
             val wraps = listOf(texture.wrapU, texture.wrapV)
             key("wrap").inline(2) { text(SceneFileNames.of(wraps[it])) }
