@@ -72,5 +72,8 @@ public class Frame internal constructor(
     public fun asOpaque(): Frame =
         if (hasTranslucency) Frame(raster, content.withSingles { it.asOpaque() }, region) else this
 
+    /** Returns this frame with primitives whose colours are not computed: what is visible where, and how deep. */
+    internal fun unshaded(): Frame = Frame(raster, content.unshaded(), region)
+
     override fun toString(): String = "Frame($raster, $region, ${content.size} primitives)"
 }

@@ -44,6 +44,19 @@ internal class FrameContent private constructor(
     fun withSingles(change: (Primitive) -> Primitive): FrameContent =
         FrameContent(size, batches, singles.map(change), indices)
 
+    /** Returns this content without colours, see [Frame.unshaded]. */
+    fun unshaded(): FrameContent =
+        FrameContent(size, batches.map { it.unshaded() }, singles.map { UnshadedPrimitive(it) }, indices)
+
+    /** Returns the primitive with submission index [index], without making objects of the others. */
+    fun primitive(index: Int): Primitive {
+        val number = batchNumber(index)
+        if (number >= 0) return batches[number].primitive(index - batches[number].first)
+        if (indices == null) return singles[index]
+        val single = java.util.Arrays.binarySearch(indices, index)
+        return if (single >= 0) singles[single] else EmptyPrimitive
+    }
+
     private inner class AllPrimitives : AbstractList<Primitive>() {
         private val all by lazy {
             val all = ArrayList<Primitive>(this@FrameContent.size)

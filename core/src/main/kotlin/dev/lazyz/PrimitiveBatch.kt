@@ -17,6 +17,12 @@ internal interface PrimitiveBatch {
     /** Whether primitive [number], 0 until [count], is drawn from this batch. */
     fun isDrawn(number: Int): Boolean
 
+    /** Returns primitive [number] as a single primitive. */
+    fun primitive(number: Int): Primitive
+
+    /** Returns this batch with primitives whose colours are not computed. */
+    fun unshaded(): PrimitiveBatch
+
     /** Returns all primitives of the batch as single primitives. */
     fun primitives(): Sequence<Primitive>
 }

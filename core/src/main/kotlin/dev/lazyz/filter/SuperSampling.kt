@@ -1,67 +1,95 @@
 package dev.lazyz.filter
 
-import dev.lazyz.Counters
-import dev.lazyz.DepthTest
 import dev.lazyz.Frame
-import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
-import dev.lazyz.Renderer
-import dev.lazyz.RowSink
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Points
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Surface
-import java.io.IOException
 
 /**
- * Anti-aliasing by several samples a pixel: [factor] x [factor] samples on a regular grid, and a box filter.
+ * Anti-aliasing by several samples a pixel: [factor] x [factor] samples on a regular grid, and a filter.
  *
  * ```
- * val smooth = SuperSampling(4)
- * val image = smooth.render(Tiled(), smooth.frame(scene, Raster(640, 480)))
+ * val image = SuperSampling(4).frame(scene, Raster(640, 480)).render(Tiled())
  * ```
  *
- * The frame is an ordinary one, of a raster [factor] times as wide and as high, so every renderer, option and region
- * works, and all renderers give the same bits. A pixel's colour is the mean of its samples in linear light, weighted by
- * their alpha; its alpha is the mean alpha. The samples are those of contract rule 6.4, so each has 8 bits a component.
- * Sums are of integers, so their order does not matter. Depth and primitive are those of the sample that wins the depth
- * test. If no sample has an alpha above 0, the pixel is as its upper left sample.
+ * The frame of samples is an ordinary one, of a raster [factor] times as wide and as high, so every renderer, option
+ * and region works, and all renderers give the same bits. A pixel's colour is the mean of its samples in linear light,
+ * weighted by the filter and by their alpha; its alpha is the mean alpha. The samples are those of contract rule 6.4,
+ * so each has 8 bits a component. Sums are of integers, so their order does not matter. Depth and primitive are those
+ * of the pixel's sample that wins the depth test. A pixel without alpha has the colour of its upper left sample.
  *
- * Cost: [factor]^2 samples a pixel, shaded one by one. Memory: that of the renderer for rows of samples, and 48 bytes a
- * column of pixels. Rows are passed on as soon as their samples are complete. Immutable and thread safe.
+ * Cost: [factor]^2 samples a pixel. Memory: that of the renderer for rows of samples, and 84 bytes a column of pixels
+ * for each row that the filter covers, and 44 more. Rows are passed on as soon as their samples are complete. Immutable
+ * and thread safe.
  *
- * @property factor samples a pixel in each direction, 1..[MAX_FACTOR]; with 1, nothing changes
+ * @property factor samples a pixel in each direction, 1..[MAX_FACTOR]
+ * @property filter how samples are weighted
+ * @property rate how often primitives are shaded
  * @throws IllegalArgumentException if [factor] is out of range
  */
-public class SuperSampling(public val factor: Int) {
+public class SuperSampling @JvmOverloads constructor(
+    public val factor: Int,
+    public val filter: PixelFilter = PixelFilter.BOX,
+    public val rate: ShadingRate = ShadingRate.SAMPLE,
+) {
     init {
         require(factor in 1..MAX_FACTOR) { "factor must be in 1..$MAX_FACTOR: $factor" }
     }
+
+    internal val taps = FilterTaps(filter, factor)
 
     /**
      * Sets up [scene] for the samples of [pixels]. Sizes of [Points] and [Lines] stay as they are in pixels.
      *
      * @param options the threads of set-up, see [Scene.frame]
-     * @throws IllegalArgumentException if the raster of samples has a side above [Raster.MAX_SIDE]
-     * @throws UnsupportedOperationException if [factor] is above 1 and the camera's projection is [Projection.Screen]:
-     *   such a scene is given in samples
+     * @throws IllegalArgumentException if this is not [possible]
      */
     @JvmOverloads
-    public fun frame(scene: Scene, pixels: Raster, options: RenderOptions = RenderOptions()): Frame {
-        if (factor == 1) return scene.frame(pixels, options)
-        if ((scene.viewpoint as? Camera)?.projection == Projection.Screen) {
-            throw UnsupportedOperationException("a scene given on the screen has one sample a pixel")
-        }
-        val widest = Raster.MAX_SIDE / factor
-        require(pixels.width <= widest && pixels.height <= widest) {
-            "with $factor x $factor samples a pixel, a side has at most $widest pixels: ${pixels.width} x ${pixels.height}"
-        }
+    public fun frame(scene: Scene, pixels: Raster, options: RenderOptions = RenderOptions()): SampledFrame {
+        if (factor == 1) return of(scene.frame(pixels, options))
+        obstacle(scene, pixels)?.let { throw IllegalArgumentException(it) }
         val magnified = Scene(scene.surfaces.map { magnified(it) }, scene.lights, scene.viewpoint, scene.background)
-        return magnified.frame(pixels.withSize(pixels.width * factor, pixels.height * factor), options)
+        return of(magnified.frame(pixels.withSize(pixels.width * factor, pixels.height * factor), options))
+    }
+
+    /**
+     * Whether [frame] accepts [scene] and [pixels]. With a [factor] above 1, it does not if the camera's projection is
+     * [Projection.Screen], because such a scene is given in samples; if the raster of samples has a side above
+     * [Raster.MAX_SIDE]; or if a point or a line is wider than [Points.MAX_SIZE] samples.
+     */
+    public fun possible(scene: Scene, pixels: Raster): Boolean = obstacle(scene, pixels) == null
+
+    private fun obstacle(scene: Scene, pixels: Raster): String? {
+        val most = Raster.MAX_SIDE / factor
+        val widest = Points.MAX_SIZE / factor
+        val size = scene.surfaces.maxOfOrNull { sizeOf(it) } ?: 0.0
+        val isOnScreen = (scene.viewpoint as? Camera)?.projection == Projection.Screen
+        return when {
+            factor == 1 -> null
+
+            isOnScreen -> "a scene that is given on the screen has one sample a pixel"
+
+            maxOf(pixels.width, pixels.height) > most ->
+                "with $factor x $factor samples a pixel, a side has at most $most pixels: " +
+                    "${pixels.width} x ${pixels.height}"
+
+            size > widest ->
+                "with $factor x $factor samples a pixel, points and lines are at most $widest pixels wide: $size"
+
+            else -> null
+        }
+    }
+
+    private fun sizeOf(surface: Surface): Double = when (surface) {
+        is Points -> surface.size
+        is Lines -> surface.width
+        else -> 0.0
     }
 
     private fun magnified(surface: Surface): Surface = when (surface) {
@@ -70,63 +98,24 @@ public class SuperSampling(public val factor: Int) {
         else -> surface
     }
 
-    /** Returns the samples of a region of pixels, for [Frame.within]. */
-    public fun samples(pixels: Region): Region = Region(
-        pixels.columnStart * factor,
-        pixels.rowStart * factor,
-        pixels.columnEnd * factor,
-        pixels.rowEnd * factor,
-    )
-
     /**
-     * Returns the pixels of a region of samples.
+     * Returns the picture whose samples are those of [samples], for a frame that does not come from a scene.
      *
-     * @throws IllegalArgumentException if the region does not consist of whole pixels
+     * @throws IllegalArgumentException if the region of the frame does not consist of whole pixels
      */
-    public fun pixels(samples: Region): Region {
-        val pixels = Region(
-            samples.columnStart / factor,
-            samples.rowStart / factor,
-            samples.columnEnd / factor,
-            samples.rowEnd / factor,
-        )
-        require(samples(pixels) == samples) { "$samples must consist of pixels of $factor x $factor samples" }
-        return pixels
+    public fun of(samples: Frame): SampledFrame {
+        val region = samples.region
+        val sides = listOf(region.columnStart, region.rowStart, region.columnEnd, region.rowEnd)
+        require(sides.all { it % factor == 0 }) { "$region must consist of pixels of $factor x $factor samples" }
+        val pixels = Region(sides[0] / factor, sides[1] / factor, sides[2] / factor, sides[3] / factor)
+        return SampledFrame(this, samples.within(samples.raster.region), pixels)
     }
 
-    /**
-     * Renders [frame], a frame of samples, and passes every row of pixels to [sink]. Throws like [Renderer.render].
-     *
-     * @return the work, counted in samples
-     * @throws IllegalArgumentException if the frame's region does not consist of whole pixels
-     */
-    @Throws(InterruptedException::class, IOException::class)
-    public fun render(renderer: Renderer, frame: Frame, sink: RowSink): Counters =
-        renderer.render(frame, toPixels(frame, sink))
-
-    /** Renders [frame], a frame of samples, to an image of pixels in memory. Throws like the other [render]. */
-    @Throws(InterruptedException::class)
-    public fun render(renderer: Renderer, frame: Frame): Image {
-        val collector = Image.Collector(pixels(frame.region))
-        return collector.toImage(render(renderer, frame, collector))
-    }
-
-    /**
-     * Returns a sink for the rows of [frame], a frame of samples. It passes rows of pixels to [sink]. Used once; not
-     * thread safe.
-     *
-     * @throws IllegalArgumentException if the frame's region does not consist of whole pixels
-     */
-    public fun toPixels(frame: Frame, sink: RowSink): RowSink {
-        val pixels = pixels(frame.region)
-        return if (factor == 1) sink else BoxFilter(factor, pixels, frame.raster.depthTest, sink)
-    }
-
-    override fun toString(): String = "SuperSampling($factor)"
+    override fun toString(): String = "SuperSampling($factor, $filter, $rate)"
 
     public companion object {
         /** The largest [factor]. */
-        public const val MAX_FACTOR: Int = 16
+        public const val MAX_FACTOR: Int = 64
 
         /** One sample a pixel. */
         @JvmField

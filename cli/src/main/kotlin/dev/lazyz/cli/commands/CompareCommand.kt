@@ -90,7 +90,7 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
         return if (comparison.isGood) ExitCode.DONE else ExitCode.DIFFERENT
     }
 
-    private fun subject(input: String): Subject = subject(input, reading, limits, picture, camera)
+    private fun subject(input: String): Subject = subject(input, reading, limits, picture, camera, usualSamples = 1)
 }
 
 /** Options that choose what to compare, and how to print the result. */

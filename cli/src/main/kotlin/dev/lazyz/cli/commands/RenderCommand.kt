@@ -8,6 +8,7 @@ import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.optionalValue
+import dev.lazyz.Selector
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.CostOptions
@@ -20,11 +21,13 @@ import dev.lazyz.cli.options.classPath
 import dev.lazyz.cli.options.oneOf
 import dev.lazyz.cli.options.selector
 import dev.lazyz.cli.options.subject
+import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.render.RenderJob
 import dev.lazyz.cli.render.RenderRequest
 import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.strategies.StrategyPath
+import dev.lazyz.filter.ShadingRate
 import java.nio.file.Path
 
 /** `zcli render`: declares the options. [RenderJob] does the work. */
@@ -54,16 +57,28 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
     )
 
     override fun run() {
+        val selector = rendering.selector
+        if (selector != null && picture.shadingRate == ShadingRate.PIXEL) {
+            throw Mistake("--shading-rate pixel cannot be combined with --select")
+        }
+
+        // The colours of a count are names of numbers, which must not be mixed
+        val usualSamples = if (selector == Selector.count()) 1 else USUAL_SAMPLES
         val request = RenderRequest(
-            subject = subject(input, reading, limits, picture, camera),
+            subject = subject(input, reading, limits, picture, camera, usualSamples),
             output = output.picture,
             depthOutput = output.depth,
             strategy = rendering.strategy,
-            choices = cost.choices(rendering.selector),
+            choices = cost.choices(selector),
             isExplained = rendering.isExplained,
             stats = output.stats,
         )
         StrategyPath.with(rendering.classPath) { RenderJob(request, streams).run() }
+    }
+
+    private companion object {
+        /** Samples a pixel in each direction without --aa, see docs/anti-aliasing.md. */
+        const val USUAL_SAMPLES = 4
     }
 }
 

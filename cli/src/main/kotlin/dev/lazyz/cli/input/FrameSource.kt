@@ -1,12 +1,12 @@
 package dev.lazyz.cli.input
 
-import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
-import dev.lazyz.filter.SuperSampling
+import dev.lazyz.filter.SampledFrame
+import dev.lazyz.filter.ShadingRate
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
@@ -37,7 +37,7 @@ internal class FrameSource(private val subject: Subject, private val streams: St
      * Returns the picture of [loaded], seen from [view] or, if that is null, from the side that the options choose. It
      * is set up by the threads of [options].
      */
-    fun frame(loaded: LoadedScene, options: RenderOptions, view: View? = null): Shot {
+    fun frame(loaded: LoadedScene, options: RenderOptions, view: View? = null): SampledFrame {
         // Apply the options of axis, camera and shading
         val upright = try {
             loaded.scene.withUpAxis(subject.up)
@@ -52,21 +52,12 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         val raster = raster(scene, loaded)
         val region = region(raster)
         streams.progress("setting up ${raster.width}x${raster.height} ...")
-        val sampling = SuperSampling(subject.samples)
-        val frame = samples(sampling, scene, raster, options).within(sampling.samples(region))
-        return Shot(if (subject.translucency == Translucency.OPAQUE) frame.asOpaque() else frame, sampling)
-    }
-
-    private fun samples(sampling: SuperSampling, scene: Scene, raster: Raster, options: RenderOptions): Frame {
-        // With one sample a pixel, an exception is not the user's mistake
-        if (sampling.factor == 1) return scene.frame(raster, options)
-        return try {
-            sampling.frame(scene, raster, options)
-        } catch (e: UnsupportedOperationException) {
-            throw Mistake("--aa ${sampling.factor}: ${e.message}; use --aa 1")
-        } catch (e: IllegalArgumentException) {
-            throw Mistake("--aa ${sampling.factor}: ${e.message}")
+        val frame = subject.antiAliasing.frame(scene, raster, options).within(region)
+        val isOpaque = subject.translucency == Translucency.OPAQUE
+        if (subject.antiAliasing.rate == ShadingRate.PIXEL && frame.frame.hasTranslucency && !isOpaque) {
+            throw Mistake("--shading-rate pixel: the scene is translucent; use --shading-rate sample, or --opaque")
         }
+        return if (isOpaque) frame.asOpaque() else frame
     }
 
     /** Applies the options that change [material]. A custom shader would take precedence over other shading. */

@@ -13,11 +13,7 @@ import dev.lazyz.world.UpAxis
 /** How to render translucent materials. */
 internal enum class Translucency { BLENDED, OPAQUE }
 
-/**
- * The options that determine what a picture shows; null if the user did not give the option.
- *
- * @property samples samples a pixel in each direction
- */
+/** The options that determine what a picture shows; null if the user did not give the option. */
 internal class Subject(
     val input: String,
     val format: SceneFormat?,
@@ -25,7 +21,7 @@ internal class Subject(
     val up: UpAxis,
     val size: ImageSize?,
     val region: Region?,
-    val samples: Int,
+    val antiAliasing: AntiAliasing,
     val background: Rgba?,
     val shading: Shading?,
     val mipFilter: MipFilter?,

@@ -10,12 +10,15 @@ import dev.lazyz.Coherence
 import dev.lazyz.DepthConvention
 import dev.lazyz.RenderOptions
 import dev.lazyz.Selector
+import dev.lazyz.cli.input.AntiAliasing
 import dev.lazyz.cli.input.PixelSizes
 import dev.lazyz.cli.input.PointOfView
 import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.input.Translucency
 import dev.lazyz.cli.input.View
 import dev.lazyz.cli.strategies.Choices
+import dev.lazyz.filter.PixelFilter
+import dev.lazyz.filter.ShadingRate
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Fit
@@ -29,13 +32,18 @@ internal const val INPUT_HELP: String =
     "A model (.obj, .stl, .ply, .off, .3mf, .gltf, .glb), a scene file (.json), the name of a built-in scene " +
         "(see 'zcli scenes'), or - for standard input"
 
-/** Returns the subject that the options describe for [input]. */
+/**
+ * Returns the subject that the options describe for [input].
+ *
+ * @param usualSamples samples a pixel in each direction if the user does not choose
+ */
 internal fun subject(
     input: String,
     reading: ReadingOptions,
     limits: LimitOptions,
     picture: PictureOptions,
     camera: CameraOptions,
+    usualSamples: Int,
 ): Subject =
     Subject(
         input = input,
@@ -44,7 +52,7 @@ internal fun subject(
         up = reading.up,
         size = picture.size,
         region = picture.region,
-        samples = picture.samples,
+        antiAliasing = picture.antiAliasing(usualSamples),
         background = picture.background,
         shading = picture.shading,
         mipFilter = picture.mipFilter,
@@ -90,9 +98,21 @@ internal class PictureOptions : OptionGroup("Picture") {
             "from 0,0; width and height",
     ).region()
 
-    val samples by option("--aa", help = "Anti-aliasing: N x N samples a pixel, N is 1, 2, 4 or 8; default: 1")
-        .oneOf("N", listOf(1, 2, 4, 8).associateBy { "$it" })
-        .default(1)
+    private val samples by option(
+        "--aa",
+        help = "Anti-aliasing: N x N samples a pixel, N is 1, 2, 4 or 8; default: 4 for render, 1 for compare",
+    ).oneOf("N", listOf(1, 2, 4, 8).associateBy { "$it" })
+
+    private val filter by option(
+        "--aa-filter",
+        help = "How samples are weighted: ${names(filters.keys)}; default: box",
+    ).oneOf("FILTER", filters).default(PixelFilter.BOX)
+
+    val shadingRate by option(
+        "--shading-rate",
+        help = "Shade at every visible sample, or once for each primitive in a pixel, for expensive shaders: sample " +
+            "or pixel; default: sample",
+    ).oneOf("RATE", ShadingRate.entries.associateBy { it.name.lowercase() }).default(ShadingRate.SAMPLE)
 
     val background by option(
         "--background",
@@ -128,6 +148,8 @@ internal class PictureOptions : OptionGroup("Picture") {
             "larger" to DepthConvention.LARGER_IS_NEARER,
         ),
     )
+
+    fun antiAliasing(usual: Int) = AntiAliasing(samples, usual, filter, shadingRate)
 }
 
 /** Options of the camera. */
@@ -180,6 +202,8 @@ private const val LEAST_SIZE = 0.001
 private val formats = SceneFormat.entries.associateBy { it.id }
 
 private val upAxes = UpAxis.entries.associateBy { it.id }
+
+private val filters = PixelFilter.entries.associateBy { it.name.lowercase().replace('_', '-') }
 
 private val mipFilters = MipFilter.entries.associateBy { it.name.lowercase() }
 

@@ -3,21 +3,21 @@ package dev.lazyz.cli.output
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.PixelHash
-import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.filter.SampledFrame
 import dev.lazyz.strategies.tiled.Tiled
 import kotlinx.serialization.json.JsonObject
 
 /**
  * The statistics of a rendering, by name, in the order of the output. Scripts depend on the names.
  *
- * @param picture the samples that were rendered
+ * @param picture the pixels that were rendered
  */
 internal class Statistics(
     input: String,
     strategy: Renderer,
-    picture: Region,
+    picture: SampledFrame,
     counters: Counters,
     tally: Tally,
     warnings: Int,
@@ -27,11 +27,12 @@ internal class Statistics(
         "input" to input,
         "strategy" to strategy.id,
     ) + (if (strategy is Tiled) mapOf("kernel" to strategy.kernel) else emptyMap()) + mapOf(
-        "width" to picture.width,
-        "height" to picture.height,
+        "width" to picture.pixels.width,
+        "height" to picture.pixels.height,
+        "aa" to picture.sampling.factor,
     ) + counted(counters, picture) + mapOf(
         "visible" to tally.visible,
-        "coverage" to tally.visible.toDouble() / picture.size,
+        "coverage" to tally.visible.toDouble() / picture.pixels.size,
         "blank" to (tally.visible == 0L),
         "warnings" to warnings,
         "millis" to millis(nanoseconds),
@@ -43,10 +44,10 @@ internal class Statistics(
 
     companion object {
         /** Returns the entries that derive from [counters], for a rendering of [picture]. */
-        fun counted(counters: Counters, picture: Region): Map<String, Any> = mapOf(
+        fun counted(counters: Counters, picture: SampledFrame): Map<String, Any> = mapOf(
             "primitives" to counters.primitives,
             "fragments" to counters.fragments,
-            "overdraw" to counters.fragments.toDouble() / picture.size,
+            "overdraw" to counters.fragments.toDouble() / picture.sampleCount,
             "depthEvaluations" to counters.depthEvaluations,
             "depthPasses" to counters.depthPasses,
             "shadingCalls" to counters.shadingCalls,

@@ -3,7 +3,9 @@ package dev.lazyz.setup.planar
 import dev.lazyz.FrameContent
 import dev.lazyz.Primitive
 import dev.lazyz.PrimitiveBatch
+import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
+import dev.lazyz.world.Shading
 
 /**
  * The opaque triangles of a mesh, set up for one raster and camera: arrays of snapped vertices, and no object for each
@@ -43,6 +45,14 @@ internal class TriangleBatch(
 
     /** Returns an object that shades the triangles of this batch; for one thread. */
     fun faces(): FaceSetUp = setUp.face(mesh)
+
+    override fun primitive(number: Int): Primitive = faces().primitive(number)
+
+    override fun unshaded(): TriangleBatch {
+        val plain = Material(shading = Shading.CONSTANT, sides = mesh.material.sides)
+        val bare = Mesh(mesh.positions, mesh.triangles, plain, origin = mesh.origin)
+        return TriangleBatch(bare, first, setUp, grid, inverseW, hidden, exceptions)
+    }
 
     override fun primitives(): Sequence<Primitive> = setUp.mesh(mesh)
 

@@ -1,0 +1,36 @@
+package dev.lazyz.cli.input
+
+import dev.lazyz.Raster
+import dev.lazyz.RenderOptions
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.filter.PixelFilter
+import dev.lazyz.filter.SampledFrame
+import dev.lazyz.filter.ShadingRate
+import dev.lazyz.filter.SuperSampling
+import dev.lazyz.world.Scene
+
+/**
+ * The options of anti-aliasing.
+ *
+ * @property factor samples a pixel in each direction; null means [usual], or 1 where that is not possible
+ */
+internal class AntiAliasing(
+    private val factor: Int?,
+    private val usual: Int,
+    private val filter: PixelFilter,
+    val rate: ShadingRate,
+) {
+    /** Sets up [scene] for the samples of the pixels of [raster]. */
+    fun frame(scene: Scene, raster: Raster, options: RenderOptions): SampledFrame {
+        val wish = SuperSampling(factor ?: usual, filter, rate)
+        if (wish.possible(scene, raster)) return wish.frame(scene, raster, options)
+        if (factor == null) return SuperSampling(1, filter, rate).frame(scene, raster, options)
+        val why = try {
+            wish.frame(scene, raster, options)
+            null
+        } catch (refusal: IllegalArgumentException) {
+            refusal.message
+        }
+        throw Mistake("--aa $factor: $why; use --aa 1")
+    }
+}

@@ -1,0 +1,140 @@
+package dev.lazyz.filter
+
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Region
+import dev.lazyz.RowSink
+import dev.lazyz.Srgb
+
+/**
+ * Receives the rows of samples of [frame], and passes on the rows of [pixels]. See [SuperSampling].
+ *
+ * Light is added as integers of [LIGHT_BITS] bits, times the 8-bit alpha and the integer weights of [taps]: 64-bit sums
+ * are exact. Belongs to one rendering.
+ */
+internal class FilterSink(
+    private val taps: FilterTaps,
+    private val frame: Frame,
+    private val pixels: Region,
+    private val sink: RowSink,
+) : RowSink {
+    private val factor = taps.factor
+    private val test = frame.raster.depthTest
+    private val samples = frame.region
+    private val width = pixels.width
+
+    /** The sums of one row of samples: red, green, blue and alpha of each pixel. */
+    private val across = LongArray(CHANNELS * width)
+
+    /** The sums of the rows of pixels that are not complete. Row y is number y modulo the length. */
+    private val sums = Array(minOf((taps.weights.size + factor - 1) / factor + 1, pixels.height)) {
+        LongArray(CHANNELS * width)
+    }
+
+    /** By row, as [sums]: the key of the nearest sample of each pixel, and the colour of its upper left sample. */
+    private val keys = Array(sums.size) { LongArray(width) }
+    private val corners = Array(sums.size) { IntArray(width) }
+    private val columnWeights = LongArray(width) {
+        taps.sum(pixels.columnStart + it, samples.columnStart, samples.columnEnd)
+    }
+
+    private val argb = IntArray(width)
+    private val depths = IntArray(width)
+    private val indices = IntArray(width)
+
+    /** The first row that is not passed on. */
+    private var next = pixels.rowStart
+
+    /** The first row that has not begun. */
+    private var open = pixels.rowStart
+
+    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        sumAcross(argb)
+        while (open < pixels.rowEnd && taps.first(open) <= y) begin(open++)
+        for (row in next until open) if (y < taps.end(row)) addRow(row, taps.weights[y - taps.first(row)].toLong())
+        val own = y / factor
+        if (own in next until open) keepNearest(own, y % factor == 0, argb, depth, primitive)
+        while (next < open && (y == taps.end(next) - 1 || y == samples.rowEnd - 1)) end(next++)
+    }
+
+    private fun begin(row: Int) {
+        sums[row % sums.size].fill(0)
+        keys[row % sums.size].fill(Long.MAX_VALUE)
+    }
+
+    /** Sums up a row of samples for every pixel. */
+    private fun sumAcross(argb: IntArray) {
+        val weights = taps.weights
+        for (x in 0 until width) {
+            val first = taps.first(pixels.columnStart + x)
+            val start = maxOf(first, samples.columnStart)
+            val end = minOf(taps.end(pixels.columnStart + x), samples.columnEnd)
+            var red = 0L
+            var green = 0L
+            var blue = 0L
+            var alpha = 0L
+            for (i in start until end) {
+                val color = argb[i - samples.columnStart]
+                val weight = weights[i - first] * (color ushr 24).toLong()
+                red += weight * LIGHT[color shr 16 and 0xFF]
+                green += weight * LIGHT[color shr 8 and 0xFF]
+                blue += weight * LIGHT[color and 0xFF]
+                alpha += weight
+            }
+            across[CHANNELS * x] = red
+            across[CHANNELS * x + 1] = green
+            across[CHANNELS * x + 2] = blue
+            across[CHANNELS * x + 3] = alpha
+        }
+    }
+
+    private fun addRow(row: Int, weight: Long) {
+        val to = sums[row % sums.size]
+        for (i in to.indices) to[i] += weight * across[i]
+    }
+
+    /** Keeps the nearest sample of every pixel. Only the samples of the pixel itself count. */
+    private fun keepNearest(row: Int, isFirst: Boolean, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        val best = keys[row % sums.size]
+        for (x in 0 until width) {
+            val start = (pixels.columnStart + x) * factor - samples.columnStart
+            var key = best[x]
+            for (i in start until start + factor) key = minOf(key, test.key(depth[i], primitive[i]))
+            best[x] = key
+            if (isFirst) corners[row % sums.size][x] = argb[start]
+        }
+    }
+
+    private fun end(row: Int) {
+        val from = sums[row % sums.size]
+        val best = keys[row % sums.size]
+        val rowWeight = taps.sum(row, samples.rowStart, samples.rowEnd)
+        for (x in 0 until width) {
+            argb[x] = mean(from, CHANNELS * x, rowWeight * columnWeights[x], corners[row % sums.size][x])
+            depths[x] = test.depthOf(best[x])
+            indices[x] = test.indexOf(best[x])
+        }
+        sink.row(row, argb, depths, indices)
+    }
+
+    /** Returns the mean of the sums from [at] on. Where there is no alpha, it has the colour of [corner]. */
+    private fun mean(from: LongArray, at: Int, weight: Long, corner: Int): Int {
+        val alpha = from[at + 3]
+        if (alpha <= 0L) return corner and 0xFFFFFF
+        val opacity = minOf((2 * alpha + weight) / (2 * weight), 255L).toInt()
+        return opacity shl 24 or (code(from[at], alpha) shl 16) or (code(from[at + 1], alpha) shl 8) or
+            code(from[at + 2], alpha)
+    }
+
+    /** Returns the sRGB code of the light whose sum, weighted by alpha, is [sum]. */
+    private fun code(sum: Long, alpha: Long): Int =
+        Srgb.encode((sum.toDouble() / (alpha.toDouble() * (1 shl LIGHT_BITS))).toFloat())
+
+    private companion object {
+        const val CHANNELS = 4
+        const val LIGHT_BITS = 24
+
+        /** The light of each sRGB code, 0..2^[LIGHT_BITS]. */
+        val LIGHT = IntArray(256) { (Srgb.decode(it / 255.0) * (1 shl LIGHT_BITS) + 0.5).toInt() }
+    }
+}

@@ -1,0 +1,35 @@
+package dev.lazyz.filter
+
+/**
+ * The weights of the samples of a pixel in one direction, as integers, so that sums are exact. Immutable.
+ *
+ * @property factor samples a pixel in each direction
+ */
+internal class FilterTaps(filter: PixelFilter, val factor: Int) {
+    /** Number of samples that count before the first sample of the pixel, and after the last. */
+    val margin: Int = if (filter == PixelFilter.BOX) 0 else StrictMath.ceil((filter.radius - 0.5) * factor).toInt()
+
+    /** The weights from the first sample that counts on. For [PixelFilter.BOX] all are 1. */
+    val weights: IntArray = IntArray(factor + 2 * margin) {
+        val distance = (it - margin + 0.5) / factor - 0.5
+        if (filter == PixelFilter.BOX) 1 else StrictMath.rint(filter.weight(distance) * UNIT).toInt()
+    }
+
+    /** The first sample that counts for pixel [pixel]. It may be before the raster. */
+    fun first(pixel: Int): Int = pixel * factor - margin
+
+    /** The end of the samples that count for pixel [pixel]. It may be behind the raster. */
+    fun end(pixel: Int): Int = (pixel + 1) * factor + margin
+
+    /** Returns the sum of the weights of pixel [pixel] for the samples from [start] until [end]. */
+    fun sum(pixel: Int, start: Int, end: Int): Long {
+        var sum = 0L
+        for (i in maxOf(start, first(pixel)) until minOf(end, end(pixel))) sum += weights[i - first(pixel)]
+        return sum
+    }
+
+    private companion object {
+        /** The weight 1, so large that rounding does not show, and so small that sums fit into 64 bits. */
+        const val UNIT = 4096.0
+    }
+}

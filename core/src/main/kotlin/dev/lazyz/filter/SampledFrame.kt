@@ -1,0 +1,77 @@
+package dev.lazyz.filter
+
+import dev.lazyz.Counters
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.Renderer
+import dev.lazyz.RowSink
+import java.io.IOException
+
+/**
+ * A frame of samples, and how they become pixels. Created by [SuperSampling]. Immutable, and thread safe if the frame's
+ * primitives are.
+ *
+ * @property sampling the number of samples and their filter
+ * @property pixels the pixels that a rendering returns
+ */
+public class SampledFrame internal constructor(
+    public val sampling: SuperSampling,
+    private val all: Frame,
+    public val pixels: Region,
+) {
+    /** The samples that the [pixels] need; with a filter that is wider than a pixel, also those around them. */
+    public val frame: Frame = all.within(samples())
+
+    private fun samples(): Region {
+        val taps = sampling.taps
+        return Region(
+            maxOf(taps.first(pixels.columnStart), 0),
+            maxOf(taps.first(pixels.rowStart), 0),
+            minOf(taps.end(pixels.columnEnd - 1), all.raster.width),
+            minOf(taps.end(pixels.rowEnd - 1), all.raster.height),
+        )
+    }
+
+    /** Number of samples of [pixels], without those around them. */
+    public val sampleCount: Long get() = pixels.size * sampling.factor * sampling.factor
+
+    /**
+     * Returns this frame restricted to the pixels of [region]. They are the same as in the whole picture.
+     *
+     * @throws IllegalArgumentException if [region] is not within the picture
+     */
+    public fun within(region: Region): SampledFrame = SampledFrame(sampling, all, region)
+
+    /** Returns this frame with all primitives opaque, see [Frame.asOpaque]. */
+    public fun asOpaque(): SampledFrame = SampledFrame(sampling, all.asOpaque(), pixels)
+
+    /**
+     * Renders the samples, and passes every row of pixels to [sink]. Throws like [Renderer.render].
+     *
+     * @return the work, counted in samples
+     * @throws IllegalArgumentException if the shading rate is [ShadingRate.PIXEL], and the frame has translucent
+     *   primitives
+     */
+    @Throws(InterruptedException::class, IOException::class)
+    public fun render(renderer: Renderer, sink: RowSink): Counters {
+        if (sampling.factor == 1 && sampling.filter == PixelFilter.BOX) return renderer.render(frame, sink)
+        val filter = FilterSink(sampling.taps, frame, pixels, sink)
+        if (sampling.rate == ShadingRate.SAMPLE || sampling.factor == 1) return renderer.render(frame, filter)
+
+        // Find the visible primitives first, without their colours
+        require(!frame.hasTranslucency) { "translucent primitives are shaded at every sample: use ShadingRate.SAMPLE" }
+        val shading = PixelShading(frame, sampling.factor, filter)
+        return shading.counted(renderer.render(frame.unshaded(), shading))
+    }
+
+    /** Renders the pixels to an image in memory. Throws like the other [render]. */
+    @Throws(InterruptedException::class)
+    public fun render(renderer: Renderer): Image {
+        val collector = Image.Collector(pixels)
+        return collector.toImage(render(renderer, collector))
+    }
+
+    override fun toString(): String = "SampledFrame($sampling, $pixels of $all)"
+}
