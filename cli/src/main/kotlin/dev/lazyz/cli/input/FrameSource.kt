@@ -10,6 +10,7 @@ import dev.lazyz.filter.SuperSampling
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.world.Camera
 import dev.lazyz.world.Material
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Shading
@@ -40,22 +41,31 @@ internal class FrameSource(private val subject: Subject, private val streams: St
      */
     fun frame(loaded: LoadedScene, options: RenderOptions, view: View? = null): Shot {
         // Apply the options of axis, camera and shading
+        val pointOfView = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
         val upright = try {
-            loaded.scene.withUpAxis(subject.up)
+            pointOfView.applyTo(loaded, subject.up)
         } catch (e: UnsupportedOperationException) {
             throw Mistake("--up: ${e.message}")
         }
-        val pointOfView = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
-        val seen = subject.sizes.applyTo(pointOfView.applyTo(upright))
-        val scene = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
+        val seen = subject.sizes.applyTo(upright)
+        val shaded = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
 
         // The camera is fitted to the whole raster. The picture may be a part of it
-        val raster = raster(scene, loaded)
+        val raster = raster(shaded, loaded)
+        val camera = camera(shaded, raster)
+        if (pointOfView.isPrinted) streams.note(PointOfView.words(camera, subject.up) + "\n")
+        val scene = shaded.withViewpoint(camera)
         val region = region(raster)
         streams.progress("setting up ${raster.width}x${raster.height} ...")
         val sampling = SuperSampling(subject.samples)
         val frame = samples(sampling, scene, raster, options).within(sampling.samples(region))
         return Shot(if (subject.translucency == Translucency.OPAQUE) frame.asOpaque() else frame, sampling)
+    }
+
+    private fun camera(scene: Scene, raster: Raster): Camera = try {
+        scene.camera(raster.width, raster.height)
+    } catch (e: IllegalArgumentException) {
+        throw Mistake("there is no such camera: ${e.message}")
     }
 
     private fun samples(sampling: SuperSampling, scene: Scene, raster: Raster, options: RenderOptions): Frame {

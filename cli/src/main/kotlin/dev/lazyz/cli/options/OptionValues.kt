@@ -8,9 +8,12 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.Selector
+import dev.lazyz.cli.input.CameraChoice
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Nearest
 import dev.lazyz.scenes.ImageSize
+import org.joml.Vector3d
+import org.joml.Vector3dc
 
 /** An option whose value is a size: `640x480`. */
 internal fun RawOption.size(): NullableOption<ImageSize, ImageSize> = convert("WxH") { text ->
@@ -91,10 +94,42 @@ internal fun RawOption.number(
     range: ClosedRange<Double>,
     unit: String,
 ): NullableOption<Double, Double> = convert(metavar) { text ->
-    val form = Regex("""[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?""")
-    val number = if (form.matches(text)) text.toDouble() else fail("'$text' is not a number")
+    val number = if (DECIMAL.matches(text)) text.toDouble() else fail("'$text' is not a number")
     if (number !in range) fail("must be in ${plain(range.start)}..${plain(range.endInclusive)}$unit: $text")
     number
+}
+
+/** An option whose value is a decimal number for which [use] does not throw [IllegalArgumentException]. */
+internal fun RawOption.number(metavar: String, use: (Double) -> Unit): NullableOption<Double, Double> =
+    convert(metavar) { text ->
+        val number = if (DECIMAL.matches(text)) text.toDouble() else fail("'$text' is not a number")
+        try {
+            use(number)
+        } catch (illegal: IllegalArgumentException) {
+            // The message begins with the name of the property in the library
+            fail(illegal.message.orEmpty().substringAfter(' '))
+        }
+        number
+    }
+
+/** An option whose value is a point or a direction: `1,-2.5,0`. */
+internal fun RawOption.vector(): NullableOption<Vector3dc, Vector3dc> = convert("X,Y,Z") { text ->
+    val words = text.split(',')
+    if (words.size != 3 || !words.all { DECIMAL.matches(it) }) fail("'$text' is not X,Y,Z, such as 1,-2.5,0")
+    val numbers = words.map { it.toDouble() }
+    if (!numbers.all { it.isFinite() }) fail("numbers must be finite: $text")
+    Vector3d(numbers[0], numbers[1], numbers[2])
+}
+
+/** An option whose value is `fit`, `scene` or the number of a camera. */
+internal fun RawOption.camera(): NullableOption<CameraChoice, CameraChoice> = convert("CAMERA") { text ->
+    when (text.lowercase()) {
+        "fit" -> CameraChoice.Fit
+        "scene" -> CameraChoice.OfScene
+        else -> CameraChoice.OfModel(
+            text.toIntOrNull()?.takeIf { it >= 0 } ?: fail("'$text' is not fit, scene or a number, 0 or more"),
+        )
+    }
 }
 
 /**
@@ -122,5 +157,7 @@ internal fun <T : Any> RawOption.listOf(metavar: String, values: Map<String, T>)
 private fun <T : Any> named(name: String, values: Map<String, T>, fail: (String) -> Nothing): T =
     values[name.lowercase()]
         ?: fail("'$name' is not one of ${values.keys.joinToString()}${Nearest.hint(name, values.keys)}")
+
+private val DECIMAL = Regex("""[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?""")
 
 private fun plain(number: Double): String = if (number % 1.0 == 0.0) number.toLong().toString() else number.toString()

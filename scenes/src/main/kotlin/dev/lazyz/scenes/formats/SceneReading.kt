@@ -68,7 +68,8 @@ internal object SceneReading {
             source.warn("files of this format have no animation, so the requested time has no effect")
         }
         try {
-            return LoadedScene(parser.parse(source), source.warnings.toList())
+            val scene = parser.parse(source)
+            return LoadedScene(scene, source.warnings.toList(), cameras = source.cameras.toList())
         } catch (e: OutOfMemoryError) {
             val most = Runtime.getRuntime().maxMemory()
             source.fail(null, "needs more memory than the $most bytes that Java may use", "raise -Xmx, or split it", e)
