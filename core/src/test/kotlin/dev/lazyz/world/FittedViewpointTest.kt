@@ -55,7 +55,7 @@ class FittedViewpointTest {
         pick(0.0, Camera.DEFAULT_MARGIN, between(0.0, 45.0)), pick(30.0, between(5.0, 120.0)),
     )
 
-    /** Returns x and y in the image, each -1..1 if zoom is 1 and the margin is 0, and the distance between the planes. */
+    /** Returns x and y in the image, -1..1 between the margins at zoom 1, and -1..1 between the planes. */
     private fun inImage(point: Vector3d, camera: Camera, aspect: Double, scale: Double): Vector3d {
         val p = Vector4d(point.x, point.y, point.z, 1.0)
         camera.projectionMatrix(aspect).transform(camera.viewMatrix().transform(p))

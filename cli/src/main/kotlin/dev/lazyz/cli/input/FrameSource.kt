@@ -10,6 +10,7 @@ import dev.lazyz.filter.SuperSampling
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.Scenes
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Material
 import dev.lazyz.world.Scene
@@ -48,7 +49,8 @@ internal class FrameSource(private val subject: Subject, private val streams: St
             throw Mistake("--up: ${e.message}")
         }
         val seen = subject.sizes.applyTo(upright)
-        val shaded = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
+        val colored = paint(seen)?.applyTo(seen) ?: seen
+        val shaded = if (subject.shading == null) colored else colored.withMaterials { shaded(it, subject.shading) }
 
         // The camera is fitted to the whole raster. The picture may be a part of it
         val raster = raster(shaded, loaded)
@@ -59,7 +61,29 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         streams.progress("setting up ${raster.width}x${raster.height} ...")
         val sampling = SuperSampling(subject.samples)
         val frame = samples(sampling, scene, raster, options).within(sampling.samples(region))
-        return Shot(if (subject.translucency == Translucency.OPAQUE) frame.asOpaque() else frame, sampling)
+        return Shot(
+            if (subject.translucency ==
+                Translucency.OPAQUE
+            ) {
+                frame.asOpaque()
+            } else {
+                frame
+            },
+            sampling, subject.background?.gradient
+        )
+    }
+
+    /** Returns the colour and the texture that the user chose, or null. */
+    private fun paint(scene: Scene): Paint? {
+        val file = subject.texture ?: return subject.color?.let { Paint(it, null) }
+        val texture = Scenes.texture(file, subject.loading.limits)
+        val bare = scene.surfaces.count { Paint.lacksTexturePlaces(it) }
+        if (bare > 0) {
+            val all = scene.surfaces.size
+            if (bare == all) throw Mistake("--texture: ${input.name} has no texture coordinates")
+            streams.warning("$bare of $all surfaces have no texture coordinates, so --texture has no effect on them")
+        }
+        return Paint(subject.color, texture)
     }
 
     private fun camera(scene: Scene, raster: Raster): Camera = try {
@@ -87,7 +111,7 @@ internal class FrameSource(private val subject: Subject, private val streams: St
     private fun raster(scene: Scene, loaded: LoadedScene): Raster {
         val size = subject.size ?: loaded.size ?: DEFAULT_SIZE
         val depth = subject.depthConvention?.let { DepthRules(it) } ?: loaded.depth
-        return depth.raster(size.width, size.height, subject.background ?: scene.background)
+        return depth.raster(size.width, size.height, subject.background?.color ?: scene.background)
     }
 
     private fun region(raster: Raster): Region {

@@ -52,7 +52,7 @@ internal class PlacedViewpoint(private val base: Viewpoint, private val placemen
         }
     }
 
-    /** Returns the eye for a new target: a fitted camera keeps its direction and distance, others stay where they are. */
+    /** Returns the eye for a new target: a fitted camera keeps direction and distance, others stay where they are. */
     private fun eye(own: Camera): Vector3dc {
         val target = placement.target
         if (target == null || base !is FittedViewpoint) return own.eye

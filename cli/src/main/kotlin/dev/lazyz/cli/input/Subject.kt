@@ -8,6 +8,7 @@ import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Shading
 import dev.lazyz.world.UpAxis
+import java.nio.file.Path
 
 /** How to render translucent materials. */
 internal enum class Translucency { BLENDED, OPAQUE }
@@ -25,7 +26,9 @@ internal class Subject(
     val size: ImageSize?,
     val region: Region?,
     val samples: Int,
-    val background: Rgba?,
+    val background: Backdrop?,
+    val color: Rgba?,
+    val texture: Path?,
     val shading: Shading?,
     val sizes: PixelSizes,
     val translucency: Translucency,

@@ -3,22 +3,28 @@ package dev.lazyz.cli.options
 import com.github.ajalt.clikt.parameters.options.NullableOption
 import com.github.ajalt.clikt.parameters.options.RawOption
 import com.github.ajalt.clikt.parameters.options.convert
+import com.github.ajalt.colormath.Color
+import com.github.ajalt.colormath.parseOrNull
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.Selector
+import dev.lazyz.cli.input.Backdrop
 import dev.lazyz.cli.input.CameraChoice
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Nearest
+import dev.lazyz.filter.VerticalGradient
 import dev.lazyz.scenes.ImageSize
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
-/** An option whose value is a size: `640x480`. */
+/** An option whose value is a size: `640x480`, or `512` for a square. */
 internal fun RawOption.size(): NullableOption<ImageSize, ImageSize> = convert("WxH") { text ->
-    val (width, height) = Regex("""(-?\d+)[xX×](-?\d+)""").matchEntire(text)?.destructured
-        ?: fail("'$text' is not WIDTHxHEIGHT, such as 640x480")
+    val form = Regex("""(-?\d+)(?:[xX×](-?\d+))?""")
+    val (width, second) = form.matchEntire(text)?.destructured
+        ?: fail("'$text' is not WIDTHxHEIGHT, such as 640x480, or one number for a square")
+    val height = second.ifEmpty { width }
     val sides = listOf(width, height).map { side ->
         side.toIntOrNull()?.takeIf { it in 1..Raster.MAX_SIDE }
             ?: fail("width and height must be in 1..${Raster.MAX_SIDE}: $text")
@@ -134,15 +140,35 @@ internal fun RawOption.camera(): NullableOption<CameraChoice, CameraChoice> = co
 
 /**
  * An option whose value is a colour: `#rgb`, `#rrggbb`, `#rrggbbaa`, the same without `#` (which begins a comment in
- * shells), or a name.
+ * shells), or a name of CSS.
  */
-internal fun RawOption.color(): NullableOption<Rgba, Rgba> = convert("COLOR") { text ->
-    try {
-        Rgba.parse(if (text.matches(Regex("[0-9a-fA-F]{3,8}"))) "#$text" else text.lowercase())
-    } catch (unknown: IllegalArgumentException) {
-        val hint = Nearest.hint(text, listOf("transparent", "black", "white"))
-        fail("'$text' is not black, white, transparent, nor hexadecimal rgb, rrggbb or rrggbbaa$hint")
+internal fun RawOption.color(): NullableOption<Rgba, Rgba> = convert("COLOR") { text -> color(text) { fail(it) } }
+
+/** An option whose value is a colour, or two colours, the upper and the lower end of a gradient: `skyblue,white`. */
+internal fun RawOption.backdrop(): NullableOption<Backdrop, Backdrop> = convert("COLOR") { text ->
+    val colors = text.split(',').map { word -> color(word) { fail(it) } }
+    when {
+        colors.size == 1 -> Backdrop(colors[0])
+        colors.size > 2 -> fail("a gradient has two colours, TOP,BOTTOM: $text")
+        colors.any { it.alpha < 1f } -> fail("the colours of a gradient must be opaque: $text")
+        else -> Backdrop(VerticalGradient(colors[0], colors[1]))
     }
+}
+
+/** Returns the colour that [text] describes, or calls [fail] with a message. */
+private fun color(text: String, fail: (String) -> Nothing): Rgba = try {
+    Rgba.parse(if (text.matches(Regex("[0-9a-fA-F]{3,8}"))) "#$text" else text.lowercase())
+} catch (_: IllegalArgumentException) {
+    named(text) ?: run {
+        val hint = Nearest.hint(text, listOf("transparent", "black", "white"))
+        fail("'$text' is not a colour: neither a name of CSS nor hexadecimal rgb, rrggbb or rrggbbaa$hint")
+    }
+}
+
+/** Returns the colour called [name] in CSS, or null. */
+private fun named(name: String): Rgba? {
+    val color = if (name.all { it.isLetter() }) Color.parseOrNull(name.lowercase()) else null
+    return color?.let { Rgba.ofArgb(it.toSRGB().toRGBInt().argb.toInt()) }
 }
 
 /** An option whose value is one of the names of [values]. */

@@ -2,6 +2,7 @@ package dev.lazyz.cli.options
 
 import com.github.ajalt.clikt.core.ParameterHolder
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
+import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
@@ -25,6 +26,7 @@ import dev.lazyz.world.Points
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Shading
 import dev.lazyz.world.UpAxis
+import java.nio.file.Path
 
 /** The help text of INPUT. */
 internal const val INPUT_HELP: String =
@@ -48,6 +50,8 @@ internal fun subject(
         region = picture.region,
         samples = picture.samples,
         background = picture.background,
+        color = picture.color,
+        texture = picture.texture,
         shading = picture.shading,
         sizes = PixelSizes(picture.pointSize, picture.lineWidth),
         translucency = if (picture.isOpaque) Translucency.OPAQUE else Translucency.BLENDED,
@@ -82,7 +86,9 @@ internal class ReadingOptions : OptionGroup("Reading") {
 internal class PictureOptions : OptionGroup("Picture") {
     val size by option(
         "--size",
-        help = "Width and height in pixels, each 1..262144; default: the scene file's, or 640x480",
+        help =
+        "Width and height in pixels, each 1..262144, or one number for a square; default: the scene file's, or " +
+            "640x480",
     ).size()
 
     val region by option(
@@ -97,8 +103,17 @@ internal class PictureOptions : OptionGroup("Picture") {
 
     val background by option(
         "--background",
-        help = "black, white, transparent, or hexadecimal rgb, rrggbb, rrggbbaa; default: the scene's, or white",
-    ).color()
+        help = "A colour: a name of CSS, such as skyblue, transparent, or hexadecimal rgb, rrggbb, rrggbbaa; or two, " +
+            "TOP,BOTTOM, for a gradient; default: the scene's, or white",
+    ).backdrop()
+
+    val color by option("--color", help = "Replace the colours and textures of all surfaces by this colour").color()
+
+    val texture by option(
+        "--texture",
+        help = "Replace the colours and textures of all surfaces by this image, which --color multiplies; the model " +
+            "needs texture coordinates",
+    ).convert("FILE") { Path.of(it) }
 
     val shading by option("--shading", help = "Replace the shading of all materials: ${names(shadings.keys)}")
         .oneOf("SHADING", shadings)

@@ -52,8 +52,7 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
     }
 
     private fun <T> writePicture(shot: Shot, render: (RowSink) -> T): T {
-        // With an opaque background, every sample is opaque
-        val alpha = if (shot.frame.raster.background.alpha >= 1f) AlphaChannel.DROP else AlphaChannel.KEEP
+        val alpha = if (shot.isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
         if (picture != null) return writeFile(picture, shot.region, alpha, render)
         return PngSink(streams.output, shot.region.width, shot.region.height, alpha).use(render)
     }

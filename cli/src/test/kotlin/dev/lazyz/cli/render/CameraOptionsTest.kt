@@ -25,7 +25,7 @@ class CameraOptionsTest {
     /** A triangle with two cameras, one without a far plane. */
     private val cameras: Path by lazy {
         folder.resolve("cameras.gltf").apply {
-            val points = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAA/AAAAAAAAAEAAAIA/"
+            val points = "AAAAAAAAAAAAAAAAAACAPwAAAACamZm+AAAAAAAAAEAzMzM/"
             writeText(
                 """{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1,2]}],
                 "nodes":[{"mesh":0},{"camera":0,"translation":[0.2,0.3,4]},

@@ -1,10 +1,12 @@
 package dev.lazyz.scenes.formats
 
+import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.gltf.GltfParser
+import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.LoadingMemory
 import dev.lazyz.scenes.loading.Source
@@ -14,6 +16,7 @@ import dev.lazyz.scenes.ply.PlyParser
 import dev.lazyz.scenes.scenefile.SceneFileReader
 import dev.lazyz.scenes.stl.StlParser
 import dev.lazyz.scenes.threemf.ThreeMfParser
+import dev.lazyz.world.Texture
 import java.io.IOException
 import java.io.InputStream
 import java.nio.file.AccessDeniedException
@@ -51,6 +54,14 @@ internal object SceneReading {
             throw SceneFormatException(name, null, "cannot be read: ${e.message ?: e}", cause = e)
         }
         return parse(source, format)
+    }
+
+    /** Reads an image file as a texture. */
+    fun texture(path: Path, limits: LoadLimits): Texture {
+        val name = path.toString()
+        val source = Source(bytes(path, name, null), name, null, Loading(LoadOptions(limits)))
+        return TextureFiles.decode(source, source.bytes, path.fileName.toString())
+            ?: source.fail(null, "is not an image that can be read", "save it as PNG or JPEG")
     }
 
     private fun parse(source: Source, format: SceneFormat): LoadedScene {

@@ -9,8 +9,8 @@ import org.joml.Matrix4dc
 import org.joml.Vector3d
 
 /**
- * Reads the cameras of a scene with the given surfaces (section 3.10). The aspect ratio in the file is ignored: the camera's height is used, and the raster
- * determines the width.
+ * Reads the cameras of a scene with the given surfaces (section 3.10). The aspect ratio in the file is ignored: the
+ * camera's height is used, and the raster determines the width.
  *
  * A perspective camera without a far plane gets one behind the whole scene. An invalid camera (without an angle or a
  * direction) is ignored with a warning.
