@@ -1,19 +1,31 @@
 package dev.lazyz.geometry
 
+import java.util.BitSet
+
 /**
  * Points given as x, y, z triples, with a box around each block of points. So the farthest point along a direction is
  * found without a look at most of the points: only blocks whose box extends far enough are searched.
  *
  * Points with a NaN or infinite coordinate are ignored. The array is not copied. Immutable and thread safe. Cost of the
- * constructor: linear in the number of points; memory: 24 bytes a block.
+ * constructor: linear in the number of points and of their uses; memory: 24 bytes a block, and a bit a point if some
+ * are not used.
+ *
+ * @param uses numbers of the points that count, or null if all do
  */
-internal class PointBlocks(private val xyz: FloatArray) {
+internal class PointBlocks(private val xyz: FloatArray, uses: IntArray? = null) {
+    /** The points that count, or null if all do. */
+    private val used: BitSet? = uses?.let { numbers ->
+        val set = BitSet(xyz.size / 3)
+        for (number in numbers) set.set(number)
+        set.takeIf { it.cardinality() < xyz.size / 3 }
+    }
+
     private val count = (xyz.size / 3 + SIZE - 1) / SIZE
 
-    /** Six numbers for each block: least x, y, z, greatest x, y, z. A block without finite points has NaN. */
+    /** Six numbers for each block: least x, y, z, greatest x, y, z. A block without points that count has NaN. */
     private val boxes = FloatArray(6 * count)
 
-    /** The smallest box around all points, or null if no point is finite. */
+    /** The smallest box around all points that count, or null if there is none. */
     val bounds: Box?
 
     init {
@@ -29,7 +41,7 @@ internal class PointBlocks(private val xyz: FloatArray) {
     }
 
     /**
-     * Returns the number of the finite point whose dot product with ([x], [y], [z]) is greatest, or -1 if there is
+     * Returns the number of the point whose dot product with ([x], [y], [z]) is greatest, or -1 if there is
      * none. The direction can have any finite length.
      */
     fun farthest(x: Double, y: Double, z: Double): Int {
@@ -69,7 +81,7 @@ internal class PointBlocks(private val xyz: FloatArray) {
         fun look(block: Int) {
             for (i in 3 * SIZE * block until minOf(3 * SIZE * (block + 1), xyz.size) step 3) {
                 val product = x * xyz[i] + y * xyz[i + 1] + z * xyz[i + 2]
-                if (product > most && isFinite(i)) {
+                if (product > most && counts(i)) {
                     most = product
                     point = i / 3
                 }
@@ -77,7 +89,8 @@ internal class PointBlocks(private val xyz: FloatArray) {
         }
     }
 
-    private fun isFinite(i: Int): Boolean = xyz[i].isFinite() && xyz[i + 1].isFinite() && xyz[i + 2].isFinite()
+    private fun counts(i: Int): Boolean =
+        xyz[i].isFinite() && xyz[i + 1].isFinite() && xyz[i + 2].isFinite() && used?.get(i / 3) != false
 
     private inner class Extent {
         private var minX = 0f
@@ -102,7 +115,7 @@ internal class PointBlocks(private val xyz: FloatArray) {
 
         fun include(block: Int) {
             for (i in 3 * SIZE * block until minOf(3 * SIZE * (block + 1), xyz.size) step 3) {
-                if (!isFinite(i)) continue
+                if (!counts(i)) continue
                 minX = minOf(minX, xyz[i])
                 minY = minOf(minY, xyz[i + 1])
                 minZ = minOf(minZ, xyz[i + 2])
@@ -142,6 +155,6 @@ internal class PointBlocks(private val xyz: FloatArray) {
 
     private companion object {
         /** Points in a block. */
-        const val SIZE = 1024
+        const val SIZE = 256
     }
 }

@@ -62,8 +62,9 @@ public class Lines @JvmOverloads constructor(
         }
     }
 
-    private val blocks by lazy { PointBlocks(positions) }
+    private val blocks by lazy { PointBlocks(positions, segments) }
 
+    /** A box around the vertices that segments use, or null if there is none. */
     override val bounds: Box? by lazy { blocks.bounds?.moved(this.origin) }
 
     override fun farthest(direction: Vector3dc): Vector3d? {

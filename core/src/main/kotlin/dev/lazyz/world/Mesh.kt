@@ -64,8 +64,9 @@ public class Mesh @JvmOverloads constructor(
         }
     }
 
-    private val blocks by lazy { PointBlocks(positions) }
+    private val blocks by lazy { PointBlocks(positions, triangles) }
 
+    /** A box around the vertices that triangles use, or null if there is none. */
     override val bounds: Box? by lazy { blocks.bounds?.moved(this.origin) }
 
     override fun farthest(direction: Vector3dc): Vector3d? {

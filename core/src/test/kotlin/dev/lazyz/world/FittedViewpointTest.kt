@@ -43,9 +43,9 @@ class FittedViewpointTest {
         }
         val surface = when (random.nextInt(5)) {
             0 -> Points(positions, origin = origin)
-            1 -> Lines(positions, intArrayOf(0, 1), origin = origin)
+            1 -> Lines(positions, IntArray(count + count % 2) { it % count }, origin = origin)
             2 -> Polygon(points.chunked(3) { three -> three.map { Vertex(it.x, it.y, it.z) } })
-            else -> Mesh(positions, intArrayOf(0, 1, 2), origin = origin)
+            else -> Mesh(positions, IntArray((count + 2) / 3 * 3) { it % count }, origin = origin)
         }
         return surface to points
     }
@@ -133,7 +133,7 @@ class FittedViewpointTest {
     fun aCubeFillsTheImageExceptForTheMargin() {
         // Seen from the front, the near face determines both extents
         val corners = FloatArray(24) { if (it / 3 shr it % 3 and 1 == 0) -1f else 1f }
-        val scene = Scene(listOf(Mesh(corners, intArrayOf(0, 1, 2))))
+        val scene = Scene(listOf(Mesh(corners, intArrayOf(0, 1, 2, 3, 4, 5, 6, 7, 0))))
         val camera = Camera.fit(0.0, 0.0, margin = 10.0, fieldOfView = 90.0).camera(scene, 2.0)
         assertEquals(90.0, (camera.projection as Projection.Perspective).verticalFieldOfView)
         assertEquals(0.0, camera.eye.distance(Vector3d(0.0, 0.0, 1.0 + 1.0 / 0.8)), 1e-12)
@@ -156,10 +156,22 @@ class FittedViewpointTest {
         for (bad in listOf(Float.NaN, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY)) {
             for (axis in 0 until 3) {
                 val extra = FloatArray(3) { if (it == axis) bad else 50f }
-                val spoilt = Mesh(extra + clean.positions, intArrayOf(0, 1, 2))
+                val spoilt = Mesh(extra + clean.positions, intArrayOf(0, 1, 2, 1, 2, 3))
                 val expected = Camera.fit().camera(Scene(listOf(clean)), 1.0)
                 assertEquals(expected.toString(), Camera.fit().camera(Scene(listOf(spoilt)), 1.0).toString())
             }
+        }
+    }
+
+    @Test
+    fun verticesThatNothingUsesDoNotCount() {
+        val used = floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 0f, 2f, 0f)
+        val more = used + floatArrayOf(9f, -9f, 9f)
+        val corners = intArrayOf(0, 1, 2)
+        for (fit in Fit.entries) {
+            fun camera(surface: Surface) = Camera.fit(kind = fit).camera(Scene(listOf(surface)), 1.0).toString()
+            assertEquals(camera(Mesh(used, corners)), camera(Mesh(more, corners)))
+            assertEquals(camera(Lines(used, intArrayOf(0, 1, 1, 2))), camera(Lines(more, intArrayOf(0, 1, 1, 2))))
         }
     }
 
@@ -176,7 +188,7 @@ class FittedViewpointTest {
 
     @Test
     fun theCameraIsTheSameForAnyNumberOfThreads() {
-        val mesh = Mesh(positions(100_000), IntArray(30_000) { it })
+        val mesh = Mesh(positions(100_000), IntArray(300_000) { it % 100_000 })
         val frames = listOf(1, 2, 7).map { threads ->
             val fresh = Mesh(mesh.positions, mesh.triangles)
             Scene(listOf(fresh)).frame(Raster(40, 30), RenderOptions(threads = threads))
