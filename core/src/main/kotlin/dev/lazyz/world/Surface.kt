@@ -21,7 +21,7 @@ public interface Surface {
      * greatest; one of them if there are several, or null if the surface is empty. World space; a new vector for each
      * call. [direction] has any length above 0.
      *
-     * A fitted camera calls it about 20 times, see [Camera.fit]. A surface that does not override this function is
+     * A fitted camera calls it some 30 times, see [Camera.fit]. A surface that does not override this function is
      * fitted by its [bounds], so it can look smaller than it could.
      */
     public fun farthest(direction: Vector3dc): Vector3d? = bounds?.farthest(direction)

@@ -68,7 +68,7 @@ internal class PointOfView(
 
     /** Returns these options with the side [other]. */
     fun from(other: View): PointOfView =
-        PointOfView(choice, other, null, null, projection, margin, zoom, fieldOfView, placement)
+        PointOfView(choice, other, null, null, projection, margin, zoom, fieldOfView, placement, isPrinted)
 
     /** Returns the camera that `--camera` names. A model's own cameras are not used unless the user asks for them. */
     private fun chosen(loaded: LoadedScene): Viewpoint {
