@@ -198,6 +198,22 @@ class FittedViewpointTest {
     }
 
     @Test
+    fun theFarthestVertexIsFoundAmongManyBlocks() {
+        repeat(30) {
+            val xyz = positions(5000)
+            val points = Points(xyz)
+            repeat(30) {
+                val direction = Vector3d(random.nextGaussian(), random.nextGaussian(), pick(0.0, random.nextGaussian()))
+                val most = (xyz.indices step 3).maxOf {
+                    direction.x * xyz[it] + direction.y * xyz[it + 1] + direction.z * xyz[it + 2]
+                }
+                val found = points.farthest(direction)!!
+                assertEquals(most, direction.x * found.x + direction.y * found.y + direction.z * found.z)
+            }
+        }
+    }
+
+    @Test
     fun theFarthestPointIsThatOfAllVertices() {
         repeat(200) {
             val (surface, points) = surface()
