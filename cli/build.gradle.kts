@@ -14,6 +14,7 @@ dependencies {
     implementation(libs.serialization.json)
     implementation(libs.jqwik)
     implementation(libs.clikt)
+    implementation(libs.colormath)
     implementation(libs.mordant)
     testImplementation(libs.abi.tools)
 }

@@ -19,6 +19,6 @@ class JavaReadmeTest {
                 .build();
         Image image = new ZBuffer().render(world.frame(640, 480));
         System.out.println(image.getVisible() + " samples covered, " + image.pixelHash());
-        assertEquals("9867446e185b98450badc79a2e3d78c345ffebac4a201006bd8d8409362ce1de", image.pixelHash());
+        assertEquals("937eba9c78aca01403a6fc3f149422e33a283f46f443437de74b74e2bfab3feb", image.pixelHash());
     }
 }

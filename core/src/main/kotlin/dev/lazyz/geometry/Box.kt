@@ -48,6 +48,13 @@ public class Box(
         )
     }
 
+    /** Returns the corner whose dot product with [direction] is greatest. A new vector for each call. */
+    public fun farthest(direction: Vector3dc): Vector3d = Vector3d(
+        if (direction.x() < 0.0) minX else maxX,
+        if (direction.y() < 0.0) minY else maxY,
+        if (direction.z() < 0.0) minZ else maxZ,
+    )
+
     /** Returns the smallest box that contains both. */
     public fun union(other: Box): Box = Box(
         minOf(minX, other.minX),

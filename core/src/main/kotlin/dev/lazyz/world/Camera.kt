@@ -1,6 +1,5 @@
 package dev.lazyz.world
 
-import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Transforms
 import dev.lazyz.geometry.Vectors
 import org.joml.Matrix4d
@@ -73,7 +72,7 @@ public class Camera private constructor(
         return Vectors.unit(if (isRollOpen) Vectors.cross(leastAxis(backward), backward) else side, "right")
     }
 
-    override fun camera(bounds: Box?, aspect: Double): Camera = this
+    override fun camera(scene: Scene, aspect: Double): Camera = this
 
     /** Returns the matrix from world space to camera space; a new matrix for each call. */
     public fun viewMatrix(): Matrix4d = Matrix4d().set(viewElements())
@@ -194,6 +193,9 @@ public class Camera private constructor(
         /** Vertical field of view of [fit], degrees. */
         public const val DEFAULT_FIELD_OF_VIEW: Double = 30.0
 
+        /** Margin of [fit] on each side, percent of the width or height of the image. */
+        public const val DEFAULT_MARGIN: Double = 5.0
+
         /**
          * Returns a perspective camera at [eye] that looks at [target].
          *
@@ -247,12 +249,15 @@ public class Camera private constructor(
 
         /**
          * Returns a rule that fits the whole scene into the image, for any size of the scene and any shape of the
-         * raster.
+         * raster. See [FittedViewpoint].
          *
          * @param azimuth degrees around the up axis; 0 looks at the front (from +z, y is up), 90 from +x
          * @param elevation degrees above the horizon, -90..90
-         * @param zoom above 0; 1 fills the image except for a margin of 5 percent, 2 shows half as much
+         * @param zoom above 0; 1 fills the image except for the margin, 2 shows half as much
          * @param kind perspective or orthographic
+         * @param margin the part of the image that stays free on each side at zoom 1, percent of its width or height,
+         *   0 or more and below 50
+         * @param fieldOfView vertical field of view of a perspective camera at zoom 1, degrees, above 0 and below 180
          * @throws IllegalArgumentException if a number is out of range or not finite
          */
         @JvmStatic
@@ -262,11 +267,17 @@ public class Camera private constructor(
             elevation: Double = 20.0,
             zoom: Double = 1.0,
             kind: Fit = Fit.PERSPECTIVE,
+            margin: Double = DEFAULT_MARGIN,
+            fieldOfView: Double = DEFAULT_FIELD_OF_VIEW,
         ): FittedViewpoint {
             require(azimuth.isFinite()) { "azimuth must be finite: $azimuth" }
             require(elevation in -90.0..90.0) { "elevation must be in -90..90 degrees: $elevation" }
             require(zoom > 0.0 && zoom.isFinite()) { "zoom must be positive: $zoom" }
-            return FittedViewpoint(azimuth, elevation, zoom, kind)
+            require(margin >= 0.0 && margin < 50.0) { "margin must be 0 or more and below 50 percent: $margin" }
+            require(fieldOfView > 0.0 && fieldOfView < 180.0) {
+                "fieldOfView must be between 0 and 180 degrees: $fieldOfView"
+            }
+            return FittedViewpoint(azimuth, elevation, zoom, kind, margin, fieldOfView)
         }
 
         private fun leastAxis(v: Vector3dc): Vector3d {

@@ -1,6 +1,5 @@
 package dev.lazyz.world
 
-import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Vectors
 import org.joml.Vector3d
 
@@ -8,62 +7,77 @@ import org.joml.Vector3d
  * A rule that fits the whole scene into the image, seen from a given direction. Created by [Camera.fit]. The world's y
  * axis is up. Immutable.
  *
+ * The projected vertices of all surfaces are in the middle of the image, and the wider of their two extents (width or
+ * height, compared with the image) touches the margin, but for the rounding of 64-bit floats. Spheres count with their
+ * outline, and surfaces that do not override [Surface.farthest] with their box. Sizes of [Points] and [Lines] in pixels
+ * do not count.
+ *
+ * With perspective, the eye does not come nearer to the scene than about a hundredth of its size. So a needle that
+ * points to the eye can be smaller than the margin permits. The same is true for an orthographic camera if the image of
+ * the scene is smaller than a hundred-thousandth of its size, as that of a line seen end-on.
+ *
+ * Cost: all vertices are visited once, a part of them again, see [Scene.farthest]. All of it happens on one thread, so
+ * the result does not depend on the number of threads.
+ *
  * @property azimuth degrees around the up axis; 0 is the front (+z), 90 is +x
  * @property elevation degrees above the horizon, -90..90
- * @property zoom 1 fills the image except for a margin of 5 percent
+ * @property zoom 1 fills the image except for the margin; larger values show a part
  * @property kind perspective or orthographic
+ * @property margin the part of the image that stays free on each side at zoom 1, percent, 0 or more and below 50
+ * @property fieldOfView vertical field of view of a perspective camera at zoom 1, degrees
  */
 public class FittedViewpoint internal constructor(
     public val azimuth: Double,
     public val elevation: Double,
     public val zoom: Double,
     public val kind: Fit,
+    public val margin: Double,
+    public val fieldOfView: Double,
 ) : Viewpoint {
-    override fun camera(bounds: Box?, aspect: Double): Camera {
-        val box = bounds ?: UNIT_BOX
-        val center = box.center
-        val direction = direction()
+    override fun camera(scene: Scene, aspect: Double): Camera {
         val up = if (StrictMath.abs(elevation) == 90.0) upAtPole() else Vector3d(0.0, 1.0, 0.0)
-
-        // Measure the box in the camera's axes, about its centre
-        val probe = Camera.orthographic(direction, Vector3d(), up, 1.0, 0.0, 1.0)
-        var halfWidth = 0.0
-        var halfHeight = 0.0
-        var halfDepth = 0.0
-        var distance = 0.0
-        val halfAngleTangent = StrictMath.tan(Camera.DEFAULT_FIELD_OF_VIEW * (StrictMath.PI / 360.0))
-        val slope = halfAngleTangent * FILL
-        for (number in 0 until 8) {
-            val corner = box.corner(number)
-            corner.set(corner.x - center.x, corner.y - center.y, corner.z - center.z)
-            val x = StrictMath.abs(Vectors.dot(corner, probe.right))
-            val y = StrictMath.abs(Vectors.dot(corner, probe.upward))
-            val z = Vectors.dot(corner, probe.backward)
-            halfWidth = maxOf(halfWidth, x)
-            halfHeight = maxOf(halfHeight, y)
-            halfDepth = maxOf(halfDepth, StrictMath.abs(z))
-            distance = maxOf(distance, z + y / slope, z + x / (slope * aspect))
-        }
-
-        val pad = pad(maxOf(halfWidth, halfHeight, halfDepth), center)
+        val axes = Camera.orthographic(direction(), Vector3d(), up, 1.0, 0.0, 1.0)
+        val extent = SceneExtent(scene, axes)
         return when (kind) {
-            Fit.ORTHOGRAPHIC -> {
-                val height = 2 * maxOf(halfHeight, halfWidth / aspect, pad) / (FILL * zoom)
-                val back = halfDepth + pad
-                Camera.orthographic(at(center, direction, 2 * back), center, up, height, back, 3 * back)
-            }
-            Fit.PERSPECTIVE -> {
-                val away = maxOf(distance, halfDepth + 2 * pad)
-                val near = maxOf(away - halfDepth - pad, away / 1024)
-                val fieldOfView = StrictMath.atan(halfAngleTangent / zoom) * (360.0 / StrictMath.PI)
-                Camera.perspective(
-                    at(center, direction, away), center, up, fieldOfView, near, away + halfDepth + pad,
-                )
-            }
+            Fit.ORTHOGRAPHIC -> orthographic(extent, up, aspect)
+            Fit.PERSPECTIVE -> perspective(extent, up, aspect)
         }
     }
 
-    /** Direction from the centre of the scene to the camera; unit length. */
+    /** The part of the image between the margins, 0..1. */
+    private val filled: Double get() = 1.0 - margin / 50.0
+
+    private fun orthographic(extent: SceneExtent, up: Vector3d, aspect: Double): Camera {
+        val height = maxOf(extent.width / aspect, extent.height, extent.pad / 1000)
+        val back = extent.depth / 2 + extent.pad
+        val middle = extent.back + extent.depth / 2
+        val x = extent.left + extent.width / 2
+        val y = extent.bottom + extent.height / 2
+        return Camera.orthographic(
+            extent.point(x, y, middle + 2 * back), extent.point(x, y, middle), up, height / (filled * zoom),
+            back, 3 * back,
+        )
+    }
+
+    private fun perspective(extent: SceneExtent, up: Vector3d, aspect: Double): Camera {
+        // Where the planes through the margins touch the scene on both sides, the eye is where they meet
+        val halfHeight = StrictMath.tan(fieldOfView * (StrictMath.PI / 360.0))
+        val slope = halfHeight * filled
+        val eyeZ = maxOf(
+            extent.apex(extent.right, slope * aspect),
+            extent.apex(extent.upward, slope),
+            extent.front + 2 * extent.pad,
+        )
+        val x = extent.middle(extent.right, eyeZ)
+        val y = extent.middle(extent.upward, eyeZ)
+        val near = eyeZ - extent.front - extent.pad
+        val far = eyeZ - extent.back + extent.pad
+        val zoomed = if (zoom == 1.0) fieldOfView else StrictMath.atan(halfHeight / zoom) * (360.0 / StrictMath.PI)
+        val target = extent.point(x, y, extent.back + extent.depth / 2)
+        return Camera.perspective(extent.point(x, y, eyeZ), target, up, zoomed, near, far)
+    }
+
+    /** Direction from the scene to the camera; unit length. */
     private fun direction(): Vector3d {
         val a = azimuth * (StrictMath.PI / 180.0)
         val e = elevation * (StrictMath.PI / 180.0)
@@ -78,33 +92,13 @@ public class FittedViewpoint internal constructor(
         return Vector3d(StrictMath.sin(a) * sign, 0.0, StrictMath.cos(a) * sign)
     }
 
-    private fun at(center: Vector3d, direction: Vector3d, distance: Double): Vector3d = Vector3d(
-        center.x + direction.x * distance,
-        center.y + direction.y * distance,
-        center.z + direction.z * distance,
-    )
-
-    /** Distance between the planes and a scene of the given half size, in front of the scene and behind it. */
-    private fun pad(halfSize: Double, center: Vector3d): Double {
-        val away = maxOf(StrictMath.abs(center.x), StrictMath.abs(center.y), StrictMath.abs(center.z))
-
-        // A single point has no size: use a small positive one, because a camera needs near < far
-        return if (halfSize > 0.0) halfSize * 0.01 + 1e-12 * away else 1e-6 * maxOf(away, 1e-6)
-    }
-
-    override fun toString(): String = "FittedViewpoint(azimuth=$azimuth, elevation=$elevation, zoom=$zoom, $kind)"
-
-    private companion object {
-        /** Part of the image that a fitted scene fills. */
-        const val FILL = 0.95
-
-        val UNIT_BOX = Box(-0.5, -0.5, -0.5, 0.5, 0.5, 0.5)
-    }
+    override fun toString(): String = "FittedViewpoint(azimuth=$azimuth, elevation=$elevation, zoom=$zoom, $kind, " +
+        "margin=$margin, fieldOfView=$fieldOfView)"
 }
 
 /** The projection of a fitted camera, see [Camera.fit]. */
 public enum class Fit {
-    /** Perspective, with a vertical field of view of [Camera.DEFAULT_FIELD_OF_VIEW] degrees. */
+    /** Perspective. */
     PERSPECTIVE,
 
     /** Orthographic. */

@@ -2,6 +2,7 @@ package dev.lazyz.world
 
 import dev.lazyz.Primitive
 import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.PointBlocks
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.geometry.VertexTransforms
 import java.util.function.UnaryOperator
@@ -74,7 +75,19 @@ public class Mesh @JvmOverloads constructor(
         }
     }
 
-    override val bounds: Box? by lazy { Box.around(positions)?.moved(this.origin) }
+    private val blocks by lazy { PointBlocks(positions, triangles) }
+
+    /** A box around the vertices that triangles use, or null if there is none. */
+    override val bounds: Box? by lazy { blocks.bounds?.moved(this.origin) }
+
+    override fun farthest(direction: Vector3dc): Vector3d? {
+        val point = blocks.farthest(direction.x(), direction.y(), direction.z())
+        if (point < 0) return null
+        return Vector3d(
+            positions[3 * point] + origin.x(), positions[3 * point + 1] + origin.y(),
+            positions[3 * point + 2] + origin.z(),
+        )
+    }
 
     override fun primitives(setUp: SetUp): Sequence<Primitive> = setUp.mesh(this)
 

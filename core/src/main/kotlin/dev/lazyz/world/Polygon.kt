@@ -31,6 +31,21 @@ public class Polygon @JvmOverloads constructor(
         Box.around(all.size) { vertex, axis -> all[vertex].position(axis) }
     }
 
+    override fun farthest(direction: Vector3dc): Vector3d? {
+        var farthest: Vertex? = null
+        var most = Double.NEGATIVE_INFINITY
+        for (contour in contours) {
+            for (vertex in contour) {
+                val product = direction.x() * vertex.x + direction.y() * vertex.y + direction.z() * vertex.z
+                if (product > most && vertex.isFinite) {
+                    most = product
+                    farthest = vertex
+                }
+            }
+        }
+        return farthest?.let { Vector3d(it.x, it.y, it.z) }
+    }
+
     override fun primitives(setUp: SetUp): Sequence<Primitive> = sequenceOf(this).map { setUp.polygon(it) }
 
     override fun withMaterials(change: UnaryOperator<Material>): Polygon =
@@ -71,6 +86,9 @@ public class Vertex @JvmOverloads constructor(
     public val v: Float = 0f,
     public val color: Rgba = Rgba.WHITE,
 ) {
+    /** Whether the position counts for bounds. */
+    internal val isFinite: Boolean get() = (0 until 3).all { StrictMath.abs(position(it)) < Box.LARGEST }
+
     internal fun position(axis: Int): Double = when (axis) {
         0 -> x
         1 -> y

@@ -11,6 +11,7 @@ import dev.lazyz.Workers
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Vectors
 import java.util.function.UnaryOperator
+import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
@@ -34,6 +35,25 @@ public class Scene @JvmOverloads constructor(
     public val bounds: Box? by lazy { surfaces.mapNotNull { it.bounds }.reduceOrNull(Box::union) }
 
     /**
+     * Returns the point of all surfaces that is farthest along [direction], see [Surface.farthest], or null if the
+     * scene is empty. A new vector for each call. Cost: for meshes, points and lines a fraction of their vertices,
+     * after all of them were visited once.
+     */
+    public fun farthest(direction: Vector3dc): Vector3d? {
+        var farthest: Vector3d? = null
+        var most = Double.NEGATIVE_INFINITY
+        for (surface in surfaces) {
+            val point = surface.farthest(direction) ?: continue
+            val product = Vectors.dot(direction, point)
+            if (product > most) {
+                most = product
+                farthest = point
+            }
+        }
+        return farthest
+    }
+
+    /**
      * The origin of shading: [Fragment.worldX], [Fragment.worldY] and [Fragment.worldZ] are relative to it. It is the
      * origin of the first surface whose own origin is not zero (in scenes far from the world's origin), or else the
      * world's origin.
@@ -43,7 +63,7 @@ public class Scene @JvmOverloads constructor(
     }
 
     /** Returns the camera for a raster of [width] x [height] samples. */
-    public fun camera(width: Int, height: Int): Camera = viewpoint.camera(bounds, width.toDouble() / height)
+    public fun camera(width: Int, height: Int): Camera = viewpoint.camera(this, width.toDouble() / height)
 
     /**
      * Returns the primitives of the scene on a raster, in submission order. Each is set up when the sequence reaches

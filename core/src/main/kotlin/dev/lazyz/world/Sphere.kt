@@ -46,6 +46,15 @@ public class Sphere @JvmOverloads constructor(
             )
         }
 
+    override fun farthest(direction: Vector3dc): Vector3d? {
+        if (!hasBounds) return null
+        val square = Vectors.dot(direction, direction)
+        val scale = if (square > 0.0) radius / StrictMath.sqrt(square) else 0.0
+        return Vector3d(
+            center.x() + scale * direction.x(), center.y() + scale * direction.y(), center.z() + scale * direction.z(),
+        )
+    }
+
     override fun primitives(setUp: SetUp): Sequence<Primitive> = sequenceOf(this).map { setUp.sphere(it) }
 
     override fun withMaterials(change: UnaryOperator<Material>): Sphere = Sphere(center, radius, change.apply(material))

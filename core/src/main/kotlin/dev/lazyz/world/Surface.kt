@@ -3,6 +3,8 @@ package dev.lazyz.world
 import dev.lazyz.Primitive
 import dev.lazyz.geometry.Box
 import java.util.function.UnaryOperator
+import org.joml.Vector3d
+import org.joml.Vector3dc
 
 /**
  * A visible object in world space: a [Mesh], a [Polygon], a [Sphere], [Points], [Lines], or a custom surface.
@@ -13,6 +15,16 @@ import java.util.function.UnaryOperator
 public interface Surface {
     /** A box around the surface, or null if it is empty. */
     public val bounds: Box?
+
+    /**
+     * Returns the point of the surface that is farthest along [direction]: the one whose dot product with it is
+     * greatest; one of them if there are several, or null if the surface is empty. World space; a new vector for each
+     * call. [direction] has any length above 0.
+     *
+     * A fitted camera calls it some 30 times, see [Camera.fit]. A surface that does not override this function is
+     * fitted by its [bounds], so it can look smaller than it could.
+     */
+    public fun farthest(direction: Vector3dc): Vector3d? = bounds?.farthest(direction)
 
     /**
      * Returns the primitives of the surface in submission order, set up for one raster and camera.

@@ -33,6 +33,13 @@ public enum class UpAxis(public val id: String, private val sources: IntArray, p
     /** Returns the point or direction [v] of a model with this axis up, in a world with y up. A new vector. */
     public fun toWorld(v: Vector3dc): Vector3d = Vector3d(component(v, 0), component(v, 1), component(v, 2))
 
+    /** Returns the point or direction of a model with this axis up that [toWorld] converts to [v]. A new vector. */
+    public fun toModel(v: Vector3dc): Vector3d {
+        val model = Vector3d()
+        for (row in 0 until 3) model.setComponent(sources[row], if (signs[row] > 0) v.get(row) else -v.get(row))
+        return model
+    }
+
     /**
      * Returns points or directions in a world with y up. Each is the first three of [stride] numbers; the others are
      * kept. A new array, except for [Y].

@@ -167,7 +167,7 @@ class MeshTest {
     @Test
     fun boundsPassOverWhatIsNotFinite() {
         val positions = floatArrayOf(0f, 1f, 2f, Float.NaN, 9f, 9f, 3f, -1f, 5f, 9f, Float.POSITIVE_INFINITY, 9f)
-        val mesh = Mesh(positions, IntArray(0))
+        val mesh = Mesh(positions, intArrayOf(0, 1, 2, 3, 0, 1))
         assertEquals(Box(0.0, -1.0, 2.0, 3.0, 1.0, 5.0).toString(), mesh.bounds.toString())
         assertEquals(null, Mesh(FloatArray(0), IntArray(0)).bounds)
         assertEquals(null, Sphere(Vector3d(Double.NaN), 1.0).bounds)

@@ -86,7 +86,7 @@ class OriginTest {
             Mesh(FloatArray(3), IntArray(0), origin = Vector3d(Double.NaN, 0.0, 0.0))
         }
         assertThrows(IllegalArgumentException::class.java) {
-            SetUp(Raster(1, 1), Camera.fit().camera(null, 1.0), emptyList(), Vector3d(0.0, 1e999, 0.0))
+            SetUp(Raster(1, 1), Camera.fit().camera(Scene(emptyList()), 1.0), emptyList(), Vector3d(0.0, 1e999, 0.0))
         }
         assertThrows(IllegalArgumentException::class.java) {
             SetUp(Raster(1, 1), Camera.screen(), emptyList(), Vector3d(0.0, 1.0, 0.0))

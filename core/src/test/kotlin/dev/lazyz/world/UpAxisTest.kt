@@ -87,6 +87,7 @@ class UpAxisTest {
             assertEquals(1.0, up.toWorld(axis).y, "$up is on top")
             val numbers = up.toWorld(floatArrayOf(1f, 2f, 3f, 4f, 5f, 6f)).map { it.toDouble() }
             val last = up.toWorld(Vector3d(4.0, 5.0, 6.0))
+            assertEquals(Vector3d(4.0, 5.0, 6.0), up.toModel(last))
             assertEquals(listOf(last.x, last.y, last.z), numbers.drop(3), "$up of arrays")
         }
     }

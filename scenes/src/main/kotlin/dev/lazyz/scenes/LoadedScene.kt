@@ -1,6 +1,7 @@
 package dev.lazyz.scenes
 
 import dev.lazyz.Raster
+import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 
 /**
@@ -10,12 +11,15 @@ import dev.lazyz.world.Scene
  * @property warnings one sentence each, in the order of the file: for example a missing texture or a skipped face
  * @property size the image size that the file requests, or null if it requests none; only scene files can
  * @property depth the depth rules; only scene files can differ from the default
+ * @property cameras the cameras of a model, in the order of the file; the first is the viewpoint of [scene]. Empty for
+ *   scene files, whose only camera is the viewpoint, and for formats without cameras
  */
 public class LoadedScene @JvmOverloads constructor(
     public val scene: Scene,
     public val warnings: List<String>,
     public val size: ImageSize? = null,
     public val depth: DepthRules = DepthRules(),
+    public val cameras: List<NamedCamera> = emptyList(),
 ) {
     /**
      * Returns the raster for setting up the scene, `scene.frame(raster(...))`, with the scene's background and the
@@ -26,6 +30,16 @@ public class LoadedScene @JvmOverloads constructor(
     public fun raster(width: Int, height: Int): Raster = depth.raster(width, height, scene.background)
 
     override fun toString(): String = "LoadedScene($scene, ${warnings.size} warnings, size $size)"
+}
+
+/**
+ * One of the cameras of a model. Immutable.
+ *
+ * @property name the name in the file; empty if it has none
+ * @property camera the camera, in world space
+ */
+public class NamedCamera(public val name: String, public val camera: Camera) {
+    override fun toString(): String = "NamedCamera($name, $camera)"
 }
 
 /**

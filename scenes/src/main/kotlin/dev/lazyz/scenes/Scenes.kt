@@ -3,6 +3,7 @@ package dev.lazyz.scenes
 import dev.lazyz.scenes.builtin.Builtins
 import dev.lazyz.scenes.formats.SceneReading
 import dev.lazyz.world.Scene
+import dev.lazyz.world.Texture
 import java.io.InputStream
 import java.nio.file.Path
 
@@ -99,6 +100,17 @@ public object Scenes {
         folder: Path?,
         options: LoadOptions,
     ): LoadedScene = SceneReading.read(input, format, name, folder, options)
+
+    /**
+     * Reads an image file as a texture: PNG, JPEG, BMP or GIF. Texels are the sRGB codes of the file; colour profiles
+     * are ignored.
+     *
+     * @param limits limits on the number of texels and on memory
+     * @throws SceneFormatException if the file is missing, unreadable, no image, or exceeds one of the [limits]
+     */
+    @JvmStatic
+    @JvmOverloads
+    public fun texture(path: Path, limits: LoadLimits = LoadLimits()): Texture = SceneReading.texture(path, limits)
 
     /**
      * Returns the Utah teapot; see [Builtin].

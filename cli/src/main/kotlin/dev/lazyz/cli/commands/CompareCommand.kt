@@ -71,8 +71,9 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
 
     private fun compare(): Int {
         val views = comparing.views.orEmpty()
-        if (views.isNotEmpty() && camera.pointOfView().isDirected) {
-            throw Mistake("--views cannot be combined with --view, --azimuth or --elevation")
+        val directed = camera.pointOfView().directed
+        if (views.isNotEmpty() && directed.isNotEmpty()) {
+            throw Mistake("--views cannot be combined with ${directed[0]}")
         }
         val request = CompareRequest(comparing.strategies.distinct(), cost.choices(), comparing.repeat, views)
         val named = CompareInputs(inputs, reading.format)

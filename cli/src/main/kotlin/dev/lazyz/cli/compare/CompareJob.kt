@@ -6,12 +6,12 @@ import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Renderer
 import dev.lazyz.cli.input.FrameSource
+import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.input.View
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.MemoryNeed
 import dev.lazyz.cli.strategies.Strategies
-import dev.lazyz.filter.SampledFrame
 import dev.lazyz.scenes.LoadedScene
 
 /**
@@ -24,19 +24,19 @@ internal class CompareJob(private val request: CompareRequest, private val strea
 
     /** Compares pictures of the scene [loaded] from [source], from the side [view] unless it is null. */
     fun compare(source: FrameSource, loaded: LoadedScene, view: View? = null): Comparison {
-        val picture = source.frame(loaded, request.choices.options(), view)
-        val frame = picture.frame
+        val shot = source.frame(loaded, request.choices.options(), view)
+        val frame = shot.frame
         val able = strategies.filter { canRender(it, frame) }
         if (able.isEmpty()) throw Mistake(noneBlends())
         for (strategy in able) MemoryNeed.check(strategy, frame.region, kept = BYTES_PER_PIXEL)
 
         // Render with one after the other
-        val round = Round(picture)
+        val round = Round(shot)
         val outcomes = strategies.map { strategy ->
             strategy.id to if (strategy in able) round.outcome(strategy) else Outcome.NotBlending
         }
         val warnings = loaded.warnings.size
-        return Comparison(source.input.name, view, picture, request.repeat, warnings, round.reference, outcomes)
+        return Comparison(source.input.name, view, shot, request.repeat, warnings, round.reference, outcomes)
     }
 
     private fun strategies(): List<Renderer> {
@@ -56,7 +56,7 @@ internal class CompareJob(private val request: CompareRequest, private val strea
         "(${Strategies.supporters(Capability.TRANSPARENCY)})\nCompare others, or compare it as opaque with --opaque."
 
     /** One frame, rendered with one strategy after the other. */
-    private inner class Round(private val picture: SampledFrame) {
+    private inner class Round(private val shot: Shot) {
         /** The first complete picture. No other picture is kept in memory. */
         var reference: Reference? = null
             private set
@@ -77,12 +77,12 @@ internal class CompareJob(private val request: CompareRequest, private val strea
 
                 // Keep the first picture, and compare all others with it, row by row
                 val known = reference?.image
-                val collector = if (known == null) Image.Collector(picture.pixels) else null
+                val collector = if (known == null) Image.Collector(shot.pixels) else null
                 val comparison = known?.let { RowComparison(it) }
-                val rows = CompleteRows(picture.pixels, listOfNotNull(collector, comparison).single())
+                val rows = CompleteRows(shot.pixels, listOfNotNull(collector, comparison).single())
 
                 val start = System.nanoTime()
-                counters = picture.render(strategy, rows)
+                counters = shot.render(strategy, rows)
                 times[i] = System.nanoTime() - start
                 rows.requireComplete()
                 if (collector != null) reference = Reference(strategy.id, collector.toImage(counters))

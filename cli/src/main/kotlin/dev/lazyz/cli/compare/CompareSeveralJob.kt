@@ -134,7 +134,7 @@ private class CompareLine(private val input: String) {
     private var blank = 0
 
     fun add(comparison: Comparison) {
-        primitives = maxOf(primitives, comparison.picture.frame.primitives.size)
+        primitives = maxOf(primitives, comparison.shot.frame.primitives.size)
         notBlending = comparison.outcomes.count { (_, outcome) -> outcome is Outcome.NotBlending }
         if (comparison.isBlank) blank++
         val view = comparison.view?.let { "${it.name.lowercase()}: " }.orEmpty()

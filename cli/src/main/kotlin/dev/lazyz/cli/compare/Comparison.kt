@@ -2,12 +2,12 @@ package dev.lazyz.cli.compare
 
 import dev.lazyz.Counters
 import dev.lazyz.Image
+import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.input.View
 import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.Statistics
 import dev.lazyz.cli.strategies.Strategies
-import dev.lazyz.filter.SampledFrame
 import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.addJsonObject
 import kotlinx.serialization.json.buildJsonObject
@@ -43,7 +43,7 @@ internal class Reference(val id: String, val image: Image)
 internal class Comparison(
     private val input: String,
     val view: View?,
-    val picture: SampledFrame,
+    val shot: Shot,
     val repeat: Int,
     private val warnings: Int,
     val reference: Reference?,
@@ -68,8 +68,8 @@ internal class Comparison(
         buildJsonObject {
             put("input", input)
             if (view != null) put("view", view.name.lowercase())
-            put("width", picture.pixels.width)
-            put("height", picture.pixels.height)
+            put("width", shot.pixels.width)
+            put("height", shot.pixels.height)
             put("repeat", repeat)
             put("warnings", warnings)
             put("identical", isGood)
@@ -85,12 +85,12 @@ internal class Comparison(
     /** Returns a sentence that describes the [difference] of the strategy [id]. */
     fun sentence(id: String, difference: Difference): String =
         "$id differs from ${reference?.id} at %,d of %,d pixels, "
-            .format(null, difference.pixels, picture.pixels.size) +
+            .format(null, difference.pixels, shot.pixels.size) +
             "first at column ${difference.x}, row ${difference.y}"
 
     /** Returns counters and time of [outcome], under the names of the statistics of `zcli render`. */
     fun statistics(outcome: Outcome.Rendered): Map<String, Any> =
-        Statistics.counted(outcome.counters, picture) + ("millis" to Statistics.millis(outcome.nanoseconds))
+        Statistics.counted(outcome.counters, shot) + ("millis" to Statistics.millis(outcome.nanoseconds))
 
     private fun JsonObjectBuilder.add(id: String, outcome: Outcome) {
         put("strategy", id)

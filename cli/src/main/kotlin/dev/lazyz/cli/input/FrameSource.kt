@@ -5,11 +5,12 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
-import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.ShadingRate
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.Scenes
+import dev.lazyz.world.Camera
 import dev.lazyz.world.Material
 import dev.lazyz.world.Scene
 
@@ -37,27 +38,50 @@ internal class FrameSource(private val subject: Subject, private val streams: St
      * Returns the picture of [loaded], seen from [view] or, if that is null, from the side that the options choose. It
      * is set up by the threads of [options].
      */
-    fun frame(loaded: LoadedScene, options: RenderOptions, view: View? = null): SampledFrame {
+    fun frame(loaded: LoadedScene, options: RenderOptions, view: View? = null): Shot {
         // Apply the options of axis, camera and shading
+        val pointOfView = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
         val upright = try {
-            loaded.scene.withUpAxis(subject.up)
+            pointOfView.applyTo(loaded, subject.up)
         } catch (e: UnsupportedOperationException) {
             throw Mistake("--up: ${e.message}")
         }
-        val pointOfView = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
-        val seen = subject.sizes.applyTo(pointOfView.applyTo(upright))
-        val scene = if (subject.changesMaterials) seen.withMaterials(::changed) else seen
+        val seen = subject.sizes.applyTo(upright)
+        val colored = paint(seen)?.applyTo(seen) ?: seen
+        val shaded = if (subject.changesMaterials) colored.withMaterials(::changed) else colored
 
         // The camera is fitted to the whole raster. The picture may be a part of it
-        val raster = raster(scene, loaded)
+        val raster = raster(shaded, loaded)
+        val camera = camera(shaded, raster)
+        if (pointOfView.isPrinted) streams.note(PointOfView.words(camera, subject.up) + "\n")
+        val scene = shaded.withViewpoint(camera)
         val region = region(raster)
         streams.progress("setting up ${raster.width}x${raster.height} ...")
-        val frame = subject.antiAliasing.frame(scene, raster, options).within(region)
+        val sampled = subject.antiAliasing.frame(scene, raster, options).within(region)
         val isOpaque = subject.translucency == Translucency.OPAQUE
-        if (subject.antiAliasing.rate == ShadingRate.PIXEL && frame.frame.hasTranslucency && !isOpaque) {
+        if (subject.antiAliasing.rate == ShadingRate.PIXEL && sampled.frame.hasTranslucency && !isOpaque) {
             throw Mistake("--shading-rate pixel: the scene is translucent; use --shading-rate sample, or --opaque")
         }
-        return if (isOpaque) frame.asOpaque() else frame
+        return Shot(if (isOpaque) sampled.asOpaque() else sampled, subject.background?.gradient)
+    }
+
+    /** Returns the colour and the texture that the user chose, or null. */
+    private fun paint(scene: Scene): Paint? {
+        val file = subject.texture ?: return subject.color?.let { Paint(it, null) }
+        val texture = Scenes.texture(file, subject.loading.limits)
+        val bare = scene.surfaces.count { Paint.lacksTexturePlaces(it) }
+        if (bare > 0) {
+            val all = scene.surfaces.size
+            if (bare == all) throw Mistake("--texture: ${input.name} has no texture coordinates")
+            streams.warning("$bare of $all surfaces have no texture coordinates, so --texture has no effect on them")
+        }
+        return Paint(subject.color, texture)
+    }
+
+    private fun camera(scene: Scene, raster: Raster): Camera = try {
+        scene.camera(raster.width, raster.height)
+    } catch (e: IllegalArgumentException) {
+        throw Mistake("there is no such camera: ${e.message}")
     }
 
     /** Applies the options that change [material]. A custom shader would take precedence over other shading. */
@@ -71,7 +95,7 @@ internal class FrameSource(private val subject: Subject, private val streams: St
     private fun raster(scene: Scene, loaded: LoadedScene): Raster {
         val size = subject.size ?: loaded.size ?: DEFAULT_SIZE
         val depth = subject.depthConvention?.let { DepthRules(it) } ?: loaded.depth
-        return depth.raster(size.width, size.height, subject.background ?: scene.background)
+        return depth.raster(size.width, size.height, subject.background?.color ?: scene.background)
     }
 
     private fun region(raster: Raster): Region {

@@ -9,6 +9,7 @@ import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Shading
 import dev.lazyz.world.UpAxis
+import java.nio.file.Path
 
 /** How to render translucent materials. */
 internal enum class Translucency { BLENDED, OPAQUE }
@@ -22,7 +23,9 @@ internal class Subject(
     val size: ImageSize?,
     val region: Region?,
     val antiAliasing: AntiAliasing,
-    val background: Rgba?,
+    val background: Backdrop?,
+    val color: Rgba?,
+    val texture: Path?,
     val shading: Shading?,
     val mipFilter: MipFilter?,
     val sizes: PixelSizes,

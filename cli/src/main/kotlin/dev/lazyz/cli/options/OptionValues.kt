@@ -3,19 +3,28 @@ package dev.lazyz.cli.options
 import com.github.ajalt.clikt.parameters.options.NullableOption
 import com.github.ajalt.clikt.parameters.options.RawOption
 import com.github.ajalt.clikt.parameters.options.convert
+import com.github.ajalt.colormath.Color
+import com.github.ajalt.colormath.parseOrNull
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.Selector
+import dev.lazyz.cli.input.Backdrop
+import dev.lazyz.cli.input.CameraChoice
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Nearest
+import dev.lazyz.filter.VerticalGradient
 import dev.lazyz.scenes.ImageSize
+import org.joml.Vector3d
+import org.joml.Vector3dc
 
-/** An option whose value is a size: `640x480`. */
+/** An option whose value is a size: `640x480`, or `512` for a square. */
 internal fun RawOption.size(): NullableOption<ImageSize, ImageSize> = convert("WxH") { text ->
-    val (width, height) = Regex("""(-?\d+)[xX×](-?\d+)""").matchEntire(text)?.destructured
-        ?: fail("'$text' is not WIDTHxHEIGHT, such as 640x480")
+    val form = Regex("""(-?\d+)(?:[xX×](-?\d+))?""")
+    val (width, second) = form.matchEntire(text)?.destructured
+        ?: fail("'$text' is not WIDTHxHEIGHT, such as 640x480, or one number for a square")
+    val height = second.ifEmpty { width }
     val sides = listOf(width, height).map { side ->
         side.toIntOrNull()?.takeIf { it in 1..Raster.MAX_SIDE }
             ?: fail("width and height must be in 1..${Raster.MAX_SIDE}: $text")
@@ -91,23 +100,75 @@ internal fun RawOption.number(
     range: ClosedRange<Double>,
     unit: String,
 ): NullableOption<Double, Double> = convert(metavar) { text ->
-    val form = Regex("""[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?""")
-    val number = if (form.matches(text)) text.toDouble() else fail("'$text' is not a number")
+    val number = if (DECIMAL.matches(text)) text.toDouble() else fail("'$text' is not a number")
     if (number !in range) fail("must be in ${plain(range.start)}..${plain(range.endInclusive)}$unit: $text")
     number
 }
 
+/** An option whose value is a decimal number for which [use] does not throw [IllegalArgumentException]. */
+internal fun RawOption.number(metavar: String, use: (Double) -> Unit): NullableOption<Double, Double> =
+    convert(metavar) { text ->
+        val number = if (DECIMAL.matches(text)) text.toDouble() else fail("'$text' is not a number")
+        try {
+            use(number)
+        } catch (illegal: IllegalArgumentException) {
+            // The message begins with the name of the property in the library
+            fail(illegal.message.orEmpty().substringAfter(' '))
+        }
+        number
+    }
+
+/** An option whose value is a point or a direction: `1,-2.5,0`. */
+internal fun RawOption.vector(): NullableOption<Vector3dc, Vector3dc> = convert("X,Y,Z") { text ->
+    val words = text.split(',')
+    if (words.size != 3 || !words.all { DECIMAL.matches(it) }) fail("'$text' is not X,Y,Z, such as 1,-2.5,0")
+    val numbers = words.map { it.toDouble() }
+    if (!numbers.all { it.isFinite() }) fail("numbers must be finite: $text")
+    Vector3d(numbers[0], numbers[1], numbers[2])
+}
+
+/** An option whose value is `fit`, `scene` or the number of a camera. */
+internal fun RawOption.camera(): NullableOption<CameraChoice, CameraChoice> = convert("CAMERA") { text ->
+    when (text.lowercase()) {
+        "fit" -> CameraChoice.Fit
+        "scene" -> CameraChoice.OfScene
+        else -> CameraChoice.OfModel(
+            text.toIntOrNull()?.takeIf { it >= 0 } ?: fail("'$text' is not fit, scene or a number, 0 or more"),
+        )
+    }
+}
+
 /**
  * An option whose value is a colour: `#rgb`, `#rrggbb`, `#rrggbbaa`, the same without `#` (which begins a comment in
- * shells), or a name.
+ * shells), or a name of CSS.
  */
-internal fun RawOption.color(): NullableOption<Rgba, Rgba> = convert("COLOR") { text ->
-    try {
-        Rgba.parse(if (text.matches(Regex("[0-9a-fA-F]{3,8}"))) "#$text" else text.lowercase())
-    } catch (unknown: IllegalArgumentException) {
-        val hint = Nearest.hint(text, listOf("transparent", "black", "white"))
-        fail("'$text' is not black, white, transparent, nor hexadecimal rgb, rrggbb or rrggbbaa$hint")
+internal fun RawOption.color(): NullableOption<Rgba, Rgba> = convert("COLOR") { text -> color(text) { fail(it) } }
+
+/** An option whose value is a colour, or two colours, the upper and the lower end of a gradient: `skyblue,white`. */
+internal fun RawOption.backdrop(): NullableOption<Backdrop, Backdrop> = convert("COLOR") { text ->
+    val colors = text.split(',').map { word -> color(word) { fail(it) } }
+    when {
+        colors.size == 1 -> Backdrop(colors[0])
+        colors.size > 2 -> fail("a gradient has two colours, TOP,BOTTOM: $text")
+        colors.any { it.alpha < 1f } -> fail("the colours of a gradient must be opaque: $text")
+        else -> Backdrop(VerticalGradient(colors[0], colors[1]))
     }
+}
+
+/** Returns the colour that [text] describes, or calls [fail] with a message. */
+private fun color(text: String, fail: (String) -> Nothing): Rgba = try {
+    Rgba.parse(if (text.matches(Regex("[0-9a-fA-F]{3,8}"))) "#$text" else text.lowercase())
+} catch (_: IllegalArgumentException) {
+    named(text) ?: run {
+        val hint = Nearest.hint(text, listOf("transparent", "black", "white"))
+        fail("'$text' is not a colour: neither a name of CSS nor hexadecimal rgb, rrggbb or rrggbbaa$hint")
+    }
+}
+
+/** Returns the colour called [name] in CSS, or null. */
+private fun named(name: String): Rgba? {
+    val color = if (name.all { it.isLetter() }) Color.parseOrNull(name.lowercase()) else null
+    return color?.let { Rgba.ofArgb(it.toSRGB().toRGBInt().argb.toInt()) }
 }
 
 /** An option whose value is one of the names of [values]. */
@@ -122,5 +183,7 @@ internal fun <T : Any> RawOption.listOf(metavar: String, values: Map<String, T>)
 private fun <T : Any> named(name: String, values: Map<String, T>, fail: (String) -> Nothing): T =
     values[name.lowercase()]
         ?: fail("'$name' is not one of ${values.keys.joinToString()}${Nearest.hint(name, values.keys)}")
+
+private val DECIMAL = Regex("""[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?""")
 
 private fun plain(number: Double): String = if (number % 1.0 == 0.0) number.toLong().toString() else number.toString()

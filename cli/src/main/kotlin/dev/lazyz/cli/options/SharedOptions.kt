@@ -2,6 +2,7 @@ package dev.lazyz.cli.options
 
 import com.github.ajalt.clikt.core.ParameterHolder
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
+import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
@@ -12,6 +13,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Selector
 import dev.lazyz.cli.input.AntiAliasing
 import dev.lazyz.cli.input.PixelSizes
+import dev.lazyz.cli.input.Placement
 import dev.lazyz.cli.input.PointOfView
 import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.input.Translucency
@@ -21,11 +23,14 @@ import dev.lazyz.filter.PixelFilter
 import dev.lazyz.filter.ShadingRate
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
 import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Points
+import dev.lazyz.world.Projection
 import dev.lazyz.world.Shading
 import dev.lazyz.world.UpAxis
+import java.nio.file.Path
 
 /** The help text of INPUT. */
 internal const val INPUT_HELP: String =
@@ -54,6 +59,8 @@ internal fun subject(
         region = picture.region,
         antiAliasing = picture.antiAliasing(usualSamples),
         background = picture.background,
+        color = picture.color,
+        texture = picture.texture,
         shading = picture.shading,
         mipFilter = picture.mipFilter,
         sizes = PixelSizes(picture.pointSize, picture.lineWidth),
@@ -89,7 +96,9 @@ internal class ReadingOptions : OptionGroup("Reading") {
 internal class PictureOptions : OptionGroup("Picture") {
     val size by option(
         "--size",
-        help = "Width and height in pixels, each 1..262144; default: the scene file's, or 640x480",
+        help =
+        "Width and height in pixels, each 1..262144, or one number for a square; default: the scene file's, or " +
+            "640x480",
     ).size()
 
     val region by option(
@@ -116,8 +125,17 @@ internal class PictureOptions : OptionGroup("Picture") {
 
     val background by option(
         "--background",
-        help = "black, white, transparent, or hexadecimal rgb, rrggbb, rrggbbaa; default: the scene's, or white",
-    ).color()
+        help = "A colour: a name of CSS, such as skyblue, transparent, or hexadecimal rgb, rrggbb, rrggbbaa; or two, " +
+            "TOP,BOTTOM, for a gradient; default: the scene's, or white",
+    ).backdrop()
+
+    val color by option("--color", help = "Replace the colours and textures of all surfaces by this colour").color()
+
+    val texture by option(
+        "--texture",
+        help = "Replace the colours and textures of all surfaces by this image, which --color multiplies; the model " +
+            "needs texture coordinates",
+    ).convert("FILE") { Path.of(it) }
 
     val shading by option("--shading", help = "Replace the shading of all materials: ${names(shadings.keys)}")
         .oneOf("SHADING", shadings)
@@ -153,7 +171,13 @@ internal class PictureOptions : OptionGroup("Picture") {
 }
 
 /** Options of the camera. */
-internal class CameraOptions : OptionGroup("Camera (any of these shows the whole scene)") {
+internal class CameraOptions : OptionGroup("Camera") {
+    private val choice by option(
+        "--camera",
+        help = "fit: show all of the scene; scene: its own camera; or the number of a camera of a model, from 0; " +
+            "default: fit for models, scene for scene files and built-in scenes",
+    ).camera()
+
     private val view by option("--view", help = "Look from ${names(View.entries.map { it.name.lowercase() })}")
         .oneOf("SIDE", View.entries.associateBy { it.name.lowercase() })
 
@@ -163,13 +187,52 @@ internal class CameraOptions : OptionGroup("Camera (any of these shows the whole
     private val elevation by option("--elevation", help = "Degrees above the horizon, -90..90; default: 20")
         .number("DEGREES", -90.0..90.0, " degrees")
 
-    private val zoom by option("--zoom", help = "1 fills the picture, 2 shows half as much; 0.001..1000; default: 1")
-        .number("FACTOR", 0.001..1000.0, "")
-
     private val projection by option("--projection", help = "perspective or orthographic; default: perspective")
         .oneOf("KIND", Fit.entries.associateBy { it.name.lowercase() })
 
-    fun pointOfView() = PointOfView(view, azimuth, elevation, zoom, projection)
+    private val margin by option(
+        "--margin",
+        help = "Free part of the picture on each side, 0..45 percent; default: ${Camera.DEFAULT_MARGIN.toInt()}",
+    ).number("PERCENT", 0.0..45.0, " percent")
+
+    private val zoom by option(
+        "--zoom",
+        help = "1 shows what the camera shows, 2 shows half as much; 0.001..1000; default: 1",
+    ).number("FACTOR", 0.001..1000.0, "")
+
+    private val fieldOfView by option(
+        "--fov",
+        help = "Vertical field of view of a perspective camera at zoom 1, above 0 and below 180; default: " +
+            "${Camera.DEFAULT_FIELD_OF_VIEW.toInt()}, or the camera's",
+    ).number("DEGREES") { Projection.Perspective(it) }
+
+    private val eye by option("--eye", help = "Position of the camera; default: where it shows all of the scene")
+        .vector()
+
+    private val target by option("--target", help = "The point in the middle of the picture; default: the scene's")
+        .vector()
+
+    private val up by option("--camera-up", help = "The direction that is up in the picture; default: the up axis")
+        .vector()
+
+    private val height by option("--height", help = "Visible height of an orthographic picture; default: it fits")
+        .number("UNITS") { Projection.Orthographic(it) }
+
+    private val near by option("--near", help = "Distance of the near plane, world units; default: it fits")
+        .number("DISTANCE") { require(it.isFinite()) { "near must be finite: $it" } }
+
+    private val far by option("--far", help = "Distance of the far plane, world units; default: it fits")
+        .number("DISTANCE") { require(it.isFinite()) { "far must be finite: $it" } }
+
+    private val isPrinted by option(
+        "--print-camera",
+        help = "Print to standard error the options that give exactly this camera",
+    ).flag()
+
+    fun pointOfView() = PointOfView(
+        choice, view, azimuth, elevation, projection, margin, zoom, fieldOfView,
+        Placement(eye, target, up, height, near, far), isPrinted,
+    )
 }
 
 /** Options that change time and memory of the rendering. */

@@ -5,7 +5,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.PixelHash
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.filter.SampledFrame
+import dev.lazyz.cli.input.Shot
 import dev.lazyz.strategies.tiled.Tiled
 import kotlinx.serialization.json.JsonObject
 
@@ -17,7 +17,7 @@ import kotlinx.serialization.json.JsonObject
 internal class Statistics(
     input: String,
     strategy: Renderer,
-    picture: SampledFrame,
+    picture: Shot,
     counters: Counters,
     tally: Tally,
     warnings: Int,
@@ -44,7 +44,7 @@ internal class Statistics(
 
     companion object {
         /** Returns the entries that derive from [counters], for a rendering of [picture]. */
-        fun counted(counters: Counters, picture: SampledFrame): Map<String, Any> = mapOf(
+        fun counted(counters: Counters, picture: Shot): Map<String, Any> = mapOf(
             "primitives" to counters.primitives,
             "fragments" to counters.fragments,
             "overdraw" to counters.fragments.toDouble() / picture.sampleCount,

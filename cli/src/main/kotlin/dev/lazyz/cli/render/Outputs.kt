@@ -3,11 +3,11 @@ package dev.lazyz.cli.render
 import dev.lazyz.Region
 import dev.lazyz.RowSink
 import dev.lazyz.cli.input.Input
+import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputClosed
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.Tally
-import dev.lazyz.filter.SampledFrame
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.ImageFiles
 import dev.lazyz.scenes.writers.PngSink
@@ -38,24 +38,23 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
     }
 
     /**
-     * Calls [render] with a sink that writes the rows of [sampled] to all outputs and to [tally]. The files exist after
+     * Calls [render] with a sink that writes the rows of [shot] to all outputs and to [tally]. The files exist after
      * this method has returned; if it throws, they are not created.
      */
-    fun <T> write(sampled: SampledFrame, tally: Tally, render: (RowSink) -> T): T = try {
+    fun <T> write(shot: Shot, tally: Tally, render: (RowSink) -> T): T = try {
         // The outermost file is finished last: the file of depth appears only after the picture is complete
-        writeDepth(sampled.pixels) { depth ->
-            writePicture(sampled) { picture -> render(FanOut(listOfNotNull(picture, depth, tally))) }
+        writeDepth(shot.pixels) { depth ->
+            writePicture(shot) { picture -> render(FanOut(listOfNotNull(picture, depth, tally))) }
         }
     } catch (closed: OutputClosed) {
         val file = request.depthOutput ?: throw closed
         throw Mistake("standard output was closed before the end, and $file was not written")
     }
 
-    private fun <T> writePicture(sampled: SampledFrame, render: (RowSink) -> T): T {
-        // With an opaque background, every sample is opaque
-        val alpha = if (sampled.frame.raster.background.alpha >= 1f) AlphaChannel.DROP else AlphaChannel.KEEP
-        if (picture != null) return writeFile(picture, sampled.pixels, alpha, render)
-        return PngSink(streams.output, sampled.pixels.width, sampled.pixels.height, alpha).use(render)
+    private fun <T> writePicture(shot: Shot, render: (RowSink) -> T): T {
+        val alpha = if (shot.isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
+        if (picture != null) return writeFile(picture, shot.pixels, alpha, render)
+        return PngSink(streams.output, shot.pixels.width, shot.pixels.height, alpha).use(render)
     }
 
     private fun <T> writeDepth(region: Region, render: (RowSink?) -> T): T {

@@ -19,25 +19,25 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         // Read, set up, and choose a strategy that supports the frame
         val loaded = source.load()
         val start = System.nanoTime()
-        val picture = source.frame(loaded, request.choices.options())
-        val frame = picture.frame
+        val shot = source.frame(loaded, request.choices.options())
+        val frame = shot.frame
         val strategy = choice.strategyFor(frame)
         if (request.isExplained) streams.note(choice.explain(strategy, frame))
         MemoryNeed.check(strategy, frame.region)
 
         // Render to all outputs at once
         streams.progress("rendering ${frame.primitives.size} primitives with ${strategy.id} ...")
-        val tally = Tally(picture.pixels.width, request.stats != null)
-        val counters = outputs.write(picture, tally) { sink -> picture.render(strategy, sink) }
+        val tally = Tally(shot.pixels.width, request.stats != null)
+        val counters = outputs.write(shot, tally) { sink -> shot.render(strategy, sink) }
         val nanoseconds = System.nanoTime() - start
 
         // Report
         if (tally.visible == 0L) streams.nothingIsVisible()
-        outputs.describe(picture.pixels)
+        outputs.describe(shot.pixels)
         val form = request.stats ?: return
         val name = source.input.name
         val warnings = loaded.warnings.size
-        printStatistics(form, Statistics(name, strategy, picture, counters, tally, warnings, nanoseconds))
+        printStatistics(form, Statistics(name, strategy, shot, counters, tally, warnings, nanoseconds))
     }
 
     /** Prints [statistics] to standard output, or to standard error if standard output contains the picture. */

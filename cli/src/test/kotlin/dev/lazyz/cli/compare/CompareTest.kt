@@ -12,6 +12,7 @@ import dev.lazyz.cli.StutteringRenderer
 import dev.lazyz.cli.WrongDepthRenderer
 import dev.lazyz.cli.Zrun
 import dev.lazyz.cli.glass
+import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.run
@@ -160,7 +161,7 @@ class CompareTest {
         val ours = IllegalStateException("the cursor ran away")
         val outcomes = listOf("lazy" to ours, "buggy" to RuntimeException(), "zbuffer" to OutOfMemoryError())
             .map { (id, failure) -> id to Outcome.Failed(failure) }
-        val comparison = Comparison("x", null, SuperSampling.NONE.of(frame), 1, 0, null, outcomes)
+        val comparison = Comparison("x", null, Shot(SuperSampling.NONE.of(frame)), 1, 0, null, outcomes)
         assertEquals(listOf<Throwable>(ours), comparison.bugs)
         assertFalse(comparison.isGood)
     }

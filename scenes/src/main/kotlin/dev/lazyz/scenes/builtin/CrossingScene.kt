@@ -22,7 +22,7 @@ internal object CrossingScene {
             Light.Directional(Vector3d(0.4, -1.0, -0.65), Rgba(0.80f, 0.78f, 0.74f)),
             Light.Directional(Vector3d(-1.0, -0.2, -0.3), Rgba(0.50f, 0.50f, 0.50f)),
         ),
-        viewpoint = Camera.fit(azimuth = 38.0, elevation = 36.0, zoom = 1.6),
+        viewpoint = Camera.fit(azimuth = 38.0, elevation = 36.0),
         background = Rgba.ofRgb(0xF2F0EB),
     )
 

@@ -22,7 +22,7 @@ internal object LayersScene {
                 Light.Ambient(Rgba(0.35f, 0.35f, 0.37f)),
                 Light.Directional(Vector3d(0.3, -1.0, -0.6), Rgba(0.72f, 0.70f, 0.66f)),
             ),
-            viewpoint = Camera.fit(azimuth = 20.0, elevation = 48.0, zoom = 1.2),
+            viewpoint = Camera.fit(azimuth = 20.0, elevation = 48.0),
             background = Rgba.ofRgb(0x20242C),
         )
     }

@@ -67,7 +67,7 @@ internal object MoleculeScene {
             Light.Directional(Vector3d(0.5, -0.7, -1.0), Rgba(0.80f, 0.79f, 0.76f)),
             Light.Directional(Vector3d(-0.9, -0.1, -0.4), Rgba(0.14f, 0.16f, 0.20f)),
         ),
-        viewpoint = Camera.fit(azimuth = 22.0, elevation = 24.0, zoom = 1.2),
+        viewpoint = Camera.fit(azimuth = 22.0, elevation = 24.0),
         background = Rgba.ofRgb(0xDDE6EC),
     )
 

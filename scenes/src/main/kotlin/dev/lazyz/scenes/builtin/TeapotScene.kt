@@ -31,7 +31,7 @@ internal object TeapotScene {
                 Light.Directional(Vector3d(0.5, -0.9, -0.7), Rgba(0.85f, 0.82f, 0.76f)),
                 Light.Directional(Vector3d(-0.9, 0.2, -0.2), Rgba(0.15f, 0.14f, 0.13f)),
             ),
-            viewpoint = Camera.fit(azimuth = 25.0, elevation = 24.0, zoom = 1.25),
+            viewpoint = Camera.fit(azimuth = 25.0, elevation = 24.0),
             background = Rgba.ofRgb(0xE9EDF0),
         )
     }

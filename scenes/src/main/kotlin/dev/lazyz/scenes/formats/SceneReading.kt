@@ -1,10 +1,12 @@
 package dev.lazyz.scenes.formats
 
+import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.gltf.GltfParser
+import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.LoadingMemory
 import dev.lazyz.scenes.loading.Source
@@ -14,6 +16,7 @@ import dev.lazyz.scenes.ply.PlyParser
 import dev.lazyz.scenes.scenefile.SceneFileReader
 import dev.lazyz.scenes.stl.StlParser
 import dev.lazyz.scenes.threemf.ThreeMfParser
+import dev.lazyz.world.Texture
 import java.io.IOException
 import java.io.InputStream
 import java.nio.file.AccessDeniedException
@@ -53,6 +56,14 @@ internal object SceneReading {
         return parse(source, format)
     }
 
+    /** Reads an image file as a texture. */
+    fun texture(path: Path, limits: LoadLimits): Texture {
+        val name = path.toString()
+        val source = Source(bytes(path, name, null), name, null, Loading(LoadOptions(limits)))
+        return TextureFiles.decode(source, source.bytes, path.fileName.toString())
+            ?: source.fail(null, "is not an image that can be read", "save it as PNG or JPEG")
+    }
+
     private fun parse(source: Source, format: SceneFormat): LoadedScene {
         if (source.bytes.isEmpty()) source.fail(null, "is empty", "check that it was written completely")
         val parser = when (format) {
@@ -68,7 +79,8 @@ internal object SceneReading {
             source.warn("files of this format have no animation, so the requested time has no effect")
         }
         try {
-            return LoadedScene(parser.parse(source), source.warnings.toList())
+            val scene = parser.parse(source)
+            return LoadedScene(scene, source.warnings.toList(), cameras = source.cameras.toList())
         } catch (e: OutOfMemoryError) {
             val most = Runtime.getRuntime().maxMemory()
             source.fail(null, "needs more memory than the $most bytes that Java may use", "raise -Xmx, or split it", e)

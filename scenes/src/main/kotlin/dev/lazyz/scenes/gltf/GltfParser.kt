@@ -11,7 +11,7 @@ import dev.lazyz.world.Scene
  * It reads the default scene, or all nodes without a parent if there is none: node transforms, triangles of all three
  * modes, points, lines of all three modes, normals (without them, shading is flat, 3.7.2.1), one set of texture
  * coordinates, `COLOR_0`, and materials as described at [GltfMaterials]. The first camera in the scene becomes the
- * viewpoint, see [GltfCameras]; without one, the camera is fitted to the scene. Skins and morph targets are applied, at
+ * viewpoint, see [GltfCameras]; without one, a camera is fitted to the scene. Skins and morph targets are applied, at
  * rest or at a moment of the first animation ([GltfAnimation], [GltfPoses]). [GltfExtensions] lists the supported
  * extensions. Features that are ignored give a warning.
  */
@@ -28,9 +28,10 @@ internal object GltfParser : SceneParser {
         val meshes = GltfMeshes(document, accessors, GltfPoses(document, accessors, skins, poses))
         val surfaces = nodes.flatMap { meshes.of(it) }
         if (surfaces.isEmpty()) source.warn("there are no meshes, so there is nothing to see")
-        val camera = GltfCameras(document).first(nodes)
+        source.cameras += GltfCameras(document, Scene(surfaces)).all(nodes)
         GltfOmissions.count(document)
         document.warnOfCounts()
-        return if (camera == null) Scene(surfaces) else Scene(surfaces, viewpoint = camera)
+        val first = source.cameras.firstOrNull() ?: return Scene(surfaces)
+        return Scene(surfaces, viewpoint = first.camera)
     }
 }

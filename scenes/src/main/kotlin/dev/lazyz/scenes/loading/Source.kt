@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.loading
 
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.NamedCamera
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.printable
@@ -38,6 +39,9 @@ internal class Source(
 
     /** Warnings about what was ignored so far; reported by [LoadedScene.warnings]. */
     val warnings = ArrayList<String>()
+
+    /** Cameras of the model so far; reported by [LoadedScene.cameras]. */
+    val cameras = ArrayList<NamedCamera>()
 
     /** Converts text with a byte order mark into UTF-8 without one. */
     fun decodeText() {

@@ -58,13 +58,15 @@ internal class CameraReader(private val up: UpAxis) {
     }
 
     private fun fit(node: JsonNode): Viewpoint {
-        val members = node.members("azimuth", "elevation", "zoom", "projection")
+        val members = node.members("azimuth", "elevation", "zoom", "projection", "margin", "fieldOfView")
         return node.checked {
             Camera.fit(
                 members["azimuth"]?.double() ?: DEFAULT_AZIMUTH,
                 members["elevation"]?.double() ?: DEFAULT_ELEVATION,
                 members["zoom"]?.double() ?: 1.0,
                 members["projection"]?.choice(SceneFileNames.projections) ?: Fit.PERSPECTIVE,
+                members["margin"]?.double() ?: Camera.DEFAULT_MARGIN,
+                members["fieldOfView"]?.double() ?: Camera.DEFAULT_FIELD_OF_VIEW,
             )
         }
     }

@@ -51,6 +51,8 @@ internal class SceneFileWriter(private val out: Appendable) {
                 key("elevation").double(viewpoint.elevation)
                 key("zoom").double(viewpoint.zoom)
                 key("projection").text(SceneFileNames.of(viewpoint.kind))
+                key("margin").double(viewpoint.margin)
+                key("fieldOfView").double(viewpoint.fieldOfView)
             }
         }
     }

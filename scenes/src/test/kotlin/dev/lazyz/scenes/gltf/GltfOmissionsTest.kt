@@ -6,7 +6,6 @@ import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.meshes
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Test
 
 /** What is passed over is told once for each kind, with how many there are. */
@@ -84,18 +83,5 @@ class GltfOmissionsTest {
             listOf("images[0] (oak) cannot be decoded and is left out; save it as PNG or JPEG"),
             warnings("""$rest"images":[{"bufferView":0,"name":"oak"}]"""),
         )
-    }
-
-    @Test
-    fun camerasBesidesTheFirstAreCounted() {
-        val files = GltfFiles()
-        files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
-        val cameras = """"cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":1}}]"""
-        val nodes = """"nodes":[{"mesh":0},{"camera":0},{"camera":0},{"camera":0}]"""
-        val source = TestSources.of(
-            files.json("""$nodes,"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],$cameras"""),
-        )
-        assertNotNull(GltfParser.parse(source).meshes.single())
-        assertEquals(listOf("test: cameras besides the first are not used: 2"), source.warnings)
     }
 }

@@ -18,6 +18,7 @@ import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
@@ -173,6 +174,20 @@ class GltfParserTest {
         val orthographic = """"type":"orthographic","orthographic":"""
         val flat = scene("""$orthographic{"xmag":3,"ymag":2,"znear":0,"zfar":9}""").viewpoint as Camera
         assertEquals(4.0, (flat.projection as Projection.Orthographic).height)
+    }
+
+    @Test
+    fun allCamerasAreListedInTheOrderOfTheNodes() {
+        val perspective = """{"type":"perspective","name":"NAME","perspective":{"yfov":1,"znear":1,"zfar":2}}"""
+        val nodes = """"nodes":[{"mesh":0},{"camera":1,"name":"b"},{"camera":0,"name":"a"},{"camera":2,"name":"c"}]"""
+        val json = """$nodes,"cameras":[${perspective.replace("NAME", "first")},{"type":"orthographic",
+            "orthographic":{"xmag":1,"ymag":1,"znear":0,"zfar":5}},{"type":"perspective"}]"""
+        val source = TestSources.of(file(json))
+        val scene = GltfParser.parse(source)
+        assertEquals(listOf("b", "first"), source.cameras.map { it.name })
+        assertTrue(source.cameras[0].camera.projection is Projection.Orthographic)
+        assertSame(source.cameras[0].camera, scene.viewpoint)
+        assertTrue("cameras[2]" in source.warnings.single(), source.warnings.toString())
     }
 
     @Test

@@ -142,6 +142,8 @@ internal class RandomScenes(seed: Long) {
                 random.nextDouble() * 180 - 90,
                 random.nextDouble() + 0.01,
                 pick(Fit.entries),
+                random.nextDouble() * 40,
+                1.0 + 170 * random.nextDouble(),
             )
         }
     }

@@ -1,6 +1,5 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
@@ -74,11 +73,9 @@ class SceneFileProperties {
             }
         }
 
-    private val box = Box(-1.0, -2.0, -3.0, 4.0, 5.0, 6.0)
-
     /** The camera for two rasters, by the matrices that set-up uses. */
     private fun viewpoint(scene: Scene): List<Any?> = listOf(0.7, 1.9).map { aspect ->
-        val camera = scene.viewpoint.camera(box, aspect)
+        val camera = scene.viewpoint.camera(scene, aspect)
         val view = DoubleArray(16).also { camera.viewMatrix().get(it) }
         val projection = DoubleArray(16)
         if (camera.projection != Projection.Screen) camera.projectionMatrix(aspect).get(projection)

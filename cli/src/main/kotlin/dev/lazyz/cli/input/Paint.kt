@@ -1,0 +1,58 @@
+package dev.lazyz.cli.input
+
+import dev.lazyz.Rgba
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Points
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Surface
+import dev.lazyz.world.Texture
+import dev.lazyz.world.Vertex
+
+/**
+ * A colour and a texture that replace those of all surfaces, and the colours of vertices.
+ *
+ * @property color null means white
+ * @property texture null means none
+ */
+internal class Paint(private val color: Rgba?, private val texture: Texture?) {
+    /** Returns [scene] with this paint on all surfaces. */
+    fun applyTo(scene: Scene): Scene = Scene(
+        scene.surfaces.map { plain(it).withMaterials(::painted) }, scene.lights, scene.viewpoint, scene.background,
+    )
+
+    /** Removes a custom shader, too, which would take precedence. */
+    private fun painted(material: Material): Material {
+        val isOpaque = (color == null || color.alpha >= 1f) && texture?.hasAlpha != true
+        return material.withBaseColor(color ?: Rgba.WHITE).withTexture(texture).withShader(null)
+            .withAlphaMode(if (isOpaque) AlphaMode.OPAQUE else AlphaMode.BLEND)
+    }
+
+    /** Returns [surface] without colours of vertices. A mesh without texture coordinates shows no texture. */
+    private fun plain(surface: Surface): Surface = when (surface) {
+        is Mesh -> with(surface) { Mesh(positions, triangles, material, normals, uvs, null, origin) }
+        is Points -> with(surface) { Points(positions, size, material, normals, null, origin) }
+        is Lines -> with(surface) { Lines(positions, segments, width, material, null, origin) }
+        is Polygon -> with(surface) {
+            Polygon(
+                contours.map { contour ->
+                    contour.map { Vertex(it.x, it.y, it.z, it.u, it.v) }
+                },
+                material, fillRule
+            )
+        }
+        else -> surface
+    }
+
+    companion object {
+        /** Whether [surface] has no places for the texels of a texture. */
+        fun lacksTexturePlaces(surface: Surface): Boolean = when (surface) {
+            is Mesh -> surface.uvs == null
+            is Points, is Lines -> true
+            else -> false
+        }
+    }
+}

@@ -1,0 +1,37 @@
+package dev.lazyz.cli.input
+
+import dev.lazyz.Counters
+import dev.lazyz.Frame
+import dev.lazyz.Region
+import dev.lazyz.Renderer
+import dev.lazyz.RowSink
+import dev.lazyz.filter.SampledFrame
+import dev.lazyz.filter.SuperSampling
+import dev.lazyz.filter.VerticalGradient
+
+/**
+ * A frame of samples, and how they become the pixels of a picture.
+ *
+ * @param gradient what is behind the pixels, or null
+ */
+internal class Shot(private val sampled: SampledFrame, private val gradient: VerticalGradient? = null) {
+    /** The samples. */
+    val frame: Frame get() = sampled.frame
+
+    val sampling: SuperSampling get() = sampled.sampling
+
+    /** The pixels of the picture. */
+    val pixels: Region get() = sampled.pixels
+
+    /** Number of samples of the [pixels]. */
+    val sampleCount: Long get() = sampled.sampleCount
+
+    /** Whether all pixels are opaque: with an opaque background, every sample is. */
+    val isOpaque: Boolean get() = gradient != null || frame.raster.background.alpha >= 1f
+
+    /** Renders the frame with [strategy], and passes every row of pixels to [sink]. */
+    fun render(strategy: Renderer, sink: RowSink): Counters {
+        val height = frame.raster.height / sampling.factor
+        return sampled.render(strategy, gradient?.behind(pixels, height, sink) ?: sink)
+    }
+}

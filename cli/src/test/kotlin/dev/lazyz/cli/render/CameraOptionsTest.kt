@@ -1,0 +1,180 @@
+package dev.lazyz.cli.render
+
+import dev.lazyz.cli.Zrun
+import dev.lazyz.cli.image
+import dev.lazyz.cli.output.ExitCode
+import dev.lazyz.cli.statIn
+import dev.lazyz.cli.wedge
+import dev.lazyz.cli.zcli
+import java.nio.file.Path
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.CsvSource
+import org.junit.jupiter.params.provider.ValueSource
+
+/** The options of the group Camera, with real inputs. */
+class CameraOptionsTest {
+    @TempDir
+    lateinit var folder: Path
+
+    /** A triangle with two cameras, one without a far plane. */
+    private val cameras: Path by lazy {
+        folder.resolve("cameras.gltf").apply {
+            val points = "AAAAAAAAAAAAAAAAAACAPwAAAACamZm+AAAAAAAAAEAzMzM/"
+            writeText(
+                """{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1,2]}],
+                "nodes":[{"mesh":0},{"camera":0,"translation":[0.2,0.3,4]},
+                {"camera":1,"translation":[0,0,5],"name":"far away"}],
+                "cameras":[{"name":"close","type":"perspective","perspective":{"yfov":0.3,"znear":0.5}},
+                {"type":"orthographic","orthographic":{"xmag":3,"ymag":2,"znear":0,"zfar":9}}],
+                "meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],
+                "materials":[{"doubleSided":true}],
+                "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+                "bufferViews":[{"buffer":0,"byteLength":36}],
+                "buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,$points"}]}""",
+            )
+        }
+    }
+
+    private fun render(input: Any, vararg words: String): Zrun =
+        zcli("render", input, "--size", "60x45", "--stats=json", "-o", folder.resolve("out.png"), *words)
+
+    private fun hash(input: Any, vararg words: String): String = render(input, *words).done().stat("pixelHash")
+
+    @ParameterizedTest
+    @ValueSource(
+        strings = [
+            "", "--view left --margin 20", "--azimuth 33.3 --elevation -71.9 --zoom 1.7", "--fov 75 --aa 2",
+            "--projection orthographic --view iso", "--eye 4,3,2.5 --fov 50", "--target 0.1,0.7,0.2 --zoom 3",
+            "--eye 4,3,2.5 --target 1,1,0 --camera-up 1,0.3,0 --near 1 --far 20", "--view top --up z",
+            "--projection orthographic --height 3 --target 1,0,0", "--azimuth 200 --up=-x", "--up y --eye=-3,-2,1",
+            "--up=-y --view right", "--up x --projection orthographic", "--up=-z --margin 0 --zoom 2",
+        ],
+    )
+    fun printedOptionsGiveTheSamePictureAgain(options: String) {
+        val words = options.split(" ").filter { it.isNotEmpty() }
+        val others = listOf("--up", "--aa").flatMap { name ->
+            val i = words.indexOfFirst { it == name || it.startsWith("$name=") }
+            if (i < 0) emptyList() else words.subList(i, if ('=' in words[i]) i + 1 else i + 2)
+        }
+        for (input in listOf(folder.wedge(), cameras, "plane", "cycle", "teapot")) {
+            val projected = "--fov" in words || "--height" in words
+            if (input == "cycle" && projected && "--projection" !in words) continue
+            assertReproduced(input, words, others)
+        }
+    }
+
+    private fun assertReproduced(input: Any, words: List<String>, others: List<String>) {
+        val first = render(input, "--print-camera", *words.toTypedArray())
+        assertEquals(ExitCode.DONE, first.code, first.errors)
+        assertTrue(first.stat("visible").toInt() > 0, "$input: $words")
+        val printed = first.errors.trim().split(" ")
+        val again = render(input, "--print-camera", *others.toTypedArray(), *printed.toTypedArray())
+        assertEquals(first.errors, again.errors, "$input: $words")
+        assertEquals(statIn(first.text, "pixelHash"), statIn(again.text, "pixelHash"), "$input: $words, $printed")
+    }
+
+    @Test
+    fun printedOptionsOfTheScenesOwnCamerasGiveTheSamePictureAgain() {
+        for (choice in listOf("fit", "scene", "0", "1")) {
+            for (up in listOf("y", "z", "-x")) {
+                assertReproduced(cameras, listOf("--camera", choice, "--up=$up"), listOf("--up=$up"))
+            }
+        }
+    }
+
+    @Test
+    fun aModelIsFittedAndASceneKeepsItsCamera() {
+        assertEquals(hash(cameras), hash(cameras, "--camera", "fit"))
+        assertEquals(hash(cameras, "--camera", "0"), hash(cameras, "--camera", "scene"))
+        assertEquals(4, listOf("fit", "0", "1").map { hash(cameras, "--camera", it) }.plus("").distinct().size)
+        assertEquals(hash("plane"), hash("plane", "--camera", "scene"))
+        assertNotEquals(hash("plane"), hash("plane", "--camera", "fit"))
+        assertEquals(hash(folder.wedge()), hash(folder.wedge(), "--camera", "scene"))
+    }
+
+    @Test
+    fun camerasOfAModelTurnWithIt() {
+        // The model lies differently in the file, but the camera sees it as before
+        for (up in listOf("x", "-x", "-y", "z", "-z")) {
+            for (choice in listOf("0", "1")) {
+                val turned = arrayOf("--camera", choice, "--up=$up", "--shading", "constant")
+                assertEquals(hash(cameras, "--camera", choice, "--shading", "constant"), hash(cameras, *turned), up)
+            }
+        }
+    }
+
+    @Test
+    fun zoomKeepsTheCameraOfTheScene() {
+        fun camera(vararg words: String) = render("plane", "--print-camera", *words).errors.split(" ")
+        val (before, after) = camera() to camera("--zoom", "2")
+        assertEquals(
+            listOf("--fov"),
+            before.zip(after).filter { (a, b) ->
+                a != b
+            }.map { it.first.substringBefore('=') }
+        )
+        assertEquals(hash("plane"), hash("plane", "--zoom", "1"))
+    }
+
+    @Test
+    fun theMarginIsFreeOnBothSides() {
+        for ((margin, free) in listOf("0" to 0, "10" to 10, "25" to 25)) {
+            val file = folder.resolve("margin.png")
+            zcli(
+                "render", folder.wedge(), "--size", "100x100", "--margin", margin, "-o", file, "--view", "front",
+                "--background", "transparent",
+            ).done()
+            val image = file.image
+            val columns = (0 until 100).filter { x -> (0 until 100).any { y -> image.getRGB(x, y) ushr 24 != 0 } }
+            val rows = (0 until 100).filter { y -> (0 until 100).any { x -> image.getRGB(x, y) ushr 24 != 0 } }
+
+            // A tip can be between two samples
+            assertTrue(columns.first() - free in 0..1 && 99 - free - columns.last() in 0..1, "$margin: $columns")
+            assertTrue(Math.abs(rows.first() - (99 - rows.last())) <= 1, "$rows")
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+        delimiter = '|',
+        value = [
+            "--camera 7|--camera 7: the input has 2: 0 (close), 1 (far away)",
+            "--camera nearest|'nearest' is not fit, scene or a number",
+            "--camera -1|'-1' is not fit, scene or a number",
+            "--camera 0 --azimuth 5|--camera with the scene's own camera cannot be combined with --azimuth",
+            "--camera scene --margin 5|cannot be combined with --margin",
+            "--eye 1,2,3 --view top|--eye cannot be combined with --view",
+            "--eye 1,2,3 --margin 3|--eye cannot be combined with --margin",
+            "--eye 1,2|'1,2' is not X,Y,Z, such as 1,-2.5,0",
+            "--eye 1,2,x|'1,2,x' is not X,Y,Z",
+            "--target 1,2,1e999|numbers must be finite",
+            "--eye 1,2,3 --target 1,2,3|there is no such camera",
+            "--camera-up 0,0,0|there is no such camera: up must be finite and not zero",
+            "--margin 46|must be in 0..45 percent: 46",
+            "--margin -1|must be in 0..45 percent",
+            "--fov 0|must be between 0 and 180 degrees: 0",
+            "--fov 180|must be between 0 and 180 degrees",
+            "--fov wide|'wide' is not a number",
+            "--height 0|must be positive",
+            "--height 3|--height is for an orthographic camera; use --fov",
+            "--fov 30 --projection orthographic|--fov is for a perspective camera; use --height",
+            "--near 1e999|must be finite",
+            "--near 5 --far 2|there is no such camera: near must be less than far",
+            "--near -1|there is no such camera: near must be positive under perspective",
+        ],
+    )
+    fun wrongValuesAreReported(options: String, message: String) {
+        render(cameras, *options.split(" ").toTypedArray()).mistake(message)
+    }
+
+    @Test
+    fun modelsWithoutCamerasHaveNoNumbers() {
+        render(folder.wedge(), "--camera", "0").mistake("--camera 0: the input has no cameras with a number")
+    }
+}
