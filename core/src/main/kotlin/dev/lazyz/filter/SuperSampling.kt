@@ -9,6 +9,7 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.drawing.EdgeDrawing
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Points
@@ -67,6 +68,7 @@ public class SuperSampling(public val factor: Int) {
     private fun magnified(surface: Surface): Surface = when (surface) {
         is Points -> surface.withSize(surface.size * factor)
         is Lines -> surface.withWidth(surface.width * factor)
+        is EdgeDrawing -> surface.withStyle(surface.style.withWidth(surface.style.width * factor))
         else -> surface
     }
 

@@ -14,6 +14,7 @@ import dev.lazyz.cli.options.CostOptions
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.INPUT_HELP
 import dev.lazyz.cli.options.LimitOptions
+import dev.lazyz.cli.options.LineOptions
 import dev.lazyz.cli.options.PictureOptions
 import dev.lazyz.cli.options.ReadingOptions
 import dev.lazyz.cli.options.classPath
@@ -34,6 +35,7 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
     private val reading by ReadingOptions()
     private val picture by PictureOptions()
     private val camera by CameraOptions()
+    private val lines by LineOptions()
     private val rendering by RenderingOptions()
     private val cost by CostOptions()
     private val limits by LimitOptions()
@@ -55,7 +57,7 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
 
     override fun run() {
         val request = RenderRequest(
-            subject = subject(input, reading, limits, picture, camera),
+            subject = subject(input, reading, limits, picture, camera, lines),
             output = output.picture,
             depthOutput = output.depth,
             strategy = rendering.strategy,

@@ -45,9 +45,12 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         } catch (e: UnsupportedOperationException) {
             throw Mistake("--up: ${e.message}")
         }
-        val pointOfView = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
-        val seen = subject.sizes.applyTo(pointOfView.applyTo(upright))
-        val scene = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
+        val lineWork = subject.lineWork
+        val pointOfView = (if (view == null) subject.pointOfView else subject.pointOfView.from(view))
+            .withDefault(lineWork.projection)
+        val seen = lineWork.colored(subject.sizes.applyTo(pointOfView.applyTo(upright)), subject.shading != null)
+        val shaded = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
+        val scene = lineWork.drawnOn(shaded)
 
         // The camera is fitted to the whole raster. The picture may be a part of it
         val raster = raster(scene, loaded)

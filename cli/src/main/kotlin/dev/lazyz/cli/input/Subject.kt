@@ -31,4 +31,5 @@ internal class Subject(
     val translucency: Translucency,
     val depthConvention: DepthConvention?,
     val pointOfView: PointOfView,
+    val lineWork: LineWork,
 )

@@ -52,6 +52,9 @@ internal class PointOfView(
         )
     }
 
+    /** Returns these options with [default] as projection, unless the user chose one. */
+    fun withDefault(default: Fit?): PointOfView = PointOfView(view, azimuth, elevation, zoom, projection ?: default)
+
     /** Returns these options with the side [other]. */
     fun from(other: View): PointOfView = PointOfView(other, null, null, zoom, projection)
 

@@ -35,6 +35,7 @@ internal fun subject(
     limits: LimitOptions,
     picture: PictureOptions,
     camera: CameraOptions,
+    lines: LineOptions,
 ): Subject =
     Subject(
         input = input,
@@ -50,6 +51,7 @@ internal fun subject(
         translucency = if (picture.isOpaque) Translucency.OPAQUE else Translucency.BLENDED,
         depthConvention = picture.depthConvention,
         pointOfView = camera.pointOfView(),
+        lineWork = lines.lineWork(),
     )
 
 /** The option `--classpath`. */

@@ -1,0 +1,76 @@
+package dev.lazyz.cli.input
+
+import dev.lazyz.Rgba
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.drawing.EdgeSet
+import dev.lazyz.drawing.EdgeStyle
+import dev.lazyz.drawing.FeatureEdges
+import dev.lazyz.drawing.HiddenLines
+import dev.lazyz.world.Fit
+import dev.lazyz.world.Material
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
+
+/** Styles of whole pictures. */
+internal enum class DrawingStyle { TECHNICAL }
+
+/** The options of line drawings; null if the user did not give the option. */
+internal class LineWork(
+    hasEdges: Boolean,
+    isWireframe: Boolean,
+    creaseAngle: Double?,
+    hidden: HiddenLines?,
+    width: Double?,
+    color: Rgba?,
+    private val style: DrawingStyle?,
+) {
+    private val edges: EdgeStyle?
+
+    init {
+        if (color != null && color.alpha != 1f) throw Mistake("--edge-color must be opaque")
+        if (hasEdges && isWireframe) throw Mistake("--wireframe contains the edges of --edges; use one of them")
+        val isDrawn = hasEdges || isWireframe || style != null
+        val given = mapOf(
+            "--crease-angle" to creaseAngle, "--hidden-lines" to hidden, "--edge-width" to width,
+            "--edge-color" to color,
+        )
+        val lonely = given.entries.firstOrNull { it.value != null && !isDrawn }
+        if (lonely != null) throw Mistake("${lonely.key} needs --edges, --wireframe or --style")
+        edges = if (!isDrawn) {
+            null
+        } else {
+            EdgeStyle(
+                if (isWireframe) EdgeSet.ALL else EdgeSet.FEATURES,
+                creaseAngle ?: FeatureEdges.DEFAULT_CREASE_ANGLE,
+                width ?: if (style == null) 1.0 else TECHNICAL_WIDTH,
+                color ?: Rgba.BLACK,
+                hidden ?: HiddenLines.NONE,
+            )
+        }
+    }
+
+    /** The projection of the style, or null. */
+    val projection: Fit? get() = if (style == null) null else Fit.ORTHOGRAPHIC
+
+    /** Returns [scene] with the colours of the style. [isShaded] is whether the user chose a shading. */
+    fun colored(scene: Scene, isShaded: Boolean): Scene = if (style == null) {
+        scene
+    } else {
+        val shading = if (isShaded) null else Shading.CONSTANT
+        scene.withMaterials { white(it, shading) }.withBackground(Rgba.WHITE)
+    }
+
+    private fun white(material: Material, shading: Shading?): Material = Material(
+        shading = shading ?: material.shading,
+        sides = material.sides,
+        name = material.name,
+    )
+
+    /** Returns [scene] with the edges drawn. */
+    fun drawnOn(scene: Scene): Scene = edges?.drawnOn(scene) ?: scene
+
+    private companion object {
+        /** Pixels. */
+        const val TECHNICAL_WIDTH = 1.5
+    }
+}
