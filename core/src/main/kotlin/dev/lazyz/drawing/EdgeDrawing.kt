@@ -20,6 +20,9 @@ import dev.lazyz.world.UpAxis
  * Spheres, points, lines and custom surfaces do not hide lines, and have no edges. A surface that touches an edge, up to
  * 2^-17 of the size of the scene, does not hide it.
  *
+ * Parts of silhouettes that are visible between two hidden parts are left out if they are shorter than 8 times the
+ * width, see [FeatureEdges] for what a silhouette is.
+ *
  * The number of primitives depends on the camera. Immutable and thread safe if its surfaces are.
  *
  * Cost: linear in the number of triangles and edges, as long as few triangles are long and thin on the raster. Neighbours
@@ -67,7 +70,8 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
 
     private fun lines(pieces: Pieces): List<DoubleArray> {
         val lines = ArrayList<DoubleArray>()
-        Polylines(pieces, model.pointCount).forEach { lines += it }
+        val whole = Crumbs(pieces, model.pointCount, CRUMB * style.width).removed()
+        Polylines(whole, model.pointCount).forEach { lines += it }
         return lines
     }
 
@@ -85,5 +89,8 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
         /** Lengths of dashes and of gaps, as multiples of the width of visible lines. */
         const val DASH = 5.0
         const val GAP = 3.5
+
+        /** The length below which a part of a silhouette is left out, see [Crumbs], as a multiple of the width. */
+        const val CRUMB = 8.0
     }
 }

@@ -40,7 +40,7 @@ internal class EdgeView(
     /** Divides the drawn edges of the set [edges] into visible and hidden parts. */
     fun divide(edges: EdgeSet) {
         val drawn = (0 until model.edgeCount).filter { isDrawn(it, edges) }
-        val chunks = List((drawn.size + CHUNK - 1) / CHUNK) { Chunk() }
+        val chunks = List((drawn.size + CHUNK - 1) / CHUNK) { Chunk(edges == EdgeSet.ALL) }
         workers.forEach(chunks.size) { number ->
             for (i in number * CHUNK until minOf((number + 1) * CHUNK, drawn.size)) chunks[number].divide(drawn[i])
         }
@@ -54,7 +54,7 @@ internal class EdgeView(
         (edges == EdgeSet.ALL || model.isFeature(edge) || facing.isSilhouette(edge)) && facing.isDrawn(edge)
 
     /** Some of the edges, for one thread. */
-    private inner class Chunk {
+    private inner class Chunk(private val isAll: Boolean) {
         val visible = Pieces()
         val hidden = Pieces()
         private val parts = HiddenParts(space, places, tolerance)
@@ -62,8 +62,10 @@ internal class EdgeView(
         // The part of the edge that is on the raster and between the near and the far plane
         private var low = 0.0
         private var high = 1.0
+        private var isFeature = false
 
         fun divide(edge: Int) {
+            isFeature = isAll || model.isFeature(edge)
             val start = model.end(edge, 0)
             val end = model.end(edge, 1)
             clip(start, end)
@@ -102,6 +104,7 @@ internal class EdgeView(
             pieces.add(
                 mix(start, end, 0, from) / w0, mix(start, end, 1, from) / w0, if (from == 0.0) start else -1,
                 mix(start, end, 0, until) / w1, mix(start, end, 1, until) / w1, if (until == 1.0) end else -1,
+                isFeature,
             )
         }
 

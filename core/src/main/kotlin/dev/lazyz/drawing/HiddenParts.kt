@@ -44,6 +44,9 @@ internal class HiddenParts(
     private var low = 0.0
     private var high = 1.0
 
+    /** Whether one triangle hides the whole edge. */
+    private var isWhole = false
+
     private val crossings = Intervals()
 
     /** Begins with the edge between the points [start] and [end]; [distance] is that of its nearest visible point. */
@@ -60,11 +63,13 @@ internal class HiddenParts(
         h1 = places[4 * end + 3]
         farthest = maxOf(space.distance(w0, h0), space.distance(w1, h1))
         margin = if (space.isPerspective) tolerance / distance else tolerance
+        isWhole = false
         intervals.clear()
     }
 
     /** Adds the part that the triangle of the points [a], [b] and [c] hides. */
     fun behindTriangle(a: Int, b: Int, c: Int) {
+        if (isWhole) return
         val hasStart = a == start || b == start || c == start
         val hasEnd = a == end || b == end || c == end
         if (hasStart && hasEnd) return
@@ -114,6 +119,7 @@ internal class HiddenParts(
         if (low >= high) return
         keepBehind(a0 * ha + b0 * hb + c0 * hc - h0, a1 * ha + b1 * hb + c1 * hc - h1, hasStart, hasEnd)
         if (low < high) intervals.add(low, high)
+        isWhole = low == 0.0 && high == 1.0
     }
 
     private fun share(isCorner: Boolean) = if (isCorner) 1.0 else 0.0

@@ -39,9 +39,10 @@ internal class FrameSource(private val subject: Subject, private val streams: St
      * is set up by the threads of [options].
      */
     fun frame(loaded: LoadedScene, options: RenderOptions, view: View? = null): Shot {
-        // Apply the options of axis, camera and shading
+        // Apply the options of sections, axis, camera, shading and lines
+        val cut = subject.lineWork.cut(loaded.scene) { streams.warning(it) }
         val upright = try {
-            loaded.scene.withUpAxis(subject.up)
+            cut.withUpAxis(subject.up)
         } catch (e: UnsupportedOperationException) {
             throw Mistake("--up: ${e.message}")
         }

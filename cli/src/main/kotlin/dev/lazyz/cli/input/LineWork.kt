@@ -6,15 +6,19 @@ import dev.lazyz.drawing.EdgeSet
 import dev.lazyz.drawing.EdgeStyle
 import dev.lazyz.drawing.FeatureEdges
 import dev.lazyz.drawing.HiddenLines
+import dev.lazyz.sections.Hatching
+import dev.lazyz.sections.Section
+import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
 import dev.lazyz.world.Material
+import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Shading
 
 /** Styles of whole pictures. */
 internal enum class DrawingStyle { TECHNICAL }
 
-/** The options of line drawings; null if the user did not give the option. */
+/** The options of line drawings and section planes; null if the user did not give the option. */
 internal class LineWork(
     hasEdges: Boolean,
     isWireframe: Boolean,
@@ -23,11 +27,14 @@ internal class LineWork(
     width: Double?,
     color: Rgba?,
     private val style: DrawingStyle?,
+    private val cuts: List<Cut>,
+    private val capColor: Rgba?,
 ) {
     private val edges: EdgeStyle?
 
     init {
         if (color != null && color.alpha != 1f) throw Mistake("--edge-color must be opaque")
+        if (capColor != null && cuts.isEmpty()) throw Mistake("--cap-color needs --cut")
         if (hasEdges && isWireframe) throw Mistake("--wireframe contains the edges of --edges; use one of them")
         val isDrawn = hasEdges || isWireframe || style != null
         val given = mapOf(
@@ -49,6 +56,29 @@ internal class LineWork(
         }
     }
 
+    /** Returns [scene] cut by the planes. Passes a text to [warn] for what cannot be cut or capped. */
+    fun cut(scene: Scene, warn: (String) -> Unit): Scene {
+        if (cuts.isEmpty()) return scene
+        if ((scene.viewpoint as? Camera)?.projection == Projection.Screen) {
+            throw Mistake("--cut: a scene given on the screen cannot be cut")
+        }
+        val cut = Section(cuts.map { it.plane(scene) }) { cap(it, scene) }.of(scene)
+        cut.warnings.forEach(warn)
+        return cut.scene
+    }
+
+    private fun cap(material: Material, scene: Scene): Material = when {
+        capColor != null && style != null -> Material(capColor, shading = Shading.CONSTANT)
+        capColor != null -> Section.capColor(material, capColor)
+        style != null -> hatching(scene).material()
+        else -> Section.darkened(material)
+    }.withName(CAP)
+
+    private fun hatching(scene: Scene): Hatching {
+        val size = scene.bounds?.let { maxOf(it.maxX - it.minX, it.maxY - it.minY, it.maxZ - it.minZ) } ?: 0.0
+        return Hatching(if (size > 0.0) size / HATCHES else 1.0, HATCH_SHARE, Rgba.ofRgb(HATCH_COLOR), Rgba.WHITE)
+    }
+
     /** The projection of the style, or null. */
     val projection: Fit? get() = if (style == null) null else Fit.ORTHOGRAPHIC
 
@@ -57,7 +87,7 @@ internal class LineWork(
         scene
     } else {
         val shading = if (isShaded) null else Shading.CONSTANT
-        scene.withMaterials { white(it, shading) }.withBackground(Rgba.WHITE)
+        scene.withMaterials { if (it.name == CAP) it else white(it, shading) }.withBackground(Rgba.WHITE)
     }
 
     private fun white(material: Material, shading: Shading?): Material = Material(
@@ -72,5 +102,13 @@ internal class LineWork(
     private companion object {
         /** Pixels. */
         const val TECHNICAL_WIDTH = 1.5
+
+        /** Number of stripes of a cap along the model, the part of it that they cover, and their colour. */
+        const val HATCHES = 60
+        const val HATCH_SHARE = 0.2
+        const val HATCH_COLOR = 0x606060
+
+        /** The name of the material of caps. */
+        const val CAP = "cap"
     }
 }
