@@ -20,8 +20,8 @@ import dev.lazyz.world.UpAxis
  * Spheres, points, lines and custom surfaces do not hide lines, and have no edges. A surface that touches an edge, up to
  * 2^-17 of the size of the scene, does not hide it.
  *
- * Parts of silhouettes that are visible between two hidden parts are left out if they are shorter than 8 times the
- * width, see [FeatureEdges] for what a silhouette is.
+ * Silhouettes of rough surfaces leave crumbs: visible parts between hidden parts. Those that are shorter than 8 times
+ * the width and not near another line are left out.
  *
  * The number of primitives depends on the camera. Immutable and thread safe if its surfaces are.
  *
@@ -70,7 +70,7 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
 
     private fun lines(pieces: Pieces): List<DoubleArray> {
         val lines = ArrayList<DoubleArray>()
-        val whole = Crumbs(pieces, model.pointCount, CRUMB * style.width).removed()
+        val whole = Crumbs(pieces, model.pointCount, CRUMB * style.width, NEAR * style.width).removed()
         Polylines(whole, model.pointCount).forEach { lines += it }
         return lines
     }
@@ -92,5 +92,8 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
 
         /** The length below which a part of a silhouette is left out, see [Crumbs], as a multiple of the width. */
         const val CRUMB = 8.0
+
+        /** The distance at which lines belong together, likewise. */
+        const val NEAR = 1.0
     }
 }

@@ -118,7 +118,7 @@ internal class HiddenParts(
         keepPositive(c0 + SEAM, c1 + SEAM)
         if (low >= high) return
         keepBehind(a0 * ha + b0 * hb + c0 * hc - h0, a1 * ha + b1 * hb + c1 * hc - h1, hasStart, hasEnd)
-        if (low < high) intervals.add(low, high)
+        if (high - low > LEAST_PART) intervals.add(low, high)
         isWhole = low == 0.0 && high == 1.0
     }
 
@@ -214,6 +214,9 @@ internal class HiddenParts(
     private companion object {
         /** Triangles of less than half this area in square pixels are seen from the side, and hide nothing. */
         const val EDGE_ON = 1e-7
+
+        /** A triangle that hides less of an edge only touches it, for example at an end. */
+        const val LEAST_PART = 1e-6
 
         /** How far a triangle extends beyond its sides, as a part of its size: neighbours leave no gap. */
         const val SEAM = 1e-9
