@@ -165,6 +165,17 @@ class EdgeDrawingTest {
         assertEquals(listOf(4..94), seen.blackColumns(49), "what is translucent hides no lines")
     }
 
+    /** The lower edge begins at a corner of the face that hides it, and is behind it by less than one thousandth. */
+    @Test
+    fun aFlatWedgeHidesItsLowerEdge() {
+        val wedge = Mesh(
+            floatArrayOf(-1.5f, 0.02f, 0f, 1.5f, -1.5f, 0f, 1.5f, 1.5f, 0f, 1.3f, 0.02f, -1e-4f),
+            intArrayOf(0, 1, 2, 0, 3, 1, 0, 2, 3), plain,
+        )
+        val image = render(listOf(wedge), EdgeStyle(EdgeSet.ALL))
+        assertEquals(listOf(87..87), image.blackColumns(49).filter { it.last > 20 })
+    }
+
     /** A part that stands on another one: the edges on the contact are on a surface that is not theirs. */
     @Test
     fun facesThatTouchAnEdgeDoNotHideIt() {

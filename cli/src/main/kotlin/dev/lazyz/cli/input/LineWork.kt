@@ -104,7 +104,7 @@ internal class LineWork(
         const val TECHNICAL_WIDTH = 1.5
 
         /** Number of stripes of a cap along the model, the part of it that they cover, and their colour. */
-        const val HATCHES = 60
+        const val HATCHES = 40
         const val HATCH_SHARE = 0.2
         const val HATCH_COLOR = 0x606060
 
