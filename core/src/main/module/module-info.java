@@ -6,9 +6,11 @@ module dev.lazyz.core {
     // For kernels that are loaded only where the JVM has it
     requires static jdk.incubator.vector;
 
+    exports dev.lazyz.drawing;
     exports dev.lazyz.filter;
     exports dev.lazyz.geometry;
     exports dev.lazyz.pipeline;
+    exports dev.lazyz.sections;
     exports dev.lazyz.strategies.flow;
     exports dev.lazyz.strategies.hierarchical;
     exports dev.lazyz.strategies.hybrid;

@@ -4,6 +4,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
+import dev.lazyz.drawing.EdgeDrawing
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Points
@@ -89,12 +90,14 @@ public class SuperSampling @JvmOverloads constructor(
     private fun sizeOf(surface: Surface): Double = when (surface) {
         is Points -> surface.size
         is Lines -> surface.width
+        is EdgeDrawing -> surface.style.width
         else -> 0.0
     }
 
     private fun magnified(surface: Surface): Surface = when (surface) {
         is Points -> surface.withSize(surface.size * factor)
         is Lines -> surface.withWidth(surface.width * factor)
+        is EdgeDrawing -> surface.withStyle(surface.style.withWidth(surface.style.width * factor))
         else -> surface
     }
 

@@ -43,6 +43,11 @@ internal class RowHull(private val y: Int) {
         add(column, column + 1)
     }
 
+    /** Adds the columns [from] until [until]; nothing if the range is empty. */
+    fun addColumns(from: Int, until: Int) {
+        if (from < until) add(from, until)
+    }
+
     private fun add(from: Int, until: Int) {
         start = minOf(start, from)
         end = maxOf(end, until)

@@ -36,7 +36,7 @@ public class SetUp internal constructor(
     public val camera: Camera,
     public val lights: List<Light>,
     public val origin: Vector3dc,
-    workers: Workers,
+    internal val workers: Workers,
 ) {
     @JvmOverloads
     public constructor(raster: Raster, camera: Camera, lights: List<Light>, origin: Vector3dc = Vector3d()) :

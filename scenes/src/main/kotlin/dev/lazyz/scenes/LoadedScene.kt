@@ -29,6 +29,9 @@ public class LoadedScene @JvmOverloads constructor(
      */
     public fun raster(width: Int, height: Int): Raster = depth.raster(width, height, scene.background)
 
+    /** Returns this input with another scene. */
+    public fun withScene(scene: Scene): LoadedScene = LoadedScene(scene, warnings, size, depth, cameras)
+
     override fun toString(): String = "LoadedScene($scene, ${warnings.size} warnings, size $size)"
 }
 

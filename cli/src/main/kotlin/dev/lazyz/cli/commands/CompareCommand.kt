@@ -24,6 +24,7 @@ import dev.lazyz.cli.options.CostOptions
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.INPUT_HELP
 import dev.lazyz.cli.options.LimitOptions
+import dev.lazyz.cli.options.LineOptions
 import dev.lazyz.cli.options.PictureOptions
 import dev.lazyz.cli.options.ReadingOptions
 import dev.lazyz.cli.options.classPath
@@ -48,6 +49,7 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
     private val reading by ReadingOptions()
     private val picture by PictureOptions()
     private val camera by CameraOptions()
+    private val lines by LineOptions()
     private val cost by CostOptions()
     private val limits by LimitOptions()
 
@@ -91,7 +93,8 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
         return if (comparison.isGood) ExitCode.DONE else ExitCode.DIFFERENT
     }
 
-    private fun subject(input: String): Subject = subject(input, reading, limits, picture, camera, usualSamples = 1)
+    private fun subject(input: String): Subject =
+        subject(input, reading, limits, picture, camera, lines, usualSamples = 1)
 }
 
 /** Options that choose what to compare, and how to print the result. */

@@ -15,6 +15,7 @@ import dev.lazyz.cli.options.CostOptions
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.INPUT_HELP
 import dev.lazyz.cli.options.LimitOptions
+import dev.lazyz.cli.options.LineOptions
 import dev.lazyz.cli.options.PictureOptions
 import dev.lazyz.cli.options.ReadingOptions
 import dev.lazyz.cli.options.classPath
@@ -37,6 +38,7 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
     private val reading by ReadingOptions()
     private val picture by PictureOptions()
     private val camera by CameraOptions()
+    private val lines by LineOptions()
     private val rendering by RenderingOptions()
     private val cost by CostOptions()
     private val limits by LimitOptions()
@@ -65,7 +67,7 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
         // The colours of a count are names of numbers, which must not be mixed
         val usualSamples = if (selector == Selector.count()) 1 else USUAL_SAMPLES
         val request = RenderRequest(
-            subject = subject(input, reading, limits, picture, camera, usualSamples),
+            subject = subject(input, reading, limits, picture, camera, lines, usualSamples),
             output = output.picture,
             depthOutput = output.depth,
             strategy = rendering.strategy,

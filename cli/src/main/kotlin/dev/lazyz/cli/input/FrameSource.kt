@@ -39,14 +39,17 @@ internal class FrameSource(private val subject: Subject, private val streams: St
      * is set up by the threads of [options].
      */
     fun frame(loaded: LoadedScene, options: RenderOptions, view: View? = null): Shot {
-        // Apply the options of axis, camera and shading
-        val pointOfView = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
+        // Apply the options of sections, axis, camera, shading and lines
+        val lineWork = subject.lineWork
+        val pointOfView = (if (view == null) subject.pointOfView else subject.pointOfView.from(view))
+            .withDefault(lineWork.projection)
+        val cut = loaded.withScene(lineWork.cut(loaded.scene) { streams.warning(it) })
         val upright = try {
-            pointOfView.applyTo(loaded, subject.up)
+            pointOfView.applyTo(cut, subject.up)
         } catch (e: UnsupportedOperationException) {
             throw Mistake("--up: ${e.message}")
         }
-        val seen = subject.sizes.applyTo(upright)
+        val seen = lineWork.colored(subject.sizes.applyTo(upright), subject.shading != null)
         val colored = paint(seen)?.applyTo(seen) ?: seen
         val shaded = if (subject.changesMaterials) colored.withMaterials(::changed) else colored
 
@@ -54,7 +57,7 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         val raster = raster(shaded, loaded)
         val camera = camera(shaded, raster)
         if (pointOfView.isPrinted) streams.note(PointOfView.words(camera, subject.up) + "\n")
-        val scene = shaded.withViewpoint(camera)
+        val scene = lineWork.drawnOn(shaded.withViewpoint(camera))
         val region = region(raster)
         streams.progress("setting up ${raster.width}x${raster.height} ...")
         val sampled = subject.antiAliasing.frame(scene, raster, options).within(region)

@@ -66,6 +66,13 @@ internal class PointOfView(
         return scene.withViewpoint(PlacedViewpoint(viewpoint, placement.withUpAxis(up)))
     }
 
+    /** Returns these options with the projection [kind], unless the user chose one, or a camera that has one. */
+    fun withDefault(kind: Fit?): PointOfView {
+        val isOpen = projection == null && fieldOfView == null && (choice == null || choice == CameraChoice.Fit)
+        if (kind == null || !isOpen) return this
+        return PointOfView(choice, view, azimuth, elevation, kind, margin, zoom, fieldOfView, placement, isPrinted)
+    }
+
     /** Returns these options with the side [other]. */
     fun from(other: View): PointOfView =
         PointOfView(choice, other, null, null, projection, margin, zoom, fieldOfView, placement, isPrinted)

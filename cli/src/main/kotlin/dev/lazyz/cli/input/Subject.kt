@@ -32,6 +32,7 @@ internal class Subject(
     val translucency: Translucency,
     val depthConvention: DepthConvention?,
     val pointOfView: PointOfView,
+    val lineWork: LineWork,
 ) {
     /** Whether an option changes the materials. */
     val changesMaterials: Boolean get() = shading != null || mipFilter != null

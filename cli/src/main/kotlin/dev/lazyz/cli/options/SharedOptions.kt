@@ -48,6 +48,7 @@ internal fun subject(
     limits: LimitOptions,
     picture: PictureOptions,
     camera: CameraOptions,
+    lines: LineOptions,
     usualSamples: Int,
 ): Subject =
     Subject(
@@ -67,6 +68,7 @@ internal fun subject(
         translucency = if (picture.isOpaque) Translucency.OPAQUE else Translucency.BLENDED,
         depthConvention = picture.depthConvention,
         pointOfView = camera.pointOfView(),
+        lineWork = lines.lineWork(),
     )
 
 /** The option `--classpath`. */

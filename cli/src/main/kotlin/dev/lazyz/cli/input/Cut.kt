@@ -1,0 +1,70 @@
+package dev.lazyz.cli.input
+
+import dev.lazyz.sections.SectionPlane
+import dev.lazyz.world.Scene
+import org.joml.Vector3d
+
+/** A plane from the command line: `x=0.5`, `-z=10%` or `a,b,c,d`. */
+internal sealed class Cut {
+    /** Returns the plane for [scene]. */
+    abstract fun plane(scene: Scene): SectionPlane
+
+    /** A plane across an axis (0..2); [sign] is 1 to remove what is beyond it, and -1 to remove what is before it. */
+    class Axis(
+        private val axis: Int,
+        private val sign: Int,
+        private val place: Double,
+        private val isPercent: Boolean
+    ) : Cut() {
+        override fun plane(scene: Scene): SectionPlane {
+            val at = if (isPercent) fraction(scene, place / 100) else place
+            val normal = Vector3d().setComponent(axis, 1.0)
+            return if (sign > 0) SectionPlane(normal, at) else SectionPlane(normal, at).reversed()
+        }
+
+        private fun fraction(scene: Scene, part: Double): Double {
+            val box = scene.bounds ?: return 0.0
+            val low = box.corner(0).get(axis)
+            val high = box.corner(7).get(axis)
+
+            // The ends exactly, so that 0% and 100% are along faces
+            return if (part == 1.0) high else low + part * (high - low)
+        }
+    }
+
+    /** A plane given by its normal and its distance. */
+    class General(private val a: Double, private val b: Double, private val c: Double, private val d: Double) : Cut() {
+        override fun plane(scene: Scene): SectionPlane {
+            val length = StrictMath.sqrt(a * a + b * b + c * c)
+            return SectionPlane(Vector3d(a, b, c), d / length)
+        }
+    }
+
+    companion object {
+        private const val NUMBER = """[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"""
+        private val AXIS = Regex("([+-]?)([xyzXYZ])=($NUMBER)(%?)")
+        private val GENERAL = Regex("($NUMBER),($NUMBER),($NUMBER),($NUMBER)")
+
+        /** Returns the plane that [text] describes, or null if it describes none. */
+        fun parse(text: String): Cut? {
+            AXIS.matchEntire(text)?.let { match ->
+                val (sign, axis, place, percent) = match.destructured
+                return Axis(
+                    "xyz".indexOf(axis.lowercase()),
+                    if (sign ==
+                        "-"
+                    ) {
+                        -1
+                    } else {
+                        1
+                    },
+                    place.toDouble(), percent == "%"
+                )
+            }
+            val numbers = GENERAL.matchEntire(text)?.groupValues?.drop(1)?.map { it.toDouble() } ?: return null
+            val (a, b, c, d) = numbers
+            val square = a * a + b * b + c * c
+            return if (square > 0.0 && square.isFinite() && d.isFinite()) General(a, b, c, d) else null
+        }
+    }
+}

@@ -1,0 +1,114 @@
+package dev.lazyz.cli.input
+
+import dev.lazyz.Rgba
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.drawing.EdgeSet
+import dev.lazyz.drawing.EdgeStyle
+import dev.lazyz.drawing.FeatureEdges
+import dev.lazyz.drawing.HiddenLines
+import dev.lazyz.sections.Hatching
+import dev.lazyz.sections.Section
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Fit
+import dev.lazyz.world.Material
+import dev.lazyz.world.Projection
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
+
+/** Styles of whole pictures. */
+internal enum class DrawingStyle { TECHNICAL }
+
+/** The options of line drawings and section planes; null if the user did not give the option. */
+internal class LineWork(
+    hasEdges: Boolean,
+    isWireframe: Boolean,
+    creaseAngle: Double?,
+    hidden: HiddenLines?,
+    width: Double?,
+    color: Rgba?,
+    private val style: DrawingStyle?,
+    private val cuts: List<Cut>,
+    private val capColor: Rgba?,
+) {
+    private val edges: EdgeStyle?
+
+    init {
+        if (color != null && color.alpha != 1f) throw Mistake("--edge-color must be opaque")
+        if (capColor != null && cuts.isEmpty()) throw Mistake("--cap-color needs --cut")
+        if (hasEdges && isWireframe) throw Mistake("--wireframe contains the edges of --edges; use one of them")
+        val isDrawn = hasEdges || isWireframe || style != null
+        val given = mapOf(
+            "--crease-angle" to creaseAngle, "--hidden-lines" to hidden, "--edge-width" to width,
+            "--edge-color" to color,
+        )
+        val lonely = given.entries.firstOrNull { it.value != null && !isDrawn }
+        if (lonely != null) throw Mistake("${lonely.key} needs --edges, --wireframe or --style")
+        edges = if (!isDrawn) {
+            null
+        } else {
+            EdgeStyle(
+                if (isWireframe) EdgeSet.ALL else EdgeSet.FEATURES,
+                creaseAngle ?: FeatureEdges.DEFAULT_CREASE_ANGLE,
+                width ?: if (style == null) 1.0 else TECHNICAL_WIDTH,
+                color ?: Rgba.BLACK,
+                hidden ?: HiddenLines.NONE,
+            )
+        }
+    }
+
+    /** Returns [scene] cut by the planes. Passes a text to [warn] for what cannot be cut or capped. */
+    fun cut(scene: Scene, warn: (String) -> Unit): Scene {
+        if (cuts.isEmpty()) return scene
+        if ((scene.viewpoint as? Camera)?.projection == Projection.Screen) {
+            throw Mistake("--cut: a scene given on the screen cannot be cut")
+        }
+        val cut = Section(cuts.map { it.plane(scene) }) { cap(it, scene) }.of(scene)
+        cut.warnings.forEach(warn)
+        return cut.scene
+    }
+
+    private fun cap(material: Material, scene: Scene): Material = when {
+        capColor != null && style != null -> Material(capColor, shading = Shading.CONSTANT)
+        capColor != null -> Section.capColor(material, capColor)
+        style != null -> hatching(scene).material()
+        else -> Section.darkened(material)
+    }.withName(CAP)
+
+    private fun hatching(scene: Scene): Hatching {
+        val size = scene.bounds?.let { maxOf(it.maxX - it.minX, it.maxY - it.minY, it.maxZ - it.minZ) } ?: 0.0
+        return Hatching(if (size > 0.0) size / HATCHES else 1.0, HATCH_SHARE, Rgba.ofRgb(HATCH_COLOR), Rgba.WHITE)
+    }
+
+    /** The projection of the style, or null. */
+    val projection: Fit? get() = if (style == null) null else Fit.ORTHOGRAPHIC
+
+    /** Returns [scene] with the colours of the style. [isShaded] is whether the user chose a shading. */
+    fun colored(scene: Scene, isShaded: Boolean): Scene = if (style == null) {
+        scene
+    } else {
+        val shading = if (isShaded) null else Shading.CONSTANT
+        scene.withMaterials { if (it.name == CAP) it else white(it, shading) }.withBackground(Rgba.WHITE)
+    }
+
+    private fun white(material: Material, shading: Shading?): Material = Material(
+        shading = shading ?: material.shading,
+        sides = material.sides,
+        name = material.name,
+    )
+
+    /** Returns [scene] with the edges drawn. */
+    fun drawnOn(scene: Scene): Scene = edges?.drawnOn(scene) ?: scene
+
+    private companion object {
+        /** Pixels. */
+        const val TECHNICAL_WIDTH = 1.5
+
+        /** Number of stripes of a cap along the model, the part of it that they cover, and their colour. */
+        const val HATCHES = 40
+        const val HATCH_SHARE = 0.2
+        const val HATCH_COLOR = 0x606060
+
+        /** The name of the material of caps. */
+        const val CAP = "cap"
+    }
+}

@@ -1,0 +1,99 @@
+package dev.lazyz.drawing
+
+import dev.lazyz.Primitive
+import dev.lazyz.geometry.Box
+import dev.lazyz.setup.Viewport
+import dev.lazyz.world.SetUp
+import dev.lazyz.world.Surface
+import dev.lazyz.world.UpAxis
+
+/**
+ * The edges of the meshes and polygons among [surfaces], drawn as lines. Add it to the scene that has the surfaces, as
+ * its last surface; [EdgeStyle.drawnOn] does this.
+ *
+ * What is hidden is computed when the camera is known, in double precision, from the triangles and not from pixels: a
+ * line ends exactly where its middle goes behind the outline of a surface. The visible parts are then drawn in front of
+ * all surfaces, at the depth of the near plane, with their full width. So no line sinks into its own faces, and none
+ * shines through. The outlines of all polygons are drawn, too.
+ *
+ * Meshes and polygons hide lines unless their material is translucent. Samples that a mask removes do hide them.
+ * Spheres, points, lines and custom surfaces do not hide lines, and have no edges. A surface that touches an edge, up to
+ * 2^-17 of the size of the scene, does not hide it.
+ *
+ * Silhouettes of rough surfaces leave crumbs: visible parts between hidden parts. Those that are shorter than 8 times
+ * the width and not near another line are left out.
+ *
+ * The number of primitives depends on the camera. Immutable and thread safe if its surfaces are.
+ *
+ * Cost: linear in the number of triangles and edges, as long as few triangles are long and thin on the raster. Neighbours
+ * of triangles are found once, and visibility each time the scene is set up.
+ */
+public class EdgeDrawing(private val surfaces: List<Surface>, public val style: EdgeStyle,) : Surface {
+    private val model by lazy { EdgeModel(surfaces, style.creaseAngle) }
+
+    /** Null: the surfaces have bounds of their own. */
+    override val bounds: Box? get() = null
+
+    override fun primitives(setUp: SetUp): Sequence<Primitive> = sequence {
+        val viewport = Viewport(setUp.raster)
+        val depth = viewport.depthOfUnit(0.0)
+        val hiddenWidth = style.width * EdgeStyle.HIDDEN_SHARE
+        val view = view(setUp)
+        view.divide(style.edges)
+
+        // The first submitted wins where visible and hidden lines cross
+        val pen = Pen(setUp.raster, style.color, depth, style.width)
+        for (line in lines(view.visible)) yieldAll(pen.strokes(line))
+        if (style.hidden == HiddenLines.NONE) return@sequence
+        val thinPen = Pen(setUp.raster, style.color, depth, hiddenWidth)
+        val dashes = Dashes(DASH * style.width, GAP * style.width)
+        for (line in lines(view.hidden)) {
+            if (style.hidden == HiddenLines.SOLID) {
+                yieldAll(thinPen.strokes(line))
+            } else {
+                val parts = ArrayList<DoubleArray>()
+                dashes.forEach(line) { parts += it }
+                for (part in parts) yieldAll(thinPen.strokes(part))
+            }
+        }
+    }
+
+    private fun view(setUp: SetUp): EdgeView {
+        val camera = setUp.camera.relativeTo(model.origin)
+        val size = surfaces.mapNotNull { it.bounds }.reduceOrNull(Box::union)?.let {
+            maxOf(it.maxX - it.minX, it.maxY - it.minY, it.maxZ - it.minZ)
+        }
+        val margin = style.width / 2 + 2.0
+        val space = ViewSpace(setUp.raster, camera)
+        return EdgeView(model, Facing(model, camera), space, (size ?: 0.0) * TOLERANCE, margin, setUp.workers)
+    }
+
+    private fun lines(pieces: Pieces): List<DoubleArray> {
+        val lines = ArrayList<DoubleArray>()
+        val whole = Crumbs(pieces, model.pointCount, CRUMB * style.width, NEAR * style.width).removed()
+        Polylines(whole, model.pointCount).forEach { lines += it }
+        return lines
+    }
+
+    override fun withUpAxis(up: UpAxis): EdgeDrawing = EdgeDrawing(surfaces.map { it.withUpAxis(up) }, style)
+
+    /** Returns this drawing with another [style]. */
+    public fun withStyle(style: EdgeStyle): EdgeDrawing = EdgeDrawing(surfaces, style)
+
+    override fun toString(): String = "EdgeDrawing(${surfaces.size} surfaces, $style)"
+
+    private companion object {
+        /** How near a face that touches an edge may be, as a part of the size of the scene. */
+        const val TOLERANCE = 1.0 / (1 shl 17)
+
+        /** Lengths of dashes and of gaps, as multiples of the width of visible lines. */
+        const val DASH = 5.0
+        const val GAP = 3.5
+
+        /** The length below which a part of a silhouette is left out, see [Crumbs], as a multiple of the width. */
+        const val CRUMB = 8.0
+
+        /** The distance at which lines belong together, likewise. */
+        const val NEAR = 1.0
+    }
+}

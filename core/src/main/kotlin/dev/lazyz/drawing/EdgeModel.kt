@@ -1,0 +1,214 @@
+package dev.lazyz.drawing
+
+import dev.lazyz.geometry.DistinctTriples
+import dev.lazyz.geometry.Vectors
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Sides
+import dev.lazyz.world.Surface
+import org.joml.Vector3dc
+
+/**
+ * The edges of all meshes and polygons of a scene, and the faces at each. Points are numbered by position, over all
+ * surfaces together, so that a model whose parts have different materials has no seams. Immutable and thread safe.
+ *
+ * Cost: linear in the number of triangles; about 80 bytes a triangle.
+ */
+internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double) {
+    private val meshes = surfaces.filterIsInstance<Mesh>()
+    private val flats = surfaces.filterIsInstance<Polygon>()
+
+    /** The origin of all positions, as that of the scene: the first that is not zero. */
+    val origin: Vector3dc = meshes.firstOrNull { !Vectors.isZero(it.origin) }?.origin ?: Vectors.ZERO
+
+    /** x, y, z for each point, relative to [origin]. */
+    val points: FloatArray
+
+    /** Three points for each face. */
+    val corners: IntArray
+
+    /** By face: whether it hides what is behind it, and which sides of it are drawn. */
+    private val isHiding: BooleanArray
+    private val isOneSided: BooleanArray
+
+    /** Polygons that hide what is behind them: contours of point numbers. */
+    val polygons: List<OutlinedFace>
+
+    private val edges: DistinctTriples
+
+    /** By edge: its first and its second face; [NO_FACE] or [MANY_FACES] in place of the second. */
+    private var firstFace: IntArray
+    private var secondFace: IntArray
+
+    /** By edge: whether it is a crease or a boundary. */
+    private val features: BooleanArray
+
+    val faceCount: Int get() = corners.size / 3
+    val edgeCount: Int get() = edges.size
+    val pointCount: Int get() = points.size / 3
+
+    init {
+        // Number the points, and collect the faces
+        val distinct = DistinctTriples(meshes.sumOf { it.vertexCount })
+        val faces = DistinctTriples(meshes.sumOf { it.triangleCount })
+        val most = meshes.sumOf { it.triangleCount }
+        val corners = IntArray(3 * most)
+        val isHiding = BooleanArray(most)
+        val isOneSided = BooleanArray(most)
+        var count = 0
+        for (mesh in meshes) {
+            val p = mesh.relativeTo(origin).positions
+            val pointOf = IntArray(mesh.vertexCount) { add(distinct, p[3 * it], p[3 * it + 1], p[3 * it + 2]) }
+            for (i in mesh.triangles.indices step 3) {
+                val a = pointOf[mesh.triangles[i]]
+                val b = pointOf[mesh.triangles[i + 1]]
+                val c = pointOf[mesh.triangles[i + 2]]
+                if (a < 0 || b < 0 || c < 0 || a == b || b == c || c == a) continue
+                val least = minOf(a, b, c)
+                val greatest = maxOf(a, b, c)
+                val number = faces.size
+                if (faces.add(least, a xor b xor c xor least xor greatest, greatest) < number) continue
+                corners[3 * count] = a
+                corners[3 * count + 1] = b
+                corners[3 * count + 2] = c
+                isHiding[count] = mesh.material.alphaMode != AlphaMode.BLEND || !mesh.material.isTranslucent
+                isOneSided[count] = mesh.material.sides == Sides.FRONT
+                count++
+            }
+        }
+        this.corners = corners.copyOf(3 * count)
+        this.isHiding = isHiding
+        this.isOneSided = isOneSided
+        polygons = flats.map { polygon ->
+            OutlinedFace(
+                polygon.contours.map { contour ->
+                    val numbers = contour.map {
+                        add(
+                            distinct,
+                            (it.x - origin.x()).toFloat(),
+                            (it.y - origin.y()).toFloat(),
+                            (it.z - origin.z()).toFloat(),
+                        )
+                    }
+                    numbers.filter { it >= 0 }.toIntArray()
+                },
+                polygon.fillRule,
+                !polygon.material.isTranslucent,
+            )
+        }
+        points = FloatArray(3 * distinct.size) { Float.fromBits(distinct.get(it / 3, it % 3)) }
+
+        // Collect the edges of faces and polygons
+        edges = DistinctTriples(3 * count / 2 + 16)
+        firstFace = IntArray(3 * count / 2 + 16)
+        secondFace = IntArray(3 * count / 2 + 16)
+        for (face in 0 until count) {
+            for (k in 0 until 3) addEdge(corners[3 * face + k], corners[3 * face + (k + 1) % 3], face)
+        }
+        for (contour in polygons.flatMap { it.contours }) {
+            for (i in contour.indices) addEdge(contour[i], contour[(i + 1) % contour.size], MANY_FACES)
+        }
+        val cosine = StrictMath.cos(creaseAngle * (StrictMath.PI / 180.0))
+        features = BooleanArray(edges.size) { secondFace[it] < 0 || isCrease(it, cosine) }
+    }
+
+    /** Returns the number of a point, or -1 if a coordinate is NaN or infinite. -0 equals 0. */
+    private fun add(distinct: DistinctTriples, x: Float, y: Float, z: Float): Int =
+        if (x.isFinite() && y.isFinite() && z.isFinite()) {
+            distinct.add((x + 0f).toBits(), (y + 0f).toBits(), (z + 0f).toBits())
+        } else {
+            -1
+        }
+
+    private fun addEdge(a: Int, b: Int, face: Int) {
+        if (a == b) return
+        val known = edges.size
+        val edge = edges.add(minOf(a, b), maxOf(a, b), 0)
+        if (edge == firstFace.size) {
+            firstFace = firstFace.copyOf(edge + edge / 2)
+            secondFace = secondFace.copyOf(edge + edge / 2)
+        }
+        when {
+            edge == known && face != MANY_FACES -> {
+                firstFace[edge] = face
+                secondFace[edge] = NO_FACE
+            }
+            edge == known -> {
+                firstFace[edge] = NO_FACE
+                secondFace[edge] = MANY_FACES
+            }
+            secondFace[edge] == NO_FACE && face >= 0 -> secondFace[edge] = face
+            else -> secondFace[edge] = MANY_FACES
+        }
+    }
+
+    /** Returns the point at one [end] of [edge], 0 or 1. */
+    fun end(edge: Int, end: Int): Int = edges.get(edge, end)
+
+    /** Whether [edge] is a crease or a boundary. */
+    fun isFeature(edge: Int): Boolean = features[edge]
+
+    /** The first face of [edge]; [NO_FACE] if it belongs to polygons only. */
+    fun firstFace(edge: Int): Int = firstFace[edge]
+
+    /** The second face of [edge], or [NO_FACE] or [MANY_FACES]. */
+    fun secondFace(edge: Int): Int = secondFace[edge]
+
+    /** Whether [face] hides what is behind it, from the side that it [shows] to the camera. */
+    fun isHiding(face: Int, shows: Boolean): Boolean = isHiding[face] && isDrawn(face, shows)
+
+    /** Whether [face] is drawn; [isFront] is whether its front is toward the camera. */
+    fun isDrawn(face: Int, isFront: Boolean): Boolean = isFront || !isOneSided[face]
+
+    /** Whether both faces of [edge] go along it in the same direction: then one of them is reversed. */
+    fun isTwisted(edge: Int): Boolean = goesUp(firstFace[edge], edge) == goesUp(secondFace[edge], edge)
+
+    private fun goesUp(face: Int, edge: Int): Boolean {
+        val low = edges.get(edge, 0)
+        val high = edges.get(edge, 1)
+        return (0 until 3).any { corners[3 * face + it] == low && corners[3 * face + (it + 1) % 3] == high }
+    }
+
+    private fun isCrease(edge: Int, cosine: Double): Boolean {
+        val first = DoubleArray(3)
+        val second = DoubleArray(3)
+        normal(firstFace[edge], first)
+        normal(secondFace[edge], second)
+        val square = dot(first, first) * dot(second, second)
+        if (!(square > 0.0)) return false
+        val product = dot(first, second)
+        return (if (isTwisted(edge)) -product else product) < cosine * StrictMath.sqrt(square)
+    }
+
+    private fun dot(a: DoubleArray, b: DoubleArray) = a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+    /**
+     * Writes the normal of [face] to [out]; its length is twice the area. Writes 0 if the corners are in one line, up to
+     * the rounding of positions.
+     */
+    fun normal(face: Int, out: DoubleArray) {
+        val a = 3 * corners[3 * face]
+        val b = 3 * corners[3 * face + 1]
+        val c = 3 * corners[3 * face + 2]
+        val ux = points[b].toDouble() - points[a]
+        val uy = points[b + 1].toDouble() - points[a + 1]
+        val uz = points[b + 2].toDouble() - points[a + 2]
+        val vx = points[c].toDouble() - points[a]
+        val vy = points[c + 1].toDouble() - points[a + 1]
+        val vz = points[c + 2].toDouble() - points[a + 2]
+        out[0] = uy * vz - uz * vy
+        out[1] = uz * vx - ux * vz
+        out[2] = ux * vy - uy * vx
+        val longest = maxOf(ux * ux + uy * uy + uz * uz, vx * vx + vy * vy + vz * vz)
+        if (dot(out, out) <= FLAT * FLAT * longest * longest) out.fill(0.0)
+    }
+
+    companion object {
+        const val NO_FACE = -1
+        const val MANY_FACES = -2
+
+        /** A triangle whose height is this part of its length has its corners in one line. */
+        const val FLAT = 1e-6
+    }
+}

@@ -1,0 +1,149 @@
+package dev.lazyz.drawing
+
+import dev.lazyz.Workers
+
+/**
+ * The edges of [model] in one view: which of them are drawn, and which parts of them are hidden. Used once; not thread
+ * safe, but uses the threads of [workers]. The result does not depend on them.
+ *
+ * @param tolerance see [HiddenParts], world units
+ * @param margin how far outside the raster a line can be and still cover a part of it, pixels
+ */
+internal class EdgeView(
+    private val model: EdgeModel,
+    private val facing: Facing,
+    private val space: ViewSpace,
+    private val tolerance: Double,
+    private val margin: Double,
+    private val workers: Workers,
+) {
+    private val places = DoubleArray(4 * model.pointCount)
+    private val grid: FaceGrid
+    private val planes: List<PolygonPlane?>
+
+    /** The parts of the edges that are visible. */
+    val visible: Pieces = Pieces()
+
+    /** The parts that are hidden. */
+    val hidden: Pieces = Pieces()
+
+    init {
+        val p = model.points
+        for (point in 0 until model.pointCount) {
+            val at = 3 * point
+            space.place(p[at].toDouble(), p[at + 1].toDouble(), p[at + 2].toDouble(), places, 4 * point)
+        }
+        grid = FaceGrid(space, model, facing, places, margin)
+        planes = model.polygons.map { if (it.isHiding) PolygonPlane.of(it, places) else null }
+    }
+
+    /** Divides the drawn edges of the set [edges] into visible and hidden parts. */
+    fun divide(edges: EdgeSet) {
+        val drawn = (0 until model.edgeCount).filter { isDrawn(it, edges) }
+        val chunks = List((drawn.size + CHUNK - 1) / CHUNK) { Chunk(edges == EdgeSet.ALL) }
+        workers.forEach(chunks.size) { number ->
+            for (i in number * CHUNK until minOf((number + 1) * CHUNK, drawn.size)) chunks[number].divide(drawn[i])
+        }
+        for (chunk in chunks) {
+            visible.addAll(chunk.visible)
+            hidden.addAll(chunk.hidden)
+        }
+    }
+
+    private fun isDrawn(edge: Int, edges: EdgeSet): Boolean =
+        (edges == EdgeSet.ALL || model.isFeature(edge) || facing.isSilhouette(edge)) && facing.isDrawn(edge)
+
+    /** Some of the edges, for one thread. */
+    private inner class Chunk(private val isAll: Boolean) {
+        val visible = Pieces()
+        val hidden = Pieces()
+        private val parts = HiddenParts(space, places, tolerance)
+
+        // The part of the edge that is on the raster and between the near and the far plane
+        private var low = 0.0
+        private var high = 1.0
+        private var isFeature = false
+
+        fun divide(edge: Int) {
+            isFeature = isAll || model.isFeature(edge)
+            val start = model.end(edge, 0)
+            val end = model.end(edge, 1)
+            clip(start, end)
+            if (low >= high) return
+            val w0 = mix(start, end, 2, low)
+            val w1 = mix(start, end, 2, high)
+            val from = space.distance(w0, mix(start, end, 3, low))
+            val until = space.distance(w1, mix(start, end, 3, high))
+            parts.begin(start, end, minOf(from, until))
+            grid.forEachAlong(
+                mix(start, end, 0, low) / w0, mix(start, end, 1, low) / w0,
+                mix(start, end, 0, high) / w1, mix(start, end, 1, high) / w1,
+            ) { face ->
+                parts.behindTriangle(model.corners[3 * face], model.corners[3 * face + 1], model.corners[3 * face + 2])
+            }
+            for (i in planes.indices) {
+                val plane = planes[i] ?: continue
+                parts.behindPolygon(model.polygons[i], plane)
+            }
+
+            // What is not hidden is visible
+            parts.intervals.join()
+            var at = low
+            parts.intervals.forEachGap(low, high) { gapFrom, gapUntil ->
+                add(hidden, start, end, at, gapFrom)
+                add(visible, start, end, gapFrom, gapUntil)
+                at = gapUntil
+            }
+            add(hidden, start, end, at, high)
+        }
+
+        private fun add(pieces: Pieces, start: Int, end: Int, from: Double, until: Double) {
+            if (from >= until) return
+            val w0 = mix(start, end, 2, from)
+            val w1 = mix(start, end, 2, until)
+            pieces.add(
+                mix(start, end, 0, from) / w0, mix(start, end, 1, from) / w0, if (from == 0.0) start else -1,
+                mix(start, end, 0, until) / w1, mix(start, end, 1, until) / w1, if (until == 1.0) end else -1,
+                isFeature,
+            )
+        }
+
+        private fun mix(start: Int, end: Int, place: Int, t: Double): Double = when (t) {
+            0.0 -> places[4 * start + place]
+            1.0 -> places[4 * end + place]
+            else -> places[4 * start + place] + t * (places[4 * end + place] - places[4 * start + place])
+        }
+
+        private fun clip(start: Int, end: Int) {
+            low = 0.0
+            high = 1.0
+            keep(distance(start) - space.near, distance(end) - space.near)
+            keep(space.far - distance(start), space.far - distance(end))
+            keep(inside(start, 0, 1.0, margin), inside(end, 0, 1.0, margin))
+            keep(inside(start, 1, 1.0, margin), inside(end, 1, 1.0, margin))
+            val right = space.raster.width + margin
+            val bottom = space.raster.height + margin
+            keep(inside(start, 0, -1.0, right), inside(end, 0, -1.0, right))
+            keep(inside(start, 1, -1.0, bottom), inside(end, 1, -1.0, bottom))
+        }
+
+        private fun distance(point: Int) = space.distance(places[4 * point + 2], places[4 * point + 3])
+
+        private fun inside(point: Int, place: Int, sign: Double, limit: Double): Double =
+            sign * places[4 * point + place] + limit * places[4 * point + 2]
+
+        /** Keeps the part in which a linear function with the values [f0] and [f1] at the ends is not negative. */
+        private fun keep(f0: Double, f1: Double) {
+            if (f0 < 0.0) {
+                if (f1 < 0.0) high = low else low = maxOf(low, f0 / (f0 - f1))
+            } else if (f1 < 0.0) {
+                high = minOf(high, f0 / (f0 - f1))
+            }
+        }
+    }
+
+    private companion object {
+        /** Number of edges in one task of a thread. */
+        const val CHUNK = 4096
+    }
+}

@@ -1,0 +1,134 @@
+package dev.lazyz.drawing
+
+/**
+ * The triangles that can hide something, by their place on the raster: a pyramid of grids, each with twice as many cells
+ * a side as the one before. A triangle is in the finest grid of which a cell is at least as large as the triangle, so it
+ * is in at most four cells, and memory is linear in the number of triangles. Immutable and thread safe.
+ *
+ * @param places four numbers for each point, see [ViewSpace.place]
+ * @param margin how far the grid extends beyond the raster, pixels
+ */
+internal class FaceGrid(
+    private val space: ViewSpace,
+    private val model: EdgeModel,
+    facing: Facing,
+    private val places: DoubleArray,
+    margin: Double,
+) {
+    private val left = -margin
+    private val top = -margin
+    private val width = space.raster.width + 2 * margin
+    private val height = space.raster.height + 2 * margin
+    private val levels: Int
+
+    /** By cell of all levels: the index of its first triangle in [faces]. */
+    private val starts: IntArray
+    private val faces: IntArray
+
+    // Bounds of the current triangle or line on the raster, as parts of the grid: 0..1
+    private class Extent(var x0: Double = 0.0, var y0: Double = 0.0, var x1: Double = 0.0, var y1: Double = 0.0)
+
+    init {
+        // About as many cells as triangles in the finest grid
+        var finest = 0
+        while (finest < FINEST && (1L shl 2 * finest) < model.faceCount) finest++
+        levels = finest + 1
+        val cells = first(levels)
+        starts = IntArray(cells + 2)
+        val extent = Extent()
+        forEachCell(facing, extent) { cell, _ -> starts[cell + 2]++ }
+        for (i in 2 until starts.size) starts[i] += starts[i - 1]
+        faces = IntArray(starts[cells + 1])
+        forEachCell(facing, extent) { cell, face -> faces[starts[cell + 1]++] = face }
+    }
+
+    /** The number of the first cell of [level]. */
+    private fun first(level: Int): Int = ((1L shl 2 * level) / 3).toInt()
+
+    private inline fun forEachCell(facing: Facing, extent: Extent, action: (cell: Int, face: Int) -> Unit) {
+        for (face in 0 until model.faceCount) {
+            if (!facing.isHiding(face) || !measure(face, extent)) continue
+            val size = maxOf(extent.x1 - extent.x0, extent.y1 - extent.y0)
+            var level = 0
+            while (level < levels - 1 && size * (2 shl level) <= 1.0) level++
+            val side = 1 shl level
+            for (row in cell(extent.y0, side)..cell(extent.y1, side)) {
+                for (column in cell(extent.x0, side)..cell(extent.x1, side)) {
+                    action(first(level) + row * side + column, face)
+                }
+            }
+        }
+    }
+
+    private fun cell(place: Double, side: Int): Int = (place * side).toInt().coerceIn(0, side - 1)
+
+    /** Sets [extent] to that of [face]; returns false if it is outside the grid. */
+    private fun measure(face: Int, extent: Extent): Boolean {
+        extent.x0 = Double.POSITIVE_INFINITY
+        extent.y0 = Double.POSITIVE_INFINITY
+        extent.x1 = Double.NEGATIVE_INFINITY
+        extent.y1 = Double.NEGATIVE_INFINITY
+        var isBeforeEye = true
+        for (k in 0 until 3) {
+            val at = 4 * model.corners[3 * face + k]
+            val w = places[at + 2]
+            if (w < LEAST_W * space.far) isBeforeEye = false
+            val x = (places[at] / w - left) / width
+            val y = (places[at + 1] / w - top) / height
+            extent.x0 = minOf(extent.x0, x - ROUNDING)
+            extent.x1 = maxOf(extent.x1, x + ROUNDING)
+            extent.y0 = minOf(extent.y0, y - ROUNDING)
+            extent.y1 = maxOf(extent.y1, y + ROUNDING)
+        }
+        if (!isBeforeEye) {
+            // It reaches behind the camera, and can be anywhere
+            extent.x0 = 0.0
+            extent.y0 = 0.0
+            extent.x1 = 1.0
+            extent.y1 = 1.0
+        }
+        return extent.x0 <= 1.0 && extent.y0 <= 1.0 && extent.x1 >= 0.0 && extent.y1 >= 0.0
+    }
+
+    /**
+     * Calls [action] for each triangle that may cover a place on the line from ([x0], [y0]) to ([x1], [y1]), in pixels;
+     * possibly several times for the same triangle.
+     */
+    inline fun forEachAlong(x0: Double, y0: Double, x1: Double, y1: Double, action: (face: Int) -> Unit) {
+        val fromX = (x0 - left) / width
+        val fromY = (y0 - top) / height
+        val toX = (x1 - left) / width
+        val toY = (y1 - top) / height
+        val slope = (toX - fromX) / (toY - fromY)
+        for (level in 0 until levels) {
+            val side = 1 shl level
+            val base = first(level)
+            if (starts[base] == starts[base + side * side]) continue
+            for (row in cell(minOf(fromY, toY), side)..cell(maxOf(fromY, toY), side)) {
+                // The columns that the line reaches in this row
+                var least = minOf(fromX, toX)
+                var most = maxOf(fromX, toX)
+                if (slope.isFinite()) {
+                    val atTop = fromX + (row.toDouble() / side - fromY) * slope
+                    val atBottom = fromX + ((row + 1.0) / side - fromY) * slope
+                    least = maxOf(least, minOf(atTop, atBottom) - ROUNDING)
+                    most = minOf(most, maxOf(atTop, atBottom) + ROUNDING)
+                }
+                for (column in cell(least, side)..cell(most, side)) {
+                    val cell = base + row * side + column
+                    for (i in starts[cell] until starts[cell + 1]) action(faces[i])
+                }
+            }
+        }
+    }
+
+    companion object {
+        private const val FINEST = 11
+
+        /** Points nearer than this part of the distance of the far plane count as behind the camera. */
+        private const val LEAST_W = 1e-9
+
+        /** More than the rounding error of a place, as a part of the grid. */
+        const val ROUNDING = 1e-9
+    }
+}

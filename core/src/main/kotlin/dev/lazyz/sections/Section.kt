@@ -1,0 +1,127 @@
+package dev.lazyz.sections
+
+import dev.lazyz.FillRule
+import dev.lazyz.Rgba
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Points
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Surface
+import dev.lazyz.world.Vertex
+import java.util.function.UnaryOperator
+import org.joml.Vector3dc
+
+/**
+ * Cuts a scene by planes, and closes meshes where they are cut. What remains is on the kept side of all [planes].
+ *
+ * ```
+ * val half = Section(listOf(SectionPlane.x(0.5))).of(scene).scene
+ * ```
+ *
+ * A mesh that is closed gets a cap on each plane: a [Polygon] of the contours in which the plane cuts it, with the
+ * non-zero rule, so that cavities stay open and parts that overlap are one. If a model is divided into several meshes
+ * that are closed only together, contours are joined over them. Contours that do not close get no cap and a warning. A
+ * vertex on a plane counts as kept. Faces in a plane are kept if they show to the removed side, so a cut along the
+ * surface of a solid leaves the solid, or nothing.
+ *
+ * Polygons are cut, and have no caps. Points are removed one by one, and lines are cut. Spheres and custom surfaces are
+ * not cut, with a warning. New vertices get normals, texture coordinates and colours by linear interpolation.
+ *
+ * Immutable and thread safe.
+ *
+ * @property planes the planes; those of an earlier cut do not hinder a later one
+ * @param capMaterial returns the material of a cap from that of its mesh; by default [darkened]
+ */
+public class Section @JvmOverloads constructor(
+    public val planes: List<SectionPlane>,
+    private val capMaterial: UnaryOperator<Material> = UnaryOperator { darkened(it) },
+) {
+    /**
+     * Cuts [scene]. Caps come after all surfaces, in submission order. Lights and viewpoint are unchanged; a rule such
+     * as `Camera.fit` shows what remains. Cost: linear in the size of the scene, for each plane.
+     */
+    public fun of(scene: Scene): SectionedScene {
+        val warnings = ArrayList<String>()
+        val meshes = scene.surfaces.filterIsInstance<Mesh>()
+        val caps = planes.flatMap { caps(meshes, it, warnings) }
+        val kept = scene.surfaces.mapNotNull { surface ->
+            planes.fold(surface as Surface?) { rest, plane -> rest?.let { cut(it, plane) } }
+        }
+        val whole = scene.surfaces.count { it !is Mesh && it !is Polygon && it !is Points && it !is Lines }
+        if (whole > 0) warnings += "$whole spheres or custom surfaces cannot be cut, and are shown whole"
+        return SectionedScene(Scene(kept + caps, scene.lights, scene.viewpoint, scene.background), warnings)
+    }
+
+    private fun cut(surface: Surface, plane: SectionPlane): Surface? = when (surface) {
+        is Mesh -> MeshCut(surface, plane).kept()
+        is Polygon -> cut(surface, plane)
+        is Points -> SparseCut.of(surface, plane)
+        is Lines -> SparseCut.of(surface, plane)
+        else -> surface
+    }
+
+    private fun cut(polygon: Polygon, plane: SectionPlane): Polygon? {
+        if (polygon.contours.all { contour -> contour.all { plane.height(it.x, it.y, it.z) <= 0.0 } }) return polygon
+        val contours = polygon.contours.map { ContourCut.of(it, plane) }.filter { it.size >= 3 }
+        return if (contours.isEmpty()) null else Polygon(contours, polygon.material, polygon.fillRule)
+    }
+
+    /** Returns the caps of [meshes] on [plane], cut by the other planes. */
+    private fun caps(meshes: List<Mesh>, plane: SectionPlane, warnings: MutableList<String>): List<Polygon> {
+        val caps = ArrayList<Polygon>()
+        var open = 0
+
+        // Meshes far from the world's origin have origins of their own, and have no contours in common
+        for ((origin, group) in meshes.groupBy { it.origin }) {
+            val rest = Contours()
+            var restMaterial: Material? = null
+            for (mesh in group) {
+                val contours = Contours()
+                MeshCut(mesh, plane).addSegments(contours)
+                val cap = cap(contours, origin, mesh.material, plane)
+                if (cap != null) caps += cap
+                if (contours.openSegments.isEmpty()) continue
+                rest.addAll(contours.openSegments)
+                if (restMaterial == null) restMaterial = mesh.material
+            }
+            if (restMaterial == null) continue
+            val cap = cap(rest, origin, restMaterial, plane)
+            if (cap != null) caps += cap
+            open += rest.openCount
+        }
+        if (open > 0) {
+            val word = if (open == 1) "1 contour does" else "$open contours do"
+            warnings += "$word not close where the plane $plane cuts the model, and get no cap; the mesh is open there"
+        }
+        return caps
+    }
+
+    private fun cap(contours: Contours, origin: Vector3dc, material: Material, plane: SectionPlane): Polygon? {
+        val loops = contours.loops().map { loop ->
+            List(loop.size / 3) {
+                Vertex(origin.x() + loop[3 * it], origin.y() + loop[3 * it + 1], origin.z() + loop[3 * it + 2])
+            }
+        }
+        val whole = Polygon(loops, capMaterial.apply(material), FillRule.NON_ZERO)
+        if (loops.isEmpty()) return null
+        return planes.filter { it !== plane }.fold(whole as Polygon?) { rest, other -> rest?.let { cut(it, other) } }
+    }
+
+    override fun toString(): String = "Section($planes)"
+
+    public companion object {
+        /** The part of the light that remains in [darkened]. */
+        private const val DARK = 0.6f
+
+        /** Returns the default material of caps: the base colour of [material], darker, without texture. */
+        @JvmStatic
+        public fun darkened(material: Material): Material = capColor(material, material.baseColor.scaled(DARK))
+
+        /** Returns [material] in another [color], without what does not fit a cap: textures, one-sidedness, shaders. */
+        @JvmStatic
+        public fun capColor(material: Material, color: Rgba): Material =
+            Material(color, shading = material.shading, name = material.name)
+    }
+}

@@ -1,0 +1,284 @@
+package dev.lazyz.drawing
+
+import dev.lazyz.Image
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.Rgba
+import dev.lazyz.filter.SuperSampling
+import dev.lazyz.geometry.Transforms
+import dev.lazyz.strategies.Renderers
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Fit
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Scene
+import dev.lazyz.world.SetUp
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Surface
+import dev.lazyz.world.Vertex
+import java.util.Random
+import org.joml.Matrix4d
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Visible edges are drawn, hidden ones are not, and all strategies draw the same. */
+class EdgeDrawingTest {
+    private val plain = Material(shading = Shading.CONSTANT)
+
+    /** Looks along -z: x and y in -2..2 are 100 columns and rows. */
+    private val front = Camera.orthographic(
+        Vector3d(0.0, 0.0, 10.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 4.0, 1.0, 20.0,
+    )
+
+    private fun render(surfaces: List<Surface>, style: EdgeStyle, camera: Camera = front, side: Int = 100): Image =
+        ZBuffer().render(style.drawnOn(Scene(surfaces, viewpoint = camera)).frame(side, side))
+
+    private fun Image.isBlack(x: Int, y: Int) = argb[y * width + x] == Rgba.BLACK.toArgb()
+
+    /** The columns of row [y] that are black, as ranges. */
+    private fun Image.blackColumns(y: Int): List<IntRange> {
+        val ranges = ArrayList<IntRange>()
+        for (x in (0 until width).filter { isBlack(it, y) }) {
+            if (ranges.lastOrNull()?.last == x - 1) ranges[ranges.size - 1] = ranges.last().first..x else ranges += x..x
+        }
+        return ranges
+    }
+
+    private fun square(x0: Float, y0: Float, x1: Float, y1: Float, z: Float): Mesh =
+        Mesh(floatArrayOf(x0, y0, z, x1, y0, z, x1, y1, z, x0, y1, z), intArrayOf(0, 1, 2, 0, 2, 3), plain)
+
+    /**
+     * An edge of a convex solid is visible if one of its faces shows its front. All pixels that contain a point of it are
+     * drawn, and pixels away from visible edges are not.
+     */
+    @Test
+    fun aConvexSolidShowsItsVisibleEdges() {
+        val random = Random(7)
+        repeat(40) {
+            val angles = DoubleArray(3) { random.nextDouble() * 6 }
+            val turn = turn(0, angles[0], turn(1, angles[1], turn(2, angles[2], Matrix4d())))
+            val solid = Solids.box(-1f, -0.7f, -0.4f, 1f, 0.7f, 0.4f, plain).transformed(turn)
+            val eye = Vector3d(1.0, 2.0, 6.0)
+            val camera = if (it % 2 == 0) {
+                Camera.perspective(eye, Vector3d(), Vector3d(0.0, 1.0, 0.0), 30.0, 1.0, 20.0)
+            } else {
+                Camera.orthographic(eye, Vector3d(), Vector3d(0.0, 1.0, 0.0), 3.5, 1.0, 20.0)
+            }
+            assertShown(solid, camera, EdgeStyle(width = 1.5 + it % 4))
+        }
+    }
+
+    private fun turn(axis: Int, angle: Double, first: Matrix4d): Matrix4d {
+        val c = StrictMath.cos(angle)
+        val s = StrictMath.sin(angle)
+        val p = (axis + 1) % 3
+        val q = (axis + 2) % 3
+        val elements = DoubleArray(16).also { e ->
+            e[15] = 1.0
+            e[5 * axis] = 1.0
+            e[5 * p] = c
+            e[5 * q] = c
+            e[4 * p + q] = s
+            e[4 * q + p] = -s
+        }
+        return Transforms.product(Matrix4d().set(elements), first)
+    }
+
+    private fun assertShown(solid: Mesh, camera: Camera, style: EdgeStyle) {
+        val side = 160
+        val image = render(listOf(solid), style, camera, side)
+        val setUp = SetUp(Raster(side, side), camera, emptyList())
+        val lines = FeatureEdges().of(solid)
+        assertEquals(12, lines.segmentCount)
+        val isNearVisible = BooleanArray(side * side)
+        for (edge in 0 until lines.segmentCount) {
+            val ends = (0..1).map { end -> vertex(lines.positions, lines.segments[2 * edge + end]) }
+            if (!isVisible(solid, camera, ends)) continue
+            for (step in 0..400) {
+                val place = Vector3d(ends[0]).lerp(ends[1], step / 400.0)
+                val point = setUp.project(place) ?: continue
+                val x = StrictMath.floor(point.x).toInt()
+                val y = StrictMath.floor(point.y).toInt()
+                assertTrue(image.isBlack(x, y)) { "$place of a visible edge at ($x, $y): $camera, $style" }
+                val reach = (style.width / 2).toInt() + 2
+                for (dy in -reach..reach) for (dx in -reach..reach) isNearVisible[(y + dy) * side + x + dx] = true
+            }
+        }
+        for (i in isNearVisible.indices) {
+            if (!isNearVisible[i]) {
+                assertTrue(!image.isBlack(i % side, i / side)) {
+                    "(${i % side}, ${i / side}): $camera"
+                }
+            }
+        }
+    }
+
+    private fun vertex(p: FloatArray, i: Int) =
+        Vector3d(p[3 * i].toDouble(), p[3 * i + 1].toDouble(), p[3 * i + 2].toDouble())
+
+    /** Whether a triangle of [solid] with both of [ends] shows its front to [camera]. */
+    private fun isVisible(solid: Mesh, camera: Camera, ends: List<Vector3d>): Boolean =
+        (0 until solid.triangleCount).any { triangle ->
+            val (a, b, c) = (0 until 3).map { vertex(solid.positions, solid.triangles[3 * triangle + it]) }
+            val normal = Vector3d(b).sub(a).cross(Vector3d(c).sub(a))
+            val isOrthographic = "Orthographic" in "${camera.projection}"
+            val toEye = Vector3d(camera.eye).sub(if (isOrthographic) camera.target else a)
+            listOf(a, b, c).containsAll(ends) && normal.dot(toEye) > 0
+        }
+
+    @Test
+    fun aLineEndsWhereItsMiddleGoesBehindAnOutline() {
+        val back = square(-1.8f, -1.5f, 1.8f, 0.02f, -1f)
+        val front = square(-0.5f, -1f, 0.52f, 1f, 0f)
+        val image = render(listOf(back, front), EdgeStyle(width = 3.0))
+
+        // The upper side of the one behind is in row 49, columns 5 to 95; the other one is in columns 37.5 to 63
+        assertEquals(listOf(3..38, 61..95), image.blackColumns(49))
+        val hidden = render(listOf(back, front), EdgeStyle(width = 3.0, hidden = HiddenLines.SOLID))
+        assertEquals(listOf(3..95), hidden.blackColumns(49))
+        val dashed = render(listOf(back, front), EdgeStyle(width = 1.0, hidden = HiddenLines.DASHED))
+
+        // Three dashes, of which two continue the visible parts
+        assertEquals(listOf(4..43, 47..53, 57..94), dashed.blackColumns(49))
+    }
+
+    @Test
+    fun polygonsHaveEdgesAndHideLines() {
+        fun contour(x0: Double, y0: Double, x1: Double, y1: Double) =
+            listOf(Vertex(x0, y0, 1.0), Vertex(x1, y0, 1.0), Vertex(x1, y1, 1.0), Vertex(x0, y1, 1.0))
+        val frame = Polygon(listOf(contour(-1.0, -1.0, 1.0, 1.0), contour(-0.5, -0.5, 0.5, 0.5)), plain)
+        val back = square(-1.8f, -1.5f, 1.8f, 0.02f, -1f)
+        val image = render(listOf(back, frame), EdgeStyle())
+
+        // The line behind is seen through the hole
+        assertEquals(listOf(4..24, 37..62, 74..94), image.blackColumns(49))
+        val glass = Material(baseColor = Rgba.WHITE.withAlpha(0.5f), alphaMode = AlphaMode.BLEND)
+        val clear = EdgeStyle().drawnOn(Scene(listOf(back, frame.withMaterials { glass }), viewpoint = front))
+        val seen = Renderers.find("tiled")!!.render(clear.frame(100, 100))
+        assertEquals(listOf(4..94), seen.blackColumns(49), "what is translucent hides no lines")
+    }
+
+    /** The lower edge begins at a corner of the face that hides it, and is behind it by less than one thousandth. */
+    @Test
+    fun aFlatWedgeHidesItsLowerEdge() {
+        val wedge = Mesh(
+            floatArrayOf(-1.5f, 0.02f, 0f, 1.5f, -1.5f, 0f, 1.5f, 1.5f, 0f, 1.3f, 0.02f, -1e-4f),
+            intArrayOf(0, 1, 2, 0, 3, 1, 0, 2, 3), plain,
+        )
+        val image = render(listOf(wedge), EdgeStyle(EdgeSet.ALL))
+        assertEquals(listOf(87..87), image.blackColumns(49).filter { it.last > 20 })
+    }
+
+    /** A part that stands on another one: the edges on the contact are on a surface that is not theirs. */
+    @Test
+    fun facesThatTouchAnEdgeDoNotHideIt() {
+        val base = Solids.box(-1.5f, -1f, -1f, 1.5f, 0f, 1f, plain)
+        val top = Solids.box(-0.5f, 0f, -0.5f, 0.5f, 1f, 0.5f, plain)
+        val camera = Camera.orthographic(
+            Vector3d(3.0, 5.0, 8.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 5.0, 1.0, 20.0,
+        )
+        val image = render(listOf(base, top), EdgeStyle(width = 1.5), camera, 200)
+        val setUp = SetUp(Raster(200, 200), camera, emptyList())
+        for (step in 0..100) {
+            val point = setUp.project(Vector3d(-0.5 + step / 100.0, 0.0, 0.5))!!
+            assertTrue(image.isBlack(point.x.toInt(), point.y.toInt())) { "$point" }
+        }
+    }
+
+    @Test
+    fun allStrategiesAndRegionsGiveTheSameBits() {
+        val surfaces = listOf(
+            Solids.torus(1.0, 0.4, 24, 12), Solids.box(0.2f, -0.3f, 0.1f, 1.7f, 0.4f, 0.9f),
+        )
+        val dashed = EdgeStyle(width = 1.5, hidden = HiddenLines.DASHED)
+        for (style in listOf(dashed, EdgeStyle(EdgeSet.ALL, width = 0.7, color = Rgba.ofRgb(0x2040A0)))) {
+            val scene = style.drawnOn(Scene(surfaces, viewpoint = Camera.fit(30.0, 40.0)))
+            for (factor in listOf(1, 4)) {
+                val sampling = SuperSampling(factor)
+                val frame = sampling.frame(scene, Raster(48, 40))
+                val expected = sampling.render(ZBuffer(), frame)
+                for (renderer in Renderers.builtIn) {
+                    val image = sampling.render(renderer, frame)
+                    assertArrayEquals(expected.argb, image.argb) { "${renderer.id}, $style, $factor" }
+                    assertArrayEquals(expected.depth, image.depth) { renderer.id }
+                    val part = sampling.render(renderer, frame.within(sampling.samples(Region(11, 7, 40, 32))))
+                    for (y in 7 until 32) {
+                        for (x in 11 until 40) assertEquals(expected.argb[y * 48 + x], part.argb[(y - 7) * 29 + x - 11])
+                    }
+                }
+                assertTrue(expected.argb.toSet().size > 10) { "$style" }
+            }
+        }
+    }
+
+    /** Parts of the scene are behind the camera and far outside the raster, others are not finite. */
+    @Test
+    fun awkwardScenesDoNotThrow() {
+        val nan = Mesh(floatArrayOf(Float.NaN, 0f, 0f, 1f, 1f, 1f, 1e30f, -1e30f, 1e30f), intArrayOf(0, 1, 2, 1, 2, 1))
+        val ground = square(-1e6f, -1e6f, 1e6f, 1e6f, -0.5f)
+        val surfaces = listOf(nan, ground, Solids.cube(plain), Solids.torus(3.0, 0.5, 12, 8))
+        for (camera in listOf(
+            Camera.perspective(Vector3d(0.0, 0.0, 3.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 90.0, 0.01, 50.0),
+            Camera.perspective(Vector3d(0.1, 0.2, 0.3), Vector3d(), Vector3d(0.0, 1.0, 0.0), 120.0, 0.1, 50.0),
+            front, Camera.screen(),
+        )) {
+            for (edges in EdgeSet.entries) render(surfaces, EdgeStyle(edges, hidden = HiddenLines.SOLID), camera)
+        }
+        render(emptyList(), EdgeStyle())
+    }
+
+    @Test
+    fun linesOfOneSampleHaveNoGaps() {
+        val random = Random(3)
+        repeat(200) {
+            val angle = random.nextDouble() * 6.3
+            val x = (1.5 * StrictMath.cos(angle)).toFloat()
+            val y = (1.5 * StrictMath.sin(angle)).toFloat()
+            val needle = Mesh(floatArrayOf(-x, -y, 0f, x, y, 0f, x, y, -1f), intArrayOf(0, 1, 2), plain)
+            val image = render(listOf(needle), EdgeStyle(width = 0.2))
+            val isSteep = StrictMath.abs(y) > StrictMath.abs(x)
+            for (i in 0..40) {
+                val at = 30 + i
+                val slope = if (isSteep) x / y else y / x
+                val limit = (if (isSteep) y else x).let { StrictMath.abs(it) * 25 }
+                if (StrictMath.abs(at + 0.5 - 50) > limit) continue
+                val across = (50 - (at + 0.5 - 50) * slope)
+                val hits = (-1..1).count { d ->
+                    val other = StrictMath.floor(across).toInt() + d
+                    if (isSteep) image.isBlack(other, at) else image.isBlack(at, other)
+                }
+                assertTrue(hits in 1..2) { "$angle: $hits at $at" }
+            }
+        }
+    }
+
+    @Test
+    fun widthsAreThoseOfPixelsWhateverTheSampling() {
+        val scene = EdgeStyle(width = 4.0).drawnOn(Scene(listOf(square(-1f, -1f, 1f, 1f, 0f)), viewpoint = front))
+        for (factor in listOf(1, 4)) {
+            val sampling = SuperSampling(factor)
+            val image = sampling.render(ZBuffer(), sampling.frame(scene, Raster(100, 100)))
+            assertEquals(listOf(23..26, 73..76), image.blackColumns(50))
+        }
+    }
+
+    @Test
+    fun stylesAreChecked() {
+        for (wrong in listOf<() -> EdgeStyle>(
+            { EdgeStyle(width = 0.0) }, { EdgeStyle(width = 5000.0) }, { EdgeStyle(creaseAngle = -1.0) },
+            { EdgeStyle(color = Rgba.TRANSPARENT) },
+        )) {
+            assertThrows(IllegalArgumentException::class.java) { wrong() }
+        }
+        val fitted = Camera.fit(0.0, 0.0, 1.0, Fit.ORTHOGRAPHIC)
+        val scene = Scene(listOf(Solids.cube()), viewpoint = fitted)
+        assertEquals(scene.bounds.toString(), EdgeStyle().drawnOn(scene).bounds.toString())
+    }
+}

@@ -1,0 +1,202 @@
+package dev.lazyz.sections
+
+import dev.lazyz.Rgba
+import dev.lazyz.drawing.Solids
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Points
+import dev.lazyz.world.Polygon
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Surface
+import dev.lazyz.world.Vertex
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertSame
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** What remains of a closed mesh is closed by its caps: areas and volumes are right. */
+class SectionTest {
+    private fun cut(surfaces: List<Surface>, vararg planes: SectionPlane) = Section(planes.toList()).of(Scene(surfaces))
+
+    private fun caps(cut: SectionedScene) = cut.scene.surfaces.filterIsInstance<Polygon>()
+
+    /** The area of all contours of the caps; holes count as negative. */
+    private fun area(cut: SectionedScene, normal: Vector3d): Double =
+        caps(cut).sumOf { cap -> cap.contours.sumOf { vectorArea(it).dot(normal) } }
+
+    private fun vectorArea(contour: List<Vertex>): Vector3d {
+        val sum = Vector3d()
+        for (i in contour.indices) sum.add(position(contour[i]).cross(position(contour[(i + 1) % contour.size])))
+        return sum.mul(0.5)
+    }
+
+    private fun position(vertex: Vertex) = Vector3d(vertex.x, vertex.y, vertex.z)
+
+    /** The volume that the surfaces enclose, by Gauss's theorem. It depends on the place of a surface that is open. */
+    private fun volume(cut: SectionedScene, center: Vector3d = Vector3d(10.0, -7.0, 5.0)): Double {
+        val meshes = cut.scene.surfaces.filterIsInstance<Mesh>().sumOf { mesh ->
+            (0 until mesh.triangleCount).sumOf { i ->
+                val (a, b, c) = (0 until 3).map { k ->
+                    val at = 3 * mesh.triangles[3 * i + k]
+                    Vector3d(mesh.positions.copyOfRange(at, at + 3)).sub(center)
+                }
+                a.dot(b.cross(c)) / 6
+            }
+        }
+        val polygons = caps(cut).sumOf { cap ->
+            cap.contours.sumOf { contour -> vectorArea(contour).dot(position(contour[0]).sub(center)) / 3 }
+        }
+        return meshes + polygons
+    }
+
+    @Test
+    fun aCubeIsCapped() {
+        val half = cut(listOf(Solids.cube()), SectionPlane.x(0.25))
+        assertEquals(emptyList<String>(), half.warnings)
+        assertEquals(1, caps(half).single().contours.size)
+        assertEquals(4.0, area(half, Vector3d(1.0, 0.0, 0.0)), 1e-6)
+        assertEquals(5.0, volume(half), 1e-5)
+        assertEquals(3.0, volume(cut(listOf(Solids.split(Solids.cube())), SectionPlane.x(0.25).reversed())), 1e-5)
+
+        // A plane across a corner
+        val corner = cut(listOf(Solids.cube()), SectionPlane(Vector3d(1.0, 1.0, 1.0), 2.0 / StrictMath.sqrt(3.0)))
+        assertEquals(8.0 - 1.0 / 6, volume(corner), 1e-5)
+    }
+
+    @Test
+    fun aTorusHasTwoContours() {
+        val torus = Solids.torus(1.0, 0.4, 96, 48)
+        val whole = volume(SectionedScene(Scene(listOf(torus)), emptyList()))
+        val across = cut(listOf(torus), SectionPlane.x(0.013))
+        assertEquals(2, caps(across).single().contours.size)
+        assertEquals(2 * StrictMath.PI * 0.16, area(across, Vector3d(1.0, 0.0, 0.0)), 0.01)
+        assertEquals(whole, volume(across) + volume(cut(listOf(torus), SectionPlane.x(0.013).reversed())), 1e-4)
+
+        // Along the ring, the inner contour is a hole
+        val along = cut(listOf(torus), SectionPlane.y(0.1))
+        val r = StrictMath.sqrt(0.16 - 0.01)
+        assertEquals(2, caps(along).single().contours.size)
+        assertEquals(4 * StrictMath.PI * r, area(along, Vector3d(0.0, 1.0, 0.0)), 0.02)
+        assertEquals(volume(along), volume(along, Vector3d(-3.0, 20.0, 1.0)), 1e-4, "closed")
+    }
+
+    @Test
+    fun aCavityStaysOpen() {
+        val inside = Solids.box(-0.5f, -0.5f, -0.5f, 0.5f, 0.5f, 0.5f)
+        val outside = Solids.cube()
+        val hollow = Mesh(
+            outside.positions + inside.positions,
+            outside.triangles + inside.triangles.reversedArray().map { it + 8 }.toIntArray(),
+        )
+        val half = cut(listOf(hollow), SectionPlane.z(0.0))
+        assertEquals(3.0, area(half, Vector3d(0.0, 0.0, 1.0)), 1e-6)
+        assertEquals(3.5, volume(half), 1e-5)
+    }
+
+    @Test
+    fun cutsThroughVerticesAndAlongFacesWork() {
+        val cube = Solids.cube()
+
+        // Through four edges, and so through vertices of diagonals
+        val diagonal = cut(listOf(cube), SectionPlane(Vector3d(1.0, 1.0, 0.0), 0.0))
+        assertEquals(4.0, volume(diagonal), 1e-5)
+        assertEquals(2 * StrictMath.sqrt(8.0), area(diagonal, Vector3d(1.0, 1.0, 0.0).normalize()), 1e-5)
+
+        // Along a face: all of the cube, or nothing
+        val all = cut(listOf(cube), SectionPlane.x(1.0))
+        assertSame(cube, all.scene.surfaces.single())
+        assertEquals(0, cut(listOf(cube), SectionPlane.x(-1.0)).scene.surfaces.size)
+        assertEquals(0, cut(listOf(cube), SectionPlane.x(-5.0)).scene.surfaces.size)
+
+        // Along the step of a solid: the plane is both a face of it and a section
+        val step = listOf(cube, Solids.box(-0.5f, 1f, -0.5f, 0.5f, 2f, 0.5f))
+        val whole = Mesh(
+            step[0].positions + step[1].positions, step[0].triangles + step[1].triangles.map { it + 8 }.toIntArray(),
+        )
+        assertEquals(8.0, volume(cut(listOf(whole), SectionPlane.y(1.0))), 1e-5)
+        assertEquals(1.0, volume(cut(listOf(whole), SectionPlane.y(1.0).reversed())), 1e-5)
+        for (plane in listOf(SectionPlane.x(0.5), SectionPlane.x(-0.5), SectionPlane.z(0.5), SectionPlane.z(0.0))) {
+            val parts = volume(cut(listOf(whole), plane)) + volume(cut(listOf(whole), plane.reversed()))
+            assertEquals(9.0, parts, 1e-5, "$plane")
+        }
+
+        // A sphere with vertices on all three planes
+        for (plane in listOf(SectionPlane.x(0.0), SectionPlane.y(0.0), SectionPlane.z(0.0))) {
+            val half = cut(listOf(Solids.sphere(16, 8)), plane)
+            assertEquals(emptyList<String>(), half.warnings)
+            assertEquals(volume(half), volume(half, Vector3d(-3.0, 20.0, 1.0)), 1e-5, "closed: $plane")
+        }
+    }
+
+    @Test
+    fun severalPlanesLeaveWhatAllKeep() {
+        val corner =
+            cut(listOf(Solids.cube()), SectionPlane.x(0.0), SectionPlane.y(0.5), SectionPlane.z(-0.5).reversed())
+        assertEquals(emptyList<String>(), corner.warnings)
+        assertEquals(3, caps(corner).size)
+        assertEquals(1.0 * 1.5 * 1.5, volume(corner), 1e-5)
+    }
+
+    @Test
+    fun openMeshesGetAWarningAndNoCap() {
+        val cube = Solids.cube()
+        val open = Mesh(cube.positions, cube.triangles.copyOf(cube.triangles.size - 6))
+        val half = cut(listOf(open), SectionPlane.y(0.0))
+        assertEquals(0, caps(half).size)
+        assertTrue("1 contour does not close" in half.warnings.single()) { "${half.warnings}" }
+
+        // Closed only together: one cap
+        val lid = Mesh(cube.positions, cube.triangles.copyOfRange(cube.triangles.size - 6, cube.triangles.size))
+        val both = cut(listOf(open, lid), SectionPlane.y(0.0))
+        assertEquals(emptyList<String>(), both.warnings)
+        assertEquals(4.0, area(both, Vector3d(0.0, 1.0, 0.0)), 1e-6)
+
+        // A closed part is capped even if another one is open
+        val mixed = Mesh(
+            open.positions + Solids.box(2f, -1f, -1f, 3f, 1f, 1f).positions,
+            open.triangles + cube.triangles.map { it + 8 }.toIntArray(),
+        )
+        val rest = cut(listOf(mixed), SectionPlane.y(0.0))
+        assertEquals(2.0, area(rest, Vector3d(0.0, 1.0, 0.0)), 1e-6)
+        assertEquals(1, rest.warnings.size)
+    }
+
+    @Test
+    fun otherSurfacesAreCut() {
+        val square = listOf(Vertex(0.0, 0.0, 0.0), Vertex(2.0, 0.0, 0.0), Vertex(2.0, 2.0, 0.0), Vertex(0.0, 2.0, 0.0))
+        val surfaces = listOf(
+            Polygon(listOf(square)), Points(floatArrayOf(0f, 0f, 0f, 3f, 0f, 0f)),
+            Lines(floatArrayOf(0f, 0f, 0f, 4f, 0f, 0f), intArrayOf(0, 1)), Sphere(Vector3d(), 1.0),
+        )
+        val rest = cut(surfaces, SectionPlane.x(1.0))
+        assertEquals(2.0, vectorArea((rest.scene.surfaces[0] as Polygon).contours.single()).z, 1e-9)
+        assertEquals(1, (rest.scene.surfaces[1] as Points).pointCount)
+        assertEquals(1.0, (rest.scene.surfaces[2] as Lines).bounds!!.maxX, 1e-9)
+        assertSame(surfaces[3], rest.scene.surfaces[3])
+        assertEquals(1, rest.warnings.size)
+    }
+
+    @Test
+    fun newVerticesHaveAttributesInBetween() {
+        val triangle = Mesh(
+            floatArrayOf(0f, 0f, 0f, 4f, 0f, 0f, 0f, 4f, 0f), intArrayOf(0, 1, 2),
+            uvs = floatArrayOf(0f, 0f, 1f, 0f, 0f, 1f), colors = FloatArray(12) { if (it / 4 == 1) 1f else 0f },
+        )
+        val rest = cut(listOf(triangle), SectionPlane.x(1.0)).scene.surfaces.single() as Mesh
+        for (i in 0 until rest.vertexCount) {
+            assertEquals(rest.positions[3 * i] / 4, rest.uvs!![2 * i], 1e-6f)
+            assertEquals(rest.positions[3 * i] / 4, rest.colors!![4 * i], 1e-6f)
+        }
+        assertEquals(4, rest.vertexCount)
+    }
+
+    @Test
+    fun planesAreChecked() {
+        assertThrows(IllegalArgumentException::class.java) { SectionPlane(Vector3d(), 1.0) }
+        assertThrows(IllegalArgumentException::class.java) { SectionPlane.x(Double.NaN) }
+        assertThrows(IllegalArgumentException::class.java) { Hatching(0.0, 0.5, Rgba.BLACK, Rgba.WHITE) }
+    }
+}
