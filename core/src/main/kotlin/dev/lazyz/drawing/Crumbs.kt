@@ -3,9 +3,9 @@ package dev.lazyz.drawing
 import dev.lazyz.geometry.DistinctTriples
 
 /**
- * Removes crumbs from [pieces]: short parts of silhouettes that are visible between hidden parts, far from other lines. A
- * silhouette of triangles is a zigzag around that of the smooth surface, so where a rough surface is seen almost along
- * its tangent, crumbs of the zigzag appear.
+ * Removes crumbs from [pieces]: short parts of silhouettes that are visible between hidden parts, far from other lines.
+ * A silhouette of triangles is a zigzag around that of the smooth surface, so where a rough surface is seen almost
+ * along its tangent, crumbs of the zigzag appear.
  *
  * Pieces that are at most [near] pixels apart belong together. What belongs together is removed if it has no boundary
  * and no crease, is partly hidden, and is shorter than [least] pixels. Used once; not thread safe. Cost: linear in the

@@ -17,18 +17,21 @@ import dev.lazyz.world.UpAxis
  * shines through. The outlines of all polygons are drawn, too.
  *
  * Meshes and polygons hide lines unless their material is translucent. Samples that a mask removes do hide them.
- * Spheres, points, lines and custom surfaces do not hide lines, and have no edges. A surface that touches an edge, up to
- * 2^-17 of the size of the scene, does not hide it.
+ * Spheres, points, lines and custom surfaces do not hide lines, and have no edges. A surface that touches an edge, up
+ * to 2^-17 of the size of the scene, does not hide it.
  *
  * Silhouettes of rough surfaces leave crumbs: visible parts between hidden parts. Those that are shorter than 8 times
  * the width and not near another line are left out.
  *
  * The number of primitives depends on the camera. Immutable and thread safe if its surfaces are.
  *
- * Cost: linear in the number of triangles and edges, as long as few triangles are long and thin on the raster. Neighbours
- * of triangles are found once, and visibility each time the scene is set up.
+ * Cost: linear in the number of triangles and edges, as long as few triangles are long and thin on the raster.
+ * Neighbours of triangles are found once, and visibility each time the scene is set up.
+ *
+ * @param surfaces the surfaces of the scene
+ * @property style how the edges are drawn
  */
-public class EdgeDrawing(private val surfaces: List<Surface>, public val style: EdgeStyle,) : Surface {
+public class EdgeDrawing(private val surfaces: List<Surface>, public val style: EdgeStyle) : Surface {
     private val model by lazy { EdgeModel(surfaces, style.creaseAngle) }
 
     /** Null: the surfaces have bounds of their own. */

@@ -184,8 +184,8 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double) {
     private fun dot(a: DoubleArray, b: DoubleArray) = a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
     /**
-     * Writes the normal of [face] to [out]; its length is twice the area. Writes 0 if the corners are in one line, up to
-     * the rounding of positions.
+     * Writes the normal of [face] to [out]; its length is twice the area. Writes 0 if the corners are in one line, up
+     * to the rounding of positions.
      */
     fun normal(face: Int, out: DoubleArray) {
         val a = 3 * corners[3 * face]

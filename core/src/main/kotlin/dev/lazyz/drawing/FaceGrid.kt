@@ -1,9 +1,9 @@
 package dev.lazyz.drawing
 
 /**
- * The triangles that can hide something, by their place on the raster: a pyramid of grids, each with twice as many cells
- * a side as the one before. A triangle is in the finest grid of which a cell is at least as large as the triangle, so it
- * is in at most four cells, and memory is linear in the number of triangles. Immutable and thread safe.
+ * The triangles that can hide something, by their place on the raster: a pyramid of grids, each with twice as many
+ * cells a side as the one before. A triangle is in the finest grid of which a cell is at least as large as the
+ * triangle, so it is in at most four cells, and memory is linear in the number of triangles. Immutable and thread safe.
  *
  * @param places four numbers for each point, see [ViewSpace.place]
  * @param margin how far the grid extends beyond the raster, pixels

@@ -6,9 +6,9 @@ import dev.lazyz.FillRule
  * Finds the parts of a straight edge that faces hide. One edge at a time: [begin], then [behindTriangle] and
  * [behindPolygon] for each face that could be in front of it. Not thread safe.
  *
- * A point is hidden by a triangle if the ray from the camera meets the triangle before it. In [ViewSpace] these are four
- * conditions, each linear along the edge: it is inside three planes through the camera, and behind that of the triangle.
- * So the hidden part is an interval, exact up to the rounding of double precision, at any resolution.
+ * A point is hidden by a triangle if the ray from the camera meets the triangle before it. In [ViewSpace] these are
+ * four conditions, each linear along the edge: it is inside three planes through the camera, and behind that of the
+ * triangle. So the hidden part is an interval, exact up to the rounding of double precision, at any resolution.
  *
  * Faces of which the edge is a side do not hide it. If a face has one end of the edge as a vertex, the distance of that
  * end from the face is 0 by definition, and not what rounding makes of it. Other faces hide only what is behind them by

@@ -8,9 +8,9 @@ import dev.lazyz.raster.RowHull
 import dev.lazyz.raster.ScreenGrid
 
 /**
- * A straight line with round ends on the raster, in front of all surfaces: a quad around its snapped ends, and a disc at
- * each of them. Coverage is exact: the samples of a row from the first to the last that one of the three covers, by the
- * rules of the contract for edges. A line of the width of a sample or more has no gaps. Immutable and thread safe.
+ * A straight line with round ends on the raster, in front of all surfaces: a quad around its snapped ends, and a disc
+ * at each of them. Coverage is exact: the samples of a row from the first to the last that one of the three covers, by
+ * the rules of the contract for edges. A line of the width of a sample or more has no gaps. Immutable and thread safe.
  *
  * @param pen what all strokes of a drawing share
  * @param x0 column position of the first end on the 1/256 pixel grid; y0, x1 and y1 likewise

@@ -9,8 +9,8 @@ import org.joml.Vector3d
  * Space as [camera] shows it on [raster]: four numbers for each point, in which straight lines are straight.
  *
  * A point at column px and row py of the raster, in pixels, is (px w, py w, w, h). What the camera sees along one ray
- * has the same px and py, and the greater of two h / w is nearer. Under perspective, w is the distance along the line of
- * sight and h is 1; otherwise w is 1 and h is the negative distance. Immutable and thread safe.
+ * has the same px and py, and the greater of two h / w is nearer. Under perspective, w is the distance along the line
+ * of sight and h is 1; otherwise w is 1 and h is the negative distance. Immutable and thread safe.
  */
 internal class ViewSpace(val raster: Raster, private val camera: Camera) {
     /** Whether w differs between points. */

@@ -5,8 +5,8 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * A plane that cuts a scene. What is on the side that [normal] points to is removed: all points p whose product with the
- * normal, at unit length, is greater than [distance]. Immutable.
+ * A plane that cuts a scene. What is on the side that [normal] points to is removed: all points p whose product with
+ * the normal, at unit length, is greater than [distance]. Immutable.
  *
  * @param normal points to the removed side, of any length
  * @property distance distance of the plane from the world's origin along the normal, world units

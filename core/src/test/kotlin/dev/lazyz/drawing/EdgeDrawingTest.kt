@@ -55,8 +55,8 @@ class EdgeDrawingTest {
         Mesh(floatArrayOf(x0, y0, z, x1, y0, z, x1, y1, z, x0, y1, z), intArrayOf(0, 1, 2, 0, 2, 3), plain)
 
     /**
-     * An edge of a convex solid is visible if one of its faces shows its front. All pixels that contain a point of it are
-     * drawn, and pixels away from visible edges are not.
+     * An edge of a convex solid is visible if one of its faces shows its front. All pixels that contain a point of it
+     * are drawn, and pixels away from visible edges are not.
      */
     @Test
     fun aConvexSolidShowsItsVisibleEdges() {
