@@ -60,7 +60,7 @@ public class SuperSampling(public val factor: Int) {
         require(pixels.width <= widest && pixels.height <= widest) {
             "with $factor x $factor samples a pixel, a side has at most $widest pixels: ${pixels.width} x ${pixels.height}"
         }
-        val magnified = Scene(scene.surfaces.map { magnified(it) }, scene.lights, scene.viewpoint, scene.background)
+        val magnified = scene.withSurfaces(scene.surfaces.map { magnified(it) })
         return magnified.frame(pixels.withSize(pixels.width * factor, pixels.height * factor), options)
     }
 

@@ -23,12 +23,22 @@ public enum class TextureWrap {
     MIRROR,
 }
 
+/** What the red, green and blue codes of a [Texture] mean. Alpha is always linear. */
+public enum class TextureEncoding {
+    /** Colours, encoded by the sRGB curve. */
+    SRGB,
+
+    /** Numbers in 0..1, code / 255, such as components of normals or roughness. */
+    LINEAR,
+}
+
 /**
  * An image that colours a surface.
  *
  * Texture coordinates: u increases to the right and v downward; (0, 0) is the upper left corner of the upper left texel
  * and (1, 1) the lower right corner of the lower right one. This is the convention of glTF; a v of OBJ becomes `1 - v`.
- * Texels are 8-bit sRGB with straight alpha, `0xAARRGGBB`, in rows from the top. Filtering uses linear light. There are
+ * Texels are 8-bit codes with straight alpha, `0xAARRGGBB`, in rows from the top; colours are sRGB unless [encoding] says
+ * otherwise. Filtering uses decoded values, for colours linear light. There are
  * no mipmaps, because the contract requires one lookup for each sample (rule 6.6).
  *
  * The texels are not copied: immutable and thread safe if the caller does not change the array.
@@ -40,6 +50,7 @@ public enum class TextureWrap {
  * @property wrapU sampling outside 0..1 in the direction of u
  * @property wrapV sampling outside 0..1 in the direction of v
  * @property name name for messages and files
+ * @property encoding what the codes of red, green and blue mean
  * @throws IllegalArgumentException if a side is not positive or [argb] does not hold width x height texels
  */
 public class Texture @JvmOverloads constructor(
@@ -50,6 +61,7 @@ public class Texture @JvmOverloads constructor(
     public val wrapU: TextureWrap = TextureWrap.REPEAT,
     public val wrapV: TextureWrap = TextureWrap.REPEAT,
     public val name: String = "",
+    public val encoding: TextureEncoding = TextureEncoding.SRGB,
 ) {
     init {
         require(width > 0 && height > 0) { "texture must have at least one texel: $width x $height" }
@@ -66,10 +78,17 @@ public class Texture @JvmOverloads constructor(
 
     /** Returns this texture with other sampling rules; the texels are shared. */
     public fun withSampling(filter: TextureFilter, wrapU: TextureWrap, wrapV: TextureWrap): Texture =
-        Texture(width, height, argb, filter, wrapU, wrapV, name)
+        Texture(width, height, argb, filter, wrapU, wrapV, name, encoding)
 
     /** Returns this texture with another [name]; the texels are shared. */
-    public fun withName(name: String): Texture = Texture(width, height, argb, filter, wrapU, wrapV, name)
+    public fun withName(name: String): Texture = Texture(width, height, argb, filter, wrapU, wrapV, name, encoding)
+
+    /** Returns this texture with another [encoding]; the texels are shared. */
+    public fun withEncoding(encoding: TextureEncoding): Texture =
+        if (encoding == this.encoding) this else Texture(width, height, argb, filter, wrapU, wrapV, name, encoding)
+
+    /** The value of each code of red, green and blue. */
+    private val valueOfCode = if (encoding == TextureEncoding.SRGB) Srgb.linearOfCode else LINEAR
 
     /**
      * Samples the texture at ([u], [v]) and stores red, green, blue (linear light) and alpha, each in 0..1, in [out] at
@@ -129,10 +148,14 @@ public class Texture @JvmOverloads constructor(
     }
 
     private fun channelOf(texel: Int, channel: Int): Float = when (channel) {
-        0 -> Srgb.decode(texel ushr 16 and 0xFF)
-        1 -> Srgb.decode(texel ushr 8 and 0xFF)
-        2 -> Srgb.decode(texel and 0xFF)
+        0 -> valueOfCode[texel ushr 16 and 0xFF]
+        1 -> valueOfCode[texel ushr 8 and 0xFF]
+        2 -> valueOfCode[texel and 0xFF]
         else -> (texel ushr 24) / 255f
+    }
+
+    private companion object {
+        val LINEAR = FloatArray(256) { it / 255f }
     }
 
     override fun toString(): String = "Texture($width x $height, $filter, $wrapU, $wrapV, \"$name\")"

@@ -13,6 +13,7 @@ import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.world.Material
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Shading
+import dev.lazyz.world.ToneMapping
 
 /** Reads the input that [subject] names, and creates the frame that the options describe. */
 internal class FrameSource(private val subject: Subject, private val streams: Streams) {
@@ -47,7 +48,8 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         }
         val pointOfView = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
         val seen = subject.sizes.applyTo(pointOfView.applyTo(upright))
-        val scene = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
+        val shaded = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
+        val scene = toned(shaded)
 
         // The camera is fitted to the whole raster. The picture may be a part of it
         val raster = raster(scene, loaded)
@@ -70,9 +72,16 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         }
     }
 
-    /** Replaces the shading of [material]. Removes its custom shader, too, which would take precedence. */
+    /** Replaces the shading of [material]. Removes whatever would take precedence. */
     private fun shaded(material: Material, shading: Shading): Material =
-        material.withShading(shading).withShader(null)
+        material.withShading(shading).withShader(null).withMetallicRoughness(null)
+
+    /** Replaces what the user asked for of the tone mapping that [scene] would have. */
+    private fun toned(scene: Scene): Scene {
+        if (subject.toneCurve == null && subject.exposure == null) return scene
+        val own = scene.effectiveToneMapping
+        return scene.withToneMapping(ToneMapping(subject.toneCurve ?: own.curve, subject.exposure ?: own.exposure))
+    }
 
     private fun raster(scene: Scene, loaded: LoadedScene): Raster {
         val size = subject.size ?: loaded.size ?: DEFAULT_SIZE

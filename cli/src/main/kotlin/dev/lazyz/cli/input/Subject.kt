@@ -7,6 +7,7 @@ import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Shading
+import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.UpAxis
 
 /** How to render translucent materials. */
@@ -27,6 +28,8 @@ internal class Subject(
     val samples: Int,
     val background: Rgba?,
     val shading: Shading?,
+    val toneCurve: ToneCurve?,
+    val exposure: Double?,
     val sizes: PixelSizes,
     val translucency: Translucency,
     val depthConvention: DepthConvention?,

@@ -21,6 +21,8 @@ import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Fit
 import dev.lazyz.world.Points
 import dev.lazyz.world.Shading
+import dev.lazyz.world.ToneCurve
+import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.UpAxis
 
 /** The help text of INPUT. */
@@ -46,6 +48,8 @@ internal fun subject(
         samples = picture.samples,
         background = picture.background,
         shading = picture.shading,
+        toneCurve = picture.toneCurve,
+        exposure = picture.exposure,
         sizes = PixelSizes(picture.pointSize, picture.lineWidth),
         translucency = if (picture.isOpaque) Translucency.OPAQUE else Translucency.BLENDED,
         depthConvention = picture.depthConvention,
@@ -99,6 +103,17 @@ internal class PictureOptions : OptionGroup("Picture") {
 
     val shading by option("--shading", help = "Replace the shading of all materials: ${names(shadings.keys)}")
         .oneOf("SHADING", shadings)
+
+    val toneCurve by option(
+        "--tone-map",
+        help = "How bright light is compressed: ${names(toneCurves.keys)}; default: the scene file's, neutral for " +
+            "scenes with metallic-roughness materials, or none",
+    ).oneOf("CURVE", toneCurves)
+
+    val exposure by option(
+        "--exposure",
+        help = "Brighten by this number of stops, -20..20: 1 doubles the light; default: the scene file's, or 0",
+    ).number("EV", -ToneMapping.MAX_EXPOSURE..ToneMapping.MAX_EXPOSURE, " stops")
 
     val pointSize by option("--point-size", help = "Size of points in pixels, up to 4096; default: the input's, or 2")
         .number("PX", LEAST_SIZE..Points.MAX_SIZE.toDouble(), " pixels")
@@ -172,6 +187,8 @@ private const val LEAST_SIZE = 0.001
 private val formats = SceneFormat.entries.associateBy { it.id }
 
 private val upAxes = UpAxis.entries.associateBy { it.id }
+
+private val toneCurves = ToneCurve.entries.associateBy { it.name.lowercase() }
 
 private val shadings = Shading.entries.associateBy { it.name.lowercase().replace('_', '-') }
 

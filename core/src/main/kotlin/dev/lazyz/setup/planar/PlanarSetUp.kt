@@ -105,15 +105,12 @@ internal class PlanarSetUp(
         hasColors: Boolean,
         mesh: Mesh? = null,
     ): FaceSetUp {
-        val isPrelit = material.shader == null &&
-            (material.shading == Shading.FLAT || material.shading == Shading.GOURAUD)
-        val isLit =
-            material.shader != null || material.shading == Shading.PHONG || material.shading == Shading.BLINN_PHONG
+        val isPrelit = material.isLitEarly
         var fields = 0
-        if (isLit) fields = fields or Attributes.WORLD or Attributes.NORMAL
-        if (hasUvs && (material.texture != null || material.shader != null)) fields = fields or Attributes.UV
+        if (material.isLitLate) fields = fields or Attributes.WORLD or Attributes.NORMAL
+        if (hasUvs && (material.maps.isNotEmpty() || material.shader != null)) fields = fields or Attributes.UV
         if (hasColors || isPrelit) fields = fields or Attributes.COLOR
-        val usesFaceNormal = !hasNormals || (material.shader == null && material.shading == Shading.FLAT)
+        val usesFaceNormal = !hasNormals || (isPrelit && material.shading == Shading.FLAT)
         val shader = MaterialShader(material, lighting, isPrelit)
         return FaceSetUp(stage, material, shader, fields, isPrelit, usesFaceNormal, mesh)
     }

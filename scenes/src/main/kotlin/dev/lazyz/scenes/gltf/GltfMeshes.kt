@@ -48,12 +48,12 @@ internal class GltfMeshes(
         document.source.loading.vertices(document.source, count.toLong())
         val normals = vertices.floats("NORMAL", ElementType.VEC3)
         val material = materials.material(primitive.material, "$where.material")
-        val set = "TEXCOORD_${material.texCoordSet}"
-        val uvs = vertices.floats(set, ElementType.VEC2)
-        vertices.countUnused(set)
+        val sets = material.texCoordSets.map { "TEXCOORD_$it" }
+        val uvs = sets.getOrNull(0)?.let { vertices.floats(it, ElementType.VEC2) }
+        vertices.countUnused(sets)
         val colors = vertices.floats("COLOR_0", ElementType.VEC3, ElementType.VEC4)?.let { opaque(it, count) }
         vertices.checkCount(normals, 3, count, "$here.NORMAL")
-        vertices.checkCount(uvs, 2, count, "$here.$set")
+        vertices.checkCount(uvs, 2, count, "$here.${sets.getOrNull(0)}")
         vertices.checkCount(colors, 4, count, "$here.COLOR_0")
         val indices = indices(vertices, count, where)
         if (mode < GltfTriangles.TRIANGLES) {
@@ -68,9 +68,9 @@ internal class GltfMeshes(
         return Mesh(
             positions,
             triangles(mode, indices, where),
-            if (uvs == null) material.material.withTexture(null) else material.material,
+            if (uvs == null) material.material.withoutMaps() else material.material,
             normals,
-            uvs?.let(material.transform::applyTo),
+            uvs,
             colors,
         )
     }
