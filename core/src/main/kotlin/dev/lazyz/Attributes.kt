@@ -13,4 +13,13 @@ internal object Attributes {
 
     /** Vertex colour: red, green, blue, alpha. */
     const val COLOR: Int = 8
+
+    /** Texture coordinates of the second set: u2, v2. */
+    const val UV2: Int = 16
+
+    /** Tangent: x, y, z and handedness. */
+    const val TANGENT: Int = 32
+
+    /** Derivatives of the texture coordinates that the fragment has, see [UvFootprint]. */
+    const val FOOTPRINT: Int = 64
 }

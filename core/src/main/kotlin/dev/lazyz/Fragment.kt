@@ -51,6 +51,68 @@ public class Fragment {
     @JvmField
     public var v: Float = 0f
 
+    /** Texture coordinates of the second set, see [u] and [v]. Default 0. */
+    @JvmField
+    public var u2: Float = 0f
+
+    /** See [u2]. */
+    @JvmField
+    public var v2: Float = 0f
+
+    /**
+     * How [u] changes from this sample to the next column, for filters of textures. Set if the material has a texture
+     * with a `MipFilter`. Default 0.
+     */
+    @JvmField
+    public var dudx: Float = 0f
+
+    /** How [v] changes from this sample to the next column, see [dudx]. */
+    @JvmField
+    public var dvdx: Float = 0f
+
+    /** How [u] changes from this sample to the next row, see [dudx]. */
+    @JvmField
+    public var dudy: Float = 0f
+
+    /** How [v] changes from this sample to the next row, see [dudx]. */
+    @JvmField
+    public var dvdy: Float = 0f
+
+    /** As [dudx], for [u2]. */
+    @JvmField
+    public var du2dx: Float = 0f
+
+    /** As [dvdx], for [v2]. */
+    @JvmField
+    public var dv2dx: Float = 0f
+
+    /** As [dudy], for [u2]. */
+    @JvmField
+    public var du2dy: Float = 0f
+
+    /** As [dvdy], for [v2]. */
+    @JvmField
+    public var dv2dy: Float = 0f
+
+    /**
+     * Interpolated tangent in world space, not renormalised: the direction in which [u] increases. Reversed together
+     * with the normal. Default 0.
+     */
+    @JvmField
+    public var tangentX: Float = 0f
+
+    /** See [tangentX]. */
+    @JvmField
+    public var tangentY: Float = 0f
+
+    /** See [tangentX]. */
+    @JvmField
+    public var tangentZ: Float = 0f
+
+    /** Sign of the bitangent: cross(normal, tangent) times this. Reversed together with the normal. Default 0. */
+    @JvmField
+    public var tangentW: Float = 0f
+
     /** Interpolated vertex colour, linear light. Default 1. */
     @JvmField
     public var vertexRed: Float = 1f
@@ -112,6 +174,20 @@ public class Fragment {
         normalZ = 0f
         u = 0f
         v = 0f
+        u2 = 0f
+        v2 = 0f
+        dudx = 0f
+        dvdx = 0f
+        dudy = 0f
+        dvdy = 0f
+        du2dx = 0f
+        dv2dx = 0f
+        du2dy = 0f
+        dv2dy = 0f
+        tangentX = 0f
+        tangentY = 0f
+        tangentZ = 0f
+        tangentW = 0f
         vertexRed = 1f
         vertexGreen = 1f
         vertexBlue = 1f

@@ -56,6 +56,62 @@ public class FragmentBatch internal constructor(capacity: Int) {
     @JvmField
     public val v: FloatArray = FloatArray(capacity)
 
+    /** Texture coordinates of the second set; see [Fragment.u2]. */
+    @JvmField
+    public val u2: FloatArray = FloatArray(capacity)
+
+    /** See [u2]. */
+    @JvmField
+    public val v2: FloatArray = FloatArray(capacity)
+
+    /** Derivatives of [u] by columns; see [Fragment.dudx]. */
+    @JvmField
+    public val dudx: FloatArray = FloatArray(capacity)
+
+    /** Derivatives of [v] by columns. */
+    @JvmField
+    public val dvdx: FloatArray = FloatArray(capacity)
+
+    /** Derivatives of [u] by rows. */
+    @JvmField
+    public val dudy: FloatArray = FloatArray(capacity)
+
+    /** Derivatives of [v] by rows. */
+    @JvmField
+    public val dvdy: FloatArray = FloatArray(capacity)
+
+    /** Derivatives of [u2] by columns. */
+    @JvmField
+    public val du2dx: FloatArray = FloatArray(capacity)
+
+    /** Derivatives of [v2] by columns. */
+    @JvmField
+    public val dv2dx: FloatArray = FloatArray(capacity)
+
+    /** Derivatives of [u2] by rows. */
+    @JvmField
+    public val du2dy: FloatArray = FloatArray(capacity)
+
+    /** Derivatives of [v2] by rows. */
+    @JvmField
+    public val dv2dy: FloatArray = FloatArray(capacity)
+
+    /** Interpolated tangents in world space; see [Fragment.tangentX]. */
+    @JvmField
+    public val tangentX: FloatArray = FloatArray(capacity)
+
+    /** See [tangentX]. */
+    @JvmField
+    public val tangentY: FloatArray = FloatArray(capacity)
+
+    /** See [tangentX]. */
+    @JvmField
+    public val tangentZ: FloatArray = FloatArray(capacity)
+
+    /** Signs of the bitangents; see [Fragment.tangentW]. */
+    @JvmField
+    public val tangentW: FloatArray = FloatArray(capacity)
+
     /** Interpolated vertex colours, linear light. */
     @JvmField
     public val vertexRed: FloatArray = FloatArray(capacity)
@@ -98,7 +154,7 @@ public class FragmentBatch internal constructor(capacity: Int) {
         private set
 
     /** Bytes of the arrays. */
-    internal val bytes: Long get() = 18L * Int.SIZE_BYTES * x.size
+    internal val bytes: Long get() = 32L * Int.SIZE_BYTES * x.size
 
     /** Starts a batch whose fragments have the attributes [fields], a combination of the bits in [Attributes]. */
     internal fun begin(fields: Int) {
@@ -108,6 +164,13 @@ public class FragmentBatch internal constructor(capacity: Int) {
         if (stale and Attributes.WORLD != 0) for (array in listOf(worldX, worldY, worldZ)) array.fill(0f)
         if (stale and Attributes.NORMAL != 0) for (array in listOf(normalX, normalY, normalZ)) array.fill(0f)
         if (stale and Attributes.UV != 0) for (array in listOf(u, v)) array.fill(0f)
+        if (stale and Attributes.UV2 != 0) for (array in listOf(u2, v2)) array.fill(0f)
+        if (stale and Attributes.TANGENT != 0) {
+            for (array in listOf(tangentX, tangentY, tangentZ, tangentW)) array.fill(0f)
+        }
+        if (stale and Attributes.FOOTPRINT != 0) {
+            for (array in listOf(dudx, dvdx, dudy, dvdy, du2dx, dv2dx, du2dy, dv2dy)) array.fill(0f)
+        }
         if (stale and Attributes.COLOR != 0) {
             for (array in listOf(vertexRed, vertexGreen, vertexBlue, vertexAlpha)) array.fill(1f)
         }
@@ -149,6 +212,24 @@ public class FragmentBatch internal constructor(capacity: Int) {
         fragment.vertexGreen = vertexGreen[i]
         fragment.vertexBlue = vertexBlue[i]
         fragment.vertexAlpha = vertexAlpha[i]
+        if (fields and SELDOM != 0) moveSeldom(fragment, i)
+    }
+
+    private fun moveSeldom(fragment: Fragment, i: Int) {
+        fragment.u2 = u2[i]
+        fragment.v2 = v2[i]
+        fragment.dudx = dudx[i]
+        fragment.dvdx = dvdx[i]
+        fragment.dudy = dudy[i]
+        fragment.dvdy = dvdy[i]
+        fragment.du2dx = du2dx[i]
+        fragment.dv2dx = dv2dx[i]
+        fragment.du2dy = du2dy[i]
+        fragment.dv2dy = dv2dy[i]
+        fragment.tangentX = tangentX[i]
+        fragment.tangentY = tangentY[i]
+        fragment.tangentZ = tangentZ[i]
+        fragment.tangentW = tangentW[i]
     }
 
     /** Shades the single [fragment] as a batch of size 1, and copies the colour back to it. */
@@ -168,6 +249,20 @@ public class FragmentBatch internal constructor(capacity: Int) {
         vertexGreen[0] = fragment.vertexGreen
         vertexBlue[0] = fragment.vertexBlue
         vertexAlpha[0] = fragment.vertexAlpha
+        u2[0] = fragment.u2
+        v2[0] = fragment.v2
+        dudx[0] = fragment.dudx
+        dvdx[0] = fragment.dvdx
+        dudy[0] = fragment.dudy
+        dvdy[0] = fragment.dvdy
+        du2dx[0] = fragment.du2dx
+        dv2dx[0] = fragment.dv2dx
+        du2dy[0] = fragment.du2dy
+        dv2dy[0] = fragment.dv2dy
+        tangentX[0] = fragment.tangentX
+        tangentY[0] = fragment.tangentY
+        tangentZ[0] = fragment.tangentZ
+        tangentW[0] = fragment.tangentW
         alpha[0] = 1f
         shader.shade(this)
         fragment.setColor(red[0], green[0], blue[0], alpha[0])
@@ -198,6 +293,7 @@ public class FragmentBatch internal constructor(capacity: Int) {
             require(size in 1..CAPACITY) { "size must be in 1..$CAPACITY: $size" }
             val batch = FragmentBatch(CAPACITY)
             batch.begin(0)
+            batch.fields = SELDOM
             batch.size = size
             batch.alpha.fill(1f)
             return batch
@@ -207,6 +303,9 @@ public class FragmentBatch internal constructor(capacity: Int) {
          * Unused elements after the last fragment of a full batch: the maximum number of lanes of a vector, minus one.
          */
         internal const val SPARE: Int = 64 - 1
+
+        /** Attributes that few materials use. */
+        private const val SELDOM = Attributes.UV2 or Attributes.TANGENT or Attributes.FOOTPRINT
 
         /** Length of an array that is written in whole vectors. */
         internal const val ROOM: Int = CAPACITY + SPARE

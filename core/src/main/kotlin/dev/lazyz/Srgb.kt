@@ -7,8 +7,7 @@ package dev.lazyz
  * [StrictMath], so that no call depends on a library's `pow` (contract rule 6.3).
  */
 internal object Srgb {
-    /** The linear value of each 8-bit code. */
-    val linearOfCode: FloatArray = FloatArray(256) { decode(it / 255.0).toFloat() }
+    private val linearOfCode = FloatArray(256) { decode(it / 255.0).toFloat() }
 
     /** `threshold[k]` is the smallest linear value whose code is at least k. */
     private val threshold = FloatArray(257) {

@@ -6,6 +6,7 @@ import dev.lazyz.world.FrameBuilder
 import dev.lazyz.world.Light
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
+import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Shading
@@ -47,7 +48,7 @@ object SampleScenes {
         for (shading in Shading.entries) {
             val material = Material(
                 Rgba(random.nextFloat(), random.nextFloat(), random.nextFloat(), 0.5f + random.nextFloat() / 2),
-                texture = if (random.nextBoolean()) checks else null,
+                texture = if (random.nextBoolean()) checks.withMipFilter(filterFor(shading)) else null,
                 shading = shading,
                 specular = Rgba(0.5f, 0.4f, 0.3f),
                 shininess = 1 + random.nextInt(40),
@@ -67,6 +68,8 @@ object SampleScenes {
         )
         return Scene(surfaces, lights, camera)
     }
+
+    private fun filterFor(shading: Shading): MipFilter = MipFilter.entries[shading.ordinal % MipFilter.entries.size]
 
     private fun star(material: Material): Polygon {
         val points = List(5) {

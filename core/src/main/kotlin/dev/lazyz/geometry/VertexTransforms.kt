@@ -70,6 +70,29 @@ internal object VertexTransforms {
     }
 
     /**
+     * Returns tangents, x, y, z and handedness for each, transformed by [m], at unit length. A reflection reverses the
+     * handedness.
+     */
+    fun tangents(from: FloatArray, m: Matrix4dc): FloatArray {
+        val sign = if (isMirror(m)) -1f else 1f
+        val to = FloatArray(from.size)
+        for (i in to.indices step 4) {
+            val x = from[i].toDouble()
+            val y = from[i + 1].toDouble()
+            val z = from[i + 2].toDouble()
+            unit(
+                m.m00() * x + m.m10() * y + m.m20() * z,
+                m.m01() * x + m.m11() * y + m.m21() * z,
+                m.m02() * x + m.m12() * y + m.m22() * z,
+                to,
+                i,
+            )
+            to[i + 3] = sign * from[i + 3]
+        }
+        return to
+    }
+
+    /**
      * The cofactor matrix: the inverse transpose times the determinant. The transform is a reflection if the
      * determinant is negative.
      */

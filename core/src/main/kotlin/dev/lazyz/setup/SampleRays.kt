@@ -15,6 +15,12 @@ internal class SampleRays(private val camera: Camera, private val viewport: View
     private val halfHeight = camera.halfHeight()
     private val halfWidth = halfHeight * (width.toDouble() / height)
 
+    /** How px changes to the next column. */
+    val columnStep: Double = if (isScreen) 1.0 else 2.0 * halfWidth / width
+
+    /** How py changes to the next row. */
+    val rowStep: Double = if (isScreen) -1.0 else -2.0 * halfHeight / height
+
     fun px(x: Int): Double = if (isScreen) x + 0.5 else ((2 * x + 1).toDouble() / width - 1.0) * halfWidth
 
     fun py(y: Int): Double = if (isScreen) -(y + 0.5) else (1.0 - (2 * y + 1).toDouble() / height) * halfHeight

@@ -3,11 +3,13 @@ package dev.lazyz.setup
 import dev.lazyz.Fragment
 import dev.lazyz.Shader
 import dev.lazyz.Spans
+import dev.lazyz.geometry.Vectors
 import dev.lazyz.shading.AttributedPrimitive
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Sides
 import dev.lazyz.world.Sphere
+import org.joml.Vector3d
 
 /**
  * A sphere on the raster. For each sample, the ray through it is intersected with the sphere (contract rule 2.6).
@@ -112,6 +114,45 @@ internal class SpherePrimitive private constructor(
         fragment.normalZ = (sign * normal.z).toFloat()
         fragment.u = (0.5 + StrictMath.atan2(normal.x, normal.z) / (2.0 * StrictMath.PI)).toFloat()
         fragment.v = (StrictMath.acos(normal.y.coerceIn(-1.0, 1.0)) / StrictMath.PI).toFloat()
+        if (sphere.material.usesFootprint) footprint(fragment, scale, normal)
+    }
+
+    /**
+     * Sets the derivatives of the texture coordinates. When the ray turns to the next sample, the point moves in the
+     * tangent plane.
+     *
+     * @param scale distance of the point for perspective, otherwise 1
+     * @param normal the outward normal, world space
+     */
+    private fun footprint(fragment: Fragment, scale: Double, normal: Vector3d) {
+        val ray = if (isPerspective) {
+            camera.toWorldDirection(rays.px(fragment.x), rays.py(fragment.y), -1.0)
+        } else {
+            camera.toWorldDirection(0.0, 0.0, -1.0)
+        }
+        val across = Vectors.dot(ray, normal)
+        val aroundAxis = normal.x * normal.x + normal.z * normal.z
+        val fromAxis = StrictMath.sqrt(aroundAxis)
+        slopes(camera.toWorldDirection(rays.columnStep * scale, 0.0, 0.0), ray, across, normal) { x, y, z ->
+            fragment.dudx = ((normal.z * x - normal.x * z) / aroundAxis / (2.0 * StrictMath.PI)).toFloat()
+            fragment.dvdx = (-y / fromAxis / StrictMath.PI).toFloat()
+        }
+        slopes(camera.toWorldDirection(0.0, rays.rowStep * scale, 0.0), ray, across, normal) { x, y, z ->
+            fragment.dudy = ((normal.z * x - normal.x * z) / aroundAxis / (2.0 * StrictMath.PI)).toFloat()
+            fragment.dvdy = (-y / fromAxis / StrictMath.PI).toFloat()
+        }
+    }
+
+    /** Passes the change of the normal to [use], if the point moves by [step] and then along [ray] to the sphere. */
+    private inline fun slopes(
+        step: Vector3d,
+        ray: Vector3d,
+        across: Double,
+        normal: Vector3d,
+        use: (x: Double, y: Double, z: Double) -> Unit,
+    ) {
+        val along = Vectors.dot(step, normal) / across
+        use((step.x - along * ray.x) / radius, (step.y - along * ray.y) / radius, (step.z - along * ray.z) / radius)
     }
 
     /** A quarter of the discriminant of the intersection; negative if the ray misses the sphere. */

@@ -162,7 +162,7 @@ internal class MaterialShader(
      * scratch memory of 6 numbers.
      */
     fun litColor(vertices: Vertices, vertex: Int, light: FloatArray) {
-        val at = Vertices.STRIDE * vertex
+        val at = vertices.stride * vertex
         val data = vertices.data
         lighting.illuminate(
             material,

@@ -2,6 +2,7 @@ package dev.lazyz.world
 
 import dev.lazyz.Rgba
 import dev.lazyz.Shader
+import java.util.function.IntPredicate
 
 /** Where on a surface light is evaluated. */
 public enum class Shading {
@@ -150,6 +151,9 @@ public class Material private constructor(
             listOfNotNull(metallicRoughness?.map?.takeIf { isPhysical }, normalMap?.map, occlusionMap?.map)
         }
 
+    /** Whether textures are read with the derivatives of their coordinates. */
+    internal val usesFootprint: Boolean get() = maps.any { it.texture.mipFilter != MipFilter.NONE }
+
     /** Returns this material with another [baseColor]. */
     public fun withBaseColor(baseColor: Rgba): Material = copy(baseColor = baseColor)
 
@@ -175,15 +179,38 @@ public class Material private constructor(
     /** Returns this material with another texture that multiplies [emission], or without one. */
     public fun withEmissionMap(emissionMap: TextureMap?): Material = copy(emissionMap = emissionMap)
 
-    /** Returns this material without any map or texture, for a surface without texture coordinates. */
-    public fun withoutMaps(): Material {
-        val own = metallicRoughness?.let { if (it.map == null) it else MetallicRoughness(it.metallic, it.roughness) }
+    /** Returns this material with the [mipFilter] in the textures of all its maps. */
+    public fun withMipFilter(mipFilter: MipFilter): Material {
+        fun filtered(map: TextureMap) = map.withTexture(map.texture.withMipFilter(mipFilter))
         return copy(
-            textureMap = null,
-            metallicRoughness = own,
-            normalMap = null,
-            occlusionMap = null,
-            emissionMap = null,
+            textureMap = textureMap?.let(::filtered),
+            metallicRoughness = metallicRoughness?.let {
+                MetallicRoughness(it.metallic, it.roughness, it.map?.let(::filtered))
+            },
+            normalMap = normalMap?.let { NormalMap(filtered(it.map), it.scale) },
+            occlusionMap = occlusionMap?.let { OcclusionMap(filtered(it.map), it.strength) },
+            emissionMap = emissionMap?.let(::filtered),
+        )
+    }
+
+    /** Returns this material without any map or texture, for a surface without texture coordinates. */
+    public fun withoutMaps(): Material = withMapsOf { false }
+
+    /**
+     * Returns this material with those maps only whose set of texture coordinates, 0 or 1, a surface has.
+     *
+     * @param hasUvSet whether the surface has the set of this number
+     */
+    public fun withMapsOf(hasUvSet: IntPredicate): Material {
+        fun isKept(map: TextureMap) = hasUvSet.test(map.uvSet)
+        return copy(
+            textureMap = textureMap?.takeIf(::isKept),
+            metallicRoughness = metallicRoughness?.let {
+                MetallicRoughness(it.metallic, it.roughness, it.map?.takeIf(::isKept))
+            },
+            normalMap = normalMap?.takeIf { isKept(it.map) },
+            occlusionMap = occlusionMap?.takeIf { isKept(it.map) },
+            emissionMap = emissionMap?.takeIf(::isKept),
         )
     }
 

@@ -12,9 +12,9 @@ import org.joml.Vector3dc
 /**
  * Triangles that share vertices and have one material.
  *
- * [positions], [normals], [uvs] and [colors] are indexed by vertex. [triangles] has three vertex numbers for each
- * triangle, counter-clockwise seen from outside. Positions can be NaN or infinite: a triangle with such a vertex covers
- * nothing. The arrays are not copied; do not change them. Thread safe.
+ * [positions], [normals], [uvs], [colors], [uvs2] and [tangents] are indexed by vertex. [triangles] has three vertex
+ * numbers for each triangle, counter-clockwise seen from outside. Positions can be NaN or infinite: a triangle with such
+ * a vertex covers nothing. The arrays are not copied; do not change them. Thread safe.
  *
  * @property positions x, y, z for each vertex, world space, relative to [origin]
  * @property triangles three vertex numbers for each triangle; the order of triangles is the submission order
@@ -24,6 +24,9 @@ import org.joml.Vector3dc
  * @property colors red, green, blue, alpha for each vertex, linear light; null means white
  * @param origin added to all positions; must be finite. It keeps the details of a mesh that is far from the world's
  *   origin, for example in map coordinates, where 32-bit positions are too coarse
+ * @property uvs2 a second set of [uvs], for shaders that read textures with different coordinates; null means none
+ * @property tangents x, y, z, w for each vertex, as in glTF: the direction in which u increases, of any length, and the
+ *   sign, 1 or -1, of the bitangent, cross(normal, tangent) times w. Null means none
  * @throws IllegalArgumentException if an array has the wrong length, a vertex number is out of range, or [origin] is
  *   not finite
  */
@@ -35,6 +38,8 @@ public class Mesh @JvmOverloads constructor(
     public val uvs: FloatArray? = null,
     public val colors: FloatArray? = null,
     origin: Vector3dc = Vectors.ZERO,
+    public val uvs2: FloatArray? = null,
+    public val tangents: FloatArray? = null,
 ) : Surface {
     /** The origin of [positions], world space: it is added to each of them. */
     public val origin: Vector3dc = if (origin === Vectors.ZERO) origin else Vector3d(origin)
@@ -58,6 +63,12 @@ public class Mesh @JvmOverloads constructor(
         require(colors == null || colors.size == 4 * vertexCount) {
             "colors must be four numbers a vertex: ${colors?.size} numbers for $vertexCount vertices"
         }
+        require(uvs2 == null || uvs2.size == 2 * vertexCount) {
+            "uvs2 must be one pair a vertex: ${uvs2?.size} numbers for $vertexCount vertices"
+        }
+        require(tangents == null || tangents.size == 4 * vertexCount) {
+            "tangents must be four numbers a vertex: ${tangents?.size} numbers for $vertexCount vertices"
+        }
         for (vertex in triangles) {
             require(vertex in 0 until vertexCount) { "vertex number must be in 0..${vertexCount - 1}: $vertex" }
         }
@@ -68,10 +79,15 @@ public class Mesh @JvmOverloads constructor(
     override fun primitives(setUp: SetUp): Sequence<Primitive> = setUp.mesh(this)
 
     override fun withMaterials(change: UnaryOperator<Material>): Mesh =
-        Mesh(positions, triangles, change.apply(material), normals, uvs, colors, origin)
+        Mesh(positions, triangles, change.apply(material), normals, uvs, colors, origin, uvs2, tangents)
 
     override fun withUpAxis(up: UpAxis): Mesh = Mesh(
-        up.toWorld(positions), triangles, material, normals?.let(up::toWorld), uvs, colors, up.toWorld(origin),
+        up.toWorld(positions), triangles, material,
+        normals?.let {
+            up.toWorld(it)
+        },
+        uvs, colors, up.toWorld(origin), uvs2,
+        tangents?.let { up.toWorld(it, 4) },
     )
 
     /** Returns the same mesh with positions relative to [origin]. */
@@ -79,12 +95,13 @@ public class Mesh @JvmOverloads constructor(
         this
     } else {
         val moved = VertexTransforms.relativeTo(origin, positions, this.origin)
-        Mesh(moved, triangles, material, normals, uvs, colors, origin)
+        Mesh(moved, triangles, material, normals, uvs, colors, origin, uvs2, tangents)
     }
 
     /**
-     * Returns this mesh transformed by an affine [transform]. Normals are transformed by the inverse transpose. A
-     * reflection also reverses the vertex order of every triangle, so that outside stays outside. If the result is far
+     * Returns this mesh transformed by an affine [transform]. Normals are transformed by the inverse transpose,
+     * tangents like directions. A reflection also reverses the vertex order of every triangle, so that outside stays
+     * outside, and the handedness of tangents. If the result is far
      * from the world's origin compared with its size, it gets an [origin] at its centre. Cost: linear in the size of
      * the mesh.
      */
@@ -99,7 +116,8 @@ public class Mesh @JvmOverloads constructor(
         val moved = VertexTransforms.origin(bounds, transform)
         val positions = VertexTransforms.positions(positions, origin, transform, moved)
         val normals = normals?.let { VertexTransforms.normals(it, transform) }
-        return Mesh(positions, corners, material, normals, uvs, colors, moved)
+        val tangents = tangents?.let { VertexTransforms.tangents(it, transform) }
+        return Mesh(positions, corners, material, normals, uvs, colors, moved, uvs2, tangents)
     }
 
     /**
@@ -113,6 +131,22 @@ public class Mesh @JvmOverloads constructor(
      */
     @JvmOverloads
     public fun withSmoothNormals(creaseAngle: Double = 45.0): Mesh = SmoothNormals(this, creaseAngle).mesh()
+
+    /**
+     * Returns this mesh with tangents computed from its texture coordinates, for a normal map at these coordinates; see
+     * [NormalMap]. A vertex at the seam of a mirrored texture is split. Vertices without an area in the texture get the
+     * tangent (0, 0, 0), so a normal map does not change their normals. Cost: linear in the size of the mesh.
+     *
+     * @param uvSet which texture coordinates: 0 for [uvs], 1 for [uvs2]
+     * @param transform the transform of the normal map
+     * @throws IllegalArgumentException if the mesh has no such texture coordinates
+     */
+    @JvmOverloads
+    public fun withTangents(uvSet: Int = 0, transform: UvTransform = UvTransform.IDENTITY): Mesh {
+        require(uvSet in 0..1) { "uvSet must be 0 or 1: $uvSet" }
+        val places = if (uvSet == 0) uvs else uvs2
+        return VertexTangents(this, requireNotNull(places) { "the mesh has no texture coordinates" }, transform).mesh()
+    }
 
     override fun toString(): String = "Mesh($vertexCount vertices, $triangleCount triangles, $material)"
 }

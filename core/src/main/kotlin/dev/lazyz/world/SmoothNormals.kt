@@ -64,6 +64,8 @@ internal class SmoothNormals(private val mesh: Mesh, private val creaseAngle: Do
             mesh.uvs?.let { gathered(it, sources, 2) },
             mesh.colors?.let { gathered(it, sources, 4) },
             mesh.origin,
+            mesh.uvs2?.let { gathered(it, sources, 2) },
+            mesh.tangents?.let { gathered(it, sources, 4) },
         )
     }
 

@@ -33,14 +33,17 @@ public enum class UpAxis(public val id: String, private val sources: IntArray, p
     /** Returns the point or direction [v] of a model with this axis up, in a world with y up. A new vector. */
     public fun toWorld(v: Vector3dc): Vector3d = Vector3d(component(v, 0), component(v, 1), component(v, 2))
 
-    /** Returns points or directions, three numbers each, in a world with y up. A new array, except for [Y]. */
-    internal fun toWorld(xyz: FloatArray): FloatArray = if (this == Y) {
+    /**
+     * Returns points or directions in a world with y up. Each is the first three of [stride] numbers; the others are
+     * kept. A new array, except for [Y].
+     */
+    internal fun toWorld(xyz: FloatArray, stride: Int = 3): FloatArray = if (this == Y) {
         xyz
     } else {
         FloatArray(xyz.size) {
-            val row = it % 3
-            val number = xyz[it - row + sources[row]]
-            if (signs[row] > 0) number else -number
+            val row = it % stride
+            val number = if (row < 3) xyz[it - row + sources[row]] else xyz[it]
+            if (row >= 3 || signs[row] > 0) number else -number
         }
     }
 

@@ -12,7 +12,6 @@ import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.world.Material
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
 import dev.lazyz.world.ToneMapping
 
 /** Reads the input that [subject] names, and creates the frame that the options describe. */
@@ -48,8 +47,7 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         }
         val pointOfView = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
         val seen = subject.sizes.applyTo(pointOfView.applyTo(upright))
-        val shaded = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
-        val scene = toned(shaded)
+        val scene = toned(if (subject.changesMaterials) seen.withMaterials(::changed) else seen)
 
         // The camera is fitted to the whole raster. The picture may be a part of it
         val raster = raster(scene, loaded)
@@ -72,9 +70,11 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         }
     }
 
-    /** Replaces the shading of [material]. Removes whatever would take precedence. */
-    private fun shaded(material: Material, shading: Shading): Material =
-        material.withShading(shading).withShader(null).withMetallicRoughness(null)
+    /** Applies the options that change [material]. What would take precedence over other shading is removed. */
+    private fun changed(material: Material): Material {
+        val shaded = subject.shading?.let { material.withShading(it).withShader(null).withMetallicRoughness(null) }
+        return (shaded ?: material).let { if (subject.mipFilter == null) it else it.withMipFilter(subject.mipFilter) }
+    }
 
     /** Replaces what the user asked for of the tone mapping that [scene] would have. */
     private fun toned(scene: Scene): Scene {

@@ -6,6 +6,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Shading
 import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.UpAxis
@@ -30,8 +31,12 @@ internal class Subject(
     val shading: Shading?,
     val toneCurve: ToneCurve?,
     val exposure: Double?,
+    val mipFilter: MipFilter?,
     val sizes: PixelSizes,
     val translucency: Translucency,
     val depthConvention: DepthConvention?,
     val pointOfView: PointOfView,
-)
+) {
+    /** Whether an option changes the materials. */
+    val changesMaterials: Boolean get() = shading != null || mipFilter != null
+}

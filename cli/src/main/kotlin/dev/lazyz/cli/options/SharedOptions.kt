@@ -19,6 +19,7 @@ import dev.lazyz.cli.strategies.Choices
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Fit
+import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Points
 import dev.lazyz.world.Shading
 import dev.lazyz.world.ToneCurve
@@ -50,6 +51,7 @@ internal fun subject(
         shading = picture.shading,
         toneCurve = picture.toneCurve,
         exposure = picture.exposure,
+        mipFilter = picture.mipFilter,
         sizes = PixelSizes(picture.pointSize, picture.lineWidth),
         translucency = if (picture.isOpaque) Translucency.OPAQUE else Translucency.BLENDED,
         depthConvention = picture.depthConvention,
@@ -114,6 +116,12 @@ internal class PictureOptions : OptionGroup("Picture") {
         "--exposure",
         help = "Brighten by this number of stops, -20..20: 1 doubles the light; default: the scene file's, or 0",
     ).number("EV", -ToneMapping.MAX_EXPOSURE..ToneMapping.MAX_EXPOSURE, " stops")
+
+    val mipFilter by option(
+        "--texture-filter",
+        help = "How textures are read where many texels fall on one sample: ${names(mipFilters.keys)}; default: " +
+            "the scene file's, or anisotropic",
+    ).oneOf("FILTER", mipFilters)
 
     val pointSize by option("--point-size", help = "Size of points in pixels, up to 4096; default: the input's, or 2")
         .number("PX", LEAST_SIZE..Points.MAX_SIZE.toDouble(), " pixels")
@@ -189,6 +197,7 @@ private val formats = SceneFormat.entries.associateBy { it.id }
 private val upAxes = UpAxis.entries.associateBy { it.id }
 
 private val toneCurves = ToneCurve.entries.associateBy { it.name.lowercase() }
+private val mipFilters = MipFilter.entries.associateBy { it.name.lowercase() }
 
 private val shadings = Shading.entries.associateBy { it.name.lowercase().replace('_', '-') }
 

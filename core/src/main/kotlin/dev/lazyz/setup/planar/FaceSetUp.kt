@@ -84,6 +84,8 @@ internal class FaceSetUp(
         }
         if (fields and Attributes.UV != 0) vertices.setUv(to, mesh, from)
         if (fields and Attributes.COLOR != 0) vertices.setColor(to, mesh, from)
+        if (fields and Attributes.UV2 != 0) vertices.setUv2(to, mesh, from)
+        if (fields and Attributes.TANGENT != 0) vertices.setTangent(to, mesh, from)
     }
 
     /**
@@ -107,7 +109,7 @@ internal class FaceSetUp(
     /** Returns triangle [triangle] of the mesh as a primitive with its own vertices. */
     fun primitive(triangle: Int): Primitive {
         val mesh = mesh!!
-        val vertices = Vertices(3)
+        val vertices = Vertices(3, Vertices.strideOf(mesh))
         for (i in 0 until 3) stage.place(vertices, i, mesh, mesh.triangles[3 * triangle + i])
         return primitive(vertices, TRIANGLE, TRIANGLE_END, FillRule.NON_ZERO)
     }
@@ -245,6 +247,10 @@ internal class FaceSetUp(
                     vertices.get(vertex, Vertices.NORMAL + k)
                 }
                 vertices.set(vertex, Vertices.NORMAL + k, sign * component)
+            }
+            if (fields and Attributes.TANGENT == 0) continue
+            for (k in Vertices.TANGENT until Vertices.TANGENT + 4) {
+                vertices.set(vertex, k, sign * vertices.get(vertex, k))
             }
         }
     }

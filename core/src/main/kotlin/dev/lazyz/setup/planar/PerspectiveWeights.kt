@@ -22,7 +22,11 @@ internal object PerspectiveWeights {
         val part0 = e0 * over0
         val part1 = e1 * over1
         val part2 = e2 * over2
-        val scale = 1.0 / maxOf(part0 + part1 + part2, least)
+        val scale = scale(part0, part1, part2, least)
         use(part0 * scale, part1 * scale, part2 * scale)
     }
+
+    /** Returns the factor that makes the sum of the three products of an edge function and 1/w equal to 1. */
+    fun scale(part0: Double, part1: Double, part2: Double, least: Double): Double =
+        1.0 / maxOf(part0 + part1 + part2, least)
 }

@@ -89,7 +89,7 @@ internal class PlanarSetUp(
 
     /** Transforms all vertices of [mesh]. */
     private fun meshVertices(mesh: Mesh): Vertices {
-        val vertices = Vertices(mesh.vertexCount)
+        val vertices = Vertices(mesh.vertexCount, Vertices.strideOf(mesh))
         for (i in 0 until mesh.vertexCount) stage.place(vertices, i, mesh, i)
         return vertices
     }
@@ -108,7 +108,14 @@ internal class PlanarSetUp(
         val isPrelit = material.isLitEarly
         var fields = 0
         if (material.isLitLate) fields = fields or Attributes.WORLD or Attributes.NORMAL
-        if (hasUvs && (material.maps.isNotEmpty() || material.shader != null)) fields = fields or Attributes.UV
+        val isCustom = material.shader != null
+        val maps = material.maps
+        if (hasUvs && (isCustom || maps.any { it.uvSet == 0 })) fields = fields or Attributes.UV
+        if (mesh?.uvs2 != null && (isCustom || maps.any { it.uvSet == 1 })) fields = fields or Attributes.UV2
+        val usesTangents = material.isLitLate && material.normalMap != null
+        if (mesh?.tangents != null && (isCustom || usesTangents)) fields = fields or Attributes.TANGENT
+        val hasPlaces = fields and (Attributes.UV or Attributes.UV2) != 0
+        if (hasPlaces && material.usesFootprint) fields = fields or Attributes.FOOTPRINT
         if (hasColors || isPrelit) fields = fields or Attributes.COLOR
         val usesFaceNormal = !hasNormals || (isPrelit && material.shading == Shading.FLAT)
         val shader = MaterialShader(material, lighting, isPrelit)

@@ -4,6 +4,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Material
+import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Shading
 import dev.lazyz.world.Sphere
@@ -47,7 +48,7 @@ internal object PlaneScene {
     private fun ground(): Surface {
         val texture = Texture(
             2, 2, intArrayOf(opaque(DARK), opaque(LIGHT), opaque(LIGHT), opaque(DARK)),
-            TextureFilter.NEAREST, TextureWrap.REPEAT, TextureWrap.REPEAT, "chequers",
+            TextureFilter.NEAREST, TextureWrap.REPEAT, TextureWrap.REPEAT, "chequers", MipFilter.ANISOTROPIC,
         )
         val builder = MeshBuilder()
         builder.floor(-HALF_SIDE, -HALF_SIDE, HALF_SIDE, HALF_SIDE, 0.0, HALF_SIDE)
@@ -100,6 +101,7 @@ internal object PlaneScene {
         }
         return Texture(
             16, 16, texels, TextureFilter.NEAREST, TextureWrap.CLAMP, TextureWrap.CLAMP, "boards",
+            MipFilter.ANISOTROPIC,
         )
     }
 

@@ -49,11 +49,11 @@ internal class GltfMeshes(
         val normals = vertices.floats("NORMAL", ElementType.VEC3)
         val material = materials.material(primitive.material, "$where.material")
         val sets = material.texCoordSets.map { "TEXCOORD_$it" }
-        val uvs = sets.getOrNull(0)?.let { vertices.floats(it, ElementType.VEC2) }
+        val uvs = sets.map { vertices.floats(it, ElementType.VEC2) }
         vertices.countUnused(sets)
         val colors = vertices.floats("COLOR_0", ElementType.VEC3, ElementType.VEC4)?.let { opaque(it, count) }
         vertices.checkCount(normals, 3, count, "$here.NORMAL")
-        vertices.checkCount(uvs, 2, count, "$here.${sets.getOrNull(0)}")
+        for ((set, numbers) in sets.zip(uvs)) vertices.checkCount(numbers, 2, count, "$here.$set")
         vertices.checkCount(colors, 4, count, "$here.COLOR_0")
         val indices = indices(vertices, count, where)
         if (mode < GltfTriangles.TRIANGLES) {
@@ -65,14 +65,33 @@ internal class GltfMeshes(
             }
             return GltfPoints.of(mode, indices, positions, own, normals, colors)
         }
-        return Mesh(
+        val mesh = Mesh(
             positions,
             triangles(mode, indices, where),
-            if (uvs == null) material.material.withoutMaps() else material.material,
+            material.material.withMapsOf { uvs.getOrNull(it) != null },
             normals,
-            uvs,
+            uvs.getOrNull(0),
             colors,
+            uvs2 = uvs.getOrNull(1),
         )
+        return if (mesh.material.normalMap == null) mesh else withTangents(mesh, vertices, here)
+    }
+
+    /**
+     * Returns [mesh] with its tangents. Those of the file are for its normals; without these, they are computed (section
+     * 3.7.2.1).
+     */
+    private fun withTangents(mesh: Mesh, vertices: GltfVertices, here: String): Mesh {
+        val given = if (mesh.normals == null) null else vertices.floats("TANGENT", ElementType.VEC4)
+        vertices.checkCount(given, 4, mesh.vertexCount, "$here.TANGENT")
+        if (given != null) {
+            return Mesh(
+                mesh.positions, mesh.triangles, mesh.material, mesh.normals, mesh.uvs, mesh.colors, uvs2 = mesh.uvs2,
+                tangents = given,
+            )
+        }
+        val map = checkNotNull(mesh.material.normalMap).map
+        return mesh.withTangents(map.uvSet, map.transform)
     }
 
     /** Returns RGBA colours. RGB colours get an alpha of 1. */

@@ -12,8 +12,8 @@ import dev.lazyz.world.TextureWrap
 /**
  * Textures (section 3.8): images in buffer views, data URIs and files, with their samplers. Each image is decoded once.
  *
- * The magnification filter is used for all sizes, because mipmaps are not supported. An image that is missing or cannot
- * be decoded gives a warning and no texture.
+ * The sampler's magnification filter is used; its minification filter is not, because all textures have mip levels. An
+ * image that is missing or cannot be decoded gives a warning and no texture.
  */
 internal class GltfTextures(private val document: GltfDocument) {
     /**

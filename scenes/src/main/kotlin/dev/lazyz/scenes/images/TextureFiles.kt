@@ -3,6 +3,7 @@ package dev.lazyz.scenes.images
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.loading.FileReferences
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Texture
 import java.io.ByteArrayInputStream
 import java.io.IOException
@@ -14,7 +15,7 @@ import javax.imageio.stream.MemoryCacheImageInputStream
  * Reads textures from image files: PNG, JPEG, and the other formats that the JDK reads (BMP, GIF).
  *
  * Texels are the codes that the file stores, see [Texels]; colour profiles are ignored. The codes of a JPEG are those
- * that the JDK's decoder computes, which can differ between JDKs.
+ * that the JDK's decoder computes, which can differ between JDKs. Textures have the filter [MipFilter.ANISOTROPIC].
  */
 internal object TextureFiles {
     /** The text of a warning about an image that exists but cannot be decoded. */
@@ -88,7 +89,7 @@ internal object TextureFiles {
                 val texels = width.toLong() * height
                 if (texels > MAX_TEXELS || texels > bytes.size * MAX_TEXELS_PER_BYTE) return null
                 source.loading.texels(source, texels)
-                Texture(width, height, Texels.of(reader.read(0)), name = name)
+                Texture(width, height, Texels.of(reader.read(0)), name = name, mipFilter = MipFilter.ANISOTROPIC)
             } finally {
                 reader.dispose()
             }

@@ -46,6 +46,8 @@ internal class MeshParts(private val whole: Mesh, groupOf: Ints, private val gro
             whole.uvs?.let { gather(it, used, 2) },
             whole.colors?.let { gather(it, used, 4) },
             whole.origin,
+            whole.uvs2?.let { gather(it, used, 2) },
+            whole.tangents?.let { gather(it, used, 4) },
         )
     }
 

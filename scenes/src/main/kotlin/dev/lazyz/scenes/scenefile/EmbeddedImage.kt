@@ -40,17 +40,4 @@ internal object EmbeddedImage {
         }
         return TextureFiles.decode(source, bytes, "") ?: node.fail("embedded picture is not a PNG", "embed it again")
     }
-
-    /** Returns [picture] with other sampling rules and another name. */
-    fun texture(
-        picture: Texture,
-        filter: TextureFilter,
-        wrapU: TextureWrap,
-        wrapV: TextureWrap,
-        name: String,
-    ): Texture {
-        if (name == picture.name) return picture.withSampling(filter, wrapU, wrapV)
-        val texels = IntArray(picture.width * picture.height) { picture.texel(it % picture.width, it / picture.width) }
-        return Texture(picture.width, picture.height, texels, filter, wrapU, wrapV, name)
-    }
 }

@@ -5,6 +5,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.FillRule
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Fit
+import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Shading
 import dev.lazyz.world.Sides
 import dev.lazyz.world.TextureEncoding
@@ -20,6 +21,7 @@ internal object SceneFileNames {
     val alphaModes: Map<String, AlphaMode> = names(AlphaMode.entries)
     val sides: Map<String, Sides> = names(Sides.entries)
     val filters: Map<String, TextureFilter> = names(TextureFilter.entries)
+    val mipFilters: Map<String, MipFilter> = names(MipFilter.entries)
     val wraps: Map<String, TextureWrap> = names(TextureWrap.entries)
     val encodings: Map<String, TextureEncoding> = names(TextureEncoding.entries)
     val toneCurves: Map<String, ToneCurve> = names(ToneCurve.entries)

@@ -98,6 +98,8 @@ internal class SceneFileWriter(private val out: Appendable) {
         mesh.normals?.let { normals -> key("normals").long(normals.size) { float(normals[it]) } }
         mesh.uvs?.let { uvs -> key("uvs").long(uvs.size) { float(uvs[it]) } }
         mesh.colors?.let { colors -> key("colors").long(colors.size) { float(colors[it]) } }
+        mesh.uvs2?.let { uvs -> key("uvs2").long(uvs.size) { float(uvs[it]) } }
+        mesh.tangents?.let { tangents -> key("tangents").long(tangents.size) { float(tangents[it]) } }
     }
 
     private fun polygon(out: JsonWriter, polygon: Polygon) = out.members {

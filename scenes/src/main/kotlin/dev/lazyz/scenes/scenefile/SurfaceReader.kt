@@ -99,7 +99,7 @@ internal class SurfaceReader(
     }
 
     private fun mesh(node: JsonNode): Mesh {
-        val members = node.members("origin", "positions", "triangles", "normals", "uvs", "colors")
+        val members = node.members("origin", "positions", "triangles", "normals", "uvs", "colors", "uvs2", "tangents")
         val positions = members.required("positions").floats()
         val triangles = members.required("triangles").integers()
         source.loading.vertices(source, positions.size / 3L)
@@ -113,6 +113,8 @@ internal class SurfaceReader(
                 members["uvs"]?.floats(),
                 members["colors"]?.floats(),
                 members.origin(),
+                members["uvs2"]?.floats(),
+                members["tangents"]?.floats(),
             )
         }
     }

@@ -3,6 +3,7 @@ package dev.lazyz.scenes.scenefile
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Texture
 import dev.lazyz.world.TextureEncoding
 import dev.lazyz.world.TextureFilter
@@ -22,13 +23,14 @@ internal class TextureMapReader(private val source: Source) {
      */
     fun read(node: JsonNode, plain: TextureEncoding): TextureMap? {
         if (node.isText) return picture(node)?.let { TextureMap(it.withEncoding(plain)) }
-        val members = node.members("image", "filter", "wrap", "name", "encoding", "uvSet", "transform")
+        val members = node.members("image", "filter", "mipFilter", "wrap", "name", "encoding", "uvSet", "transform")
         val picture = picture(members.required("image")) ?: return null
         val filter = members["filter"]?.choice(SceneFileNames.filters) ?: TextureFilter.BILINEAR
+        val mipFilter = members["mipFilter"]?.choice(SceneFileNames.mipFilters) ?: MipFilter.ANISOTROPIC
         val (wrapU, wrapV) = members["wrap"]?.let(::wraps) ?: (TextureWrap.REPEAT to TextureWrap.REPEAT)
         val name = members["name"]?.text() ?: picture.name
         val encoding = members["encoding"]?.choice(SceneFileNames.encodings) ?: plain
-        val texture = EmbeddedImage.texture(picture, filter, wrapU, wrapV, name).withEncoding(encoding)
+        val texture = picture.withSampling(filter, wrapU, wrapV, mipFilter).withName(name).withEncoding(encoding)
         val transform = members["transform"]?.let(::transform) ?: UvTransform.IDENTITY
         return node.checked { TextureMap(texture, members["uvSet"]?.integer() ?: 0, transform) }
     }

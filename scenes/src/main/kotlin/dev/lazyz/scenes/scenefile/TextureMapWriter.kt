@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.scenes.json.JsonWriter
+import dev.lazyz.world.MipFilter
 import dev.lazyz.world.TextureEncoding
 import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureMap
@@ -14,6 +15,7 @@ internal object TextureMapWriter {
         val texture = map.texture
         if (texture.name.isNotEmpty()) key("name").text(texture.name)
         if (texture.filter != TextureFilter.BILINEAR) key("filter").text(SceneFileNames.of(texture.filter))
+        if (texture.mipFilter != MipFilter.ANISOTROPIC) key("mipFilter").text(SceneFileNames.of(texture.mipFilter))
         if (texture.wrapU != TextureWrap.REPEAT || texture.wrapV != TextureWrap.REPEAT) {
             val wraps = listOf(texture.wrapU, texture.wrapV)
             key("wrap").inline(2) { text(SceneFileNames.of(wraps[it])) }

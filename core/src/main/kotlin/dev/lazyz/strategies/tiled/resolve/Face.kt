@@ -28,7 +28,7 @@ internal class Face : EdgeForms() {
         private set
 
     /** The three vertices between which attributes are interpolated. */
-    @JvmField val vertices: Vertices = Vertices(3)
+    @JvmField val vertices: Vertices = Vertices(3, Vertices.LONG_STRIDE)
 
     /** The attributes that [attributes] fills in: bits [Attributes.WORLD] to [Attributes.COLOR]. */
     var fields: Int = 0
@@ -171,7 +171,41 @@ internal class Face : EdgeForms() {
         val at1 = (e1 + e1dx * x + e1dy * y).toDouble()
         val at2 = (e2 + e2dx * x + e2dy * y).toDouble()
         PerspectiveWeights.of(at0, at1, at2, over0, over1, over2, least) { w0, w1, w2 -> mix(batch, i, w0, w1, w2) }
+        if (fields and Attributes.FOOTPRINT != 0) footprint(batch, i, x, y)
     }
+
+    /** Fills in the derivatives of the texture coordinates of one sample, at index [i] of [batch]. */
+    fun footprint(batch: FragmentBatch, i: Int, x: Int, y: Int) {
+        val part0 = (e0 + e0dx * x + e0dy * y).toDouble() * over0
+        val part1 = (e1 + e1dx * x + e1dy * y).toDouble() * over1
+        val part2 = (e2 + e2dx * x + e2dy * y).toDouble() * over2
+        val scale = PerspectiveWeights.scale(part0, part1, part2, least)
+        val right0 = e0dx.toDouble() * over0 * scale
+        val right1 = e1dx.toDouble() * over1 * scale
+        val right2 = e2dx.toDouble() * over2 * scale
+        val down0 = e0dy.toDouble() * over0 * scale
+        val down1 = e1dy.toDouble() * over1 * scale
+        val down2 = e2dy.toDouble() * over2 * scale
+        if (fields and Attributes.UV != 0) {
+            val u = mixed(part0 * scale, part1 * scale, part2 * scale, Vertices.UV)
+            val v = mixed(part0 * scale, part1 * scale, part2 * scale, Vertices.UV + 1)
+            batch.dudx[i] = slope(Vertices.UV, u, right0, right1, right2)
+            batch.dvdx[i] = slope(Vertices.UV + 1, v, right0, right1, right2)
+            batch.dudy[i] = slope(Vertices.UV, u, down0, down1, down2)
+            batch.dvdy[i] = slope(Vertices.UV + 1, v, down0, down1, down2)
+        }
+        if (fields and Attributes.UV2 != 0) {
+            val u = mixed(part0 * scale, part1 * scale, part2 * scale, Vertices.UV2)
+            val v = mixed(part0 * scale, part1 * scale, part2 * scale, Vertices.UV2 + 1)
+            batch.du2dx[i] = slope(Vertices.UV2, u, right0, right1, right2)
+            batch.dv2dx[i] = slope(Vertices.UV2 + 1, v, right0, right1, right2)
+            batch.du2dy[i] = slope(Vertices.UV2, u, down0, down1, down2)
+            batch.dv2dy[i] = slope(Vertices.UV2 + 1, v, down0, down1, down2)
+        }
+    }
+
+    private fun slope(field: Int, value: Double, s0: Double, s1: Double, s2: Double): Float =
+        vertices.slope(field, value, 0, s0, 1, s1, 2, s2).toFloat()
 
     private fun mix(batch: FragmentBatch, i: Int, w0: Double, w1: Double, w2: Double) {
         if (fields and Attributes.WORLD != 0) {
@@ -194,6 +228,16 @@ internal class Face : EdgeForms() {
             batch.vertexBlue[i] = mixed(w0, w1, w2, Vertices.COLOR + 2).toFloat()
             batch.vertexAlpha[i] = mixed(w0, w1, w2, Vertices.COLOR + 3).toFloat()
         }
+        if (fields and Attributes.UV2 != 0) {
+            batch.u2[i] = mixed(w0, w1, w2, Vertices.UV2).toFloat()
+            batch.v2[i] = mixed(w0, w1, w2, Vertices.UV2 + 1).toFloat()
+        }
+        if (fields and Attributes.TANGENT != 0) {
+            batch.tangentX[i] = (normalSign * mixed(w0, w1, w2, Vertices.TANGENT)).toFloat()
+            batch.tangentY[i] = (normalSign * mixed(w0, w1, w2, Vertices.TANGENT + 1)).toFloat()
+            batch.tangentZ[i] = (normalSign * mixed(w0, w1, w2, Vertices.TANGENT + 2)).toFloat()
+            batch.tangentW[i] = (normalSign * mixed(w0, w1, w2, Vertices.TANGENT + 3)).toFloat()
+        }
     }
 
     private fun mixed(w0: Double, w1: Double, w2: Double, field: Int): Double =
@@ -204,6 +248,6 @@ internal class Face : EdgeForms() {
         private const val EXACT = 1L shl 50
 
         /** Bytes of a face: two objects, one with 22 fields, and the vertices' numbers. */
-        const val BYTES: Long = 2 * 16L + 22 * 8L + 16L + 3 * Vertices.STRIDE * 8L
+        const val BYTES: Long = 2 * 16L + 22 * 8L + 16L + 3 * Vertices.LONG_STRIDE * 8L
     }
 }

@@ -55,6 +55,21 @@ internal abstract class FragmentKernel(private val long: Int) {
             mix(face, Vertices.COLOR + 2, 1.0, batch.vertexBlue, at, count)
             mix(face, Vertices.COLOR + 3, 1.0, batch.vertexAlpha, at, count)
         }
+        if (fields and Attributes.UV2 != 0) {
+            mix(face, Vertices.UV2, 1.0, batch.u2, at, count)
+            mix(face, Vertices.UV2 + 1, 1.0, batch.v2, at, count)
+        }
+        if (fields and Attributes.TANGENT != 0) {
+            mix(face, Vertices.TANGENT, face.normalSign, batch.tangentX, at, count)
+            mix(face, Vertices.TANGENT + 1, face.normalSign, batch.tangentY, at, count)
+            mix(face, Vertices.TANGENT + 2, face.normalSign, batch.tangentZ, at, count)
+            mix(face, Vertices.TANGENT + 3, face.normalSign, batch.tangentW, at, count)
+        }
+        if (fields and Attributes.FOOTPRINT != 0) {
+            for (i in at until at + count) {
+                face.footprint(batch, i, x + fragments.columns[i].toInt(), y + fragments.rows[i].toInt())
+            }
+        }
     }
 
     /**

@@ -35,7 +35,7 @@ internal class ScatteredAttributes {
 
     /**
      * Fills in the attributes of all fragments of [batch]. These belong to the triangles [numbers] of [triangles].
-     * Requires [FaceSetUp.isShared].
+     * Requires [FaceSetUp.isShared], and no [Attributes.FOOTPRINT].
      */
     fun fill(batch: FragmentBatch, triangles: TriangleBatch, numbers: IntArray, faces: FaceSetUp) {
         val fields = faces.fields
@@ -54,6 +54,10 @@ internal class ScatteredAttributes {
             mix(uvs, 2, 0, batch.u, count)
             mix(uvs, 2, 1, batch.v, count)
         }
+        mesh.uvs2?.takeIf { fields and Attributes.UV2 != 0 }?.let { uvs ->
+            mix(uvs, 2, 0, batch.u2, count)
+            mix(uvs, 2, 1, batch.v2, count)
+        }
         mesh.colors?.takeIf { fields and Attributes.COLOR != 0 }?.let { colors ->
             mix(colors, 4, 0, batch.vertexRed, count)
             mix(colors, 4, 1, batch.vertexGreen, count)
@@ -65,6 +69,13 @@ internal class ScatteredAttributes {
             mix(normals, 3, 0, batch.normalX, count)
             mix(normals, 3, 1, batch.normalY, count)
             mix(normals, 3, 2, batch.normalZ, count)
+        }
+        mesh.tangents?.takeIf { fields and Attributes.TANGENT != 0 }?.let { tangents ->
+            // The signs are still those of the normals
+            mix(tangents, 4, 0, batch.tangentX, count)
+            mix(tangents, 4, 1, batch.tangentY, count)
+            mix(tangents, 4, 2, batch.tangentZ, count)
+            mix(tangents, 4, 3, batch.tangentW, count)
         }
     }
 

@@ -1,5 +1,6 @@
 package dev.lazyz.strategies.tiled.resolve
 
+import dev.lazyz.Attributes
 import dev.lazyz.BatchShader
 import dev.lazyz.Coherence
 import dev.lazyz.Counters
@@ -214,6 +215,7 @@ internal class TileShading(
     private fun canGatherSmall(index: Int, count: Int): Boolean {
         val batch = if (faces.isUsed) faces.batch(index) else -1
         if (batch < 0 || !faces.setUp(batch).isShared) return false
+        if (faces.setUp(batch).fields and Attributes.FOOTPRINT != 0) return false
         if (batch != smallBatch || count > waitingSmall.room) {
             flushSmall()
             smallBatch = batch

@@ -65,8 +65,8 @@ internal class VectorFragmentKernel : FragmentKernel(long = 4) {
     override fun mix(face: Face, field: Int, sign: Double, out: FloatArray, at: Int, count: Int) {
         val data = face.vertices.data
         val a = data[field]
-        val b = data[Vertices.STRIDE + field]
-        val c = data[2 * Vertices.STRIDE + field]
+        val b = data[Vertices.LONG_STRIDE + field]
+        val c = data[2 * Vertices.LONG_STRIDE + field]
         if (face.isSame(a, b, c)) return out.fill((sign * a).toFloat(), at, at + count)
         var i = 0
         while (i < count) {

@@ -15,7 +15,9 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
+import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Scene
+import dev.lazyz.world.Texture
 import java.util.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -34,7 +36,8 @@ class FragmentKernelTest {
             for (seed in 0L until 64L) {
                 val kernel = kernels.fragments()
                 for (isPerspective in listOf(false, true)) {
-                    val frame = Scene(listOf(mesh(Random(seed))), emptyList(), camera(isPerspective)).frame(SIDE, SIDE)
+                    val mesh = mesh(Random(seed), minified)
+                    val frame = Scene(listOf(mesh), emptyList(), camera(isPerspective)).frame(SIDE, SIDE)
                     assertEquals(SIDE * SIDE, ZBuffer().render(frame).visible)
                     val primitive = frame.primitives.single() as PlanarPrimitive
                     val batch = frame.content.triangleBatch(0)
@@ -146,10 +149,17 @@ class FragmentKernelTest {
         )
     }
 
+    /** Its texture makes all derivatives of texture coordinates necessary. */
+    private val minified =
+        Material(texture = Texture(1, 1, intArrayOf(-1), mipFilter = MipFilter.TRILINEAR), shader = BatchShader { })
+
     /** The mesh with a copy of its triangle in the opposite orientation. */
     private fun twoSided(random: Random): Mesh {
         val mesh = mesh(random)
-        return Mesh(mesh.positions, intArrayOf(0, 1, 2, 0, 2, 1), mesh.material, mesh.normals, mesh.uvs, mesh.colors)
+        return Mesh(
+            mesh.positions, intArrayOf(0, 1, 2, 0, 2, 1), mesh.material, mesh.normals, mesh.uvs, mesh.colors,
+            uvs2 = mesh.uvs2, tangents = mesh.tangents,
+        )
     }
 
     /** Compares [count] samples of the middle row from column [start] on; the primitive covers all of them. */
@@ -181,19 +191,22 @@ class FragmentKernelTest {
     private fun attributes(fragment: Fragment): List<Float> = listOf(
         fragment.worldX, fragment.worldY, fragment.worldZ, fragment.normalX, fragment.normalY, fragment.normalZ,
         fragment.u, fragment.v, fragment.vertexRed, fragment.vertexGreen, fragment.vertexBlue, fragment.vertexAlpha,
+        fragment.u2, fragment.v2, fragment.tangentX, fragment.tangentY, fragment.tangentZ, fragment.tangentW,
+        fragment.dudx, fragment.dvdx, fragment.dudy, fragment.dvdy,
+        fragment.du2dx, fragment.dv2dx, fragment.du2dy, fragment.dv2dy,
     )
 
     /**
      * A triangle larger than the picture, seen from the front or the back; components of attributes are often equal at
      * all vertices.
      */
-    private fun mesh(random: Random): Mesh {
+    private fun mesh(random: Random, material: Material = Material(shader = BatchShader { })): Mesh {
         val z = FloatArray(3) { if (random.nextBoolean()) 0f else random.nextFloat() - 0.5f }
         val positions = floatArrayOf(-9f, -9f, z[0], 9f, -9f, z[1], 0f, 15f, z[2])
         val triangle = if (random.nextBoolean()) intArrayOf(0, 1, 2) else intArrayOf(0, 2, 1)
         return Mesh(
-            positions, triangle, Material(shader = BatchShader { }),
-            numbers(random, 3), numbers(random, 2), numbers(random, 4),
+            positions, triangle, material, numbers(random, 3), numbers(random, 2), numbers(random, 4),
+            uvs2 = numbers(random, 2), tangents = numbers(random, 4),
         )
     }
 
