@@ -32,7 +32,7 @@ internal class GltfMeshes(
                 primitive(primitive, vertices, where)?.let { GltfPart(it, primitive, vertices, where) }
             }
         }
-        return own.map { poses.posed(it, mesh, placed) }
+        return own.map { withTangents(poses.posed(it, mesh, placed)) }
     }
 
     private fun primitive(primitive: MeshPrimitive, vertices: GltfVertices, where: String): Surface? {
@@ -65,7 +65,7 @@ internal class GltfMeshes(
             }
             return GltfPoints.of(mode, indices, positions, own, normals, colors)
         }
-        val mesh = Mesh(
+        return Mesh(
             positions,
             triangles(mode, indices, where),
             material.material.withMapsOf { uvs.getOrNull(it) != null },
@@ -73,25 +73,29 @@ internal class GltfMeshes(
             uvs.getOrNull(0),
             colors,
             uvs2 = uvs.getOrNull(1),
+            tangents = if (normals == null ||
+                material.material.normalMap == null
+            ) {
+                null
+            } else {
+                tangents(vertices, count, here)
+            },
         )
-        return if (mesh.material.normalMap == null) mesh else withTangents(mesh, vertices, here)
+    }
+
+    private fun tangents(vertices: GltfVertices, count: Int, here: String): FloatArray? {
+        val tangents = vertices.floats("TANGENT", ElementType.VEC4)
+        vertices.checkCount(tangents, 4, count, "$here.TANGENT")
+        return tangents
     }
 
     /**
-     * Returns [mesh] with its tangents. Those of the file are for its normals; without these, they are computed (section
-     * 3.7.2.1).
+     * Returns [surface] with the tangents that its normal map needs. If the file has none, or has no normals that they
+     * would belong to (section 3.7.2.1), they are computed now, because this may split vertices.
      */
-    private fun withTangents(mesh: Mesh, vertices: GltfVertices, here: String): Mesh {
-        val given = if (mesh.normals == null) null else vertices.floats("TANGENT", ElementType.VEC4)
-        vertices.checkCount(given, 4, mesh.vertexCount, "$here.TANGENT")
-        if (given != null) {
-            return Mesh(
-                mesh.positions, mesh.triangles, mesh.material, mesh.normals, mesh.uvs, mesh.colors, uvs2 = mesh.uvs2,
-                tangents = given,
-            )
-        }
-        val map = checkNotNull(mesh.material.normalMap).map
-        return mesh.withTangents(map.uvSet, map.transform)
+    private fun withTangents(surface: Surface): Surface {
+        val normals = (surface as? Mesh)?.material?.normalMap ?: return surface
+        return if (surface.tangents != null) surface else surface.withTangents(normals.map.uvSet, normals.map.transform)
     }
 
     /** Returns RGBA colours. RGB colours get an alpha of 1. */
