@@ -6,12 +6,12 @@ package dev.lazyz.shading.pbr
  *
  * The two numbers are interpolated bilinearly in a table of [SIZE] x [SIZE] elements, over N.V and perceptual roughness.
  * It is computed once, in double precision with [StrictMath], from [STRATA] x [STRATA] microfacets for each element; it
- * differs from the exact integral by less than 0.01, except below N.V = 0.05. Source: B. Karis, "Real Shading in Unreal
+ * differs from the exact integral by less than 0.012, except below N.V = 0.1. Source: B. Karis, "Real Shading in Unreal
  * Engine 4", SIGGRAPH 2013.
  */
 internal object DirectionalAlbedo {
     private const val SIZE = 32
-    private const val STRATA = 12
+    private const val STRATA = 16
     private val scales = FloatArray(SIZE * SIZE)
     private val biases = FloatArray(SIZE * SIZE)
 
@@ -53,7 +53,7 @@ internal object DirectionalAlbedo {
         return upper * (1f - fy) + lower * fy
     }
 
-    /** Computes element [at] with microfacets in equal parts of the distribution. */
+    /** Computes element [at] with microfacets of the distribution. */
     private fun integrate(cosineV: Double, roughness: Double, at: Int) {
         val alpha = maxOf(roughness * roughness, 1e-4)
         val a2 = alpha * alpha
@@ -61,7 +61,9 @@ internal object DirectionalAlbedo {
         var scale = 0.0
         var bias = 0.0
         for (i in 0 until STRATA) {
-            val u = (i + 0.5) / STRATA
+            // More microfacets where they are steep, which matters at grazing angles
+            val rest = 1.0 - (i + 0.5) / STRATA
+            val u = 1.0 - rest * rest
             val cosineH = StrictMath.sqrt((1.0 - u) / (1.0 + (a2 - 1.0) * u))
             val sineH = StrictMath.sqrt(1.0 - cosineH * cosineH)
             for (direction in directions) {
@@ -70,9 +72,9 @@ internal object DirectionalAlbedo {
                 if (!(cosineL > 0.0 && vh > 0.0)) continue
                 val light = cosineL + StrictMath.sqrt(a2 + (1.0 - a2) * cosineL * cosineL)
                 val view = cosineV + StrictMath.sqrt(a2 + (1.0 - a2) * cosineV * cosineV)
-                val weight = 4.0 * cosineL * vh / (light * view * cosineH)
-                val rest = 1.0 - vh
-                val grazing = rest * rest * rest * rest * rest
+                val weight = 2.0 * rest * 4.0 * cosineL * vh / (light * view * cosineH)
+                val beyond = 1.0 - vh
+                val grazing = beyond * beyond * beyond * beyond * beyond
                 scale += (1.0 - grazing) * weight
                 bias += grazing * weight
             }

@@ -11,15 +11,15 @@ package dev.lazyz.shading.pbr
 internal object Studio {
     private val boxes = arrayOf(
         // Key light at the upper left, fill light at the right, above, and behind at the left and at the right
-        SoftBox(doubleArrayOf(-0.75, 0.70, 0.75), 0.55f, 0.50f, 5.2f, 5.1f, 4.9f),
-        SoftBox(doubleArrayOf(1.0, 0.20, 0.45), 0.28f, 0.75f, 2.3f, 2.4f, 2.5f),
-        SoftBox(doubleArrayOf(0.05, 1.0, -0.1), 0.70f, 0.45f, 2.6f, 2.6f, 2.6f),
-        SoftBox(doubleArrayOf(-0.9, 0.25, -0.8), 0.30f, 0.70f, 2.6f, 2.65f, 2.8f),
-        SoftBox(doubleArrayOf(0.8, 0.35, -0.9), 0.35f, 0.60f, 2.0f, 2.0f, 2.0f),
+        SoftBox(doubleArrayOf(-0.75, 0.70, 0.75), 0.55f, 0.50f, 3.1f, 3.0f, 2.9f),
+        SoftBox(doubleArrayOf(1.0, 0.20, 0.45), 0.28f, 0.75f, 1.35f, 1.4f, 1.45f),
+        SoftBox(doubleArrayOf(0.05, 1.0, -0.1), 0.70f, 0.45f, 1.35f, 1.35f, 1.35f),
+        SoftBox(doubleArrayOf(-0.9, 0.25, -0.8), 0.30f, 0.70f, 1.8f, 1.85f, 1.95f),
+        SoftBox(doubleArrayOf(0.8, 0.35, -0.9), 0.35f, 0.60f, 1.4f, 1.4f, 1.4f),
     )
 
     /** The light of the walls: of the horizon, how it rises upward, and how it bends. */
-    private val walls = floatArrayOf(0.36f, 0.22f, 0.04f)
+    private val walls = floatArrayOf(0.21f, 0.15f, 0.04f)
 
     /** Nine coefficients of the irradiance for red, green and blue. */
     private val harmonics = Array(3) { FloatArray(9) }
@@ -28,28 +28,27 @@ internal object Studio {
         integrate()
     }
 
-    /** Stores the light around the unit vector (x, y, z), blurred by microfacets of the width [alpha], in [out]. */
+    /**
+     * Stores the light around the unit vector (x, y, z), blurred by microfacets of the width [alpha], in [out] at
+     * [at] and the two elements after it.
+     *
+     * For alpha 1, the blur is that of a matt surface, exactly: [irradiance]. For smaller ones, it is a mean of this,
+     * with the weight alpha, and of the light of walls and boxes blurred one by one. Compared with the integral over the
+     * reflected light, in which each direction has the weight of its cosine, the root mean square of the difference is
+     * at most 0.13; the light is 0.7 on average.
+     */
     fun radiance(x: Float, y: Float, z: Float, alpha: Float, out: FloatArray, at: Int) {
-        // A blur keeps the mean of the walls and flattens their slope; by 2/3 and 1/4 on a matt surface
+        irradiance(x, y, z, out, at)
         val wall = walls[0] + walls[1] * (1f - alpha / 3f) * y + walls[2] * (1f - 0.75f * alpha) * (y * y - THIRD)
-        out[at] = wall
-        out[at + 1] = wall
-        out[at + 2] = wall
-        val blur = EDGE + alpha * width(alpha)
+        for (channel in 0 until 3) out[at + channel] = alpha * out[at + channel] + (1f - alpha) * wall
+        val blur = EDGE + alpha * NARROW / (1f + 2.6f * alpha)
         for (box in boxes) {
-            val part = box.coverage(x, y, z, blur)
+            val part = (1f - alpha) * box.coverage(x, y, z, blur)
             out[at] += part * box.red
             out[at + 1] += part * box.green
             out[at + 2] += part * box.blue
         }
     }
-
-    /**
-     * Returns the width of the blur, divided by alpha: such that its peak is that of the reflected light, in which each
-     * direction has the weight of its cosine. It is `sqrt(pi W)`, where W is the integral of that weight, which a polynomial
-     * approximates to 0.03.
-     */
-    private fun width(alpha: Float): Float = 1.7985f - alpha * (0.9383f + alpha * (0.4162f - 0.4522f * alpha))
 
     /** Stores the mean light that a matt surface with the unit normal (x, y, z) receives in [out]. */
     fun irradiance(x: Float, y: Float, z: Float, out: FloatArray, at: Int) {
@@ -93,6 +92,9 @@ internal object Studio {
     /** Width of the soft edge of the boxes. */
     private const val EDGE = 0.03f
     private const val THIRD = 1f / 3f
+
+    /** Width of a narrow blur, divided by alpha: its peak is that of the reflected light, `sqrt(pi)`. */
+    private const val NARROW = 1.772f
 
     /** 1 / mean of the square of each function over the sphere. */
     private val NORMS get() = doubleArrayOf(1.0, 3.0, 3.0, 3.0, 15.0, 15.0, 1.25, 15.0, 3.75)

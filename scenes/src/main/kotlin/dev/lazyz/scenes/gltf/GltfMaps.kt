@@ -12,13 +12,12 @@ import dev.lazyz.world.UvTransform
 internal class GltfMaps(private val document: GltfDocument, private val textures: GltfTextures) {
     private val sets = ArrayList<Int>()
 
-    /** The numbers of the sets, as in `TEXCOORD_0`; at most two. */
-    val texCoordSets: List<Int> get() = sets
+    /** The numbers of the sets, as in `TEXCOORD_0`: at most two, and 0 if there are no maps. */
+    val texCoordSets: List<Int> get() = sets.ifEmpty { listOf(0) }
 
     /** Returns the map that [info] describes, or null if there is none. [where] is its place in the file. */
     fun map(info: TextureInfo?, encoding: TextureEncoding, where: String): TextureMap? {
         if (info == null) return null
-        val texture = textures.texture(info.index, encoding, "$where.index") ?: return null
         val extension = GltfExtensions.of(info, "KHR_texture_transform")
         val set = (extension?.get("texCoord") as? Number)?.toInt() ?: info.texCoord ?: 0
         if (set !in sets) {
@@ -28,6 +27,7 @@ internal class GltfMaps(private val document: GltfDocument, private val textures
             }
             sets.add(set)
         }
+        val texture = textures.texture(info.index, encoding, "$where.index") ?: return null
         return TextureMap(texture, sets.indexOf(set), extension?.let(::transform) ?: UvTransform.IDENTITY)
     }
 

@@ -84,8 +84,8 @@ internal class MaterialWriter(materials: Iterable<Material>) {
     private class Look(val material: Material) {
         private val parts = material.run {
             listOf(
-                baseColor, textureMap, shading, specular, shininess, emission, alphaMode, alphaCutoff, sides, shader, name,
-                metallicRoughness, normalMap, occlusionMap, emissionMap,
+                baseColor, textureMap, shading, specular, shininess, emission, alphaMode, alphaCutoff, sides, shader,
+                name, metallicRoughness, normalMap, occlusionMap, emissionMap,
             )
         }
 

@@ -41,7 +41,7 @@ class SceneFileProperties {
 
     /** All that a scene is made of, as numbers' bits and as text, independent of the writer. */
     private fun fields(scene: Scene): List<Any?> =
-        listOf(scene.background) + viewpoint(scene) + scene.lights.map(::light) + scene.surfaces.map { surface ->
+        listOf(scene.background, scene.environment, scene.toneMapping) + viewpoint(scene) + scene.lights.map(::light) + scene.surfaces.map { surface ->
             when (surface) {
                 is Mesh -> listOf(
                     surface.origin, bits(surface.positions),
@@ -90,7 +90,14 @@ class SceneFileProperties {
         is Light.Directional -> light.direction.run {
             listOf("directional", x().toBits(), y().toBits(), z().toBits(), light.color)
         }
-        is Light.Point -> light.position.run { listOf("point", x().toBits(), y().toBits(), z().toBits(), light.color) }
+        is Light.Point -> light.position.run {
+            listOf("point", x().toBits(), y().toBits(), z().toBits(), light.color, light.falloff)
+        }
+        is Light.Spot -> listOf(
+            "spot", light.position.run { listOf(x().toBits(), y().toBits(), z().toBits()) },
+            light.direction.run { listOf(x().toBits(), y().toBits(), z().toBits()) },
+            light.color, light.innerAngle, light.outerAngle, light.falloff,
+        )
     }
 
     private fun bits(floats: FloatArray?): List<Int>? = floats?.map { it.toBits() }
