@@ -4,8 +4,8 @@ package dev.lazyz.world
  * Light from all directions that materials with [MetallicRoughness] reflect (contract rule 6.10). Immutable and thread
  * safe.
  *
- * There is one kind of environment, a photographer's studio: grey walls, and soft boxes at the upper left, at the right,
- * above and behind. It turns with the camera, but stays upright. Other materials do not reflect it.
+ * There is one kind of environment, a photographer's studio: grey walls, and soft boxes at the upper left, at the
+ * right, above and behind. It turns with the camera, but stays upright. Other materials do not reflect it.
  *
  * @property intensity factor of all its light; 0 for no environment
  * @throws IllegalArgumentException if [intensity] is negative or not finite

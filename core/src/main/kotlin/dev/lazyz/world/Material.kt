@@ -49,10 +49,10 @@ public enum class Sides {
 /**
  * The appearance of a surface.
  *
- * The base colour is multiplied by the texture and by the vertex colours if the surface has them. There are two kinds of
- * materials: classical ones, whose light is computed as [shading] says, and, with [metallicRoughness], physically based
- * ones. Maps vary either over the surface: see [withNormalMap], [withOcclusionMap] and [withEmissionMap]. Immutable and
- * thread safe; any number of surfaces can share a material.
+ * The base colour is multiplied by the texture and by the vertex colours if the surface has them. There are two kinds
+ * of materials: classical ones, whose light is computed as [shading] says, and, with [metallicRoughness], physically
+ * based ones. Maps vary either over the surface: see [withNormalMap], [withOcclusionMap] and [withEmissionMap].
+ * Immutable and thread safe; any number of surfaces can share a material.
  *
  * @property baseColor diffuse colour and opacity, linear light; for metals, the colour of what they reflect
  * @property shading where light is evaluated; ignored if [shader] is given. With [metallicRoughness], it is at every
@@ -173,7 +173,9 @@ public class Material private constructor(
      */
     public fun withNormalMap(normalMap: NormalMap?): Material = copy(normalMap = normalMap)
 
-    /** Returns this material with another occlusion map, or without one. It has an effect where normal maps have one. */
+    /**
+     * Returns this material with another occlusion map, or without one. It has an effect where normal maps have one.
+     */
     public fun withOcclusionMap(occlusionMap: OcclusionMap?): Material = copy(occlusionMap = occlusionMap)
 
     /** Returns this material with another texture that multiplies [emission], or without one. */

@@ -13,8 +13,8 @@ import org.joml.Vector3dc
  * Triangles that share vertices and have one material.
  *
  * [positions], [normals], [uvs], [colors], [uvs2] and [tangents] are indexed by vertex. [triangles] has three vertex
- * numbers for each triangle, counter-clockwise seen from outside. Positions can be NaN or infinite: a triangle with such
- * a vertex covers nothing. The arrays are not copied; do not change them. Thread safe.
+ * numbers for each triangle, counter-clockwise seen from outside. Positions can be NaN or infinite: a triangle with
+ * such a vertex covers nothing. The arrays are not copied; do not change them. Thread safe.
  *
  * @property positions x, y, z for each vertex, world space, relative to [origin]
  * @property triangles three vertex numbers for each triangle; the order of triangles is the submission order

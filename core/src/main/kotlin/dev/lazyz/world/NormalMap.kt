@@ -4,8 +4,8 @@ package dev.lazyz.world
  * A texture that changes the normals of a surface at each sample (contract rule 6.9). Immutable and thread safe.
  *
  * Red, green and blue are the components of a normal, from -1 (code 0) to 1 (code 255): along the tangent, along the
- * bitangent, and along the normal of the surface, as in glTF 2.0, section 3.9.3. The tangents of the surface must belong
- * to the texture coordinates of [map]. Where a surface has no tangents, its normals are not changed.
+ * bitangent, and along the normal of the surface, as in glTF 2.0, section 3.9.3. The tangents of the surface must
+ * belong to the texture coordinates of [map]. Where a surface has no tangents, its normals are not changed.
  *
  * @property map the texture, which should have [TextureEncoding.LINEAR]
  * @property scale factor of the red and green components

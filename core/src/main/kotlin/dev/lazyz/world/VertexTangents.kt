@@ -5,10 +5,10 @@ import kotlin.math.sqrt
 /**
  * Computes the tangents of a mesh from one set of texture coordinates, in double precision, triangle after triangle.
  *
- * The tangent of a triangle is the direction in which u increases. A vertex gets the sum of those of its triangles, each
- * projected onto the plane of the vertex normal, made a unit vector, and weighted by the triangle's angle at the vertex.
- * A vertex between triangles of both orientations in the texture, at the seam of a mirrored texture, is split. The
- * bitangent points to where v decreases, upward in the image, as normal maps of glTF expect.
+ * The tangent of a triangle is the direction in which u increases. A vertex gets the sum of those of its triangles,
+ * each projected onto the plane of the vertex normal, made a unit vector, and weighted by the triangle's angle at the
+ * vertex. A vertex between triangles of both orientations in the texture, at the seam of a mirrored texture, is split.
+ * The bitangent points to where v decreases, upward in the image, as normal maps of glTF expect.
  *
  * Source: Morten Mikkelsen, "Simulation of Wrinkled Surfaces Revisited", 2008, and the tangent space that the
  * glTF specification prescribes, "MikkTSpace". Here a vertex is what the vertex numbers of the triangles say: vertices

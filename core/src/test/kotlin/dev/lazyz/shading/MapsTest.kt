@@ -40,7 +40,15 @@ class MapsTest {
         floatArrayOf(-2f, -2f, 0f, 2f, -2f, 0f, 2f, 2f, 0f, -2f, 2f, 0f),
         if (isTurned) intArrayOf(2, 1, 0, 3, 2, 0) else intArrayOf(0, 1, 2, 0, 2, 3),
         material,
-        FloatArray(12) { if (it % 3 < 2) 0f else if (isTurned) -1f else 1f },
+        FloatArray(12) {
+            if (it % 3 < 2) {
+                0f
+            } else if (isTurned) {
+                -1f
+            } else {
+                1f
+            }
+        },
         floatArrayOf(0f, 1f, 1f, 1f, 1f, 0f, 0f, 0f),
         uvs2 = floatArrayOf(1f, 0f, 1f, 1f, 0f, 1f, 0f, 0f),
     )
@@ -97,7 +105,8 @@ class MapsTest {
         val x = part(0xC0)
         val y = part(0xA0)
         val z = part(0xE0)
-        // In the second set, u increases downward and v to the right: right of the map is down, and up of the map is left
+        // In the second set, u increases downward and v to the right: right of the map is down, and up of the map is
+        // left
         val second = square(bumpy(0xC0A0E0, { TextureMap(it, 1) })).withTangents(1)
         assertNormal(-y, -x, z, second)
         // A quarter turn: u' = v, v' = -u, so right of the map is down, and up of the map is right
@@ -161,13 +170,15 @@ class MapsTest {
             val expected = seen(square(plain), 1, 1, ambient)
             val actual = seen(square(occluded), 1, 1, ambient)
             assertEquals(expected.red * factor, actual.red, 1e-6f)
-            assertEquals(seen(square(plain), 1, 1, sun(0.0, 0.0, 1.0)), seen(square(occluded), 1, 1, sun(0.0, 0.0, 1.0)))
+            val sun = sun(0.0, 0.0, 1.0)
+            assertEquals(seen(square(plain), 1, 1, sun), seen(square(occluded), 1, 1, sun))
         }
     }
 
     @Test
     fun rule_6_9_emissionIsMultipliedByItsMap() {
-        val glow = Material(Rgba.BLACK, emission = Rgba(1f, 0.5f, 4f)).withEmissionMap(TextureMap(row(0xFF0033, 0x00FF66)))
+        val map = TextureMap(row(0xFF0033, 0x00FF66))
+        val glow = Material(Rgba.BLACK, emission = Rgba(1f, 0.5f, 4f)).withEmissionMap(map)
         val looks = Shading.entries.map { glow.withShading(it) } + glow.withMetallicRoughness(MetallicRoughness(1f, 1f))
         for (look in looks) {
             assertEquals(Rgba(1f, 0f, 4f * (0x33 / 255f)), seen(square(look), 0, 1, sun(0.0, 0.0, -1.0)), "$look")

@@ -60,7 +60,8 @@ class StrategiesAgreeTest {
         listOf(true, false).map { hasLights ->
             dynamicTest("$mode, ${if (hasLights) "lights" else "studio"}") {
                 val scene = Scene(listOf(physical(mode))).withToneMapping(ToneMapping(ToneCurve.ACES, 0.5))
-                assertAgree(if (hasLights) scene.withLights(LIGHTS).withEnvironment(Environment.studio(0.5f)) else scene)
+                val lit = scene.withLights(LIGHTS).withEnvironment(Environment.studio(0.5f))
+                assertAgree(if (hasLights) lit else scene)
             }
         }
     }

@@ -1,13 +1,13 @@
 package dev.lazyz.shading.pbr
 
 /**
- * How much of uniform light a rough surface reflects: `F0 * scale + bias` for a surface with the reflectance F0 at normal
- * incidence, by roughness and angle. This is the second factor of the split sum.
+ * How much of uniform light a rough surface reflects: `F0 * scale + bias` for a surface with the reflectance F0 at
+ * normal incidence, by roughness and angle. This is the second factor of the split sum.
  *
- * The two numbers are interpolated bilinearly in a table of [SIZE] x [SIZE] elements, over N.V and perceptual roughness.
- * It is computed once, in double precision with [StrictMath], from [STRATA] x [STRATA] microfacets for each element; it
- * differs from the exact integral by less than 0.012, except below N.V = 0.1. Source: B. Karis, "Real Shading in Unreal
- * Engine 4", SIGGRAPH 2013.
+ * The two numbers are interpolated bilinearly in a table of [SIZE] x [SIZE] elements, over N.V and perceptual
+ * roughness. It is computed once, in double precision with [StrictMath], from [STRATA] x [STRATA] microfacets for each
+ * element; it differs from the exact integral by less than 0.012, except below N.V = 0.1. Source: B. Karis, "Real
+ * Shading in Unreal Engine 4", SIGGRAPH 2013.
  */
 internal object DirectionalAlbedo {
     private const val SIZE = 32

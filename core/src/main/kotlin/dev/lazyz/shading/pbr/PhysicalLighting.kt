@@ -10,8 +10,8 @@ import kotlin.math.sqrt
  * Immutable and thread safe.
  *
  * Lights with a position or a direction follow glTF 2.0, appendix B, exactly. Ambient light, which is equal from all
- * directions, and the [studio] use the split sum, with the light that is reflected more than once between microfacets: C.
- * Fdez-Agüera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting", JCGT 8 (2019).
+ * directions, and the [studio] use the split sum, with the light that is reflected more than once between microfacets:
+ * C. Fdez-Agüera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting", JCGT 8 (2019).
  */
 internal class PhysicalLighting(
     private val viewer: Viewer,

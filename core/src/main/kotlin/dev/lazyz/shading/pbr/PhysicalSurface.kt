@@ -1,9 +1,9 @@
 package dev.lazyz.shading.pbr
 
 /**
- * A metallic-roughness material at one point, as [SIZE] numbers in an array, and scratch memory for its light: colour of
- * diffuse reflection from [DIFFUSE] on, reflectance at normal incidence from [REFLECTANCE] on, perceptual roughness at
- * [ROUGHNESS]; radiance from [RADIANCE] on and irradiance from [IRRADIANCE] on.
+ * A metallic-roughness material at one point, as [SIZE] numbers in an array, and scratch memory for its light: colour
+ * of diffuse reflection from [DIFFUSE] on, reflectance at normal incidence from [REFLECTANCE] on, perceptual roughness
+ * at [ROUGHNESS]; radiance from [RADIANCE] on and irradiance from [IRRADIANCE] on.
  */
 internal object PhysicalSurface {
     const val DIFFUSE: Int = 0

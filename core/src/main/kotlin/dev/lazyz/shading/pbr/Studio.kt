@@ -1,12 +1,12 @@
 package dev.lazyz.shading.pbr
 
 /**
- * The light of the studio by direction (contract rule 6.10): walls that are darker below, and soft boxes. In its space, y
- * points up, and z to the side on which the viewer is.
+ * The light of the studio by direction (contract rule 6.10): walls that are darker below, and soft boxes. In its space,
+ * y points up, and z to the side on which the viewer is.
  *
- * [radiance] is what a surface of a given roughness reflects from around a direction, and [irradiance] what a matt surface
- * receives. The latter uses the first nine spherical harmonics of the light, computed once: R. Ramamoorthi and P.
- * Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001.
+ * [radiance] is what a surface of a given roughness reflects from around a direction, and [irradiance] what a matt
+ * surface receives. The latter uses the first nine spherical harmonics of the light, computed once: R. Ramamoorthi and
+ * P. Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001.
  */
 internal object Studio {
     private val boxes = arrayOf(
@@ -33,9 +33,9 @@ internal object Studio {
      * [at] and the two elements after it.
      *
      * For alpha 1, the blur is that of a matt surface, exactly: [irradiance]. For smaller ones, it is a mean of this,
-     * with the weight alpha, and of the light of walls and boxes blurred one by one. Compared with the integral over the
-     * reflected light, in which each direction has the weight of its cosine, the root mean square of the difference is
-     * at most 0.13; the light is 0.7 on average.
+     * with the weight alpha, and of the light of walls and boxes blurred one by one. Compared with the integral over
+     * the reflected light, in which each direction has the weight of its cosine, the root mean square of the difference
+     * is at most 0.13; the light is 0.7 on average.
      */
     fun radiance(x: Float, y: Float, z: Float, alpha: Float, out: FloatArray, at: Int) {
         irradiance(x, y, z, out, at)

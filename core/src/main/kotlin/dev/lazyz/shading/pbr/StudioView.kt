@@ -32,7 +32,8 @@ internal class StudioView private constructor(
         fun of(environment: Environment, camera: Camera): StudioView? {
             if (environment == Environment.NONE) return null
 
-            // The horizontal direction to the camera; if it looks down or up, the lower edge of the picture is the front
+            // The horizontal direction to the camera; if it looks down or up, the lower edge of the picture is the
+            // front
             var front = camera.toWorldDirection(0.0, 0.0, 1.0)
             if (StrictMath.abs(front.y) > STEEP) {
                 front = camera.toWorldDirection(0.0, if (front.y > 0.0) -1.0 else 1.0, 0.0)

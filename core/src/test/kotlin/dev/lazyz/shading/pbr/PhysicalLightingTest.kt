@@ -67,11 +67,12 @@ class PhysicalLightingTest {
     @Test
     fun rule_6_8_lightsAddUpAndEmissionIsAdded() {
         val gold = material(Rgba(1f, 0.75f, 0.25f), 0.5f, 0.5f)
-        val lights = listOf(Light.Directional(Vector3d(0.5, 0.0, -1.0), Rgba.WHITE), Light.Ambient(Rgba(0.25f, 0.5f, 1f)))
+        val sun = Light.Directional(Vector3d(0.5, 0.0, -1.0), Rgba.WHITE)
+        val lights = listOf(sun, Light.Ambient(Rgba(0.25f, 0.5f, 1f)))
         val (first, second) = lights.map { seen(gold, it) }
         val both = seen(gold.withEmission(Rgba(0.5f, 3f, 0f)), *lights.toTypedArray())
         assertColor(
-            listOf(first.red + second.red + 0.5, first.green + second.green + 3.0, (first.blue + second.blue).toDouble()),
+            listOf(first.red + second.red + 0.5, first.green + second.green + 3.0, first.blue + second.blue + 0.0),
             both,
             "sum",
         )

@@ -20,8 +20,8 @@ import dev.lazyz.world.TextureEncoding
 internal class GltfMaterial(val material: Material, val texCoordSets: List<Int>)
 
 /**
- * Converts materials (section 3.9): to metallic-roughness materials, or with `KHR_materials_unlit` to [Shading.CONSTANT].
- * Factors are already linear.
+ * Converts materials (section 3.9): to metallic-roughness materials, or with `KHR_materials_unlit` to
+ * [Shading.CONSTANT]. Factors are already linear.
  *
  * A classical look is added, for callers who remove the metallic-roughness model to see another shading:
  *

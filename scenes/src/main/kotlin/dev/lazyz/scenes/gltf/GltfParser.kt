@@ -11,10 +11,10 @@ import dev.lazyz.world.Scene
  *
  * It reads the default scene, or all nodes without a parent if there is none: node transforms, triangles of all three
  * modes, points, lines of all three modes, normals (without them, shading is flat, 3.7.2.1), one set of texture
- * coordinates, `COLOR_0`, materials as described at [GltfMaterials], and lights as described at [GltfLights]. The first camera in the scene becomes the
- * viewpoint, see [GltfCameras]; without one, the camera is fitted to the scene. Skins and morph targets are applied, at
- * rest or at a moment of the first animation ([GltfAnimation], [GltfPoses]). [GltfExtensions] lists the supported
- * extensions. Features that are ignored give a warning.
+ * coordinates, `COLOR_0`, materials as described at [GltfMaterials], and lights as described at [GltfLights]. The first
+ * camera in the scene becomes the viewpoint, see [GltfCameras]; without one, the camera is fitted to the scene. Skins
+ * and morph targets are applied, at rest or at a moment of the first animation ([GltfAnimation], [GltfPoses]).
+ * [GltfExtensions] lists the supported extensions. Features that are ignored give a warning.
  */
 internal object GltfParser : SceneParser {
     override fun parse(source: Source): Scene {

@@ -3,7 +3,9 @@ package dev.lazyz.scenes.images
 import dev.lazyz.world.Texture
 import dev.lazyz.world.TextureEncoding
 
-/** Combines images that files keep apart to one texture. The larger image determines the size; see [at] for the other. */
+/**
+ * Combines images that files keep apart to one texture. The larger image determines the size; see [at] for the other.
+ */
 internal object ChannelPacking {
     /** Returns a texture with [roughness] as green and [metallic] as blue, and 255 for an image that is null. */
     fun metallicRoughness(roughness: Texture?, metallic: Texture?): Texture? {

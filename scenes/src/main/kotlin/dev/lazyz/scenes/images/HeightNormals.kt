@@ -8,9 +8,9 @@ import kotlin.math.sqrt
 /**
  * Converts a bump map, an image of heights, to a normal map.
  *
- * A height is the mean of red, green and blue, 0..1, times the factor, times [DEPTH] of the longer side of the image. The
- * slope at a texel is half the difference of its neighbours on both sides; beyond the border, the image continues as the
- * texture does.
+ * A height is the mean of red, green and blue, 0..1, times the factor, times [DEPTH] of the longer side of the image.
+ * The slope at a texel is half the difference of its neighbours on both sides; beyond the border, the image continues
+ * as the texture does.
  */
 internal object HeightNormals {
     /** Depth of a full-range bump map, as a part of the longer side of the image. */

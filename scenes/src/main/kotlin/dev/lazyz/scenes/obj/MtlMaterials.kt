@@ -42,10 +42,10 @@ internal class MtlMaterial(
  * programs write it for opaque materials. The alpha of a texture is used only if `map_d` names the same file, and then
  * as a mask. Another file of `map_d` is a mask, too: its alpha, or its grey if it has none, placed like `map_Kd`.
  *
- * `norm` is a normal map, and `bump` or `map_bump` an image of heights, see [HeightNormals]; `map_Ke` multiplies `Ke`, or
- * white if `Ke` is black or missing. A material with `Pm`, `Pr`, `map_Pm` or `map_Pr` (C. Hery et al., the extension of
- * MTL for physically based rendering, 2013) is a metallic-roughness material. A map replaces its number. Without both,
- * a material is no metal, and its roughness is `(2 / (Ns + 2))^(1/4)`.
+ * `norm` is a normal map, and `bump` or `map_bump` an image of heights, see [HeightNormals]; `map_Ke` multiplies `Ke`,
+ * or white if `Ke` is black or missing. A material with `Pm`, `Pr`, `map_Pm` or `map_Pr` (C. Hery et al., the extension
+ * of MTL for physically based rendering, 2013) is a metallic-roughness material. A map replaces its number. Without
+ * both, a material is no metal, and its roughness is `(2 / (Ns + 2))^(1/4)`.
  *
  * @param folders folders to search for textures, in order
  */

@@ -48,7 +48,8 @@ class GltfLightsTest {
     @Test
     fun pointsAndSpotsFallOff() {
         val cone = """"spot":{"innerConeAngle":0.2,"outerConeAngle":0.5}"""
-        val lights = scene("""{"type":"point","intensity":20}""", """{"type":"spot","intensity":20,"range":9,$cone}""").lights
+        val spotLight = """{"type":"spot","intensity":20,"range":9,$cone}"""
+        val lights = scene("""{"type":"point","intensity":20}""", spotLight).lights
         val point = lights[0] as Light.Point
         assertVector(0.0, 0.0, 3.0, point.position)
         assertEquals(Falloff.inverseSquare(), point.falloff)
@@ -63,7 +64,8 @@ class GltfLightsTest {
     @Test
     fun lightsOfAnotherUnitAreScaledTogether() {
         // Sunlight of 100000 lux and a weak lamp: the sum at the centre, 3 units from the lamp, becomes 1
-        val lights = scene("""{"type":"directional","intensity":100000}""", """{"type":"point","intensity":9000}""").lights
+        val sunlight = """{"type":"directional","intensity":100000}"""
+        val lights = scene(sunlight, """{"type":"point","intensity":9000}""").lights
         val sun = lights[0].color.red.toDouble()
         val lamp = lights[1].color.red.toDouble()
         assertEquals(1.0, sun + lamp / 9, 1e-5)
@@ -83,7 +85,8 @@ class GltfLightsTest {
     @Test
     fun invalidLightsArePassedOver() {
         val cone = """"spot":{"innerConeAngle":0.5,"outerConeAngle":0.5}"""
-        for (light in listOf("""{"type":"area"}""", "{}", """{"type":"spot",$cone}""", """{"type":"point","range":-1}""")) {
+        val behind = """{"type":"point","range":-1}"""
+        for (light in listOf("""{"type":"area"}""", "{}", """{"type":"spot",$cone}""", behind)) {
             warnings.clear()
             assertEquals(emptyList<Light>(), scene(light).lights)
             assertTrue("lights[0] is passed over" in warnings.single()) { "$light: $warnings" }

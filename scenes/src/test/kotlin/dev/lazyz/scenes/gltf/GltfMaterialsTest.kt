@@ -133,10 +133,12 @@ class GltfMaterialsTest {
     fun eachMapHasItsOwnTransformAndSet() {
         val transform = """"KHR_texture_transform":{"scale":[2,3],"offset":[0.5,0.25],"rotation":1.5707963267948966}"""
         val moved = """{"index":0,"extensions":{$transform}}"""
-        val material = material("""{"pbrMetallicRoughness":{"baseColorTexture":$moved},"emissiveTexture":{"index":0}}""", image)
+        val pbr = """"pbrMetallicRoughness":{"baseColorTexture":$moved}"""
+        val material = material("""{$pbr,"emissiveTexture":{"index":0}}""", image)
         assertEquals(UvTransform.IDENTITY, material.emissionMap?.transform)
         val map = checkNotNull(material.textureMap)
-        for ((from, to) in listOf((0f to 0f) to (0.5f to 0.25f), (1f to 0f) to (0.5f to -1.75f), (0f to 1f) to (3.5f to 0.25f))) {
+        val places = listOf(0f to 0f, 1f to 0f, 0f to 1f)
+        for ((from, to) in places.zip(listOf(0.5f to 0.25f, 0.5f to -1.75f, 3.5f to 0.25f))) {
             assertEquals(to.first, map.transform.u(from.first, from.second), 1e-6f)
             assertEquals(to.second, map.transform.v(from.first, from.second), 1e-6f)
         }

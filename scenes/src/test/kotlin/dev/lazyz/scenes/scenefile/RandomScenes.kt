@@ -138,7 +138,8 @@ internal class RandomScenes(seed: Long) {
         else -> TextureMap(
             texture(), random.nextInt(2),
             UvTransform(
-                random.nextGaussian(), random.nextDouble(), 1e3 * random.nextGaussian(), random.nextDouble(), -1.0 / 3.0,
+                random.nextGaussian(), random.nextDouble(), 1e3 * random.nextGaussian(), random.nextDouble(),
+                -1.0 / 3.0,
             ),
         )
     }
