@@ -153,6 +153,9 @@ public class Fragment {
     /** Scratch array for the light at a sample. */
     internal val light: FloatArray = FloatArray(6)
 
+    /** Scratch array for a physically based material at a sample. */
+    internal val surface: FloatArray = FloatArray(13)
+
     /** A batch of one fragment, for a [BatchShader] that is called with this fragment. */
     internal val singleBatch: FragmentBatch by lazy(LazyThreadSafetyMode.NONE) { FragmentBatch(1) }
 

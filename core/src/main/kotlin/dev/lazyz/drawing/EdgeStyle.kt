@@ -51,7 +51,7 @@ public class EdgeStyle @JvmOverloads constructor(
 
     /** Returns [scene] with its edges drawn: the same scene and, as its last surface, an [EdgeDrawing]. */
     public fun drawnOn(scene: Scene): Scene =
-        Scene(scene.surfaces + EdgeDrawing(scene.surfaces, this), scene.lights, scene.viewpoint, scene.background)
+        scene.withSurfaces(scene.surfaces + EdgeDrawing(scene.surfaces, this))
 
     override fun toString(): String = "EdgeStyle($edges, creases from $creaseAngle degrees, $width pixels, $hidden)"
 

@@ -55,7 +55,7 @@ public class SuperSampling @JvmOverloads constructor(
     public fun frame(scene: Scene, pixels: Raster, options: RenderOptions = RenderOptions()): SampledFrame {
         if (factor == 1) return of(scene.frame(pixels, options))
         obstacle(scene, pixels)?.let { throw IllegalArgumentException(it) }
-        val magnified = Scene(scene.surfaces.map { magnified(it) }, scene.lights, scene.viewpoint, scene.background)
+        val magnified = scene.withSurfaces(scene.surfaces.map { magnified(it) })
         return of(magnified.frame(pixels.withSize(pixels.width * factor, pixels.height * factor), options))
     }
 

@@ -51,7 +51,7 @@ public class Section @JvmOverloads constructor(
         }
         val whole = scene.surfaces.count { it !is Mesh && it !is Polygon && it !is Points && it !is Lines }
         if (whole > 0) warnings += "$whole spheres or custom surfaces cannot be cut, and are shown whole"
-        return SectionedScene(Scene(kept + caps, scene.lights, scene.viewpoint, scene.background), warnings)
+        return SectionedScene(scene.withSurfaces(kept + caps), warnings)
     }
 
     private fun cut(surface: Surface, plane: SectionPlane): Surface? = when (surface) {

@@ -101,6 +101,6 @@ internal class PointCloud(private val points: Points, private val stage: VertexS
     }
 }
 
-/** Returns this material for points and lines: without its texture, and with the given [shading]. */
+/** Returns this material for points and lines: without its maps, and with the given [shading]. */
 internal fun Material.withoutTexture(shading: Shading): Material =
-    withTexture(null).withShading(shading)
+    withoutMaps().withShading(shading)

@@ -3,6 +3,8 @@ package dev.lazyz.shading
 import dev.lazyz.BatchShader
 import dev.lazyz.Fragment
 import dev.lazyz.FragmentBatch
+import dev.lazyz.Rgba
+import dev.lazyz.shading.pbr.PhysicalSurface
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Material
 import dev.lazyz.world.Shading
@@ -11,7 +13,7 @@ import dev.lazyz.world.Shading
  * A shader for a material and lights.
  *
  * For flat and Gouraud shading of polygons, light is evaluated during set-up: [litColor] has stored the product of base
- * colour and light in the vertex colours, and this shader only applies the texture.
+ * colour and light in the vertex colours, and this shader only applies the texture and the emission map.
  *
  * @param isPrelit whether the vertex colours come from [litColor]
  */
@@ -21,7 +23,23 @@ internal class MaterialShader(
     private val isPrelit: Boolean,
 ) : BatchShader {
     private val base = material.baseColor
-    private val texture = material.texture
+    private val texture = MapReader.of(material.textureMap)
+    private val emissionMap = MapReader.of(material.emissionMap)
+    private val isLit = !isPrelit && material.shading != Shading.CONSTANT
+    private val normalMap = if (isLit) NormalReader.of(material.normalMap) else null
+    private val occlusionMap = if (isLit) MapReader.of(material.occlusionMap?.map) else null
+    private val occlusionStrength = material.occlusionMap?.strength ?: 0f
+
+    /** The model of a physically based material; null for a classical one. */
+    private val model = if (material.isPhysical) material.metallicRoughness else null
+    private val modelMap = MapReader.of(model?.map)
+    private val toneMapper = lighting.toneMapper
+
+    /** What the formula of light adds. With a map, emission is added later. */
+    private val emission = if (emissionMap == null) material.emission else Rgba.BLACK
+
+    /** Whether a colour is only a product and a sum. */
+    private val isSimple = texture == null && emissionMap == null && toneMapper == null && !isLit
 
     override fun shade(fragment: Fragment) {
         // Base colour x vertex colour x texture
@@ -36,8 +54,7 @@ internal class MaterialShader(
             alpha *= base.alpha
         }
         if (texture != null) {
-            val texel = fragment.texel
-            texture.sample(fragment, texel)
+            val texel = texture.read(fragment)
             red *= texel[0]
             green *= texel[1]
             blue *= texel[2]
@@ -45,26 +62,75 @@ internal class MaterialShader(
         }
 
         // Light
-        if (!isPrelit && material.shading != Shading.CONSTANT) {
+        if (isLit) {
+            normalMap?.apply(fragment)
+            val occlusion = if (occlusionMap == null) 1f else occlusion(fragment, occlusionMap)
             val light = fragment.light
-            lighting.illuminate(
-                material, fragment.worldX, fragment.worldY, fragment.worldZ,
-                fragment.normalX, fragment.normalY, fragment.normalZ, light,
-            )
-            red = red * light[0] + light[3]
-            green = green * light[1] + light[4]
-            blue = blue * light[2] + light[5]
+            if (model != null) {
+                reflect(fragment, red, green, blue, occlusion)
+                red = light[0]
+                green = light[1]
+                blue = light[2]
+            } else {
+                lighting.illuminate(
+                    material, emission, occlusion, fragment.worldX, fragment.worldY, fragment.worldZ,
+                    fragment.normalX, fragment.normalY, fragment.normalZ, light,
+                )
+                red = red * light[0] + light[3]
+                green = green * light[1] + light[4]
+                blue = blue * light[2] + light[5]
+            }
         } else if (!isPrelit) {
-            red += material.emission.red
-            green += material.emission.green
-            blue += material.emission.blue
+            red += emission.red
+            green += emission.green
+            blue += emission.blue
         }
-        fragment.setColor(red, green, blue, if (material.alphaMode == AlphaMode.BLEND) alpha else 1f)
+        if (emissionMap != null) {
+            val texel = emissionMap.read(fragment)
+            red += material.emission.red * texel[0]
+            green += material.emission.green * texel[1]
+            blue += material.emission.blue * texel[2]
+        }
+
+        val opacity = if (material.alphaMode == AlphaMode.BLEND) alpha else 1f
+        if (toneMapper == null) {
+            fragment.setColor(red, green, blue, opacity)
+        } else {
+            val color = fragment.light
+            color[0] = red
+            color[1] = green
+            color[2] = blue
+            toneMapper.apply(color)
+            fragment.setColor(color[0], color[1], color[2], opacity)
+        }
     }
+
+    /** Stores the light that the fragment reflects, and its emission, in 0..2 of its [Fragment.light]. */
+    private fun reflect(fragment: Fragment, red: Float, green: Float, blue: Float, occlusion: Float) {
+        var metallic = model!!.metallic
+        var roughness = model.roughness
+        if (modelMap != null) {
+            val texel = modelMap.read(fragment)
+            roughness *= texel[1]
+            metallic *= texel[2]
+        }
+        PhysicalSurface.set(fragment.surface, red, green, blue, metallic, roughness)
+        val light = fragment.light
+        light[0] = emission.red
+        light[1] = emission.green
+        light[2] = emission.blue
+        lighting.physical.illuminate(
+            fragment.surface, occlusion, fragment.worldX, fragment.worldY, fragment.worldZ,
+            fragment.normalX, fragment.normalY, fragment.normalZ, light,
+        )
+    }
+
+    private fun occlusion(fragment: Fragment, map: MapReader): Float =
+        1f + occlusionStrength * (map.read(fragment)[0] - 1f)
 
     override fun shade(batch: FragmentBatch) {
         val count = batch.size
-        if (texture == null && (isPrelit || material.shading == Shading.CONSTANT)) {
+        if (isSimple) {
             // Only a product and a sum: simple loops, which the JVM vectorises
             scale(batch.vertexRed, base.red, material.emission.red, batch.red, count)
             scale(batch.vertexGreen, base.green, material.emission.green, batch.green, count)
@@ -87,10 +153,7 @@ internal class MaterialShader(
     fun alphaAt(fragment: Fragment): Float {
         var alpha = fragment.vertexAlpha
         if (!isPrelit) alpha *= base.alpha
-        if (texture != null) {
-            texture.sample(fragment, fragment.texel)
-            alpha *= fragment.texel[3]
-        }
+        if (texture != null) alpha *= texture.read(fragment)[3]
         return alpha
     }
 
@@ -103,6 +166,8 @@ internal class MaterialShader(
         val data = vertices.data
         lighting.illuminate(
             material,
+            emission,
+            1f,
             data[at + Vertices.WORLD].toFloat(),
             data[at + Vertices.WORLD + 1].toFloat(),
             data[at + Vertices.WORLD + 2].toFloat(),

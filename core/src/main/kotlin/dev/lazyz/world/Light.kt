@@ -8,8 +8,9 @@ import org.joml.Vector3dc
 /**
  * A light source, in world space. Immutable and thread safe.
  *
- * Colours are linear light and can exceed 1. Only the three kinds below exist, because the lighting formula is part of
- * the contract (rule 6.5). For other light, write a custom shader.
+ * Colours are linear light and can exceed 1. A matt white surface that a light of colour 1 reaches at a right angle is
+ * white. Only the four kinds below exist, because the lighting formula is part of the contract (rules 6.5 and 6.8). For
+ * other light, write a custom shader.
  */
 public sealed class Light {
     /** Colour and strength of the light, linear; alpha is ignored. */
@@ -21,8 +22,13 @@ public sealed class Light {
     /** Returns this light rotated so that the axis [up] becomes y. */
     internal open fun withUpAxis(up: UpAxis): Light = this
 
+    /** Returns this light with its colour multiplied by [factor]. */
+    public abstract fun scaled(factor: Float): Light
+
     /** Ambient light, equal on every surface. */
     public class Ambient(override val color: Rgba) : Light() {
+        override fun scaled(factor: Float): Ambient = Ambient(color.scaled(factor))
+
         override fun toString(): String = "Light.Ambient($color)"
     }
 
@@ -33,15 +39,22 @@ public sealed class Light {
 
         override fun withUpAxis(up: UpAxis): Directional = Directional(up.toWorld(direction), color)
 
+        override fun scaled(factor: Float): Directional = Directional(direction, color.scaled(factor))
+
         override fun toString(): String = "Light.Directional($direction, $color)"
     }
 
     /**
-     * Light from a point in all directions, with the same strength at any distance.
+     * Light from a point in all directions.
      *
+     * @property falloff how it decreases with the distance. The strength of [color] is that at the distance 1
      * @throws IllegalArgumentException if [position] is not finite
      */
-    public class Point(position: Vector3dc, override val color: Rgba) : Light() {
+    public class Point @JvmOverloads constructor(
+        position: Vector3dc,
+        override val color: Rgba,
+        public val falloff: Falloff = Falloff.NONE,
+    ) : Light() {
         /** Position of the light, world space. */
         public val position: Vector3dc = Vector3d(position)
 
@@ -49,11 +62,56 @@ public sealed class Light {
             require(Vectors.isFinite(position)) { "position of a light must be finite: $position" }
         }
 
-        override fun relativeTo(origin: Vector3dc): Point = Point(Vectors.minus(position, origin), color)
+        override fun relativeTo(origin: Vector3dc): Point = Point(Vectors.minus(position, origin), color, falloff)
 
-        override fun withUpAxis(up: UpAxis): Point = Point(up.toWorld(position), color)
+        override fun withUpAxis(up: UpAxis): Point = Point(up.toWorld(position), color, falloff)
 
-        override fun toString(): String = "Light.Point($position, $color)"
+        override fun scaled(factor: Float): Point = Point(position, color.scaled(factor), falloff)
+
+        override fun toString(): String = "Light.Point($position, $color, $falloff)"
+    }
+
+    /**
+     * Light from a point into a cone, with a soft edge as in the glTF extension `KHR_lights_punctual`.
+     *
+     * @property innerAngle degrees between the axis of the cone and the start of its soft edge, 0 or more
+     * @property outerAngle degrees between the axis and the end of the light, above [innerAngle], at most 90
+     * @property falloff how the light decreases with the distance. The strength of [color] is that at the distance 1
+     * @throws IllegalArgumentException if [position] is not finite, [direction] has no length, or an angle is out of
+     *   range
+     */
+    public class Spot @JvmOverloads constructor(
+        position: Vector3dc,
+        direction: Vector3dc,
+        override val color: Rgba,
+        public val innerAngle: Double = 0.0,
+        public val outerAngle: Double = 45.0,
+        public val falloff: Falloff = Falloff.NONE,
+    ) : Light() {
+        /** Position of the light, world space. */
+        public val position: Vector3dc = Vector3d(position)
+
+        /** The axis of the cone, in the direction in which the light travels; unit length. */
+        public val direction: Vector3dc = Vectors.unit(direction, "direction of a light")
+
+        init {
+            require(Vectors.isFinite(position)) { "position of a light must be finite: $position" }
+            require(innerAngle >= 0.0 && innerAngle < outerAngle && outerAngle <= 90.0) {
+                "angles of a spot must be 0 <= inner < outer <= 90: $innerAngle, $outerAngle"
+            }
+        }
+
+        override fun relativeTo(origin: Vector3dc): Spot =
+            Spot(Vectors.minus(position, origin), direction, color, innerAngle, outerAngle, falloff)
+
+        override fun withUpAxis(up: UpAxis): Spot =
+            Spot(up.toWorld(position), up.toWorld(direction), color, innerAngle, outerAngle, falloff)
+
+        override fun scaled(factor: Float): Spot =
+            Spot(position, direction, color.scaled(factor), innerAngle, outerAngle, falloff)
+
+        override fun toString(): String =
+            "Light.Spot($position, $direction, $color, $innerAngle..$outerAngle degrees, $falloff)"
     }
 
     public companion object {

@@ -2,6 +2,7 @@ package dev.lazyz.world
 
 import dev.lazyz.Rgba
 import dev.lazyz.Shader
+import java.util.function.IntPredicate
 
 /** Where on a surface light is evaluated. */
 public enum class Shading {
@@ -48,40 +49,78 @@ public enum class Sides {
 /**
  * The appearance of a surface.
  *
- * The base colour is multiplied by the texture and by the vertex colours if the surface has them. Immutable and thread
- * safe; any number of surfaces can share a material.
+ * The base colour is multiplied by the texture and by the vertex colours if the surface has them. There are two kinds
+ * of materials: classical ones, whose light is computed as [shading] says, and, with [metallicRoughness], physically
+ * based ones. Maps vary either over the surface: see [withNormalMap], [withOcclusionMap] and [withEmissionMap].
+ * Immutable and thread safe; any number of surfaces can share a material.
  *
- * @property baseColor diffuse colour and opacity, linear light
- * @property texture multiplies the base colour; null for none
- * @property shading where light is evaluated; ignored if [shader] is given
- * @property specular colour of highlights, linear light
+ * @property baseColor diffuse colour and opacity, linear light; for metals, the colour of what they reflect
+ * @property shading where light is evaluated; ignored if [shader] is given. With [metallicRoughness], it is at every
+ *   shaded sample, unless this is [Shading.CONSTANT]
+ * @property specular colour of highlights, linear light; not used with [metallicRoughness]
  * @property shininess exponent of the highlight, an integer in 1..1024, so that the power is a product (contract rule
- *   6.3)
- * @property emission light that the surface emits, linear light
+ *   6.3); not used with [metallicRoughness]
+ * @property emission light that the surface emits, linear light; components can exceed 1
  * @property alphaMode how alpha is used
  * @property alphaCutoff smallest alpha that is covered under [AlphaMode.MASK], 0..1
  * @property sides which sides are drawn
  * @property shader a custom shader that replaces [shading] and the lights, or null
  * @property name name for messages and files
- * @throws IllegalArgumentException if [shininess] or [alphaCutoff] is out of range
+ * @property textureMap multiplies the base colour; null for none
+ * @property metallicRoughness how a physically based material reflects light; null for a classical material
+ * @property normalMap changes the normals at each sample; null for none
+ * @property occlusionMap darkens indirect light at each sample; null for none
+ * @property emissionMap multiplies [emission]; null for none
  */
-public class Material @JvmOverloads constructor(
-    public val baseColor: Rgba = Rgba.WHITE,
-    public val texture: Texture? = null,
-    public val shading: Shading = Shading.PHONG,
-    public val specular: Rgba = Rgba.BLACK,
-    public val shininess: Int = 32,
-    public val emission: Rgba = Rgba.BLACK,
-    public val alphaMode: AlphaMode = AlphaMode.OPAQUE,
-    public val alphaCutoff: Float = 0.5f,
-    public val sides: Sides = Sides.BOTH,
-    public val shader: Shader? = null,
-    public val name: String = "",
+public class Material private constructor(
+    public val baseColor: Rgba,
+    public val textureMap: TextureMap?,
+    public val shading: Shading,
+    public val specular: Rgba,
+    public val shininess: Int,
+    public val emission: Rgba,
+    public val alphaMode: AlphaMode,
+    public val alphaCutoff: Float,
+    public val sides: Sides,
+    public val shader: Shader?,
+    public val name: String,
+    public val metallicRoughness: MetallicRoughness?,
+    public val normalMap: NormalMap?,
+    public val occlusionMap: OcclusionMap?,
+    public val emissionMap: TextureMap?,
 ) {
+    /**
+     * Creates a material without maps, except for a [texture]; see the properties. The functions `with...` set the
+     * others.
+     *
+     * @param texture multiplies the base colour; null for none
+     * @throws IllegalArgumentException if [shininess] or [alphaCutoff] is out of range
+     */
+    @JvmOverloads
+    public constructor(
+        baseColor: Rgba = Rgba.WHITE,
+        texture: Texture? = null,
+        shading: Shading = Shading.PHONG,
+        specular: Rgba = Rgba.BLACK,
+        shininess: Int = 32,
+        emission: Rgba = Rgba.BLACK,
+        alphaMode: AlphaMode = AlphaMode.OPAQUE,
+        alphaCutoff: Float = 0.5f,
+        sides: Sides = Sides.BOTH,
+        shader: Shader? = null,
+        name: String = "",
+    ) : this(
+        baseColor, texture?.let { TextureMap(it) }, shading, specular, shininess, emission, alphaMode, alphaCutoff,
+        sides, shader, name, null, null, null, null,
+    )
+
     init {
         require(shininess in 1..1024) { "shininess must be in 1..1024: $shininess" }
         require(alphaCutoff in 0f..1f) { "alphaCutoff must be in 0..1: $alphaCutoff" }
     }
+
+    /** The texture of [textureMap]. */
+    public val texture: Texture? get() = textureMap?.texture
 
     /**
      * Whether samples of this material can be translucent: [AlphaMode.BLEND], with alpha below 1 in the base colour or
@@ -92,14 +131,90 @@ public class Material @JvmOverloads constructor(
         get() = alphaMode == AlphaMode.BLEND &&
             (!(baseColor.alpha >= 1f) || texture?.hasAlpha == true || shader != null)
 
+    /** Whether light is computed by the metallic-roughness model. */
+    internal val isPhysical: Boolean
+        get() = metallicRoughness != null && shading != Shading.CONSTANT && shader == null
+
+    /** Whether light is computed during set-up, at vertices or faces. */
+    internal val isLitEarly: Boolean
+        get() = shader == null && metallicRoughness == null && (shading == Shading.FLAT || shading == Shading.GOURAUD)
+
+    /** Whether light is computed at samples, or a custom shader may do so. */
+    internal val isLitLate: Boolean
+        get() = shader != null || isPhysical || shading == Shading.PHONG || shading == Shading.BLINN_PHONG
+
+    /** All maps that are read. Normal and occlusion maps have an effect only where light is computed at samples. */
+    internal val maps: List<TextureMap>
+        get() = listOfNotNull(textureMap, emissionMap) + if (!isLitLate) {
+            emptyList()
+        } else {
+            listOfNotNull(metallicRoughness?.map?.takeIf { isPhysical }, normalMap?.map, occlusionMap?.map)
+        }
+
     /** Whether textures are read with the derivatives of their coordinates. */
-    internal val usesFootprint: Boolean get() = texture != null && texture.mipFilter != MipFilter.NONE
+    internal val usesFootprint: Boolean get() = maps.any { it.texture.mipFilter != MipFilter.NONE }
 
     /** Returns this material with another [baseColor]. */
     public fun withBaseColor(baseColor: Rgba): Material = copy(baseColor = baseColor)
 
     /** Returns this material with another [texture], or without one. */
-    public fun withTexture(texture: Texture?): Material = copy(texture = texture)
+    public fun withTexture(texture: Texture?): Material = copy(textureMap = texture?.let { TextureMap(it) })
+
+    /** Returns this material with another texture and its place on the surface, or without one. */
+    public fun withTextureMap(textureMap: TextureMap?): Material = copy(textureMap = textureMap)
+
+    /** Returns this material as a physically based one, or, with null, as a classical one. */
+    public fun withMetallicRoughness(metallicRoughness: MetallicRoughness?): Material =
+        copy(metallicRoughness = metallicRoughness)
+
+    /**
+     * Returns this material with another normal map, or without one. It has an effect if light is evaluated at samples:
+     * with [metallicRoughness], [Shading.PHONG] or [Shading.BLINN_PHONG].
+     */
+    public fun withNormalMap(normalMap: NormalMap?): Material = copy(normalMap = normalMap)
+
+    /**
+     * Returns this material with another occlusion map, or without one. It has an effect where normal maps have one.
+     */
+    public fun withOcclusionMap(occlusionMap: OcclusionMap?): Material = copy(occlusionMap = occlusionMap)
+
+    /** Returns this material with another texture that multiplies [emission], or without one. */
+    public fun withEmissionMap(emissionMap: TextureMap?): Material = copy(emissionMap = emissionMap)
+
+    /** Returns this material with the [mipFilter] in the textures of all its maps. */
+    public fun withMipFilter(mipFilter: MipFilter): Material {
+        fun filtered(map: TextureMap) = map.withTexture(map.texture.withMipFilter(mipFilter))
+        return copy(
+            textureMap = textureMap?.let(::filtered),
+            metallicRoughness = metallicRoughness?.let {
+                MetallicRoughness(it.metallic, it.roughness, it.map?.let(::filtered))
+            },
+            normalMap = normalMap?.let { NormalMap(filtered(it.map), it.scale) },
+            occlusionMap = occlusionMap?.let { OcclusionMap(filtered(it.map), it.strength) },
+            emissionMap = emissionMap?.let(::filtered),
+        )
+    }
+
+    /** Returns this material without any map or texture, for a surface without texture coordinates. */
+    public fun withoutMaps(): Material = withMapsOf { false }
+
+    /**
+     * Returns this material with those maps only whose set of texture coordinates, 0 or 1, a surface has.
+     *
+     * @param hasUvSet whether the surface has the set of this number
+     */
+    public fun withMapsOf(hasUvSet: IntPredicate): Material {
+        fun isKept(map: TextureMap) = hasUvSet.test(map.uvSet)
+        return copy(
+            textureMap = textureMap?.takeIf(::isKept),
+            metallicRoughness = metallicRoughness?.let {
+                MetallicRoughness(it.metallic, it.roughness, it.map?.takeIf(::isKept))
+            },
+            normalMap = normalMap?.takeIf { isKept(it.map) },
+            occlusionMap = occlusionMap?.takeIf { isKept(it.map) },
+            emissionMap = emissionMap?.takeIf(::isKept),
+        )
+    }
 
     /** Returns this material with another [shading]. */
     public fun withShading(shading: Shading): Material = copy(shading = shading)
@@ -130,7 +245,7 @@ public class Material @JvmOverloads constructor(
 
     private fun copy(
         baseColor: Rgba = this.baseColor,
-        texture: Texture? = this.texture,
+        textureMap: TextureMap? = this.textureMap,
         shading: Shading = this.shading,
         specular: Rgba = this.specular,
         shininess: Int = this.shininess,
@@ -140,9 +255,17 @@ public class Material @JvmOverloads constructor(
         sides: Sides = this.sides,
         shader: Shader? = this.shader,
         name: String = this.name,
+        metallicRoughness: MetallicRoughness? = this.metallicRoughness,
+        normalMap: NormalMap? = this.normalMap,
+        occlusionMap: OcclusionMap? = this.occlusionMap,
+        emissionMap: TextureMap? = this.emissionMap,
     ): Material = Material(
-        baseColor, texture, shading, specular, shininess, emission, alphaMode, alphaCutoff, sides, shader, name,
+        baseColor, textureMap, shading, specular, shininess, emission, alphaMode, alphaCutoff, sides, shader, name,
+        metallicRoughness, normalMap, occlusionMap, emissionMap,
     )
 
-    override fun toString(): String = "Material(\"$name\", $baseColor, $shading, texture=$texture)"
+    override fun toString(): String {
+        val look = if (isPhysical) "$metallicRoughness" else "$shading"
+        return "Material(\"$name\", $baseColor, $look, texture=$texture)"
+    }
 }

@@ -14,8 +14,8 @@ import org.joml.Vector3dc
  * Triangles that share vertices and have one material.
  *
  * [positions], [normals], [uvs], [colors], [uvs2] and [tangents] are indexed by vertex. [triangles] has three vertex
- * numbers for each triangle, counter-clockwise seen from outside. Positions can be NaN or infinite: a triangle with such
- * a vertex covers nothing. The arrays are not copied; do not change them. Thread safe.
+ * numbers for each triangle, counter-clockwise seen from outside. Positions can be NaN or infinite: a triangle with
+ * such a vertex covers nothing. The arrays are not copied; do not change them. Thread safe.
  *
  * @property positions x, y, z for each vertex, world space, relative to [origin]
  * @property triangles three vertex numbers for each triangle; the order of triangles is the submission order
@@ -144,6 +144,22 @@ public class Mesh @JvmOverloads constructor(
      */
     @JvmOverloads
     public fun withSmoothNormals(creaseAngle: Double = 45.0): Mesh = SmoothNormals(this, creaseAngle).mesh()
+
+    /**
+     * Returns this mesh with tangents computed from its texture coordinates, for a normal map at these coordinates; see
+     * [NormalMap]. A vertex at the seam of a mirrored texture is split. Vertices without an area in the texture get the
+     * tangent (0, 0, 0), so a normal map does not change their normals. Cost: linear in the size of the mesh.
+     *
+     * @param uvSet which texture coordinates: 0 for [uvs], 1 for [uvs2]
+     * @param transform the transform of the normal map
+     * @throws IllegalArgumentException if the mesh has no such texture coordinates
+     */
+    @JvmOverloads
+    public fun withTangents(uvSet: Int = 0, transform: UvTransform = UvTransform.IDENTITY): Mesh {
+        require(uvSet in 0..1) { "uvSet must be 0 or 1: $uvSet" }
+        val places = if (uvSet == 0) uvs else uvs2
+        return VertexTangents(this, requireNotNull(places) { "the mesh has no texture coordinates" }, transform).mesh()
+    }
 
     override fun toString(): String = "Mesh($vertexCount vertices, $triangleCount triangles, $material)"
 }

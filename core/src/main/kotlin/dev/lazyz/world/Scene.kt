@@ -21,16 +21,32 @@ import org.joml.Vector3dc
  * order, which resolves ties of depth (contract rule 5.2).
  *
  * @property surfaces the surfaces, in submission order
- * @property lights light sources; if empty, [Light.studio] lights for the camera are used
+ * @property lights light sources; if empty, [Light.studio] lights for the camera are used for materials without
+ *   [MetallicRoughness]
  * @property viewpoint the camera, or a rule that chooses one
  * @property background colour of samples that no surface covers
+ * @property environment what materials with [MetallicRoughness] reflect besides the [lights]; null means
+ *   [Environment.studio] for a scene without lights, and otherwise none
+ * @property toneMapping exposure and tone curve; null means [ToneCurve.NEUTRAL] for a scene with a material with
+ *   [MetallicRoughness], and otherwise [ToneMapping.NONE]
  */
-public class Scene @JvmOverloads constructor(
+public class Scene private constructor(
     public val surfaces: List<Surface>,
-    public val lights: List<Light> = emptyList(),
-    public val viewpoint: Viewpoint = Camera.fit(),
-    public val background: Rgba = Rgba.WHITE,
+    public val lights: List<Light>,
+    public val viewpoint: Viewpoint,
+    public val background: Rgba,
+    public val environment: Environment?,
+    public val toneMapping: ToneMapping?,
 ) {
+    /** Creates a scene with the default [environment] and [toneMapping]; see the properties. */
+    @JvmOverloads
+    public constructor(
+        surfaces: List<Surface>,
+        lights: List<Light> = emptyList(),
+        viewpoint: Viewpoint = Camera.fit(),
+        background: Rgba = Rgba.WHITE,
+    ) : this(surfaces, lights, viewpoint, background, null, null)
+
     /** The smallest box around all surfaces, or null if there is none. Computed once. */
     public val bounds: Box? by lazy { surfaces.mapNotNull { it.bounds }.reduceOrNull(Box::union) }
 
@@ -62,6 +78,13 @@ public class Scene @JvmOverloads constructor(
         surfaces.firstNotNullOfOrNull { surface -> originOf(surface)?.takeIf { !Vectors.isZero(it) } } ?: Vectors.ZERO
     }
 
+    /** The [toneMapping], or the default one for this scene if it is null. */
+    public val effectiveToneMapping: ToneMapping
+        get() = toneMapping ?: when {
+            surfaces.any { materialOf(it)?.isPhysical == true } -> ToneMapping(ToneCurve.NEUTRAL)
+            else -> ToneMapping.NONE
+        }
+
     /** Returns the camera for a raster of [width] x [height] samples. */
     public fun camera(width: Int, height: Int): Camera = viewpoint.camera(this, width.toDouble() / height)
 
@@ -80,8 +103,10 @@ public class Scene @JvmOverloads constructor(
     private fun setUp(raster: Raster, workers: Workers): SetUp {
         val camera = camera(raster.width, raster.height)
         val isOnScreen = camera.projection == Projection.Screen
-        val lights = lights.ifEmpty { Light.studio(camera) }
-        return SetUp(raster, camera, lights, if (isOnScreen) Vectors.ZERO else origin, workers)
+        val environment = environment ?: if (lights.isEmpty()) Environment.studio() else Environment.NONE
+        val classical = lights.ifEmpty { Light.studio(camera) }
+        val light = SceneLight(classical, lights, environment, effectiveToneMapping)
+        return SetUp(raster, camera, light, if (isOnScreen) Vectors.ZERO else origin, workers)
     }
 
     /**
@@ -112,7 +137,7 @@ public class Scene @JvmOverloads constructor(
 
     /** Returns this scene with each material replaced by the result of [change]. */
     public fun withMaterials(change: UnaryOperator<Material>): Scene =
-        Scene(surfaces.map { it.withMaterials(change) }, lights, viewpoint, background)
+        copy(surfaces = surfaces.map { it.withMaterials(change) })
 
     /**
      * Returns this scene, in which the axis [up] points up, rotated so that y points up. Its lights and its camera are
@@ -124,22 +149,39 @@ public class Scene @JvmOverloads constructor(
     public fun withUpAxis(up: UpAxis): Scene = if (up == UpAxis.Y) {
         this
     } else {
-        Scene(
-            surfaces.map { it.withUpAxis(up) },
-            lights.map { it.withUpAxis(up) },
-            if (viewpoint is Camera) viewpoint.withUpAxis(up) else viewpoint,
-            background,
+        copy(
+            surfaces = surfaces.map { it.withUpAxis(up) },
+            lights = lights.map { it.withUpAxis(up) },
+            viewpoint = if (viewpoint is Camera) viewpoint.withUpAxis(up) else viewpoint,
         )
     }
 
+    /** Returns this scene with other surfaces. */
+    public fun withSurfaces(surfaces: List<Surface>): Scene = copy(surfaces = surfaces)
+
     /** Returns this scene with another viewpoint. */
-    public fun withViewpoint(viewpoint: Viewpoint): Scene = Scene(surfaces, lights, viewpoint, background)
+    public fun withViewpoint(viewpoint: Viewpoint): Scene = copy(viewpoint = viewpoint)
 
     /** Returns this scene with other lights. */
-    public fun withLights(lights: List<Light>): Scene = Scene(surfaces, lights, viewpoint, background)
+    public fun withLights(lights: List<Light>): Scene = copy(lights = lights)
 
     /** Returns this scene with another background. */
-    public fun withBackground(background: Rgba): Scene = Scene(surfaces, lights, viewpoint, background)
+    public fun withBackground(background: Rgba): Scene = copy(background = background)
+
+    /** Returns this scene with another environment; null for the default one. */
+    public fun withEnvironment(environment: Environment?): Scene = copy(environment = environment)
+
+    /** Returns this scene with another tone mapping; null for the default one. */
+    public fun withToneMapping(toneMapping: ToneMapping?): Scene = copy(toneMapping = toneMapping)
+
+    private fun copy(
+        surfaces: List<Surface> = this.surfaces,
+        lights: List<Light> = this.lights,
+        viewpoint: Viewpoint = this.viewpoint,
+        background: Rgba = this.background,
+        environment: Environment? = this.environment,
+        toneMapping: ToneMapping? = this.toneMapping,
+    ): Scene = Scene(surfaces, lights, viewpoint, background, environment, toneMapping)
 
     override fun toString(): String = "Scene(${surfaces.size} surfaces, ${lights.size} lights, $viewpoint)"
 
@@ -149,6 +191,8 @@ public class Scene @JvmOverloads constructor(
         private val lights = ArrayList<Light>()
         private var viewpoint: Viewpoint = Camera.fit()
         private var background: Rgba = Rgba.WHITE
+        private var environment: Environment? = null
+        private var toneMapping: ToneMapping? = null
 
         /** Adds a surface after those already added, in submission order. */
         public fun add(surface: Surface): Builder = apply { surfaces.add(surface) }
@@ -162,14 +206,30 @@ public class Scene @JvmOverloads constructor(
         /** Sets the background. The default is white. */
         public fun background(background: Rgba): Builder = apply { this.background = background }
 
+        /** Sets the environment. The default, null, is described at [Scene.environment]. */
+        public fun environment(environment: Environment?): Builder = apply { this.environment = environment }
+
+        /** Sets exposure and tone curve. The default, null, is described at [Scene.toneMapping]. */
+        public fun toneMapping(toneMapping: ToneMapping?): Builder = apply { this.toneMapping = toneMapping }
+
         /** Returns the scene so far. The builder can be used further. */
-        public fun build(): Scene = Scene(surfaces.toList(), lights.toList(), viewpoint, background)
+        public fun build(): Scene =
+            Scene(surfaces.toList(), lights.toList(), viewpoint, background, environment, toneMapping)
     }
 
     public companion object {
         /** Returns an empty builder. */
         @JvmStatic
         public fun builder(): Builder = Builder()
+
+        private fun materialOf(surface: Surface): Material? = when (surface) {
+            is Mesh -> surface.material
+            is Polygon -> surface.material
+            is Sphere -> surface.material
+            is Points -> surface.material
+            is Lines -> surface.material
+            else -> null
+        }
 
         private fun originOf(surface: Surface): Vector3dc? = when (surface) {
             is Mesh -> surface.origin

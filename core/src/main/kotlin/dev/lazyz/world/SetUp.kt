@@ -26,7 +26,6 @@ import org.joml.Vector3dc
  *
  * @property raster the samples to cover
  * @property camera the camera
- * @property lights light sources, in the order in which they are added up
  * @property origin the origin of shading, see [Scene.origin]; must be 0 for [Projection.Screen]
  * @throws IllegalArgumentException if [origin] is not finite, or is not 0 and the camera's projection is
  *   [Projection.Screen]
@@ -34,13 +33,17 @@ import org.joml.Vector3dc
 public class SetUp internal constructor(
     public val raster: Raster,
     public val camera: Camera,
-    public val lights: List<Light>,
+    light: SceneLight,
     public val origin: Vector3dc,
     internal val workers: Workers,
 ) {
+    /** Creates a set-up without environment and tone mapping. */
     @JvmOverloads
     public constructor(raster: Raster, camera: Camera, lights: List<Light>, origin: Vector3dc = Vector3d()) :
-        this(raster, camera, lights, origin, Workers.ALL)
+        this(raster, camera, SceneLight(lights), origin, Workers.ALL)
+
+    /** Light sources, in the order in which they are added up. */
+    public val lights: List<Light> = light.classical
 
     init {
         require(Vectors.isFinite(origin)) { "origin must be finite: $origin" }
@@ -51,7 +54,7 @@ public class SetUp internal constructor(
 
     private val near = camera.relativeTo(origin)
     private val viewport = Viewport.of(raster, near)
-    private val lighting = Lighting(lights.map { it.relativeTo(origin) }, near)
+    private val lighting = Lighting(light.relativeTo(origin), near)
     private val stage = VertexStage(near, viewport)
     private val planar = PlanarSetUp(stage, lighting, workers)
     private val rays by lazy { SampleRays(near, viewport) }

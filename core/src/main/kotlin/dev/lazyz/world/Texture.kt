@@ -192,10 +192,6 @@ public class Texture private constructor(
         }
     }
 
-    /** As the other [sample], at the place and with the footprint of [fragment]. */
-    internal fun sample(fragment: Fragment, out: FloatArray): Unit =
-        sample(fragment.u, fragment.v, fragment.dudx, fragment.dvdx, fragment.dudy, fragment.dvdy, out)
-
     /**
      * Adds [weight] times the texture at ([u], [v]) to [out]: the two levels whose texels are nearest in size to a
      * footprint of [square] square texels, with the weights of [MipLevels.levelOf].

@@ -12,6 +12,7 @@ import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
 import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
+import dev.lazyz.world.SceneLight
 import dev.lazyz.world.Shading
 import dev.lazyz.world.Texture
 import dev.lazyz.world.TextureFilter
@@ -47,7 +48,7 @@ class MaterialShaderTest {
         val random = Random(6)
         for (material in materials()) {
             for (isPrelit in listOf(false, true)) {
-                val shader: BatchShader = MaterialShader(material, Lighting(lights, camera), isPrelit)
+                val shader: BatchShader = MaterialShader(material, Lighting(SceneLight(lights), camera), isPrelit)
                 val batch = FragmentBatch.of(5)
                 val fields = listOf(
                     batch.worldX, batch.worldY, batch.worldZ, batch.normalX, batch.normalY, batch.normalZ,
@@ -75,7 +76,7 @@ class MaterialShaderTest {
         val material = Material(Rgba(1f, 1f, 1f, 0.75f), texture, Shading.CONSTANT, alphaMode = AlphaMode.BLEND)
         val texel = FloatArray(4)
         for (isPrelit in listOf(false, true)) {
-            val shader = MaterialShader(material, Lighting(lights, camera), isPrelit)
+            val shader = MaterialShader(material, Lighting(SceneLight(lights), camera), isPrelit)
             val fragment = Fragment()
             fragment.vertexAlpha = 0.5f
             fragment.u = 0.3f

@@ -77,6 +77,7 @@ class VertexLightingTest {
                 is Light.Ambient -> continue
                 is Light.Directional -> Vector(0f, 0f, 0f) - vector(light.direction)
                 is Light.Point -> (vector(light.position) - at).unit()
+                is Light.Spot -> error("not in this test: $light")
             }
             val cosine = n.dot(toLight)
             if (cosine <= 0f) continue

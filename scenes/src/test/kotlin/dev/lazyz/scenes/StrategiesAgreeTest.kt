@@ -7,12 +7,26 @@ import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.meshes.AwkwardMesh
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Environment
+import dev.lazyz.world.Falloff
+import dev.lazyz.world.Light
 import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.MetallicRoughness
+import dev.lazyz.world.NormalMap
+import dev.lazyz.world.OcclusionMap
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Shading
 import dev.lazyz.world.Sides
 import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureEncoding
 import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureMap
+import dev.lazyz.world.ToneCurve
+import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.UvTransform
+import java.util.Random
+import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DynamicTest
@@ -42,6 +56,37 @@ class StrategiesAgreeTest {
     }
 
     @TestFactory
+    fun rule_7_1_onPhysicallyBasedMaterials(): List<DynamicTest> = AlphaMode.entries.flatMap { mode ->
+        listOf(true, false).map { hasLights ->
+            dynamicTest("$mode, ${if (hasLights) "lights" else "studio"}") {
+                val scene = Scene(listOf(physical(mode))).withToneMapping(ToneMapping(ToneCurve.ACES, 0.5))
+                val lit = scene.withLights(LIGHTS).withEnvironment(Environment.studio(0.5f))
+                assertAgree(if (hasLights) lit else scene)
+            }
+        }
+    }
+
+    /** The awkward mesh with all maps, two sets of texture coordinates, and tangents. */
+    private fun physical(mode: AlphaMode): Mesh {
+        val random = Random(7)
+        fun map(set: Int, encoding: TextureEncoding) = TextureMap(
+            Texture(3, 5, IntArray(15) { random.nextInt() }, encoding = encoding),
+            set,
+            UvTransform(1.5, -0.5, 30.0 * set, 0.25, 0.125),
+        )
+        val material = Material(Rgba(0.9f, 0.8f, 0.7f, 0.75f), emission = Rgba(0.5f, 1f, 2f), alphaMode = mode)
+            .withTextureMap(map(1, TextureEncoding.SRGB))
+            .withMetallicRoughness(MetallicRoughness(0.75f, 0.5f, map(0, TextureEncoding.LINEAR)))
+            .withNormalMap(NormalMap(map(1, TextureEncoding.LINEAR), 0.5f))
+            .withOcclusionMap(OcclusionMap(map(0, TextureEncoding.LINEAR), 0.5f))
+            .withEmissionMap(map(1, TextureEncoding.SRGB))
+        val mesh = AwkwardMesh.of(material)
+        val uvs2 = FloatArray(2 * mesh.vertexCount) { random.nextFloat() * 4 - 2 }
+        return Mesh(mesh.positions, mesh.triangles, material, mesh.normals, mesh.uvs, uvs2 = uvs2)
+            .withTangents(1, checkNotNull(material.normalMap).map.transform)
+    }
+
+    @TestFactory
     fun rule_7_1_onRealMeshes(): List<DynamicTest> = MODELS.map { name ->
         dynamicTest(name) { assertAgree(Scenes.load(TestSources.modelPath(name)).scene) }
     }
@@ -61,6 +106,12 @@ class StrategiesAgreeTest {
     }
 
     private companion object {
+        val LIGHTS = listOf(
+            Light.Ambient(Rgba(0.1f, 0.1f, 0.2f)),
+            Light.Directional(Vector3d(-1.0, -2.0, -4.0), Rgba(0.6f, 0.5f, 0.4f)),
+            Light.Point(Vector3d(1.5, 1.0, 2.5), Rgba(3f, 5f, 4f), Falloff.inverseSquare(6.0)),
+            Light.Spot(Vector3d(-2.0, 2.0, 1.0), Vector3d(2.0, -2.0, -1.0), Rgba(2f, 2f, 1f), 10.0, 30.0),
+        )
         val MODELS = listOf(
             "2CylinderEngine.glb", "BoxTextured.glb", "bunny.obj", "cow.obj", "igea.ply", "spider-ascii.stl",
             "spider-binary.stl", "spider.obj", "spot.obj", "teapot.obj",

@@ -13,6 +13,7 @@ import dev.lazyz.scenes.Scenes
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Material
 import dev.lazyz.world.Scene
+import dev.lazyz.world.ToneMapping
 
 /** Reads the input that [subject] names, and creates the frame that the options describe. */
 internal class FrameSource(private val subject: Subject, private val streams: Streams) {
@@ -51,7 +52,7 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         }
         val seen = lineWork.colored(subject.sizes.applyTo(upright), subject.shading != null)
         val colored = paint(seen)?.applyTo(seen) ?: seen
-        val shaded = if (subject.changesMaterials) colored.withMaterials(::changed) else colored
+        val shaded = toned(if (subject.changesMaterials) colored.withMaterials(::changed) else colored)
 
         // The camera is fitted to the whole raster. The picture may be a part of it
         val raster = raster(shaded, loaded)
@@ -87,12 +88,17 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         throw Mistake("there is no such camera: ${e.message}")
     }
 
-    /** Applies the options that change [material]. A custom shader would take precedence over other shading. */
+    /** Applies the options that change [material]. What would take precedence over other shading is removed. */
     private fun changed(material: Material): Material {
-        val shaded = subject.shading?.let { material.withShading(it).withShader(null) } ?: material
-        val texture = shaded.texture
-        if (subject.mipFilter == null || texture == null) return shaded
-        return shaded.withTexture(texture.withMipFilter(subject.mipFilter))
+        val shaded = subject.shading?.let { material.withShading(it).withShader(null).withMetallicRoughness(null) }
+        return (shaded ?: material).let { if (subject.mipFilter == null) it else it.withMipFilter(subject.mipFilter) }
+    }
+
+    /** Replaces what the user asked for of the tone mapping that [scene] would have. */
+    private fun toned(scene: Scene): Scene {
+        if (subject.toneCurve == null && subject.exposure == null) return scene
+        val own = scene.effectiveToneMapping
+        return scene.withToneMapping(ToneMapping(subject.toneCurve ?: own.curve, subject.exposure ?: own.exposure))
     }
 
     private fun raster(scene: Scene, loaded: LoadedScene): Raster {

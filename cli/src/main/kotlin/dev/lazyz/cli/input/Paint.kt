@@ -20,9 +20,8 @@ import dev.lazyz.world.Vertex
  */
 internal class Paint(private val color: Rgba?, private val texture: Texture?) {
     /** Returns [scene] with this paint on all surfaces. */
-    fun applyTo(scene: Scene): Scene = Scene(
-        scene.surfaces.map { plain(it).withMaterials(::painted) }, scene.lights, scene.viewpoint, scene.background,
-    )
+    fun applyTo(scene: Scene): Scene =
+        scene.withSurfaces(scene.surfaces.map { plain(it).withMaterials(::painted) })
 
     /** Removes a custom shader, too, which would take precedence. */
     private fun painted(material: Material): Material {
@@ -33,7 +32,7 @@ internal class Paint(private val color: Rgba?, private val texture: Texture?) {
 
     /** Returns [surface] without colours of vertices. A mesh without texture coordinates shows no texture. */
     private fun plain(surface: Surface): Surface = when (surface) {
-        is Mesh -> with(surface) { Mesh(positions, triangles, material, normals, uvs, null, origin) }
+        is Mesh -> with(surface) { Mesh(positions, triangles, material, normals, uvs, null, origin, uvs2, tangents) }
         is Points -> with(surface) { Points(positions, size, material, normals, null, origin) }
         is Lines -> with(surface) { Lines(positions, segments, width, material, null, origin) }
         is Polygon -> with(surface) {

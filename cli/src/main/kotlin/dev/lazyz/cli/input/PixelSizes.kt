@@ -14,7 +14,7 @@ import dev.lazyz.world.Surface
 internal class PixelSizes(private val point: Double?, private val line: Double?) {
     fun applyTo(scene: Scene): Scene {
         if (point == null && line == null) return scene
-        return Scene(scene.surfaces.map { sized(it) }, scene.lights, scene.viewpoint, scene.background)
+        return scene.withSurfaces(scene.surfaces.map { sized(it) })
     }
 
     private fun sized(surface: Surface): Surface = when {

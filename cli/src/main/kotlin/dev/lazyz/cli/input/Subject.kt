@@ -8,6 +8,7 @@ import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Shading
+import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.UpAxis
 import java.nio.file.Path
 
@@ -27,6 +28,8 @@ internal class Subject(
     val color: Rgba?,
     val texture: Path?,
     val shading: Shading?,
+    val toneCurve: ToneCurve?,
+    val exposure: Double?,
     val mipFilter: MipFilter?,
     val sizes: PixelSizes,
     val translucency: Translucency,

@@ -29,6 +29,8 @@ import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Points
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Shading
+import dev.lazyz.world.ToneCurve
+import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.UpAxis
 import java.nio.file.Path
 
@@ -63,6 +65,8 @@ internal fun subject(
         color = picture.color,
         texture = picture.texture,
         shading = picture.shading,
+        toneCurve = picture.toneCurve,
+        exposure = picture.exposure,
         mipFilter = picture.mipFilter,
         sizes = PixelSizes(picture.pointSize, picture.lineWidth),
         translucency = if (picture.isOpaque) Translucency.OPAQUE else Translucency.BLENDED,
@@ -141,6 +145,17 @@ internal class PictureOptions : OptionGroup("Picture") {
 
     val shading by option("--shading", help = "Replace the shading of all materials: ${names(shadings.keys)}")
         .oneOf("SHADING", shadings)
+
+    val toneCurve by option(
+        "--tone-map",
+        help = "How bright light is compressed: ${names(toneCurves.keys)}; default: the scene file's, neutral for " +
+            "scenes with metallic-roughness materials, or none",
+    ).oneOf("CURVE", toneCurves)
+
+    val exposure by option(
+        "--exposure",
+        help = "Brighten by this number of stops, -20..20: 1 doubles the light; default: the scene file's, or 0",
+    ).number("EV", -ToneMapping.MAX_EXPOSURE..ToneMapping.MAX_EXPOSURE, " stops")
 
     val mipFilter by option(
         "--texture-filter",
@@ -267,6 +282,8 @@ private const val LEAST_SIZE = 0.001
 private val formats = SceneFormat.entries.associateBy { it.id }
 
 private val upAxes = UpAxis.entries.associateBy { it.id }
+
+private val toneCurves = ToneCurve.entries.associateBy { it.name.lowercase() }
 
 private val filters = PixelFilter.entries.associateBy { it.name.lowercase().replace('_', '-') }
 

@@ -42,6 +42,7 @@ internal class ExactLight(private val camera: Camera, private val lights: List<L
                 }
                 is Light.Directional -> Vector3d(light.direction).negate()
                 is Light.Point -> Vector3d(light.position).sub(point)
+                is Light.Spot -> error("no generated scene has a $light")
             }
             if (l.length() < LEAST) return null
             l.normalize()

@@ -105,19 +105,19 @@ internal class PlanarSetUp(
         hasColors: Boolean,
         mesh: Mesh? = null,
     ): FaceSetUp {
-        val isPrelit = material.shader == null &&
-            (material.shading == Shading.FLAT || material.shading == Shading.GOURAUD)
-        val isLit =
-            material.shader != null || material.shading == Shading.PHONG || material.shading == Shading.BLINN_PHONG
+        val isPrelit = material.isLitEarly
         var fields = 0
-        if (isLit) fields = fields or Attributes.WORLD or Attributes.NORMAL
-        if (hasUvs && (material.texture != null || material.shader != null)) fields = fields or Attributes.UV
-        if (material.shader != null && mesh?.uvs2 != null) fields = fields or Attributes.UV2
-        if (material.shader != null && mesh?.tangents != null) fields = fields or Attributes.TANGENT
+        if (material.isLitLate) fields = fields or Attributes.WORLD or Attributes.NORMAL
+        val isCustom = material.shader != null
+        val maps = material.maps
+        if (hasUvs && (isCustom || maps.any { it.uvSet == 0 })) fields = fields or Attributes.UV
+        if (mesh?.uvs2 != null && (isCustom || maps.any { it.uvSet == 1 })) fields = fields or Attributes.UV2
+        val usesTangents = material.isLitLate && material.normalMap != null
+        if (mesh?.tangents != null && (isCustom || usesTangents)) fields = fields or Attributes.TANGENT
         val hasPlaces = fields and (Attributes.UV or Attributes.UV2) != 0
         if (hasPlaces && material.usesFootprint) fields = fields or Attributes.FOOTPRINT
         if (hasColors || isPrelit) fields = fields or Attributes.COLOR
-        val usesFaceNormal = !hasNormals || (material.shader == null && material.shading == Shading.FLAT)
+        val usesFaceNormal = !hasNormals || (isPrelit && material.shading == Shading.FLAT)
         val shader = MaterialShader(material, lighting, isPrelit)
         return FaceSetUp(stage, material, shader, fields, isPrelit, usesFaceNormal, mesh)
     }

@@ -4,7 +4,7 @@ import de.javagl.jgltf.impl.v2.GlTFProperty
 
 /** The supported extensions (section 3.12), and access to extensions' values, which jgltf stores as nested maps. */
 internal object GltfExtensions {
-    /** The extension for lights. Lights are not used, but counted in a separate warning. */
+    /** The extension for lights, see [GltfLights]. */
     const val LIGHTS: String = "KHR_lights_punctual"
 
     private val known = setOf(

@@ -4,30 +4,33 @@ import de.javagl.jgltf.impl.v2.Material as MaterialJson
 import dev.lazyz.Rgba
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Material
+import dev.lazyz.world.MetallicRoughness
+import dev.lazyz.world.NormalMap
+import dev.lazyz.world.OcclusionMap
 import dev.lazyz.world.Shading
 import dev.lazyz.world.Sides
+import dev.lazyz.world.TextureEncoding
 
 /**
- * A material and the source of its texture coordinates.
+ * A material and the sets of texture coordinates of its maps.
  *
- * @property texCoordSet number of the set, as in `TEXCOORD_0`
- * @property transform the transform to apply to the coordinates
+ * @property texCoordSets numbers of at most two sets, as in `TEXCOORD_0`; the maps of the [material] refer to the first
+ *   as 0 and to the second as 1
  */
-internal class GltfMaterial(val material: Material, val texCoordSet: Int, val transform: TextureTransform)
+internal class GltfMaterial(val material: Material, val texCoordSets: List<Int>)
 
 /**
- * Converts materials (section 3.9) to Blinn-Phong materials. Factors are already linear.
+ * Converts materials (section 3.9): to metallic-roughness materials, or with `KHR_materials_unlit` to
+ * [Shading.CONSTANT]. Factors are already linear.
  *
- * - The base colour becomes the diffuse colour, also for metals: there is no environment to reflect, so they would
- *   otherwise be black.
+ * A classical look is added, for callers who remove the metallic-roughness model to see another shading:
+ *
+ * - The base colour is the diffuse colour, also of metals.
  * - The highlight has the exponent `n = 2 / roughness^4 - 2` (B. Walter et al., "Microfacet Models for Refraction",
  *   2007, section 5.2), clamped to 1..1024, and the colour `F0 (n + 2) / 8 (1 - roughness)`, at most 1. F0 is the
  *   reflectance at normal incidence: 0.04, or the base colour of an untextured metal. `(n + 2) / 8` is the peak of a
  *   lobe of that width (N. Hoffman, "Crafting Physically Motivated Shading Models for Game Development", SIGGRAPH
  *   2010). `1 - roughness` fades the highlight out where the lobe is as wide as diffuse reflection.
- * - A material with an emissive texture emits no light, because the factor alone would make the whole surface glow.
- *   Metallic-roughness, normal and occlusion textures are not used either. [GltfOmissions] warns of all four.
- * - `KHR_materials_unlit` becomes [Shading.CONSTANT].
  */
 internal class GltfMaterials(private val document: GltfDocument) {
     private val textures = GltfTextures(document)
@@ -45,27 +48,39 @@ internal class GltfMaterials(private val document: GltfDocument) {
 
     private fun read(json: MaterialJson, where: String): GltfMaterial {
         val pbr = json.pbrMetallicRoughness
-        val info = pbr?.baseColorTexture
-        val transform = TextureTransform.of(info)
-        val texture = info?.let { textures.texture(it.index, "$where.pbrMetallicRoughness.baseColorTexture.index") }
+        val maps = GltfMaps(document, textures)
+        val here = "$where.pbrMetallicRoughness"
         val base = color(pbr?.baseColorFactor, Rgba.WHITE)
+        val baseMap = maps.map(pbr?.baseColorTexture, TextureEncoding.SRGB, "$here.baseColorTexture")
         val roughness = fraction(pbr?.roughnessFactor, 1f)
-        val metallic = if (texture == null) fraction(pbr?.metallicFactor, 1f) else 0f
+        val metallic = fraction(pbr?.metallicFactor, 1f)
         val shininess = shininess(roughness)
         val isUnlit = GltfExtensions.of(json, "KHR_materials_unlit") != null
-        val material = Material(
+        val plain = Material(
             baseColor = base,
-            texture = texture,
             shading = if (isUnlit) Shading.CONSTANT else Shading.BLINN_PHONG,
-            specular = specular(base, metallic, roughness, shininess),
+            specular = specular(base, if (baseMap == null) metallic else 0f, roughness, shininess),
             shininess = shininess,
-            emission = emission(json),
             alphaMode = alphaMode(json, where),
             alphaCutoff = fraction(json.alphaCutoff, 0.5f),
             sides = if (json.isDoubleSided == true) Sides.BOTH else Sides.FRONT,
             name = json.name ?: "",
-        )
-        return GltfMaterial(material, transform.texCoordSet ?: info?.texCoord ?: 0, transform)
+        ).withTextureMap(baseMap)
+        if (isUnlit) return GltfMaterial(plain, maps.texCoordSets)
+
+        val modelMap = maps.map(pbr?.metallicRoughnessTexture, TextureEncoding.LINEAR, "$here.metallicRoughnessTexture")
+        val normalMap = maps.map(json.normalTexture, TextureEncoding.LINEAR, "$where.normalTexture")
+        val normalScale = json.normalTexture?.scale?.takeIf { it.isFinite() } ?: 1f
+        val occlusionMap = maps.map(json.occlusionTexture, TextureEncoding.LINEAR, "$where.occlusionTexture")
+        val occlusionStrength = fraction(json.occlusionTexture?.strength, 1f)
+        val emissionMap = maps.map(json.emissiveTexture, TextureEncoding.SRGB, "$where.emissiveTexture")
+        val material = plain
+            .withMetallicRoughness(MetallicRoughness(metallic, roughness, modelMap))
+            .withNormalMap(normalMap?.let { NormalMap(it, normalScale) })
+            .withOcclusionMap(occlusionMap?.let { OcclusionMap(it, occlusionStrength) })
+            .withEmission(emission(json))
+            .withEmissionMap(emissionMap)
+        return GltfMaterial(material, maps.texCoordSets)
     }
 
     private fun shininess(roughness: Float): Int {
@@ -82,16 +97,9 @@ internal class GltfMaterials(private val document: GltfDocument) {
     }
 
     private fun emission(json: MaterialJson): Rgba {
-        if (json.emissiveTexture != null) return Rgba.BLACK
         val color = color(json.emissiveFactor, Rgba.BLACK)
-        val strength = GltfExtensions.of(json, "KHR_materials_emissive_strength")
-        return if (strength ==
-            null
-        ) {
-            color
-        } else {
-            color.scaled(GltfExtensions.number(strength, "emissiveStrength", 1.0).toFloat())
-        }
+        val strength = GltfExtensions.of(json, "KHR_materials_emissive_strength") ?: return color
+        return color.scaled(GltfExtensions.number(strength, "emissiveStrength", 1.0).toFloat())
     }
 
     private fun alphaMode(json: MaterialJson, where: String): AlphaMode = when (json.alphaMode) {

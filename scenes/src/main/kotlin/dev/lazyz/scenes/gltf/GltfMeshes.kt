@@ -32,7 +32,7 @@ internal class GltfMeshes(
                 primitive(primitive, vertices, where)?.let { GltfPart(it, primitive, vertices, where) }
             }
         }
-        return own.map { poses.posed(it, mesh, placed) }
+        return own.map { withTangents(poses.posed(it, mesh, placed)) }
     }
 
     private fun primitive(primitive: MeshPrimitive, vertices: GltfVertices, where: String): Surface? {
@@ -48,12 +48,12 @@ internal class GltfMeshes(
         document.source.loading.vertices(document.source, count.toLong())
         val normals = vertices.floats("NORMAL", ElementType.VEC3)
         val material = materials.material(primitive.material, "$where.material")
-        val set = "TEXCOORD_${material.texCoordSet}"
-        val uvs = vertices.floats(set, ElementType.VEC2)
-        vertices.countUnused(set)
+        val sets = material.texCoordSets.map { "TEXCOORD_$it" }
+        val uvs = sets.map { vertices.floats(it, ElementType.VEC2) }
+        vertices.countUnused(sets)
         val colors = vertices.floats("COLOR_0", ElementType.VEC3, ElementType.VEC4)?.let { opaque(it, count) }
         vertices.checkCount(normals, 3, count, "$here.NORMAL")
-        vertices.checkCount(uvs, 2, count, "$here.$set")
+        for ((set, numbers) in sets.zip(uvs)) vertices.checkCount(numbers, 2, count, "$here.$set")
         vertices.checkCount(colors, 4, count, "$here.COLOR_0")
         val indices = indices(vertices, count, where)
         if (mode < GltfTriangles.TRIANGLES) {
@@ -68,11 +68,34 @@ internal class GltfMeshes(
         return Mesh(
             positions,
             triangles(mode, indices, where),
-            if (uvs == null) material.material.withTexture(null) else material.material,
+            material.material.withMapsOf { uvs.getOrNull(it) != null },
             normals,
-            uvs?.let(material.transform::applyTo),
+            uvs.getOrNull(0),
             colors,
+            uvs2 = uvs.getOrNull(1),
+            tangents = if (normals == null ||
+                material.material.normalMap == null
+            ) {
+                null
+            } else {
+                tangents(vertices, count, here)
+            },
         )
+    }
+
+    private fun tangents(vertices: GltfVertices, count: Int, here: String): FloatArray? {
+        val tangents = vertices.floats("TANGENT", ElementType.VEC4)
+        vertices.checkCount(tangents, 4, count, "$here.TANGENT")
+        return tangents
+    }
+
+    /**
+     * Returns [surface] with the tangents that its normal map needs. If the file has none, or has no normals that they
+     * would belong to (section 3.7.2.1), they are computed now, because this may split vertices.
+     */
+    private fun withTangents(surface: Surface): Surface {
+        val normals = (surface as? Mesh)?.material?.normalMap ?: return surface
+        return if (surface.tangents != null) surface else surface.withTangents(normals.map.uvSet, normals.map.transform)
     }
 
     /** Returns RGBA colours. RGB colours get an alpha of 1. */

@@ -2,6 +2,7 @@ package dev.lazyz.scenes.gltf
 
 import dev.lazyz.scenes.loading.SceneParser
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.world.Environment
 import dev.lazyz.world.Scene
 
 /**
@@ -10,10 +11,10 @@ import dev.lazyz.world.Scene
  *
  * It reads the default scene, or all nodes without a parent if there is none: node transforms, triangles of all three
  * modes, points, lines of all three modes, normals (without them, shading is flat, 3.7.2.1), one set of texture
- * coordinates, `COLOR_0`, and materials as described at [GltfMaterials]. The first camera in the scene becomes the
- * viewpoint, see [GltfCameras]; without one, a camera is fitted to the scene. Skins and morph targets are applied, at
- * rest or at a moment of the first animation ([GltfAnimation], [GltfPoses]). [GltfExtensions] lists the supported
- * extensions. Features that are ignored give a warning.
+ * coordinates, `COLOR_0`, materials as described at [GltfMaterials], and lights as described at [GltfLights]. The first
+ * camera in the scene becomes the viewpoint, see [GltfCameras]; without one, a camera is fitted to the scene. Skins and
+ * morph targets are applied, at rest or at a moment of the first animation ([GltfAnimation], [GltfPoses]).
+ * [GltfExtensions] lists the supported extensions. Features that are ignored give a warning.
  */
 internal object GltfParser : SceneParser {
     override fun parse(source: Source): Scene {
@@ -29,9 +30,15 @@ internal object GltfParser : SceneParser {
         val surfaces = nodes.flatMap { meshes.of(it) }
         if (surfaces.isEmpty()) source.warn("there are no meshes, so there is nothing to see")
         source.cameras += GltfCameras(document, Scene(surfaces)).all(nodes)
-        GltfOmissions.count(document)
+        val first = source.cameras.firstOrNull()
+        val scene = if (first == null) Scene(surfaces) else Scene(surfaces, viewpoint = first.camera)
+        val lights = GltfLights(document).of(nodes, scene.bounds)
+        GltfExtensions.warnOfUnknown(document)
         document.warnOfCounts()
-        val first = source.cameras.firstOrNull() ?: return Scene(surfaces)
-        return Scene(surfaces, viewpoint = first.camera)
+        if (lights.isEmpty()) return scene
+        return scene.withLights(lights).withEnvironment(Environment.studio(FAINT))
     }
+
+    /** Intensity of the studio in a scene with its own lights: enough that metals are not black. */
+    private const val FAINT = 0.3f
 }

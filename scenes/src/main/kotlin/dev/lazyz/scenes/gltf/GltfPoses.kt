@@ -107,7 +107,11 @@ internal class GltfPoses(
             part.vertices.checkCount(numbers, 3, count, "$where.$name")
             return numbers
         }
-        return MorphTarget(additions("POSITION"), additions("NORMAL"))
+        return MorphTarget(
+            additions("POSITION"),
+            additions("NORMAL"),
+            if (part.mesh.tangents == null) null else additions("TANGENT"),
+        )
     }
 
     /** Returns the sets of joints and weights, in the order of their numbers. */

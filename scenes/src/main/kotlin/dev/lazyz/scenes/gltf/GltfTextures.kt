@@ -5,6 +5,7 @@ import de.javagl.jgltf.impl.v2.Texture as TextureJson
 import de.javagl.jgltf.model.GltfConstants
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureEncoding
 import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap
 
@@ -21,9 +22,16 @@ internal class GltfTextures(private val document: GltfDocument) {
      */
     private val images = HashMap<Any, Texture?>()
     private val undecoded = HashSet<Int>()
+    private val textures = HashMap<Pair<Int?, TextureEncoding>, Texture?>()
 
-    /** Returns the texture with number [index]. [where] is the place that refers to it. */
-    fun texture(index: Int?, where: String): Texture? {
+    /**
+     * Returns the texture with number [index], whose codes mean what [encoding] says. [where] is the place that refers
+     * to it.
+     */
+    fun texture(index: Int?, encoding: TextureEncoding, where: String): Texture? =
+        textures.getOrPut(index to encoding) { read(index, where)?.withEncoding(encoding) }
+
+    private fun read(index: Int?, where: String): Texture? {
         val texture = document.element(document.json.textures, index, "textures", where)
         val source = texture.source ?: return withoutImage(texture, checkNotNull(index))
         val image = document.element(document.json.images, source, "images", "textures[$index].source")

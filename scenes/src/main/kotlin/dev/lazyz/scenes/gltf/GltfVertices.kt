@@ -49,10 +49,10 @@ internal class GltfVertices(
         }
     }
 
-    /** Counts the unused sets of colours and texture coordinates. [texCoords] is the set that is used. */
-    fun countUnused(texCoords: String) {
+    /** Counts the unused sets of colours and texture coordinates. [texCoords] are the sets that are used. */
+    fun countUnused(texCoords: List<String>) {
         for (name in attributes.keys) {
-            if (name.endsWith("_0") || name == texCoords) continue
+            if (name.endsWith("_0") || name in texCoords) continue
             if (name.startsWith("TEXCOORD_")) document.count("further sets of texture coordinates are passed over")
             if (name.startsWith("COLOR_")) document.count("further sets of colours are passed over")
         }

@@ -58,7 +58,7 @@ internal class MtlLibrary(private val source: Source) {
         val reader = MtlMaterials(source, listOfNotNull(file.parent, source.folder).distinct())
         for ((i, entry) in entries.withIndex()) {
             materials.getOrPut(entry.name) {
-                reader.material(entry, statements.maps[i], statements.haveOpacity[i], statements.unused)
+                reader.material(entry, statements.maps[i], statements.haveOpacity[i], statements.model[i])
             }
         }
         if (statements.unused.total > 0) {

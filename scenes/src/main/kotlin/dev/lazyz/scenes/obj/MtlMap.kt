@@ -9,8 +9,15 @@ import dev.lazyz.scenes.text.TextLines
  * @property isClamped whether the texture is clamped instead of repeated
  * @property scale factors of u and v
  * @property offset offsets of u and v, added after scaling
+ * @property multiplier factor of the heights of a bump map
  */
-internal class MtlMap(val file: String, val isClamped: Boolean, val scale: List<Double>, val offset: List<Double>) {
+internal class MtlMap(
+    val file: String,
+    val isClamped: Boolean,
+    val scale: List<Double>,
+    val offset: List<Double>,
+    val multiplier: Double,
+) {
     companion object {
         /** The options, and the maximum number of words that follow each. */
         private val options = mapOf(
@@ -51,6 +58,7 @@ internal class MtlMap(val file: String, val isClamped: Boolean, val scale: List<
                 given["-clamp"]?.firstOrNull()?.lowercase() in listOf("on", "true"),
                 vector(given["-s"], 1.0),
                 vector(given["-o"], 0.0),
+                vector(given["-bm"], 1.0)[0],
             )
         }
 

@@ -3,16 +3,13 @@ package dev.lazyz.scenes.obj
 import de.javagl.obj.FloatTuple
 import de.javagl.obj.Mtl
 import dev.lazyz.Rgba
-import dev.lazyz.scenes.collections.KindCounts
+import dev.lazyz.scenes.images.HeightNormals
 import dev.lazyz.scenes.images.SrgbDecoding
-import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Material
+import dev.lazyz.world.MetallicRoughness
 import dev.lazyz.world.Shading
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureWrap
 import java.nio.file.Path
 
 /**
@@ -43,23 +40,34 @@ internal class MtlMaterial(
  * as `illum 2` defines it. `illum 0` means no lighting, and `illum 1` no highlight. `d` below 1 makes a translucent
  * material. So does `Tr`, which is 1 - `d`, except that `Tr 1` without a `d` is treated as opaque, because some
  * programs write it for opaque materials. The alpha of a texture is used only if `map_d` names the same file, and then
- * as a mask.
+ * as a mask. Another file of `map_d` is a mask, too: its alpha, or its grey if it has none, placed like `map_Kd`.
+ *
+ * `norm` is a normal map, and `bump` or `map_bump` an image of heights, see [HeightNormals]; `map_Ke` multiplies `Ke`,
+ * or white if `Ke` is black or missing. A material with `Pm`, `Pr`, `map_Pm` or `map_Pr` (C. Hery et al., the extension
+ * of MTL for physically based rendering, 2013) is a metallic-roughness material. A map replaces its number. Without
+ * both, a material is no metal, and its roughness is `(2 / (Ns + 2))^(1/4)`.
  *
  * @param folders folders to search for textures, in order
  */
-internal class MtlMaterials(private val source: Source, private val folders: List<Path>) {
-    private val textures = HashMap<String, Texture?>()
+internal class MtlMaterials(private val source: Source, folders: List<Path>) {
+    private val textures = MtlTextures(source, folders)
 
     /**
-     * Returns the material of [mtl] with the texture statements [maps]. [hasOpacity] is true if the entry has a `d`. A
-     * mask that is not used is added to [unused].
+     * Returns the material of [mtl] with the texture statements [maps] and the numbers [model], `pm` and `pr`.
+     * [hasOpacity] is true if the entry has a `d`.
      */
-    fun material(mtl: Mtl, maps: Map<String, MtlMap>, hasOpacity: Boolean, unused: KindCounts): MtlMaterial {
+    fun material(
+        mtl: Mtl,
+        maps: Map<String, MtlMap>,
+        hasOpacity: Boolean,
+        model: Map<String, Float>,
+    ): MtlMaterial {
         val map = maps["map_kd"]
-        val texture = map?.let(::texture)
         val mask = maps["map_d"]
-        val isMasked = texture != null && mask?.file == map.file
-        if (mask != null && !isMasked) unused.add("map_d")
+        val own = map?.let(textures::texture)
+        val isOwnMask = own != null && mask?.file == map.file
+        val texture = if (mask == null || isOwnMask) own else textures.withOpacity(map, mask)
+        val isMasked = isOwnMask || (mask != null && texture !== own)
 
         val alpha = alpha(mtl, hasOpacity)
         val isLit = mtl.illum != 0
@@ -70,7 +78,7 @@ internal class MtlMaterials(private val source: Source, private val folders: Lis
             specular = if (mtl.illum in listOf(0, 1)) Rgba.BLACK else color(mtl.ks) ?: Rgba.BLACK,
             shininess =
             mtl.ns?.takeIf { it.isFinite() }?.let { (it + 0.5f).toInt().coerceIn(1, 1024) } ?: DEFAULT_SHININESS,
-            emission = color(mtl.ke) ?: Rgba.BLACK,
+            emission = emission(mtl, maps["map_ke"] != null),
             alphaMode = if (alpha < 1f) {
                 AlphaMode.BLEND
             } else if (isMasked) {
@@ -79,7 +87,9 @@ internal class MtlMaterials(private val source: Source, private val folders: Lis
                 AlphaMode.OPAQUE
             },
             name = mtl.name,
-        )
+        ).withMetallicRoughness(model(mtl, maps, model))
+            .withNormalMap(textures.normalMap(maps["norm"], maps["map_bump"] ?: maps["bump"], map))
+            .withEmissionMap(textures.map(maps["map_ke"], map))
         return if (map == null) MtlMaterial(material) else placed(material, map)
     }
 
@@ -106,10 +116,20 @@ internal class MtlMaterials(private val source: Source, private val folders: Lis
         )
     }
 
-    private fun texture(map: MtlMap): Texture? {
-        val texture = textures.getOrPut(map.file) { TextureFiles.find(source, map.file, folders) }
-        if (!map.isClamped) return texture
-        return texture?.withSampling(TextureFilter.BILINEAR, TextureWrap.CLAMP, TextureWrap.CLAMP)
+    private fun emission(mtl: Mtl, hasMap: Boolean): Rgba {
+        val color = color(mtl.ke) ?: Rgba.BLACK
+        return if (hasMap && color == Rgba.BLACK) Rgba.WHITE else color
+    }
+
+    private fun model(mtl: Mtl, maps: Map<String, MtlMap>, numbers: Map<String, Float>): MetallicRoughness? {
+        val roughnessMap = maps["map_pr"]
+        val metallicMap = maps["map_pm"]
+        if (numbers.isEmpty() && roughnessMap == null && metallicMap == null) return null
+        val exponent = mtl.ns?.takeIf { it.isFinite() && it >= 0f } ?: DEFAULT_SHININESS.toFloat()
+        val ofHighlight = StrictMath.sqrt(StrictMath.sqrt(2.0 / (exponent + 2.0))).toFloat()
+        val roughness = if (roughnessMap != null) 1f else numbers["pr"] ?: ofHighlight
+        val metallic = if (metallicMap != null) 1f else numbers["pm"] ?: 0f
+        return MetallicRoughness(metallic, roughness, textures.model(roughnessMap, metallicMap, maps["map_kd"]))
     }
 
     private companion object {

@@ -22,6 +22,9 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
     /** For each `newmtl` so far, whether it has a `d`. */
     val haveOpacity = ArrayList<Boolean>()
 
+    /** For each `newmtl` so far, its numbers `pm` and `pr`, as far as they are given. */
+    val model = ArrayList<HashMap<String, Float>>()
+
     /** The statement that was returned last. */
     var statement = ""
         private set
@@ -52,6 +55,7 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
             current = HashMap()
             maps.add(current)
             haveOpacity.add(false)
+            model.add(HashMap())
         } else if (maps.isEmpty()) {
             return null
         }
@@ -62,9 +66,16 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
             "d" -> numbers().also { haveOpacity[haveOpacity.size - 1] = true }
             "tr" -> numbers().takeUnless { haveOpacity.last() }
             "kd", "ks", "ke", "ns", "illum" -> numbers()
-            "map_kd", "map_d" -> null.also { current[keyword] = MtlMap.parse(statement.substring(keyword.length)) }
+            "pm", "pr" -> null.also { setModel(keyword) }
+            in USED_MAPS -> null.also { current[keyword] = MtlMap.parse(statement.substring(keyword.length)) }
             else -> null.also { if (keyword.startsWith("map_") || keyword in MAPS) unused.add(keyword) }
         }
+    }
+
+    private fun setModel(keyword: String) {
+        val word = TextLines.words(statements.withoutComment()).getOrNull(1) ?: return
+        val number = word.toFloatOrNull() ?: TextNumbers.parseFloat(word) ?: return
+        if (number.isFinite()) model.last()[keyword] = number.coerceIn(0f, 1f)
     }
 
     /** Returns the statement with numbers rewritten if the parser does not accept their spelling. */
@@ -73,7 +84,10 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
     }
 
     private companion object {
-        /** Keywords of texture statements that do not begin with `map_`. */
-        val MAPS = setOf("bump", "decal", "disp", "norm", "refl")
+        /** Keywords of the texture statements that are rendered. */
+        val USED_MAPS = setOf("map_kd", "map_d", "map_ke", "map_bump", "bump", "norm", "map_pm", "map_pr")
+
+        /** Keywords of other texture statements that do not begin with `map_`. */
+        val MAPS = setOf("decal", "disp", "refl")
     }
 }

@@ -102,18 +102,22 @@ internal class ObjMeshes(
 
     /**
      * Returns [part] with [material]. Texture coordinates, whose v points upward so far, are scaled and offset as the
-     * material specifies, and v is flipped to point downward. Unless [isTextured], texture coordinates and texture are
-     * removed.
+     * material specifies, and v is flipped to point downward. Unless [isTextured], texture coordinates and maps are
+     * removed. A normal map gets its tangents.
      */
-    private fun withMaterial(part: Mesh, material: MtlMaterial, isTextured: Boolean): Mesh = Mesh(
-        part.positions,
-        part.triangles,
-        if (isTextured) material.material else material.material.withTexture(null),
-        part.normals,
-        if (isTextured) part.uvs?.also { place(it, material) } else null,
-        part.colors,
-        part.origin,
-    )
+    private fun withMaterial(part: Mesh, material: MtlMaterial, isTextured: Boolean): Mesh {
+        val mesh = Mesh(
+            part.positions,
+            part.triangles,
+            if (isTextured) material.material else material.material.withoutMaps(),
+            part.normals,
+            if (isTextured) part.uvs?.also { place(it, material) } else null,
+            part.colors,
+            part.origin,
+        )
+        val normals = mesh.material.normalMap ?: return mesh
+        return mesh.withTangents(0, normals.map.transform)
+    }
 
     private fun place(uvs: FloatArray, material: MtlMaterial) {
         for (i in uvs.indices step 2) {

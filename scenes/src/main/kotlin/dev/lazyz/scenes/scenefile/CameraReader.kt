@@ -5,12 +5,11 @@ import dev.lazyz.scenes.json.JsonMembers
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
-import dev.lazyz.world.Light
 import dev.lazyz.world.UpAxis
 import dev.lazyz.world.Viewpoint
 import org.joml.Vector3d
 
-/** Reads the cameras and lights of a scene file. */
+/** Reads the cameras of a scene file. */
 internal class CameraReader(private val up: UpAxis) {
     fun viewpoint(node: JsonNode): Viewpoint {
         val kinds = arrayOf("perspective", "orthographic", "screen", "fit")
@@ -72,24 +71,6 @@ internal class CameraReader(private val up: UpAxis) {
     }
 
     private fun upward(members: JsonMembers): Vector3d = members["up"]?.let { vector(it) } ?: Vector3d(0.0, 1.0, 0.0)
-
-    fun light(node: JsonNode): Light {
-        val kinds = arrayOf("ambient", "directional", "point")
-        val (kind, value) = node.members(*kinds).one(*kinds)
-        return when (kind) {
-            "ambient" -> Light.Ambient(color(value.members("color")))
-            "directional" -> {
-                val members = value.members("direction", "color")
-                value.checked { Light.Directional(vector(members.required("direction")), color(members)) }
-            }
-            else -> {
-                val members = value.members("position", "color")
-                value.checked { Light.Point(vector(members.required("position")), color(members)) }
-            }
-        }
-    }
-
-    private fun color(members: JsonMembers): Rgba = members["color"]?.let(ColorReader::read) ?: Rgba.WHITE
 
     private fun vector(node: JsonNode): Vector3d = up.toWorld(Vector3d(node.doubles(3)))
 

@@ -4,10 +4,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.json.JsonWriter
 import dev.lazyz.world.Material
-import dev.lazyz.world.MipFilter
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.TextureEncoding
 
 /** Assigns a name to every material of a scene, and writes the materials. */
 internal class MaterialWriter(materials: Iterable<Material>) {
@@ -42,7 +39,7 @@ internal class MaterialWriter(materials: Iterable<Material>) {
         val plain = plain.material
         if (material.name != name) key("name").text(material.name)
         if (material.baseColor != plain.baseColor) key("baseColor").color(material.baseColor)
-        material.texture?.let { write(key("texture"), it) }
+        material.textureMap?.let { TextureMapWriter.write(key("texture"), it, TextureEncoding.SRGB) }
         if (material.shading != plain.shading) key("shading").text(SceneFileNames.of(material.shading))
         material.shader?.let { key("tint").integer((it as Tint).number) }
         if (material.specular != plain.specular) key("specular").color(material.specular)
@@ -51,17 +48,30 @@ internal class MaterialWriter(materials: Iterable<Material>) {
         if (material.alphaMode != plain.alphaMode) key("alphaMode").text(SceneFileNames.of(material.alphaMode))
         if (material.alphaCutoff != plain.alphaCutoff) key("alphaCutoff").float(material.alphaCutoff)
         if (material.sides != plain.sides) key("sides").text(SceneFileNames.of(material.sides))
+        maps(this, material)
     }
 
-    private fun write(out: JsonWriter, texture: Texture) = out.members {
-        if (texture.name.isNotEmpty()) key("name").text(texture.name)
-        if (texture.filter != TextureFilter.BILINEAR) key("filter").text(SceneFileNames.of(texture.filter))
-        if (texture.mipFilter != MipFilter.ANISOTROPIC) key("mipFilter").text(SceneFileNames.of(texture.mipFilter))
-        if (texture.wrapU != TextureWrap.REPEAT || texture.wrapV != TextureWrap.REPEAT) {
-            val wraps = listOf(texture.wrapU, texture.wrapV)
-            key("wrap").inline(2) { text(SceneFileNames.of(wraps[it])) }
+    private fun maps(out: JsonWriter, material: Material) = with(out) {
+        material.metallicRoughness?.let { model ->
+            key("metallicRoughness").members {
+                key("metallic").float(model.metallic)
+                key("roughness").float(model.roughness)
+                model.map?.let { TextureMapWriter.write(key("map"), it, TextureEncoding.LINEAR) }
+            }
         }
-        key("image").text(EmbeddedImage.write(texture))
+        material.normalMap?.let { normals ->
+            key("normalMap").members {
+                key("scale").float(normals.scale)
+                TextureMapWriter.write(key("map"), normals.map, TextureEncoding.LINEAR)
+            }
+        }
+        material.occlusionMap?.let { occlusion ->
+            key("occlusionMap").members {
+                key("strength").float(occlusion.strength)
+                TextureMapWriter.write(key("map"), occlusion.map, TextureEncoding.LINEAR)
+            }
+        }
+        material.emissionMap?.let { TextureMapWriter.write(key("emissionMap"), it, TextureEncoding.SRGB) }
     }
 
     /** Returns [wish] if it is not empty and not in use, otherwise a new name. */
@@ -74,7 +84,8 @@ internal class MaterialWriter(materials: Iterable<Material>) {
     private class Look(val material: Material) {
         private val parts = material.run {
             listOf(
-                baseColor, texture, shading, specular, shininess, emission, alphaMode, alphaCutoff, sides, shader, name,
+                baseColor, textureMap, shading, specular, shininess, emission, alphaMode, alphaCutoff, sides, shader,
+                name, metallicRoughness, normalMap, occlusionMap, emissionMap,
             )
         }
 

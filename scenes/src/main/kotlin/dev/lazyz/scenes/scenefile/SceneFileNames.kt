@@ -8,8 +8,10 @@ import dev.lazyz.world.Fit
 import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Shading
 import dev.lazyz.world.Sides
+import dev.lazyz.world.TextureEncoding
 import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.UpAxis
 
 /** The names of the library's enum constants in scene files: lower case, with hyphens. */
@@ -21,12 +23,19 @@ internal object SceneFileNames {
     val filters: Map<String, TextureFilter> = names(TextureFilter.entries)
     val mipFilters: Map<String, MipFilter> = names(MipFilter.entries)
     val wraps: Map<String, TextureWrap> = names(TextureWrap.entries)
+    val encodings: Map<String, TextureEncoding> = names(TextureEncoding.entries)
+    val toneCurves: Map<String, ToneCurve> = names(ToneCurve.entries)
     val fillRules: Map<String, FillRule> = names(FillRule.entries)
 
     val conventions: Map<String, DepthConvention> = names(DepthConvention.entries)
     val depthTests: Map<String, DepthTest> = names(DepthTest.entries)
 
     val upAxes: Map<String, UpAxis> = UpAxis.entries.associateBy { it.id }
+
+    const val INVERSE_SQUARE: String = "inverse-square"
+
+    /** Whether a light decreases with the square of the distance. */
+    val falloffs: Map<String, Boolean> = mapOf("none" to false, INVERSE_SQUARE to true)
 
     fun of(constant: Enum<*>): String = constant.name.lowercase().replace('_', '-')
 

@@ -23,20 +23,25 @@ internal class SceneFileReader(private val source: Source) {
         if (element is JsonObject && "lazyz" !in element) missingVersion(root, element)
         if (element is JsonObject) version(root.named().getValue("lazyz"))
         val members =
-            root.members("lazyz", "size", "up", "background", "depth", "camera", "lights", "materials", "surfaces")
+            root.members(
+                "lazyz", "size", "up", "background", "depth", "camera", "lights", "environment", "toneMapping",
+                "materials", "surfaces",
+            )
 
         // Read what surfaces and lights depend on first
         val up = members["up"]?.choice(SceneFileNames.upAxes) ?: UpAxis.Y
         val cameras = CameraReader(up)
+        val lights = LightReader(up)
         val materials = MaterialReader(source)
         members["materials"]?.let(materials::readNamed)
         val surfaces = SurfaceReader(source, materials, up)
         val scene = Scene(
             surfaces = members["surfaces"]?.items().orEmpty().flatMap(surfaces::read),
-            lights = members["lights"]?.items().orEmpty().map(cameras::light),
+            lights = members["lights"]?.items().orEmpty().map(lights::light),
             viewpoint = members["camera"]?.let(cameras::viewpoint) ?: Camera.fit(),
             background = members["background"]?.let(ColorReader::read) ?: Rgba.WHITE,
-        )
+        ).withEnvironment(members["environment"]?.let(lights::environment))
+            .withToneMapping(members["toneMapping"]?.let(lights::toneMapping))
         val depth = members["depth"]?.let(::depth) ?: DepthRules()
         return LoadedScene(scene, source.warnings.toList(), members["size"]?.let(::size), depth)
     }

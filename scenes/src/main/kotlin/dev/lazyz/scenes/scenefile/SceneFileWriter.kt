@@ -8,7 +8,6 @@ import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.json.JsonWriter
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FittedViewpoint
-import dev.lazyz.world.Light
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
@@ -30,7 +29,9 @@ internal class SceneFileWriter(private val out: Appendable) {
             key("background").color(scene.background)
             if (depth != DepthRules()) depth(key("depth"), depth)
             viewpoint(key("camera"), scene)
-            if (scene.lights.isNotEmpty()) key("lights").items(scene.lights) { light(this, it) }
+            if (scene.lights.isNotEmpty()) key("lights").items(scene.lights) { LightWriter.write(this, it) }
+            scene.environment?.let { key("environment").members { key("studio").float(it.intensity) } }
+            scene.toneMapping?.let { LightWriter.write(key("toneMapping"), it) }
             if (!materials.isEmpty) materials.write(key("materials"))
             key("surfaces").items(scene.surfaces) { surface(this, it, materials.name(materialOf(it))) }
         }
@@ -76,20 +77,6 @@ internal class SceneFileWriter(private val out: Appendable) {
     private fun screen(out: JsonWriter, camera: Camera) = out.key("screen").members {
         key("near").double(camera.near)
         key("far").double(camera.far)
-    }
-
-    private fun light(out: JsonWriter, light: Light) = out.members {
-        when (light) {
-            is Light.Ambient -> key("ambient").members { key("color").color(light.color) }
-            is Light.Directional -> key("directional").members {
-                key("direction").vector(light.direction)
-                key("color").color(light.color)
-            }
-            is Light.Point -> key("point").members {
-                key("position").vector(light.position)
-                key("color").color(light.color)
-            }
-        }
     }
 
     private fun surface(out: JsonWriter, surface: Surface, material: String?) = out.members {

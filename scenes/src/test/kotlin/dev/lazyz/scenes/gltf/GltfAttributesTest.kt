@@ -93,19 +93,6 @@ class GltfAttributesTest {
     }
 
     @Test
-    fun textureTransformScalesTurnsAndMoves() {
-        val files = GltfFiles()
-        files.accessor("VEC3", FLOAT, triangle)
-        files.accessor("VEC2", FLOAT, listOf(0, 0, 1, 0, 0, 1))
-        val transform = """{"scale":[2,3],"offset":[0.5,0.25],"rotation":1.5707963267948966}"""
-        val material = ""","textures":[{}],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,
-            "extensions":{"KHR_texture_transform":$transform}}}}]"""
-        val uvs = mesh(files, "\"POSITION\":0,\"TEXCOORD_0\":1", material).uvs!!
-        val expected = listOf(0.5f, 0.25f, 0.5f, -1.75f, 3.5f, 0.25f)
-        for (i in expected.indices) assertEquals(expected[i], uvs[i], 1e-6f, uvs.toList().toString())
-    }
-
-    @Test
     fun notANumberIsKept() {
         val files = GltfFiles()
         files.accessor("VEC3", FLOAT, listOf(Float.NaN, Float.POSITIVE_INFINITY, 0f, 1, 0, 0, 0, 1, 0))

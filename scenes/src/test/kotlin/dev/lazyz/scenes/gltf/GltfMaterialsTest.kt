@@ -9,10 +9,14 @@ import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.MetallicRoughness
 import dev.lazyz.world.Shading
 import dev.lazyz.world.Sides
+import dev.lazyz.world.TextureEncoding
 import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.UvTransform
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Base64
@@ -99,12 +103,87 @@ class GltfMaterialsTest {
         assertEquals(Rgba(4f, 2f, 0f), strong.emission)
     }
 
+    private val image = ""","textures":[{"source":0}],"images":[{"bufferView":2}]"""
+
     @Test
-    fun glowOfATextureIsLeftOut() {
-        val glowing = """{"emissiveFactor":[1,1,1],"emissiveTexture":{"index":0}}"""
-        val (material, source) = read(glowing, ""","textures":[{}]""")
-        assertEquals(Rgba.BLACK, material.emission)
-        assertEquals(1, source.warnings.size)
+    fun metallicRoughnessIsTheModel() {
+        val model = pbr(""""metallicFactor":0.25,"roughnessFactor":0.75""")
+        assertEquals(MetallicRoughness(0.25f, 0.75f), model.metallicRoughness)
+        assertEquals(MetallicRoughness(1f, 1f), material("{}").metallicRoughness)
+        assertNull(material("""{"extensions":{"KHR_materials_unlit":{}}}""").metallicRoughness)
+    }
+
+    @Test
+    fun mapsHaveTheirEncodings() {
+        val pbr = """"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicRoughnessTexture":{"index":0}}"""
+        val normal = """"normalTexture":{"index":0,"scale":0.5}"""
+        val rest = """"occlusionTexture":{"index":0,"strength":0.25},"emissiveTexture":{"index":0}"""
+        val (material, source) = read("""{$pbr,$normal,$rest,"emissiveFactor":[1,0.5,0]}""", image)
+        assertEquals(emptyList<String>(), source.warnings)
+        assertEquals(TextureEncoding.SRGB, material.texture?.encoding)
+        assertEquals(TextureEncoding.LINEAR, material.metallicRoughness?.map?.texture?.encoding)
+        assertEquals(TextureEncoding.LINEAR, material.normalMap?.map?.texture?.encoding)
+        assertEquals(TextureEncoding.LINEAR, material.occlusionMap?.map?.texture?.encoding)
+        assertEquals(TextureEncoding.SRGB, material.emissionMap?.texture?.encoding)
+        assertEquals(0.5f to 0.25f, material.normalMap?.scale to material.occlusionMap?.strength)
+        assertEquals(Rgba(1f, 0.5f, 0f), material.emission)
+    }
+
+    @Test
+    fun eachMapHasItsOwnTransformAndSet() {
+        val transform = """"KHR_texture_transform":{"scale":[2,3],"offset":[0.5,0.25],"rotation":1.5707963267948966}"""
+        val moved = """{"index":0,"extensions":{$transform}}"""
+        val pbr = """"pbrMetallicRoughness":{"baseColorTexture":$moved}"""
+        val material = material("""{$pbr,"emissiveTexture":{"index":0}}""", image)
+        assertEquals(UvTransform.IDENTITY, material.emissionMap?.transform)
+        val map = checkNotNull(material.textureMap)
+        val places = listOf(0f to 0f, 1f to 0f, 0f to 1f)
+        for ((from, to) in places.zip(listOf(0.5f to 0.25f, 0.5f to -1.75f, 3.5f to 0.25f))) {
+            assertEquals(to.first, map.transform.u(from.first, from.second), 1e-6f)
+            assertEquals(to.second, map.transform.v(from.first, from.second), 1e-6f)
+        }
+    }
+
+    @Test
+    fun setsOfCoordinatesAreNumberedByUse() {
+        val files = GltfFiles()
+        files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
+        files.accessor("VEC2", FLOAT, listOf(0, 0, 1, 0, 0, 1))
+        files.accessor("VEC2", FLOAT, listOf(5, 5, 6, 5, 5, 6))
+        files.view(png)
+        val attributes = """"POSITION":0,"TEXCOORD_0":1,"TEXCOORD_3":2"""
+        val override = """"extensions":{"KHR_texture_transform":{"texCoord":3}}"""
+        val json = files.json(
+            """$ONE_NODE,"meshes":[{"primitives":[{"attributes":{$attributes},"material":0}]}],
+            "textures":[{"source":0}],"images":[{"bufferView":3}],"materials":[{"pbrMetallicRoughness":{
+            "baseColorTexture":{"index":0,$override}},"emissiveTexture":{"index":0}}]""",
+        )
+        val mesh = GltfParser.parse(TestSources.of(json)).meshes.single()
+        assertEquals(0 to 1, mesh.material.textureMap?.uvSet to mesh.material.emissionMap?.uvSet)
+        assertEquals(listOf(5f, 5f), mesh.uvs?.take(2))
+        assertEquals(listOf(0f, 0f), mesh.uvs2?.take(2))
+    }
+
+    @Test
+    fun tangentsAreReadOrComputed() {
+        fun mesh(normals: Boolean, tangents: Boolean): Mesh {
+            val files = GltfFiles()
+            files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
+            files.accessor("VEC2", FLOAT, listOf(0, 1, 1, 1, 0, 0))
+            files.accessor("VEC3", FLOAT, listOf(0, 0, 1, 0, 0, 1, 0, 0, 1))
+            files.accessor("VEC4", FLOAT, List(3) { listOf(0, 1, 0, -1) }.flatten())
+            files.view(png)
+            val more = (if (normals) ",\"NORMAL\":2" else "") + (if (tangents) ",\"TANGENT\":3" else "")
+            val json = files.json(
+                """$ONE_NODE,"meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1$more},"material":0}]}],
+                "textures":[{"source":0}],"images":[{"bufferView":4}],"materials":[{"normalTexture":{"index":0}}]""",
+            )
+            return GltfParser.parse(TestSources.of(json)).meshes.single()
+        }
+        assertEquals(listOf(0f, 1f, 0f, -1f), mesh(normals = true, tangents = true).tangents?.take(4))
+        for ((normals, tangents) in listOf(true to false, false to true, false to false)) {
+            assertEquals(listOf(1f, 0f, 0f, 1f), mesh(normals, tangents).tangents?.take(4)?.map { it + 0f })
+        }
     }
 
     @Test

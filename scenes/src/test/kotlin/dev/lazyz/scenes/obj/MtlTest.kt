@@ -6,7 +6,10 @@ import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Mesh
+import dev.lazyz.world.MetallicRoughness
 import dev.lazyz.world.Shading
+import dev.lazyz.world.TextureEncoding
+import dev.lazyz.world.TextureMap
 import dev.lazyz.world.TextureWrap
 import java.nio.file.Files
 import java.nio.file.Path
@@ -139,14 +142,100 @@ class MtlTest {
         assertEquals(AlphaMode.OPAQUE, mesh("map_Kd wood.png\nmap_d other.png", warnings = 1).material.alphaMode)
     }
 
+    private fun image(name: String, vararg greys: Int) {
+        Files.write(folder.resolve(name), PngFile.of(greys.size, 1, 8, PngFile.GREY, listOf(PngFile.bytes(*greys))))
+    }
+
+    private fun texels(map: TextureMap?): List<String> =
+        checkNotNull(map).texture.run { List(width * height) { "%08X".format(texel(it % width, it / width)) } }
+
+    @Test
+    fun anotherImageIsAMaskToo() {
+        image("color.png", 9, 200, 30, 40)
+        image("mask.png", 255, 0)
+        val masked = mesh("map_Kd color.png\nmap_d mask.png").material
+        assertEquals(AlphaMode.MASK, masked.alphaMode)
+        assertEquals(listOf("FF090909", "FFC8C8C8", "001E1E1E", "00282828"), texels(masked.textureMap))
+        assertEquals(listOf("FFFFFFFF", "00FFFFFF"), texels(mesh("map_d mask.png").material.textureMap))
+    }
+
+    @Test
+    fun physicallyBasedNumbersMakeAModel() {
+        assertNull(mesh("Ns 100").material.metallicRoughness)
+        assertEquals(MetallicRoughness(0.25f, 0.75f), mesh("Pm 0.25\nPr 0.75").material.metallicRoughness)
+        assertEquals(MetallicRoughness(0f, 1f), mesh("Pr 7").material.metallicRoughness)
+        assertEquals(MetallicRoughness(1f, 0.5f), mesh("Ns 30\nPm 1").material.metallicRoughness)
+    }
+
+    @Test
+    fun mapsOfTheModelAreOneTexture() {
+        image("rough.png", 10, 20)
+        image("metal.png", 255)
+        val both = mesh("Pm 0\nmap_Pr rough.png\nmap_Pm metal.png").material.metallicRoughness
+        assertEquals(1f to 1f, both?.metallic to both?.roughness)
+        assertEquals(listOf("FFFF0AFF", "FFFF14FF"), texels(both?.map))
+        assertEquals(TextureEncoding.LINEAR, both?.map?.texture?.encoding)
+        val rough = mesh("Pm 0.5\nmap_Pr rough.png").material.metallicRoughness
+        assertEquals(0.5f to 1f, rough?.metallic to rough?.roughness)
+    }
+
+    @Test
+    fun emissionMapsGlow() {
+        image("glow.png", 77)
+        assertEquals(Rgba.WHITE, mesh("map_Ke glow.png").material.emission)
+        val red = mesh("Ke 1 0 0\nmap_Ke glow.png").material
+        assertEquals(Rgba(1f, 0f, 0f), red.emission)
+        assertEquals(listOf("FF4D4D4D"), texels(red.emissionMap))
+    }
+
+    @Test
+    fun normalMapsGetTangents() {
+        image("n.png", 128)
+        val mesh = mesh("norm n.png")
+        assertEquals(listOf("FF808080"), texels(mesh.material.normalMap?.map))
+        assertEquals(TextureEncoding.LINEAR, mesh.material.normalMap?.map?.texture?.encoding)
+        assertEquals(listOf(1f, 0f, 0f, 1f), mesh.tangents?.take(4))
+    }
+
+    @Test
+    fun heightsBecomeNormals() {
+        // A slope that rises to the right by 1 / 255 of the depth a texel, and falls back at the border
+        image("h.png", *IntArray(128) { it })
+        for (statement in listOf("bump h.png", "map_Bump h.png", "map_Bump -bm 1 h.png")) {
+            val normals = texels(mesh(statement).material.normalMap?.map)
+            val slope = 1.0 / 255
+            val length = Math.sqrt(1.0 + slope * slope)
+            fun code(component: Double) = ((component / length + 1) / 2 * 255 + 0.5).toInt()
+            assertEquals("FF%02X%02X%02X".format(code(-slope), code(0.0), code(1.0)), normals[64])
+        }
+        val steep = texels(mesh("bump -bm 100 h.png").material.normalMap?.map)[64]
+        assertTrue(steep.substring(2, 4).toInt(16) < 90) { steep }
+        image("v.png", 0)
+        assertEquals(listOf("FF8080FF"), texels(mesh("bump v.png").material.normalMap?.map))
+    }
+
+    @Test
+    fun optionsOfEachMapAreItsOwn() {
+        image("glow.png", 77)
+        val mesh = mesh("map_Kd -s 2 4 -o 0.5 0.25 wood.png\nmap_Ke -s 3 5 -o 0.125 1 glow.png")
+        val transform = checkNotNull(mesh.material.emissionMap).transform
+        val uvs = checkNotNull(mesh.uvs)
+        for ((vertex, place) in listOf(0f to 0f, 1f to 0f, 1f to 1f).withIndex()) {
+            val u = transform.u(uvs[2 * vertex], uvs[2 * vertex + 1])
+            val v = transform.v(uvs[2 * vertex], uvs[2 * vertex + 1])
+            assertEquals(place.first * 3 + 0.125f, u, 1e-6f)
+            assertEquals(1 - (place.second * 5 + 1), v, 1e-6f)
+        }
+    }
+
     @Test
     fun unusedTexturesGiveOneWarning() {
-        val text = "Kd 1 0 0\nmap_Kd wood.png\nmap_Bump a.png\nbump a.png\nmap_d b.png\n" +
-            "newmtl b\nNORM n.png\nmap_Bump c.png\nKa 1 1 1\nNi 1\n"
+        val text = "Kd 1 0 0\nmap_Kd wood.png\nmap_Ks a.png\ndisp a.png\nmap_Ns b.png\n" +
+            "newmtl b\nREFL n.png\nmap_Ks c.png\nKa 1 1 1\nNi 1\n"
         Files.writeString(folder.resolve("m.mtl"), "newmtl a\n$text")
         val source = TestSources.of("mtllib m.mtl\n$triangle", folder)
         ObjParser.parse(source)
-        val expected = "library m.mtl: textures that are not used are 2 map_bump, 1 bump, 1 norm, 1 map_d"
+        val expected = "library m.mtl: textures that are not used are 2 map_ks, 1 disp, 1 map_ns, 1 refl"
         assertTrue(source.warnings.single().endsWith(expected), source.warnings.toString())
     }
 

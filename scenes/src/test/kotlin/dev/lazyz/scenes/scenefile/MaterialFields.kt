@@ -1,14 +1,19 @@
 package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.world.Material
+import dev.lazyz.world.TextureMap
 
 /** All that a material is made of, to compare. */
 internal object MaterialFields {
     fun of(material: Material): List<Any?> = material.run {
         listOf(baseColor, shading, specular, shininess, emission, alphaMode, alphaCutoff, sides, name, shader) +
-            texture?.run {
-                val texels = List(width * height) { texel(it % width, it / width) }
-                listOf(width, height, filter, wrapU, wrapV, name, texels)
-            }
+            map(textureMap) + map(emissionMap) +
+            listOf(metallicRoughness?.metallic, metallicRoughness?.roughness, map(metallicRoughness?.map)) +
+            listOf(normalMap?.scale, map(normalMap?.map), occlusionMap?.strength, map(occlusionMap?.map))
+    }
+
+    private fun map(map: TextureMap?): List<Any?>? = map?.texture?.run {
+        val texels = List(width * height) { texel(it % width, it / width) }
+        listOf(width, height, filter, wrapU, wrapV, name, mipFilter, encoding, texels, map.uvSet, map.transform)
     }
 }

@@ -8,11 +8,17 @@ import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.Tint
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
+import dev.lazyz.world.Environment
+import dev.lazyz.world.Falloff
 import dev.lazyz.world.Fit
 import dev.lazyz.world.Light
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
+import dev.lazyz.world.MetallicRoughness
+import dev.lazyz.world.MipFilter
+import dev.lazyz.world.NormalMap
+import dev.lazyz.world.OcclusionMap
 import dev.lazyz.world.Points
 import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
@@ -21,8 +27,13 @@ import dev.lazyz.world.Sides
 import dev.lazyz.world.Sphere
 import dev.lazyz.world.Surface
 import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureEncoding
 import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureMap
 import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.ToneCurve
+import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.UvTransform
 import dev.lazyz.world.Vertex
 import dev.lazyz.world.Viewpoint
 import java.util.Random
@@ -38,7 +49,7 @@ internal class RandomScenes(seed: Long) {
         lights = List(random.nextInt(4)) { light() },
         viewpoint = viewpoint(),
         background = color(),
-    )
+    ).withEnvironment(environment()).withToneMapping(toneMapping())
 
     fun depth(): DepthRules {
         val convention = pick(DepthConvention.entries)
@@ -109,9 +120,27 @@ internal class RandomScenes(seed: Long) {
         Material()
     } else {
         Material(
-            color(), if (random.nextBoolean()) texture() else null, pick(Shading.entries), color(),
+            color(), null, pick(Shading.entries), color(),
             1 + random.nextInt(1024), color(), pick(AlphaMode.entries), random.nextFloat(), pick(Sides.entries),
             if (random.nextInt(4) == 0) Tint(random.nextInt()) else null, name(),
+        ).withTextureMap(map())
+            .withMetallicRoughness(
+                if (random.nextBoolean()) MetallicRoughness(random.nextFloat(), random.nextFloat(), map()) else null,
+            )
+            .withNormalMap(map()?.let { NormalMap(it, random.nextFloat()) })
+            .withOcclusionMap(map()?.let { OcclusionMap(it, random.nextFloat()) })
+            .withEmissionMap(map())
+    }
+
+    private fun map(): TextureMap? = when (random.nextInt(3)) {
+        0 -> null
+        1 -> TextureMap(texture())
+        else -> TextureMap(
+            texture(), random.nextInt(2),
+            UvTransform(
+                random.nextGaussian(), random.nextDouble(), 1e3 * random.nextGaussian(), random.nextDouble(),
+                -1.0 / 3.0,
+            ),
         )
     }
 
@@ -120,15 +149,37 @@ internal class RandomScenes(seed: Long) {
         val height = 1 + random.nextInt(5)
         return Texture(
             width, height, IntArray(width * height) { random.nextInt() }, pick(TextureFilter.entries),
-            pick(TextureWrap.entries), pick(TextureWrap.entries), name(),
+            pick(TextureWrap.entries), pick(TextureWrap.entries), name(), pick(MipFilter.entries),
+            pick(TextureEncoding.entries),
         )
     }
 
-    private fun light(): Light = when (random.nextInt(3)) {
+    private fun light(): Light = when (random.nextInt(4)) {
         0 -> Light.Ambient(color())
         1 -> Light.Directional(direction(), color())
-        else -> Light.Point(Vector3d(random.nextGaussian(), random.nextGaussian() * 1e9, 0.1), color())
+        2 -> Light.Point(position(), color(), falloff())
+        else -> {
+            val inner = 89 * random.nextDouble()
+            Light.Spot(position(), direction(), color(), inner, inner + 1.0 / 3.0, falloff())
+        }
     }
+
+    private fun position() = Vector3d(random.nextGaussian(), random.nextGaussian() * 1e9, 0.1)
+
+    private fun falloff(): Falloff = when (random.nextInt(3)) {
+        0 -> Falloff.NONE
+        1 -> Falloff.inverseSquare()
+        else -> Falloff.inverseSquare(1.0 - random.nextDouble())
+    }
+
+    private fun environment(): Environment? = when (random.nextInt(3)) {
+        0 -> null
+        1 -> Environment.NONE
+        else -> Environment.studio(random.nextFloat())
+    }
+
+    private fun toneMapping(): ToneMapping? =
+        if (random.nextBoolean()) null else ToneMapping(pick(ToneCurve.entries), 40 * random.nextDouble() - 20)
 
     private fun viewpoint(): Viewpoint {
         val eye = direction().mul(10.0)

@@ -10,6 +10,7 @@ import dev.lazyz.world.Polygon
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Sphere
+import dev.lazyz.world.Surface
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -40,37 +41,39 @@ class SceneFileProperties {
 
     /** All that a scene is made of, as numbers' bits and as text, independent of the writer. */
     private fun fields(scene: Scene): List<Any?> =
-        listOf(scene.background) + viewpoint(scene) + scene.lights.map(::light) + scene.surfaces.map { surface ->
-            when (surface) {
-                is Mesh -> listOf(
-                    surface.origin, bits(surface.positions),
-                    surface.triangles.toList(), bits(surface.normals), bits(surface.uvs),
-                    bits(surface.colors), MaterialFields.of(surface.material),
-                )
-                is Polygon -> listOf(
-                    surface.contours.map { contour ->
-                        contour.map {
-                            listOf(it.x.toBits(), it.y.toBits(), it.z.toBits(), it.u.toBits(), it.v.toBits(), it.color)
-                        }
-                    },
-                    surface.fillRule, MaterialFields.of(surface.material),
-                )
-                is Sphere -> listOf(
-                    surface.center.run { listOf(x().toBits(), y().toBits(), z().toBits()) },
-                    surface.radius.toBits(), MaterialFields.of(surface.material),
-                )
-                is Points -> listOf(
-                    surface.origin, bits(surface.positions),
-                    surface.size, bits(surface.normals), bits(surface.colors),
-                    MaterialFields.of(surface.material),
-                )
-                is Lines -> listOf(
-                    surface.origin, bits(surface.positions),
-                    surface.segments.toList(), surface.width, bits(surface.colors),
-                    MaterialFields.of(surface.material),
-                )
-                else -> error("not expected: $surface")
-            }
+        listOf(scene.background, scene.environment, scene.toneMapping) + viewpoint(scene) + scene.lights.map(::light) +
+            scene.surfaces.map(::surface)
+
+    private fun surface(surface: Surface): List<Any?> =
+        when (surface) {
+            is Mesh -> listOf(
+                surface.origin, bits(surface.positions),
+                surface.triangles.toList(), bits(surface.normals), bits(surface.uvs),
+                bits(surface.colors), MaterialFields.of(surface.material),
+            )
+            is Polygon -> listOf(
+                surface.contours.map { contour ->
+                    contour.map {
+                        listOf(it.x.toBits(), it.y.toBits(), it.z.toBits(), it.u.toBits(), it.v.toBits(), it.color)
+                    }
+                },
+                surface.fillRule, MaterialFields.of(surface.material),
+            )
+            is Sphere -> listOf(
+                surface.center.run { listOf(x().toBits(), y().toBits(), z().toBits()) },
+                surface.radius.toBits(), MaterialFields.of(surface.material),
+            )
+            is Points -> listOf(
+                surface.origin, bits(surface.positions),
+                surface.size, bits(surface.normals), bits(surface.colors),
+                MaterialFields.of(surface.material),
+            )
+            is Lines -> listOf(
+                surface.origin, bits(surface.positions),
+                surface.segments.toList(), surface.width, bits(surface.colors),
+                MaterialFields.of(surface.material),
+            )
+            else -> error("not expected: $surface")
         }
 
     /** The camera for two rasters, by the matrices that set-up uses. */
@@ -87,7 +90,14 @@ class SceneFileProperties {
         is Light.Directional -> light.direction.run {
             listOf("directional", x().toBits(), y().toBits(), z().toBits(), light.color)
         }
-        is Light.Point -> light.position.run { listOf("point", x().toBits(), y().toBits(), z().toBits(), light.color) }
+        is Light.Point -> light.position.run {
+            listOf("point", x().toBits(), y().toBits(), z().toBits(), light.color, light.falloff)
+        }
+        is Light.Spot -> listOf(
+            "spot", light.position.run { listOf(x().toBits(), y().toBits(), z().toBits()) },
+            light.direction.run { listOf(x().toBits(), y().toBits(), z().toBits()) },
+            light.color, light.innerAngle, light.outerAngle, light.falloff,
+        )
     }
 
     private fun bits(floats: FloatArray?): List<Int>? = floats?.map { it.toBits() }

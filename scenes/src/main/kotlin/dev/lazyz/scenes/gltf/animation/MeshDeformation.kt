@@ -17,8 +17,9 @@ internal class JointWeights(val joints: FloatArray, val weights: FloatArray)
  *
  * @property positions three numbers for each vertex, or null
  * @property normals three numbers for each vertex, or null
+ * @property tangents three numbers for each vertex, or null: handedness does not change
  */
-internal class MorphTarget(val positions: FloatArray?, val normals: FloatArray?)
+internal class MorphTarget(val positions: FloatArray?, val normals: FloatArray?, val tangents: FloatArray? = null)
 
 /**
  * Deforms meshes. The given mesh is not changed; the result is a new one. All arithmetic uses doubles in a fixed order.
@@ -28,7 +29,17 @@ internal object MeshDeformation {
     fun morphed(mesh: Mesh, targets: List<MorphTarget>, weights: DoubleArray): Mesh {
         val positions = sums(mesh.positions, targets.map { it.positions }, weights)
         val normals = mesh.normals?.let { sums(it, targets.map { target -> target.normals }, weights) }
-        return deformed(mesh, positions, normals, mesh.triangles)
+        val tangents = mesh.tangents?.let { own ->
+            val axes =
+                sums(
+                    FloatArray(3 * mesh.vertexCount) {
+                        own[it / 3 * 4 + it % 3]
+                    },
+                    targets.map { it.tangents }, weights
+                )
+            FloatArray(own.size) { if (it % 4 == 3) own[it] else axes[it / 4 * 3 + it % 4] }
+        }
+        return deformed(mesh, positions, normals, tangents, mesh.triangles)
     }
 
     private fun sums(base: FloatArray, additions: List<FloatArray?>, weights: DoubleArray): FloatArray {
@@ -51,14 +62,16 @@ internal object MeshDeformation {
     fun skinned(mesh: Mesh, sets: List<JointWeights>, matrices: List<DoubleArray>, isMirror: Boolean): Mesh {
         val positions = FloatArray(mesh.positions.size)
         val normals = mesh.normals?.let { FloatArray(it.size) }
+        val tangents = mesh.tangents?.let { FloatArray(it.size) }
         val matrix = DoubleArray(16)
         for (vertex in 0 until mesh.vertexCount) {
             blend(vertex, sets, matrices, matrix)
             move(matrix, mesh.positions, positions, 3 * vertex)
             if (normals != null) turn(matrix, checkNotNull(mesh.normals), normals, 3 * vertex)
+            if (tangents != null) turnTangent(matrix, checkNotNull(mesh.tangents), tangents, 4 * vertex)
         }
         val triangles = if (isMirror) turnedRound(mesh.triangles) else mesh.triangles
-        return deformed(mesh, positions, normals, triangles)
+        return deformed(mesh, positions, normals, tangents, triangles)
     }
 
     private fun blend(vertex: Int, sets: List<JointWeights>, matrices: List<DoubleArray>, matrix: DoubleArray) {
@@ -93,6 +106,16 @@ internal object MeshDeformation {
         for (row in 0 until 3) to[at + row] = (m[row] * x + m[4 + row] * y + m[8 + row] * z + m[12 + row]).toFloat()
     }
 
+    /** Transforms a tangent like a direction. A mirror reverses its handedness. */
+    private fun turnTangent(m: DoubleArray, from: FloatArray, to: FloatArray, at: Int) {
+        for (row in 0 until 3) {
+            to[at + row] = (m[row] * from[at] + m[4 + row] * from[at + 1] + m[8 + row] * from[at + 2]).toFloat()
+        }
+        val determinant = m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) +
+            m[8] * (m[1] * m[6] - m[2] * m[5])
+        to[at + 3] = if (determinant < 0.0) -from[at + 3] else from[at + 3]
+    }
+
     /**
      * Transforms a normal by the cofactors of the matrix. They are the inverse transpose, except for a factor that may
      * be negative.
@@ -125,6 +148,13 @@ internal object MeshDeformation {
         }
     }
 
-    private fun deformed(mesh: Mesh, positions: FloatArray, normals: FloatArray?, triangles: IntArray): Mesh =
-        Mesh(positions, triangles, mesh.material, normals, mesh.uvs, mesh.colors)
+    private fun deformed(
+        mesh: Mesh,
+        positions: FloatArray,
+        normals: FloatArray?,
+        tangents: FloatArray?,
+        triangles: IntArray,
+    ): Mesh = Mesh(
+        positions, triangles, mesh.material, normals, mesh.uvs, mesh.colors, uvs2 = mesh.uvs2, tangents = tangents,
+    )
 }

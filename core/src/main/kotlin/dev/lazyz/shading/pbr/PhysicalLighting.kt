@@ -1,0 +1,134 @@
+package dev.lazyz.shading.pbr
+
+import dev.lazyz.shading.light.LightSources
+import dev.lazyz.shading.light.Viewer
+import kotlin.math.abs
+import kotlin.math.sqrt
+
+/**
+ * The light that a metallic-roughness surface reflects (contract rule 6.8), in single precision, in the order written.
+ * Immutable and thread safe.
+ *
+ * Lights with a position or a direction follow glTF 2.0, appendix B, exactly. Ambient light, which is equal from all
+ * directions, and the [studio] use the split sum, with the light that is reflected more than once between microfacets:
+ * C. Fdez-Agüera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting", JCGT 8 (2019).
+ */
+internal class PhysicalLighting(
+    private val viewer: Viewer,
+    private val sources: LightSources,
+    private val studio: StudioView?,
+) {
+    /**
+     * Adds the reflected light to 0..2 of [out].
+     *
+     * @param surface the material at the point, see [PhysicalSurface]
+     * @param occlusion factor of ambient light and of the studio
+     */
+    fun illuminate(
+        surface: FloatArray,
+        occlusion: Float,
+        px: Float,
+        py: Float,
+        pz: Float,
+        normalX: Float,
+        normalY: Float,
+        normalZ: Float,
+        out: FloatArray,
+    ) = viewer.from(px, py, pz) { vx, vy, vz ->
+        val length = sqrt(normalX * normalX + normalY * normalY + normalZ * normalZ)
+        val nx = if (length > 0f) normalX / length else vx
+        val ny = if (length > 0f) normalY / length else vy
+        val nz = if (length > 0f) normalZ / length else vz
+        val along = nx * vx + ny * vy + nz * vz
+        direct(surface, px, py, pz, nx, ny, nz, vx, vy, vz, abs(along), out)
+        indirect(surface, occlusion, nx, ny, nz, vx, vy, vz, along, out)
+    }
+
+    private fun direct(
+        surface: FloatArray,
+        px: Float,
+        py: Float,
+        pz: Float,
+        nx: Float,
+        ny: Float,
+        nz: Float,
+        vx: Float,
+        vy: Float,
+        vz: Float,
+        cosineV: Float,
+        out: FloatArray,
+    ) {
+        val alpha = Microfacets.alpha(surface[PhysicalSurface.ROUGHNESS])
+        val a2 = alpha * alpha
+        for (light in 0 until sources.count) {
+            sources.from(light, px, py, pz) { lx, ly, lz, strength ->
+                val cosineL = nx * lx + ny * ly + nz * lz
+                if (!(cosineL > 0f)) return@from
+
+                // The halfway vector, and its sine with the normal as a cross product
+                var hx = lx + vx
+                var hy = ly + vy
+                var hz = lz + vz
+                val length = sqrt(hx * hx + hy * hy + hz * hz)
+                hx /= length
+                hy /= length
+                hz /= length
+                val cosineH = nx * hx + ny * hy + nz * hz
+                val cx = ny * hz - nz * hy
+                val cy = nz * hx - nx * hz
+                val cz = nx * hy - ny * hx
+                val grazing = Microfacets.grazing(abs(vx * hx + vy * hy + vz * hz))
+
+                // A light of colour 1 makes a matt white surface white, so pi is in D, and not in the diffuse part
+                val lobe = if (cosineH > 0f) {
+                    Microfacets.distribution(cosineH, cx * cx + cy * cy + cz * cz, a2) *
+                        Microfacets.visibility(cosineL, cosineV, a2)
+                } else {
+                    0f
+                }
+                for (channel in 0 until 3) {
+                    val f0 = surface[PhysicalSurface.REFLECTANCE + channel]
+                    val fresnel = f0 + (1f - f0) * grazing
+                    val reflected = (1f - fresnel) * surface[PhysicalSurface.DIFFUSE + channel] + fresnel * lobe
+                    out[channel] += sources.color(light, channel) * strength * cosineL * reflected
+                }
+            }
+        }
+    }
+
+    private fun indirect(
+        surface: FloatArray,
+        occlusion: Float,
+        nx: Float,
+        ny: Float,
+        nz: Float,
+        vx: Float,
+        vy: Float,
+        vz: Float,
+        along: Float,
+        out: FloatArray,
+    ) {
+        val ambient = sources.ambient
+        val roughness = surface[PhysicalSurface.ROUGHNESS]
+        surface.fill(0f, PhysicalSurface.RADIANCE, PhysicalSurface.SIZE)
+        if (studio != null) {
+            val alpha = roughness * roughness
+            studio.radiance(2f * along * nx - vx, 2f * along * ny - vy, 2f * along * nz - vz, alpha, surface)
+            studio.irradiance(nx, ny, nz, surface)
+        }
+        DirectionalAlbedo.at(minOf(abs(along), 1f), roughness) { scale, bias ->
+            val single = scale + bias
+            val lost = 1f - single
+            for (channel in 0 until 3) {
+                val radiance = surface[PhysicalSurface.RADIANCE + channel] + ambient[channel]
+                val irradiance = surface[PhysicalSurface.IRRADIANCE + channel] + ambient[channel]
+                val f0 = surface[PhysicalSurface.REFLECTANCE + channel]
+                val once = f0 * scale + bias
+                val mean = f0 + (1f - f0) / 21f
+                val more = lost * once * mean / (1f - mean * lost)
+                val matt = surface[PhysicalSurface.DIFFUSE + channel] * (1f - once - more)
+                out[channel] += (once * radiance + (more + matt) * irradiance) * occlusion
+            }
+        }
+    }
+}

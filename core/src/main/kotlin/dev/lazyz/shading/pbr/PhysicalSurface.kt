@@ -1,0 +1,28 @@
+package dev.lazyz.shading.pbr
+
+/**
+ * A metallic-roughness material at one point, as [SIZE] numbers in an array, and scratch memory for its light: colour
+ * of diffuse reflection from [DIFFUSE] on, reflectance at normal incidence from [REFLECTANCE] on, perceptual roughness
+ * at [ROUGHNESS]; radiance from [RADIANCE] on and irradiance from [IRRADIANCE] on.
+ */
+internal object PhysicalSurface {
+    const val DIFFUSE: Int = 0
+    const val REFLECTANCE: Int = 3
+    const val ROUGHNESS: Int = 6
+    const val RADIANCE: Int = 7
+    const val IRRADIANCE: Int = 10
+    const val SIZE: Int = 13
+
+    /** Sets the material in [surface]: glTF 2.0, appendix B.3.5. */
+    fun set(surface: FloatArray, red: Float, green: Float, blue: Float, metallic: Float, roughness: Float) {
+        set(surface, 0, red, metallic)
+        set(surface, 1, green, metallic)
+        set(surface, 2, blue, metallic)
+        surface[ROUGHNESS] = roughness
+    }
+
+    private fun set(surface: FloatArray, channel: Int, color: Float, metallic: Float) {
+        surface[DIFFUSE + channel] = color * (1f - metallic)
+        surface[REFLECTANCE + channel] = Microfacets.DIELECTRIC * (1f - metallic) + color * metallic
+    }
+}

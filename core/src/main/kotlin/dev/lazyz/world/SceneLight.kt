@@ -1,0 +1,29 @@
+package dev.lazyz.world
+
+import org.joml.Vector3dc
+
+/**
+ * All light of a scene, and how it becomes the colours of a picture.
+ *
+ * @property classical the lights of materials without [MetallicRoughness]
+ * @property physical the lights of materials with it
+ * @property environment what the latter reflect besides
+ * @property toneMapping exposure and tone curve
+ */
+internal class SceneLight(
+    val classical: List<Light>,
+    val physical: List<Light>,
+    val environment: Environment,
+    val toneMapping: ToneMapping,
+) {
+    /** The same lights for all materials, without an environment and without tone mapping. */
+    constructor(lights: List<Light>) : this(lights, lights, Environment.NONE, ToneMapping.NONE)
+
+    /** Returns the same light relative to [origin]. */
+    fun relativeTo(origin: Vector3dc): SceneLight = SceneLight(
+        classical.map { it.relativeTo(origin) },
+        physical.map { it.relativeTo(origin) },
+        environment,
+        toneMapping,
+    )
+}

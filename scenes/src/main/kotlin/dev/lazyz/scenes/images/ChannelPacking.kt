@@ -1,0 +1,53 @@
+package dev.lazyz.scenes.images
+
+import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureEncoding
+
+/**
+ * Combines images that files keep apart to one texture. The larger image determines the size; see [at] for the other.
+ */
+internal object ChannelPacking {
+    /** Returns a texture with [roughness] as green and [metallic] as blue, and 255 for an image that is null. */
+    fun metallicRoughness(roughness: Texture?, metallic: Texture?): Texture? {
+        val larger = larger(roughness, metallic) ?: return null
+        return packed(larger, TextureEncoding.LINEAR) { x, y ->
+            val green = roughness?.let { grey(at(it, x, y, larger)) } ?: 0xFF
+            val blue = metallic?.let { grey(at(it, x, y, larger)) } ?: 0xFF
+            0xFFFF0000.toInt() or (green shl 8) or blue
+        }
+    }
+
+    /** Returns the colours of [color], or white if it is null, with [opacity] as alpha: its own alpha, or its grey. */
+    fun withOpacity(color: Texture?, opacity: Texture): Texture {
+        val larger = checkNotNull(larger(color, opacity))
+        return packed(larger, TextureEncoding.SRGB) { x, y ->
+            val texel = at(opacity, x, y, larger)
+            val alpha = if (opacity.hasAlpha) texel ushr 24 else grey(texel)
+            val rgb = color?.let { at(it, x, y, larger) and 0xFFFFFF } ?: 0xFFFFFF
+            alpha shl 24 or rgb
+        }
+    }
+
+    private fun larger(first: Texture?, second: Texture?): Texture? = when {
+        first == null -> second
+        second == null -> first
+        second.width.toLong() * second.height > first.width.toLong() * first.height -> second
+        else -> first
+    }
+
+    private inline fun packed(like: Texture, encoding: TextureEncoding, texel: (Int, Int) -> Int): Texture {
+        val texels = IntArray(like.width * like.height) { texel(it % like.width, it / like.width) }
+        return Texture(
+            like.width, like.height, texels, like.filter, like.wrapU, like.wrapV, like.name, like.mipFilter, encoding,
+        )
+    }
+
+    /** Returns the texel of [texture] at the place of texel ([x], [y]) of [like]. */
+    private fun at(texture: Texture, x: Int, y: Int, like: Texture): Int = texture.texel(
+        (x.toLong() * texture.width / like.width).toInt(),
+        (y.toLong() * texture.height / like.height).toInt(),
+    )
+
+    private fun grey(texel: Int): Int =
+        ((texel ushr 16 and 0xFF) + (texel ushr 8 and 0xFF) + (texel and 0xFF) + 1) / 3
+}

@@ -1,0 +1,76 @@
+package dev.lazyz.scenes.scenefile
+
+import dev.lazyz.Rgba
+import dev.lazyz.scenes.json.JsonMembers
+import dev.lazyz.scenes.json.JsonNode
+import dev.lazyz.world.Environment
+import dev.lazyz.world.Falloff
+import dev.lazyz.world.Light
+import dev.lazyz.world.ToneCurve
+import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.UpAxis
+import org.joml.Vector3d
+
+/** Reads the lights, the environment and the tone mapping of a scene file. */
+internal class LightReader(private val up: UpAxis) {
+    fun light(node: JsonNode): Light {
+        val kinds = arrayOf("ambient", "directional", "point", "spot")
+        val (kind, value) = node.members(*kinds).one(*kinds)
+        return when (kind) {
+            "ambient" -> Light.Ambient(color(value.members("color")))
+            "directional" -> {
+                val members = value.members("direction", "color")
+                value.checked { Light.Directional(vector(members.required("direction")), color(members)) }
+            }
+            "point" -> {
+                val members = value.members("position", "color", "falloff", "range")
+                value.checked {
+                    Light.Point(vector(members.required("position")), color(members), falloff(value, members))
+                }
+            }
+            else -> spot(value)
+        }
+    }
+
+    private fun spot(node: JsonNode): Light {
+        val members = node.members("position", "direction", "color", "innerAngle", "outerAngle", "falloff", "range")
+        return node.checked {
+            Light.Spot(
+                vector(members.required("position")),
+                vector(members.required("direction")),
+                color(members),
+                members["innerAngle"]?.double() ?: 0.0,
+                members["outerAngle"]?.double() ?: DEFAULT_ANGLE,
+                falloff(node, members),
+            )
+        }
+    }
+
+    private fun falloff(node: JsonNode, members: JsonMembers): Falloff {
+        val range = members["range"]?.double()
+        if (members["falloff"]?.choice(SceneFileNames.falloffs) == true) {
+            return Falloff.inverseSquare(range ?: Double.POSITIVE_INFINITY)
+        }
+        if (range != null) node.fail("\"range\" is for lights with a falloff", "add \"falloff\": \"inverse-square\"")
+        return Falloff.NONE
+    }
+
+    fun environment(node: JsonNode): Environment {
+        val members = node.members("studio")
+        return node.checked { Environment.studio(members.required("studio").float()) }
+    }
+
+    fun toneMapping(node: JsonNode): ToneMapping {
+        val members = node.members("curve", "exposure")
+        val curve = members["curve"]?.choice(SceneFileNames.toneCurves) ?: ToneCurve.NONE
+        return node.checked { ToneMapping(curve, members["exposure"]?.double() ?: 0.0) }
+    }
+
+    private fun color(members: JsonMembers): Rgba = members["color"]?.let(ColorReader::read) ?: Rgba.WHITE
+
+    private fun vector(node: JsonNode): Vector3d = up.toWorld(Vector3d(node.doubles(3)))
+
+    private companion object {
+        const val DEFAULT_ANGLE = 45.0
+    }
+}
