@@ -114,9 +114,6 @@ public class Material private constructor(
         sides, shader, name, null, null, null, null,
     )
 
-    /** Creates a plain white material. */
-    public constructor() : this(Rgba.WHITE)
-
     init {
         require(shininess in 1..1024) { "shininess must be in 1..1024: $shininess" }
         require(alphaCutoff in 0f..1f) { "alphaCutoff must be in 0..1: $alphaCutoff" }
