@@ -6,6 +6,7 @@ import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.statIn
 import dev.lazyz.cli.wedge
 import dev.lazyz.cli.zcli
+import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -70,13 +71,16 @@ class CameraOptionsTest {
     }
 
     private fun assertReproduced(input: Any, words: List<String>, others: List<String>) {
-        val first = render(input, "--print-camera", *words.toTypedArray())
+        val depths = listOf("first.pfm", "again.pfm").map { folder.resolve(it) }
+        val first = render(input, "--print-camera", "--depth-out", "${depths[0]}", *words.toTypedArray())
         assertEquals(ExitCode.DONE, first.code, first.errors)
         assertTrue(first.stat("visible").toInt() > 0, "$input: $words")
         val printed = first.errors.trim().split(" ")
-        val again = render(input, "--print-camera", *others.toTypedArray(), *printed.toTypedArray())
+        val same = others + printed + listOf("--depth-out", "${depths[1]}")
+        val again = render(input, "--print-camera", *same.toTypedArray())
         assertEquals(first.errors, again.errors, "$input: $words")
         assertEquals(statIn(first.text, "pixelHash"), statIn(again.text, "pixelHash"), "$input: $words, $printed")
+        assertEquals(-1, Files.mismatch(depths[0], depths[1]), "depths of $input: $words, $printed")
     }
 
     @Test
