@@ -201,14 +201,13 @@ class EdgeDrawingTest {
         for (style in listOf(dashed, EdgeStyle(EdgeSet.ALL, width = 0.7, color = Rgba.ofRgb(0x2040A0)))) {
             val scene = style.drawnOn(Scene(surfaces, viewpoint = Camera.fit(30.0, 40.0)))
             for (factor in listOf(1, 4)) {
-                val sampling = SuperSampling(factor)
-                val frame = sampling.frame(scene, Raster(48, 40))
-                val expected = sampling.render(ZBuffer(), frame)
+                val frame = SuperSampling(factor).frame(scene, Raster(48, 40))
+                val expected = frame.render(ZBuffer())
                 for (renderer in Renderers.builtIn) {
-                    val image = sampling.render(renderer, frame)
+                    val image = frame.render(renderer)
                     assertArrayEquals(expected.argb, image.argb) { "${renderer.id}, $style, $factor" }
                     assertArrayEquals(expected.depth, image.depth) { renderer.id }
-                    val part = sampling.render(renderer, frame.within(sampling.samples(Region(11, 7, 40, 32))))
+                    val part = frame.within(Region(11, 7, 40, 32)).render(renderer)
                     for (y in 7 until 32) {
                         for (x in 11 until 40) assertEquals(expected.argb[y * 48 + x], part.argb[(y - 7) * 29 + x - 11])
                     }
@@ -263,8 +262,7 @@ class EdgeDrawingTest {
     fun widthsAreThoseOfPixelsWhateverTheSampling() {
         val scene = EdgeStyle(width = 4.0).drawnOn(Scene(listOf(square(-1f, -1f, 1f, 1f, 0f)), viewpoint = front))
         for (factor in listOf(1, 4)) {
-            val sampling = SuperSampling(factor)
-            val image = sampling.render(ZBuffer(), sampling.frame(scene, Raster(100, 100)))
+            val image = SuperSampling(factor).frame(scene, Raster(100, 100)).render(ZBuffer())
             assertEquals(listOf(23..26, 73..76), image.blackColumns(50))
         }
     }
