@@ -51,7 +51,7 @@ internal class FrameSource(private val subject: Subject, private val streams: St
             .withDefault(lineWork.projection)
         val seen = lineWork.colored(subject.sizes.applyTo(pointOfView.applyTo(upright)), subject.shading != null)
         val shaded = if (subject.shading == null) seen else seen.withMaterials { shaded(it, subject.shading) }
-        val scene = lineWork.drawnOn(shaded)
+        val scene = lineWork.drawnOn(shaded, subject.translucency)
 
         // The camera is fitted to the whole raster. The picture may be a part of it
         val raster = raster(scene, loaded)
