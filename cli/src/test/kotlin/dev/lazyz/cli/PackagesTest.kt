@@ -113,8 +113,7 @@ class PackagesTest {
         /** The packages of core from bottom to top: each names only those before it, see `docs/architecture.md`. */
         val LEVELS = listOf(
             "", "raster", "geometry", "world", "shading.light", "shading.pbr", "shading", "setup", "setup.planar",
-            "sections", "drawing", "pipeline",
-            "filter",
+            "sections", "drawing.strokes", "drawing", "pipeline", "filter",
             "strategies.tiled.raster", "strategies.tiled.binning", "strategies.tiled.resolve",
             "strategies.*", "strategies",
         ).map { if (it.isEmpty()) "dev.lazyz" else "dev.lazyz.$it" }

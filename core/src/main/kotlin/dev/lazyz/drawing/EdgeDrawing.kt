@@ -1,6 +1,11 @@
 package dev.lazyz.drawing
 
 import dev.lazyz.Primitive
+import dev.lazyz.drawing.strokes.Crumbs
+import dev.lazyz.drawing.strokes.Dashes
+import dev.lazyz.drawing.strokes.Pen
+import dev.lazyz.drawing.strokes.Pieces
+import dev.lazyz.drawing.strokes.Polylines
 import dev.lazyz.geometry.Box
 import dev.lazyz.setup.Viewport
 import dev.lazyz.world.SetUp

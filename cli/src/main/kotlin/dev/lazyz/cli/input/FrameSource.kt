@@ -58,7 +58,7 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         val raster = raster(shaded, loaded)
         val camera = camera(shaded, raster)
         if (pointOfView.isPrinted) streams.note(PointOfView.words(camera, subject.up) + "\n")
-        val scene = lineWork.drawnOn(shaded.withViewpoint(camera))
+        val scene = lineWork.drawnOn(shaded.withViewpoint(camera), subject.translucency)
         val region = region(raster)
         streams.progress("setting up ${raster.width}x${raster.height} ...")
         val sampled = subject.antiAliasing.frame(scene, raster, options).within(region)

@@ -2,12 +2,14 @@ package dev.lazyz.cli.input
 
 import dev.lazyz.Rgba
 import dev.lazyz.cli.output.Mistake
+import dev.lazyz.drawing.EdgeDrawing
 import dev.lazyz.drawing.EdgeSet
 import dev.lazyz.drawing.EdgeStyle
 import dev.lazyz.drawing.FeatureEdges
 import dev.lazyz.drawing.HiddenLines
 import dev.lazyz.sections.Hatching
 import dev.lazyz.sections.Section
+import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
 import dev.lazyz.world.Material
@@ -96,8 +98,16 @@ internal class LineWork(
         name = material.name,
     )
 
-    /** Returns [scene] with the edges drawn. */
-    fun drawnOn(scene: Scene): Scene = edges?.drawnOn(scene) ?: scene
+    /** Returns [scene] with the edges drawn; with [Translucency.OPAQUE], translucent materials hide lines. */
+    fun drawnOn(scene: Scene, translucency: Translucency): Scene {
+        if (edges == null) return scene
+        val hiding = if (translucency == Translucency.OPAQUE) scene.withMaterials(::opaque) else scene
+        val surfaces = scene.surfaces + EdgeDrawing(hiding.surfaces, edges)
+        return Scene(surfaces, scene.lights, scene.viewpoint, scene.background)
+    }
+
+    private fun opaque(material: Material): Material =
+        if (material.alphaMode == AlphaMode.BLEND) material.withAlphaMode(AlphaMode.OPAQUE) else material
 
     private companion object {
         /** Pixels. */

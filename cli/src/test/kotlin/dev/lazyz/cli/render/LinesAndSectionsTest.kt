@@ -3,6 +3,7 @@ package dev.lazyz.cli.render
 import dev.lazyz.cli.ProjectFiles
 import dev.lazyz.cli.argb
 import dev.lazyz.cli.zcli
+import dev.lazyz.cli.zcliReading
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -39,6 +40,20 @@ class LinesAndSectionsTest {
         assertNotEquals(plain, picture("--style", "technical", "--projection", "perspective"))
         assertTrue(picture("--style", "technical", "--background", "0f0").contains(0xFF00FF00.toInt()))
         assertTrue(picture("--style", "technical", "--shading", "phong").toSet().size > 10)
+    }
+
+    /** Behind glass, lines are seen; behind the same surface made opaque, they are not. */
+    @Test
+    fun translucentSurfacesDoNotHideLinesUnlessTheyAreOpaque() {
+        fun quad(z: Int, half: Int) = """{"positions": [-$half, -$half, $z, $half, -$half, $z, $half, $half, $z,
+            -$half, $half, $z], "triangles": [0, 1, 2, 0, 2, 3]}"""
+        val scene = """{"lazyz": 1, "materials": {"glass": {"baseColor": [1, 1, 1, 0.5], "alphaMode": "blend"}},
+            "surfaces": [{"mesh": ${quad(0, 1)}}, {"mesh": ${quad(1, 2)}, "material": "glass"}]}"""
+        fun lines(vararg args: String) = zcliReading(
+            scene, "render", "-", "--format", "scene", "-o", "-", "--size", "60x60", "--view", "front", "--edges",
+            *args,
+        ).done().image.argb().count { it == black }
+        assertTrue(lines() > lines("--opaque") + 50)
     }
 
     @Test

@@ -1,4 +1,4 @@
-package dev.lazyz.drawing
+package dev.lazyz.drawing.strokes
 
 import dev.lazyz.Fragment
 import dev.lazyz.LinearForm

@@ -1,4 +1,4 @@
-package dev.lazyz.drawing
+package dev.lazyz.drawing.strokes
 
 /**
  * Straight pieces of edges on the raster, visible ones or hidden ones. A growing list; not thread safe.

@@ -1,4 +1,4 @@
-package dev.lazyz.drawing
+package dev.lazyz.drawing.strokes
 
 /**
  * Divides polylines into dashes of about the same length. A polyline begins and ends with a dash, so that corners of

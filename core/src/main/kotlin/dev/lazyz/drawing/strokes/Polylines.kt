@@ -1,4 +1,4 @@
-package dev.lazyz.drawing
+package dev.lazyz.drawing.strokes
 
 /**
  * Joins [pieces] to polylines: at a point where exactly two pieces end, they are parts of one polyline. Used once; not
