@@ -8,8 +8,8 @@ import dev.lazyz.Primitive
 import dev.lazyz.RowSink
 
 /**
- * Receives rows of samples without colours, and passes them on with the colours of [ShadingRate.PIXEL]. Belongs to one
- * rendering.
+ * Receives rows of samples without colours, and passes them on with the colours of [ShadingRate.PIXEL]. The region of
+ * [frame] consists of whole pixels. Belongs to one rendering.
  */
 internal class PixelShading(private val frame: Frame, private val factor: Int, private val sink: RowSink) : RowSink {
     private val width = frame.width
@@ -33,35 +33,24 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
         val number = y % factor
         depth.copyInto(depths[number], 0, 0, width)
         primitive.copyInto(indices[number], 0, 0, width)
-        if (number != factor - 1 && y != frame.region.rowEnd - 1) return
-
-        // Samples before the first row of pixels, or behind the last, are there for the filter only
-        val first = maxOf(y - number, frame.region.rowStart)
-        var column = frame.region.columnStart
-        while (column < frame.region.columnEnd) {
-            val end = minOf((column / factor + 1) * factor, frame.region.columnEnd)
-            shade(first - (y - number), number + 1, column, end, y - number)
-            column = end
-        }
-        for (row in first..y) sink.row(row, this.argb[row - (y - number)], depths[row % factor], indices[row % factor])
+        if (number != factor - 1) return
+        val first = y - number
+        for (left in 0 until width step factor) shade(left, first)
+        for (row in 0 until factor) sink.row(first + row, this.argb[row], depths[row], indices[row])
     }
 
-    /** Shades the pixel with the given samples: rows of the buffers, and columns of the raster. [y] is row 0. */
-    private fun shade(rowStart: Int, rowEnd: Int, columnStart: Int, columnEnd: Int, y: Int) {
-        val left = columnStart - columnStart % factor
-        val shift = frame.region.columnStart
-        for (row in rowStart until rowEnd) argb[row].fill(UNKNOWN, columnStart - shift, columnEnd - shift)
+    /** Shades the pixel whose samples begin at column [left] of the region and row [top] of the raster. */
+    private fun shade(left: Int, top: Int) {
+        for (row in 0 until factor) argb[row].fill(UNKNOWN, left, left + factor)
         for (place in fromCentre) {
             val row = place / factor
-            val x = left + place % factor
-            if (row !in rowStart until rowEnd || x !in columnStart until columnEnd) continue
-            if (argb[row][x - shift] != UNKNOWN) continue
-            val index = indices[row][x - shift]
-            val color = if (index == DepthTest.BACKGROUND) background else color(index, x, y + row)
-            for (other in rowStart until rowEnd) {
-                for (i in columnStart - shift until columnEnd - shift) {
-                    if (indices[other][i] == index) argb[other][i] = color
-                }
+            val column = left + place % factor
+            if (argb[row][column] != UNKNOWN) continue
+            val index = indices[row][column]
+            val x = frame.region.columnStart + column
+            val color = if (index == DepthTest.BACKGROUND) background else color(index, x, top + row)
+            for (other in 0 until factor) {
+                for (i in left until left + factor) if (indices[other][i] == index) argb[other][i] = color
             }
         }
     }
@@ -90,7 +79,9 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
         /** Number of primitives that are kept, a power of two. */
         const val KNOWN = 4096
 
-        /** Marks a sample that is not shaded yet. An opaque primitive has no colour with alpha 0. */
+        /**
+         * Marks a sample that is not shaded yet. Only a transparent background can have this colour, which does no harm.
+         */
         const val UNKNOWN = 0x00FFFFFF
     }
 }

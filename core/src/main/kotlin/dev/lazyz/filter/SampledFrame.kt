@@ -21,16 +21,17 @@ public class SampledFrame internal constructor(
     private val all: Frame,
     public val pixels: Region,
 ) {
-    /** The samples that the [pixels] need; with a filter that is wider than a pixel, also those around them. */
+    /** The samples that the [pixels] need; with a filter that is wider than a pixel, also those of the pixels around them. */
     public val frame: Frame = all.within(samples())
 
     private fun samples(): Region {
-        val taps = sampling.taps
+        val factor = sampling.factor
+        val around = (sampling.taps.margin + factor - 1) / factor
         return Region(
-            maxOf(taps.first(pixels.columnStart), 0),
-            maxOf(taps.first(pixels.rowStart), 0),
-            minOf(taps.end(pixels.columnEnd - 1), all.raster.width),
-            minOf(taps.end(pixels.rowEnd - 1), all.raster.height),
+            maxOf(pixels.columnStart - around, 0) * factor,
+            maxOf(pixels.rowStart - around, 0) * factor,
+            minOf((pixels.columnEnd + around) * factor, all.raster.width),
+            minOf((pixels.rowEnd + around) * factor, all.raster.height),
         )
     }
 
