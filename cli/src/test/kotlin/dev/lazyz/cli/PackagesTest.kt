@@ -112,8 +112,8 @@ class PackagesTest {
     private companion object {
         /** The packages of core from bottom to top: each names only those before it, see `docs/architecture.md`. */
         val LEVELS = listOf(
-            "", "raster", "geometry", "world", "shading.light", "shading.pbr", "shading", "setup", "setup.planar", "pipeline",
-            "filter",
+            "", "raster", "geometry", "world", "shading.light", "shading.pbr", "shading", "setup", "setup.planar",
+            "pipeline", "filter",
             "strategies.tiled.raster", "strategies.tiled.binning", "strategies.tiled.resolve",
             "strategies.*", "strategies",
         ).map { if (it.isEmpty()) "dev.lazyz" else "dev.lazyz.$it" }
