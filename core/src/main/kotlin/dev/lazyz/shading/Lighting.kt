@@ -57,6 +57,7 @@ internal class Lighting(light: SceneLight, camera: Camera) {
         val nz = if (length > 0f) normalZ / length else vz
 
         // Add up the lights in their order
+        val numbers = sources.numbers
         for (channel in 0 until 3) out[channel] = sources.ambient[channel] * occlusion
         out[3] = emission.red
         out[4] = emission.green
@@ -67,9 +68,10 @@ internal class Lighting(light: SceneLight, camera: Camera) {
             sources.from(light, px, py, pz) { lx, ly, lz, strength ->
                 val cosine = nx * lx + ny * ly + nz * lz
                 if (!(cosine > 0f)) return@from
-                val red = sources.color(light, 0) * strength
-                val green = sources.color(light, 1) * strength
-                val blue = sources.color(light, 2) * strength
+                val at = LightSources.STRIDE * light + LightSources.COLOR
+                val red = numbers[at] * strength
+                val green = numbers[at + 1] * strength
+                val blue = numbers[at + 2] * strength
                 out[0] += red * cosine
                 out[1] += green * cosine
                 out[2] += blue * cosine

@@ -38,8 +38,11 @@ internal class MaterialShader(
     /** What the formula of light adds. With a map, emission is added later. */
     private val emission = if (emissionMap == null) material.emission else Rgba.BLACK
 
+    /** Whether a colour stays as it is after light. */
+    private val isFinished = emissionMap == null && toneMapper == null
+
     /** Whether a colour is only a product and a sum. */
-    private val isSimple = texture == null && emissionMap == null && toneMapper == null && !isLit
+    private val isSimple = texture == null && isFinished && !isLit
 
     override fun shade(fragment: Fragment) {
         // Base colour x vertex colour x texture
@@ -85,24 +88,28 @@ internal class MaterialShader(
             green += emission.green
             blue += emission.blue
         }
-        if (emissionMap != null) {
-            val texel = emissionMap.read(fragment)
-            red += material.emission.red * texel[0]
-            green += material.emission.green * texel[1]
-            blue += material.emission.blue * texel[2]
-        }
-
         val opacity = if (material.alphaMode == AlphaMode.BLEND) alpha else 1f
-        if (toneMapper == null) {
+        if (isFinished) {
             fragment.setColor(red, green, blue, opacity)
         } else {
-            val color = fragment.light
-            color[0] = red
-            color[1] = green
-            color[2] = blue
-            toneMapper.apply(color)
-            fragment.setColor(color[0], color[1], color[2], opacity)
+            finish(fragment, red, green, blue, opacity)
         }
+    }
+
+    /** Adds the emission of the map, applies the tone mapping, and sets the colour of [fragment]. */
+    private fun finish(fragment: Fragment, red: Float, green: Float, blue: Float, opacity: Float) {
+        val color = fragment.light
+        color[0] = red
+        color[1] = green
+        color[2] = blue
+        if (emissionMap != null) {
+            val texel = emissionMap.read(fragment)
+            color[0] += material.emission.red * texel[0]
+            color[1] += material.emission.green * texel[1]
+            color[2] += material.emission.blue * texel[2]
+        }
+        toneMapper?.apply(color)
+        fragment.setColor(color[0], color[1], color[2], opacity)
     }
 
     /** Stores the light that the fragment reflects, and its emission, in 0..2 of its [Fragment.light]. */

@@ -17,7 +17,7 @@ internal class LightSources(lights: List<Light>) {
     @JvmField val count: Int
 
     /** [STRIDE] numbers for each of the other lights, see the constants. */
-    private val numbers: FloatArray
+    @JvmField val numbers: FloatArray
 
     init {
         val all = ArrayList<Float>()
@@ -65,12 +65,13 @@ internal class LightSources(lights: List<Light>) {
      * light's colour there.
      */
     inline fun from(light: Int, px: Float, py: Float, pz: Float, use: (Float, Float, Float, Float) -> Unit) {
+        val numbers = numbers
         val at = STRIDE * light
-        var lx = numberAt(at)
-        var ly = numberAt(at + 1)
-        var lz = numberAt(at + 2)
+        var lx = numbers[at]
+        var ly = numbers[at + 1]
+        var lz = numbers[at + 2]
         var strength = 1f
-        val kind = numberAt(at + KIND)
+        val kind = numbers[at + KIND]
         if (kind != DISTANT) {
             lx -= px
             ly -= py
@@ -83,9 +84,6 @@ internal class LightSources(lights: List<Light>) {
         }
         use(lx, ly, lz, strength)
     }
-
-    /** Returns element [at] of the numbers; for [from] only. */
-    fun numberAt(at: Int): Float = numbers[at]
 
     /** Returns falloff times the factor of the cone, for the light whose numbers start at [at]; for [from] only. */
     fun strength(at: Int, lx: Float, ly: Float, lz: Float, distance: Float): Float {
