@@ -146,7 +146,7 @@ class ProcessTest {
         val job = listOf("render", "teapot", "-o", "x.png", "--size", "3000x3000", "--strategy", "zbuffer")
         val process = start(job, listOf("-Xmx64m")) {}
         assertEquals(2, process.code())
-        assertTrue("needs 102.9 MiB" in errors && "-Xmx" in errors, errors)
+        assertTrue("needs 1.6 GiB" in errors && "--aa 1" in errors && "-Xmx" in errors, errors)
         assertTrue(!folder.resolve("x.png").exists())
     }
 

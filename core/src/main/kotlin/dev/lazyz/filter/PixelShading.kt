@@ -79,9 +79,7 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
         /** Number of primitives that are kept, a power of two. */
         const val KNOWN = 4096
 
-        /**
-         * Marks a sample that is not shaded yet. Only a transparent background can have this colour, which does no harm.
-         */
+        /** Marks a sample that is not shaded yet. Only a background can have this colour, which does no harm. */
         const val UNKNOWN = 0x00FFFFFF
     }
 }

@@ -21,7 +21,7 @@ public class SampledFrame internal constructor(
     private val all: Frame,
     public val pixels: Region,
 ) {
-    /** The samples that the [pixels] need; with a filter that is wider than a pixel, also those of the pixels around them. */
+    /** The samples of the [pixels]; with a filter that is wider than a pixel, also those of the pixels around them. */
     public val frame: Frame = all.within(samples())
 
     private fun samples(): Region {
@@ -34,9 +34,6 @@ public class SampledFrame internal constructor(
             minOf((pixels.rowEnd + around) * factor, all.raster.height),
         )
     }
-
-    /** Number of samples of [pixels], without those around them. */
-    public val sampleCount: Long get() = pixels.size * sampling.factor * sampling.factor
 
     /**
      * Returns this frame restricted to the pixels of [region]. They are the same as in the whole picture.

@@ -36,7 +36,7 @@ internal class MaterialShader(
     private val toneMapper = lighting.toneMapper
 
     /** What the formula of light adds. With a map, emission is added later. */
-    private val emission = if (emissionMap == null) material.emission else Rgba.BLACK
+    private val emission: Rgba get() = if (emissionMap == null) material.emission else Rgba.BLACK
 
     /** Whether a colour stays as it is after light. */
     private val isFinished = emissionMap == null && toneMapper == null

@@ -56,7 +56,7 @@ public class StrategyEstimates private constructor(
      */
     public fun explain(): String = buildString {
         val kind = if (numbers.isTranslucent) "some translucent" else "all opaque"
-        append("frame: ${numbers.columns} x ${numbers.rows}, ${numbers.primitives} primitives, $kind; ")
+        append("frame: ${numbers.columns} x ${numbers.rows} samples, ${numbers.primitives} primitives, $kind; ")
         append("about %.2f fragments a sample, ".format(null, numbers.depthComplexity))
         append("%.1f rows a primitive\n".format(null, numbers.primitiveRows / maxOf(1, numbers.primitives)))
         append("threads: $threads; memory: ${mebibytes(memory.toDouble())}\n")

@@ -189,7 +189,7 @@ class AutoChoiceTest {
         val text = Renderers.estimates(frame(64, sphere(glass)), RenderOptions(threads = 3)).explain()
         val lines = text.trimEnd().lines()
         assertEquals(2 + Renderers.all().size, lines.size, text)
-        assertTrue(lines[0].startsWith("frame: 64 x 64, 1 primitives, some translucent; about 0.2"), text)
+        assertTrue(lines[0].startsWith("frame: 64 x 64 samples, 1 primitives, some translucent; about 0.2"), text)
         assertTrue(lines[1].startsWith("threads: 3; memory: "), text)
         val opaqueOnly = Renderers.builtIn.count { Capability.TRANSPARENCY !in it.capabilities }
         assertEquals(opaqueOnly, lines.count { it.endsWith("ruled out: lacks transparency") }, text)

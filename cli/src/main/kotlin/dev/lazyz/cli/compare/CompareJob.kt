@@ -28,7 +28,7 @@ internal class CompareJob(private val request: CompareRequest, private val strea
         val frame = shot.frame
         val able = strategies.filter { canRender(it, frame) }
         if (able.isEmpty()) throw Mistake(noneBlends())
-        for (strategy in able) MemoryNeed.check(strategy, frame.region, kept = BYTES_PER_PIXEL)
+        for (strategy in able) MemoryNeed.check(strategy, frame.region, kept = BYTES_PER_PIXEL, aa = shot.factor)
 
         // Render with one after the other
         val round = Round(shot)

@@ -90,7 +90,8 @@ internal class Comparison(
 
     /** Returns counters and time of [outcome], under the names of the statistics of `zcli render`. */
     fun statistics(outcome: Outcome.Rendered): Map<String, Any> =
-        Statistics.counted(outcome.counters, shot) + ("millis" to Statistics.millis(outcome.nanoseconds))
+        Statistics.counted(outcome.counters, shot.pixels, shot.factor) +
+            ("millis" to Statistics.millis(outcome.nanoseconds))
 
     private fun JsonObjectBuilder.add(id: String, outcome: Outcome) {
         put("strategy", id)

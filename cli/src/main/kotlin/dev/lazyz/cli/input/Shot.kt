@@ -6,7 +6,6 @@ import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.filter.SampledFrame
-import dev.lazyz.filter.SuperSampling
 import dev.lazyz.filter.VerticalGradient
 
 /**
@@ -18,20 +17,18 @@ internal class Shot(private val sampled: SampledFrame, private val gradient: Ver
     /** The samples. */
     val frame: Frame get() = sampled.frame
 
-    val sampling: SuperSampling get() = sampled.sampling
+    /** Samples a pixel in each direction. */
+    val factor: Int get() = sampled.sampling.factor
 
     /** The pixels of the picture. */
     val pixels: Region get() = sampled.pixels
-
-    /** Number of samples of the [pixels]. */
-    val sampleCount: Long get() = sampled.sampleCount
 
     /** Whether all pixels are opaque: with an opaque background, every sample is. */
     val isOpaque: Boolean get() = gradient != null || frame.raster.background.alpha >= 1f
 
     /** Renders the frame with [strategy], and passes every row of pixels to [sink]. */
     fun render(strategy: Renderer, sink: RowSink): Counters {
-        val height = frame.raster.height / sampling.factor
+        val height = frame.raster.height / factor
         return sampled.render(strategy, gradient?.behind(pixels, height, sink) ?: sink)
     }
 }

@@ -3,9 +3,9 @@ package dev.lazyz.cli.output
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.PixelHash
+import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.cli.input.Shot
 import dev.lazyz.strategies.tiled.Tiled
 import kotlinx.serialization.json.JsonObject
 
@@ -17,7 +17,8 @@ import kotlinx.serialization.json.JsonObject
 internal class Statistics(
     input: String,
     strategy: Renderer,
-    picture: Shot,
+    picture: Region,
+    aa: Int,
     counters: Counters,
     tally: Tally,
     warnings: Int,
@@ -27,12 +28,12 @@ internal class Statistics(
         "input" to input,
         "strategy" to strategy.id,
     ) + (if (strategy is Tiled) mapOf("kernel" to strategy.kernel) else emptyMap()) + mapOf(
-        "width" to picture.pixels.width,
-        "height" to picture.pixels.height,
-        "aa" to picture.sampling.factor,
-    ) + counted(counters, picture) + mapOf(
+        "width" to picture.width,
+        "height" to picture.height,
+        "aa" to aa,
+    ) + counted(counters, picture, aa) + mapOf(
         "visible" to tally.visible,
-        "coverage" to tally.visible.toDouble() / picture.pixels.size,
+        "coverage" to tally.visible.toDouble() / picture.size,
         "blank" to (tally.visible == 0L),
         "warnings" to warnings,
         "millis" to millis(nanoseconds),
@@ -43,11 +44,11 @@ internal class Statistics(
     fun toJson(): String = Json.of(JsonObject(entries.mapValues { Json.primitive(it.value) }))
 
     companion object {
-        /** Returns the entries that derive from [counters], for a rendering of [picture]. */
-        fun counted(counters: Counters, picture: Shot): Map<String, Any> = mapOf(
+        /** Returns the entries that derive from [counters], for [picture] with [aa] x [aa] samples a pixel. */
+        fun counted(counters: Counters, picture: Region, aa: Int): Map<String, Any> = mapOf(
             "primitives" to counters.primitives,
             "fragments" to counters.fragments,
-            "overdraw" to counters.fragments.toDouble() / picture.sampleCount,
+            "overdraw" to counters.fragments.toDouble() / (picture.size * aa * aa),
             "depthEvaluations" to counters.depthEvaluations,
             "depthPasses" to counters.depthPasses,
             "shadingCalls" to counters.shadingCalls,

@@ -23,7 +23,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         val frame = shot.frame
         val strategy = choice.strategyFor(frame)
         if (request.isExplained) streams.note(choice.explain(strategy, frame))
-        MemoryNeed.check(strategy, frame.region)
+        MemoryNeed.check(strategy, frame.region, aa = shot.factor)
 
         // Render to all outputs at once
         streams.progress("rendering ${frame.primitives.size} primitives with ${strategy.id} ...")
@@ -37,7 +37,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         val form = request.stats ?: return
         val name = source.input.name
         val warnings = loaded.warnings.size
-        printStatistics(form, Statistics(name, strategy, shot, counters, tally, warnings, nanoseconds))
+        printStatistics(form, Statistics(name, strategy, shot.pixels, shot.factor, counters, tally, warnings, nanoseconds))
     }
 
     /** Prints [statistics] to standard output, or to standard error if standard output contains the picture. */

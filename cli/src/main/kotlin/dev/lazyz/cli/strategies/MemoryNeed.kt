@@ -20,12 +20,13 @@ internal object MemoryNeed {
 
     /**
      * Throws [Mistake] if [strategy] needs more than the [available] bytes for [picture], including the [kept] bytes
-     * per pixel that the caller keeps.
+     * per pixel that the caller keeps. [picture] has [aa] x [aa] samples a pixel.
      */
     fun check(
         strategy: Renderer,
         picture: Region,
         kept: Long = 0,
+        aa: Int = 1,
         available: Long = Runtime.getRuntime().maxMemory(),
     ) {
         // Small pictures fit with any strategy
@@ -34,13 +35,13 @@ internal object MemoryNeed {
         val need = bytes * picture.size
         val what = "a picture of ${picture.width}x${picture.height} with strategy '${strategy.id}'"
         if (bytes >= Int.SIZE_BYTES && picture.size > MAX_ARRAY) {
-            throw Mistake("$what would have ${picture.size} pixels, and the maximum is $MAX_ARRAY; ${remedy(kept)}")
+            throw Mistake("$what would have ${picture.size} pixels, and the maximum is $MAX_ARRAY; ${remedy(kept, aa)}")
         }
         if (need > available) {
             val gigabytes = need / (1L shl 30) + 2
             throw Mistake(
                 "$what needs ${Bytes.readable(need)} of memory, and Java may use ${Bytes.readable(available)}; " +
-                    "${remedy(kept)}, or run it with 'java -Xmx${gigabytes}g -jar zcli.jar ...'",
+                    "${remedy(kept, aa)}, or run it with 'java -Xmx${gigabytes}g -jar zcli.jar ...'",
             )
         }
     }
@@ -63,8 +64,9 @@ internal object MemoryNeed {
         return strategy.render(empty) { _, _, _, _ -> }.peakBytes
     }
 
-    private fun remedy(kept: Long): String {
-        val smaller = "choose a smaller --size or a --region"
+    private fun remedy(kept: Long, aa: Int): String {
+        val fewer = if (aa > 1) "--aa 1 in place of --aa $aa, " else ""
+        val smaller = "choose ${fewer}a smaller --size or a --region"
         if (kept > 0) return smaller
         val streaming = Strategies.all().filter { Capability.CONSTANT_MEMORY in it.capabilities }.map { it.id }
         return "$smaller, or a --strategy that does not keep the picture (${streaming.joinToString()})"

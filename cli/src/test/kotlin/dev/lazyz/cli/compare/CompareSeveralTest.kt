@@ -152,7 +152,8 @@ class CompareSeveralTest {
         assertEquals(ExitCode.DIFFERENT, compare(wedge, "city", "--classpath", jar).code)
         assertEquals(Renderers.builtIn.size, Regex("\"outcome\"").findAll(compare(wedge, "--json").done().text).count())
 
-        val words = arrayOf<Any>("render", wedge, "-o", "-", "--size", "40x30", "--stats=json", "--strategy", "capable")
+        val picture = arrayOf<Any>("render", wedge, "-o", "-", "--size", "40x30", "--aa", "1")
+        val words = picture + arrayOf("--stats=json", "--strategy", "capable")
         val render = zcli(*words, "--classpath", jar)
         assertEquals("capable", statIn(render.errors, "strategy"))
         assertEquals(one.stat("pixelHash"), statIn(render.errors, "pixelHash"))

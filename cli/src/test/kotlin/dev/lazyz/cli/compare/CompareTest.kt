@@ -83,7 +83,7 @@ class CompareTest {
     @Test
     fun jsonTellsWhatRenderTells() {
         val json = compare("teapot", "--json").done()
-        val render = zcli("render", "teapot", "-o", "-", "--size", "40x30", "--stats=json").errors
+        val render = zcli("render", "teapot", "-o", "-", "--size", "40x30", "--aa", "1", "--stats=json").errors
         val keys = listOf("input", "width", "height", "pixelHash", "primitives", "depthPasses", "peakBytes", "overdraw")
         for (key in keys) {
             assertEquals(statIn(render, key), json.stat(key), key)

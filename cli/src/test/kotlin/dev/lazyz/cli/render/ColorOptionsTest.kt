@@ -44,7 +44,7 @@ class ColorOptionsTest {
 
     private fun picture(input: Any, vararg words: String): BufferedImage {
         val out = folder.resolve("out.png")
-        zcli("render", input, "--size", "40x30", "-o", out, *words).done()
+        zcli("render", input, "--size", "40x30", "--aa", "1", "-o", out, *words).done()
         return out.image
     }
 

@@ -14,7 +14,7 @@ class LinesAndSectionsTest {
     private val flange = ProjectFiles.root.resolve("docs/images/flange.obj")
 
     private fun picture(vararg args: String): List<Int> =
-        zcli("render", flange, "-o", "-", "--size", "60x50", *args).done().image.argb()
+        zcli("render", flange, "-o", "-", "--size", "60x50", "--aa", "1", *args).done().image.argb()
 
     private val black = 0xFF000000.toInt()
     private val white = 0xFFFFFFFF.toInt()
@@ -50,8 +50,8 @@ class LinesAndSectionsTest {
         val scene = """{"lazyz": 1, "materials": {"glass": {"baseColor": [1, 1, 1, 0.5], "alphaMode": "blend"}},
             "surfaces": [{"mesh": ${quad(0, 1)}}, {"mesh": ${quad(1, 2)}, "material": "glass"}]}"""
         fun lines(vararg args: String) = zcliReading(
-            scene, "render", "-", "--format", "scene", "-o", "-", "--size", "60x60", "--view", "front", "--edges",
-            *args,
+            scene, "render", "-", "--format", "scene", "-o", "-", "--size", "60x60", "--aa", "1",
+            "--view", "front", "--edges", *args,
         ).done().image.argb().count { it == black }
         assertTrue(lines() > lines("--opaque") + 50)
     }

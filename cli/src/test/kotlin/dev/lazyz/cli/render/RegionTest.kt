@@ -67,7 +67,7 @@ class RegionTest {
         assertEquals("20" to "10", run.stat("width") to run.stat("height"))
         assertEquals("200", run.stat("visible"))
         assertEquals("1.0", run.stat("coverage"))
-        assertEquals(run.stat("fragments").toLong() / 200.0, run.stat("overdraw").toDouble())
+        assertEquals(run.stat("fragments").toLong() / (16 * 200.0), run.stat("overdraw").toDouble())
     }
 
     @Test

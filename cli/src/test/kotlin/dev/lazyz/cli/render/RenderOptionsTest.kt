@@ -103,7 +103,7 @@ class RenderOptionsTest {
     @Test
     fun shadingReplacesTheMaterials() {
         val ways = listOf("constant", "flat", "gouraud", "phong", "blinn-phong")
-        val turned = arrayOf("--background", "black", "--azimuth", "-135", "--shading")
+        val turned = arrayOf("--background", "black", "--azimuth", "-135", "--aa", "1", "--shading")
         val colors = ways.associateWith { pixels(*turned, it).toSet().size }
         assertEquals(2, colors["constant"], "one colour and the background")
         assertTrue(colors.getValue("flat") in 3..4, "$colors")
@@ -160,8 +160,9 @@ class RenderOptionsTest {
     /** The edges get colours between those of the wedge and of the background; all else stays. */
     @Test
     fun antiAliasing() {
-        val jagged = pixels()
-        assertEquals(jagged, pixels("--aa", "1"))
+        val jagged = pixels("--aa", "1")
+        assertEquals(pixels(), pixels("--aa", "4", "--aa-filter", "box", "--shading-rate", "sample"))
+        assertEquals(2, pixels("--select", "count").toSet().size)
         for (samples in listOf("2", "4", "8")) {
             val smooth = pixels("--aa", samples)
             assertEquals(jagged.size, smooth.size)

@@ -65,7 +65,7 @@ class ScreenSceneTest {
     @Test
     fun screenHasOneSampleAPixel() {
         val run = zcli("render", file, "--aa", "2", "-o", folder.resolve("out.png"))
-        run.mistake("--aa 2: a scene given on the screen has one sample a pixel; use --aa 1")
+        run.mistake("--aa 2: a scene that is given on the screen has one sample a pixel; use --aa 1")
     }
 
     @Test

@@ -23,7 +23,7 @@ class StatisticsTest {
     private val out get() = folder.resolve("out.png")
 
     private val keys = listOf(
-        "input", "strategy", "kernel", "width", "height", "primitives", "fragments", "overdraw", "depthEvaluations",
+        "input", "strategy", "kernel", "width", "height", "aa", "primitives", "fragments", "overdraw", "depthEvaluations",
         "depthPasses", "shadingCalls", "shadingStarts", "shadingSteps", "longestChain", "peakSuspensions", "peakBytes",
         "visible", "coverage", "blank", "warnings", "millis", "pixelHash",
     )
@@ -46,7 +46,7 @@ class StatisticsTest {
 
     @Test
     fun numbersDescribeThePicture() {
-        val flags = arrayOf("--size", "40x30", "--stats=json", "--view", "front", "--strategy", "zbuffer")
+        val flags = arrayOf("--size", "40x30", "--aa", "1", "--stats=json", "--view", "front", "--strategy", "zbuffer")
         val run = zcli("render", folder.wedge(), "-o", out, *flags).done()
         val covered = out.image.argb().count { it != -1 }
         assertEquals("zbuffer", run.stat("strategy"))

@@ -49,7 +49,7 @@ class AutoStrategyTest {
         val run = auto("city", "--explain")
         assertEquals(ExitCode.DONE, run.code)
         val lines = run.errors.trimEnd().lines()
-        val frame = Regex("frame: 40 x 30, \\d+ primitives, all opaque; about .* a primitive")
+        val frame = Regex("frame: 160 x 120 samples, \\d+ primitives, all opaque; about .* a primitive")
         assertTrue(lines[0].matches(frame), run.errors)
         assertTrue(lines[1].matches(Regex("threads: \\d+; memory: [\\d.]+ MiB")), run.errors)
         val ids = lines.drop(2).dropLast(1).map { it.trim().substringBefore(' ') }
