@@ -28,6 +28,13 @@ public class Environment private constructor(public val intensity: Float) {
         @JvmField
         public val NONE: Environment = Environment(0f)
 
+        /**
+         * The studio with 0.7 of its light: a white surface stays darker than white, so that it is visible in front of
+         * a white background.
+         */
+        @JvmField
+        public val USUAL: Environment = Environment(0.7f)
+
         /** Returns the studio, with its light multiplied by [intensity], 0 or more. */
         @JvmStatic
         @JvmOverloads

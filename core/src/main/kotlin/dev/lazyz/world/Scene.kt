@@ -26,7 +26,7 @@ import org.joml.Vector3dc
  * @property viewpoint the camera, or a rule that chooses one
  * @property background colour of samples that no surface covers
  * @property environment what materials with [MetallicRoughness] reflect besides the [lights]; null means
- *   [Environment.studio] for a scene without lights, and otherwise none
+ *   [Environment.USUAL] for a scene without lights, and otherwise none
  * @property toneMapping exposure and tone curve; null means [ToneCurve.NEUTRAL] for a scene with a material with
  *   [MetallicRoughness], and otherwise [ToneMapping.NONE]
  */
@@ -103,7 +103,7 @@ public class Scene private constructor(
     private fun setUp(raster: Raster, workers: Workers): SetUp {
         val camera = camera(raster.width, raster.height)
         val isOnScreen = camera.projection == Projection.Screen
-        val environment = environment ?: if (lights.isEmpty()) Environment.studio() else Environment.NONE
+        val environment = environment ?: if (lights.isEmpty()) Environment.USUAL else Environment.NONE
         val classical = lights.ifEmpty { Light.studio(camera) }
         val light = SceneLight(classical, lights, environment, effectiveToneMapping)
         return SetUp(raster, camera, light, if (isOnScreen) Vectors.ZERO else origin, workers)

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** A pixel is the mean of its samples: in linear light, weighted by alpha, for all renderers and regions. */
+/** Contract rule 6.12: a pixel is the mean of its samples, for all renderers and regions. */
 class SuperSamplingTest {
     private val scene = Scene(
         listOf(
@@ -61,7 +61,7 @@ class SuperSamplingTest {
         )
 
     @Test
-    fun meansAreThoseOfExactArithmetic() {
+    fun rule_6_12_meansAreThoseOfExactArithmetic() {
         val random = Random(1995)
         for (factor in listOf(2, 3, 4, 8, 16, SuperSampling.MAX_FACTOR)) {
             repeat(if (factor > 8) 4 else 40) { round ->
@@ -88,7 +88,7 @@ class SuperSamplingTest {
     }
 
     @Test
-    fun equalSamplesAreTheirPixel() {
+    fun rule_6_12_equalSamplesAreTheirPixel() {
         for (color in listOf(0, 0x00FFFFFF, 0x01020304, 0x7F80FF00, -1, 0xFF000000.toInt(), 0xFF010101.toInt())) {
             for (factor in 1..16) {
                 val pixels = filtered(image(factor, { color }), factor)
@@ -98,7 +98,7 @@ class SuperSamplingTest {
     }
 
     @Test
-    fun blackAndWhiteGiveHalfTheLight() {
+    fun rule_6_12_blackAndWhiteGiveHalfTheLight() {
         // Half of the light has the code 188, not 128
         val pixel = filtered(image(2, { if (it % 2 == 0) -1 else 0xFF000000.toInt() }), 2).argb[0]
         assertEquals(0xFFBCBCBC.toInt(), pixel)
@@ -109,7 +109,7 @@ class SuperSamplingTest {
     }
 
     @Test
-    fun depthAndPrimitiveAreThoseOfTheSampleThatWins() {
+    fun rule_6_12_depthAndPrimitiveAreThoseOfTheSampleThatWins() {
         val depths = listOf(7, 5, 5, 9)
         for (test in DepthTest.entries) {
             val samples = image(2, { -1 }, { depths[it] }, { 10 + it })
@@ -120,7 +120,7 @@ class SuperSamplingTest {
     }
 
     @Test
-    fun allRenderersGiveTheSamePixelsAlsoInRegions() {
+    fun rule_6_12_allRenderersGiveTheSamePixelsAlsoInRegions() {
         for (sampling in samplings()) {
             val frame = sampling.frame(scene, raster)
             val expected = frame.render(ZBuffer())
@@ -151,7 +151,7 @@ class SuperSamplingTest {
 
     /** A wide filter, computed plainly in double precision, also at the borders and with translucent samples. */
     @Test
-    fun wideFiltersAreWeightedMeans() {
+    fun rule_6_12_wideFiltersAreWeightedMeans() {
         val random = Random(7)
         for (filter in listOf(PixelFilter.MITCHELL, PixelFilter.BLACKMAN_HARRIS)) {
             for (factor in listOf(1, 2, 3, 4)) {

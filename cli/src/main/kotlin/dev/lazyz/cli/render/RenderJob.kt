@@ -37,7 +37,9 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         val form = request.stats ?: return
         val name = source.input.name
         val warnings = loaded.warnings.size
-        printStatistics(form, Statistics(name, strategy, shot.pixels, shot.factor, counters, tally, warnings, nanoseconds))
+        val statistics =
+            Statistics(name, strategy, shot.pixels, shot.factor, counters, tally, warnings, nanoseconds)
+        printStatistics(form, statistics)
     }
 
     /** Prints [statistics] to standard output, or to standard error if standard output contains the picture. */

@@ -26,8 +26,8 @@ internal object MemoryNeed {
         strategy: Renderer,
         picture: Region,
         kept: Long = 0,
-        aa: Int = 1,
         available: Long = Runtime.getRuntime().maxMemory(),
+        aa: Int = 1,
     ) {
         // Small pictures fit with any strategy
         if (picture.size * PLENTY <= available && picture.size <= MAX_ARRAY) return

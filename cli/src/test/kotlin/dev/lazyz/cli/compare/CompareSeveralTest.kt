@@ -153,7 +153,7 @@ class CompareSeveralTest {
         assertEquals(Renderers.builtIn.size, Regex("\"outcome\"").findAll(compare(wedge, "--json").done().text).count())
 
         val picture = arrayOf<Any>("render", wedge, "-o", "-", "--size", "40x30", "--aa", "1")
-        val words = picture + arrayOf("--stats=json", "--strategy", "capable")
+        val words = arrayOf(*picture, "--stats=json", "--strategy", "capable")
         val render = zcli(*words, "--classpath", jar)
         assertEquals("capable", statIn(render.errors, "strategy"))
         assertEquals(one.stat("pixelHash"), statIn(render.errors, "pixelHash"))

@@ -50,7 +50,8 @@ class CameraOptionsTest {
     @ParameterizedTest
     @ValueSource(
         strings = [
-            "", "--view left --elevation 15 --margin 20", "--azimuth 33.3 --elevation -71.9 --zoom 1.7", "--fov 75 --aa 2",
+            "", "--view left --elevation 15 --margin 20",
+            "--azimuth 33.3 --elevation -71.9 --zoom 1.7", "--fov 75 --aa 2",
             "--projection orthographic --view iso", "--eye 4,3,2.5 --fov 50", "--target 0.1,0.7,0.2 --zoom 3",
             "--eye 4,3,2.5 --target 1,1,0 --camera-up 1,0.3,0 --near 1 --far 20", "--view top --up z",
             "--projection orthographic --height 3 --target 1,0,0", "--azimuth 200 --up=-x", "--up y --eye=-3,-2,1",

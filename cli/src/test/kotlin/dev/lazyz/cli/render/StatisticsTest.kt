@@ -23,8 +23,9 @@ class StatisticsTest {
     private val out get() = folder.resolve("out.png")
 
     private val keys = listOf(
-        "input", "strategy", "kernel", "width", "height", "aa", "primitives", "fragments", "overdraw", "depthEvaluations",
-        "depthPasses", "shadingCalls", "shadingStarts", "shadingSteps", "longestChain", "peakSuspensions", "peakBytes",
+        "input", "strategy", "kernel", "width", "height", "aa", "primitives", "fragments", "overdraw",
+        "depthEvaluations", "depthPasses", "shadingCalls", "shadingStarts", "shadingSteps", "longestChain",
+        "peakSuspensions", "peakBytes",
         "visible", "coverage", "blank", "warnings", "millis", "pixelHash",
     )
 
