@@ -12,7 +12,7 @@ internal class FilterTaps(filter: PixelFilter, val factor: Int) {
     /** The weights from the first sample that counts on. For [PixelFilter.BOX] all are 1. */
     val weights: IntArray = IntArray(factor + 2 * margin) {
         val distance = (it - margin + 0.5) / factor - 0.5
-        if (filter == PixelFilter.BOX) 1 else StrictMath.rint(filter.weight(distance) * UNIT).toInt()
+        if (filter == PixelFilter.BOX) 1 else StrictMath.rint(filter.weight(distance) * UNIT / factor).toInt()
     }
 
     /** The first sample that counts for pixel [pixel]. It may be before the raster. */
@@ -29,7 +29,10 @@ internal class FilterTaps(filter: PixelFilter, val factor: Int) {
     }
 
     private companion object {
-        /** The weight 1, so large that rounding does not show, and so small that sums fit into 64 bits. */
-        const val UNIT = 4096.0
+        /**
+         * About the sum of all weights, 2^14: so large that rounding does not show, and so small that the sums of
+         * [FilterSink] fit into 64 bits: 14 bits for the columns, 14 for the rows, 24 of light and 8 of alpha.
+         */
+        const val UNIT = 16384.0
     }
 }

@@ -154,7 +154,7 @@ class SuperSamplingTest {
     fun rule_6_12_wideFiltersAreWeightedMeans() {
         val random = Random(7)
         for (filter in listOf(PixelFilter.MITCHELL, PixelFilter.BLACKMAN_HARRIS)) {
-            for (factor in listOf(1, 2, 3, 4)) {
+            for (factor in listOf(1, 2, 3, 4, 16, SuperSampling.MAX_FACTOR)) {
                 val side = 6 * factor
                 val samples = image(side, { random.nextInt() or if (factor % 2 == 0) 0xFF shl 24 else 0 })
                 val pixels = filtered(samples, factor, filter = filter)

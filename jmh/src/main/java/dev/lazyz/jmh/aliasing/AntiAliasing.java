@@ -57,6 +57,7 @@ public final class AntiAliasing {
         }
         for (String name : names) {
             Scene scene = Scenes.builtin(name);
+            time(frame(scene, new SuperSampling(4)));
             double base = time(frame(scene, SuperSampling.NONE));
             Map<PixelFilter, Image> truths = new EnumMap<>(PixelFilter.class);
             for (PixelFilter filter : PixelFilter.values()) {
