@@ -115,7 +115,7 @@ internal class Inside(primitive: Primitive) {
     private val material: Any? get() = shader?.let { read(it, "material") }
 
     /** The material's texture, or null. */
-    val texture: Any? get() = shader?.let { read(it, "texture") }
+    val texture: Any? get() = material?.let { read(it, "textureMap") }?.let { read(it, "texture") }
 
     /** Whether the reference triangle is clockwise on the screen. */
     val isWoundClockwise: Boolean
