@@ -24,10 +24,16 @@ class BrokenRenderersTest {
     @TestFactory
     fun mistakeIsNoticed(): List<DynamicTest> = TestEffort.oneOf(2, Gallery.all).map { mutant ->
         dynamicTest(mutant.id) {
-            val noticed = SuiteRun.ofRules(mutant.noticedBy) { mutant.make() }.failures.keys
-            assertEquals(emptyList<String>(), mutant.noticedBy - noticed, "rules that did not notice ${mutant.id}")
+            val missed = missed(mutant, mutant.noticedBy)
+
+            // A race is only seen if its threads meet, which a busy machine can prevent
+            val again = if (mutant in ThreadGallery.mutants && missed.isNotEmpty()) missed(mutant, missed) else missed
+            assertEquals(emptySet<String>(), again.toSet(), "rules that did not notice ${mutant.id}")
         }
     }
+
+    private fun missed(mutant: Mutant, rules: List<String>): List<String> =
+        rules - SuiteRun.ofRules(rules) { mutant.make() }.failures.keys
 
     @Test
     fun galleryIsLargeAndItsNamesAreUnique() {
