@@ -20,6 +20,6 @@ internal object Attributes {
     /** Tangent: x, y, z and handedness. */
     const val TANGENT: Int = 32
 
-    /** Derivatives of the texture coordinates that the fragment has, see [UvFootprint]. */
+    /** Derivatives of the texture coordinates that the fragment has, see [Fragment.dudx]. */
     const val FOOTPRINT: Int = 64
 }

@@ -93,7 +93,7 @@ public class Section @JvmOverloads constructor(
         }
         if (open > 0) {
             val word = if (open == 1) "1 contour does" else "$open contours do"
-            warnings += "$word not close where the plane $plane cuts the model, and get no cap; the mesh is open there"
+            warnings += "$word not close where the plane $plane cuts the model: no cap there, because the mesh is open"
         }
         return caps
     }

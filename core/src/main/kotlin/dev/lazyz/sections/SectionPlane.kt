@@ -30,7 +30,7 @@ public class SectionPlane(normal: Vector3dc, public val distance: Double) {
         return if (StrictMath.abs(height) <= ROUNDING * (size + StrictMath.abs(distance))) 0.0 else height
     }
 
-    override fun toString(): String = "SectionPlane($normal, $distance)"
+    override fun toString(): String = "${normal.x()},${normal.y()},${normal.z()},$distance"
 
     public companion object {
         /** More than the rounding error of a height, as a part of its terms. */

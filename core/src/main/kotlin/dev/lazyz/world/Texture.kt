@@ -67,13 +67,11 @@ public enum class TextureEncoding {
  * Image Warping", 1989, for the footprint; J. McCormack et al., "Feline: Fast Elliptical Lines for Anisotropic Texture
  * Mapping", SIGGRAPH 1999, for lookups along the longer axis, here all with the same weight.
  *
- * @param argb the texels, width x height
  * @property filter sampling between texels
  * @property wrapU sampling outside 0..1 in the direction of u
  * @property wrapV sampling outside 0..1 in the direction of v
  * @property name name for messages and files
  * @property mipFilter sampling where many texels fall on one sample
- * @throws IllegalArgumentException if a side is not positive or [argb] does not hold width x height texels
  */
 public class Texture private constructor(
     private val levels: MipLevels,
@@ -83,6 +81,12 @@ public class Texture private constructor(
     public val name: String,
     public val mipFilter: MipFilter,
 ) {
+    /**
+     * Creates a texture; see the properties.
+     *
+     * @param argb the texels, width x height
+     * @throws IllegalArgumentException if a side is not positive or [argb] does not hold width x height texels
+     */
     @JvmOverloads
     public constructor(
         width: Int,
