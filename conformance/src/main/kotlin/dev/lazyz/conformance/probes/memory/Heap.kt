@@ -8,6 +8,9 @@ import kotlin.math.abs
 /** Measures the heap after garbage collection. */
 internal object Heap {
     private const val ATTEMPTS = 5
+
+    /** Number of the attempt after which a clear result counts. */
+    private const val ENOUGH = 3
     private const val BLOCK = 1024
     private const val HEADER = 16
 
@@ -81,7 +84,7 @@ internal object Heap {
 
     /**
      * Calls [fail] with the least of several [measurements], unless one of them is at most [limit], since noise only
-     * adds. Two measurements are enough if the result is clearly above the limit.
+     * adds. Four measurements are enough if the result is clearly above the limit.
      */
     fun requireAtMost(limit: Long, measurements: () -> Long, fail: (least: Long) -> Nothing) {
         requireMeasurable()
@@ -89,7 +92,7 @@ internal object Heap {
         repeat(ATTEMPTS) { attempt ->
             least = minOf(least, measurements())
             if (least <= limit) return
-            if (attempt > 0 && least > CLEAR * limit) fail(least)
+            if (attempt >= ENOUGH && least > CLEAR * limit) fail(least)
         }
         fail(least)
     }
