@@ -48,13 +48,21 @@ internal class FrameContent private constructor(
     fun unshaded(): FrameContent =
         FrameContent(size, batches.map { it.unshaded() }, singles.map { UnshadedPrimitive(it) }, indices)
 
-    /** Returns the primitive with submission index [index], without making objects of the others. */
-    fun primitive(index: Int): Primitive {
-        val number = batchNumber(index)
-        if (number >= 0) return batches[number].primitive(index - batches[number].first)
-        if (indices == null) return singles[index]
-        val single = java.util.Arrays.binarySearch(indices, index)
-        return if (single >= 0) singles[single] else EmptyPrimitive
+    /**
+     * Returns a function that returns the primitive with a given submission index, without making objects of the
+     * others; for one thread.
+     */
+    fun reader(): (index: Int) -> Primitive {
+        val readers = arrayOfNulls<(Int) -> Primitive>(batches.size)
+        return { index ->
+            val number = batchNumber(index)
+            if (number < 0) {
+                single(index)
+            } else {
+                val reader = readers[number] ?: batches[number].reader().also { readers[number] = it }
+                reader(index - batches[number].first)
+            }
+        }
     }
 
     private inner class AllPrimitives : AbstractList<Primitive>() {

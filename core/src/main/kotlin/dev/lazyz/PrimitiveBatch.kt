@@ -17,8 +17,8 @@ internal interface PrimitiveBatch {
     /** Whether primitive [number], 0 until [count], is drawn from this batch. */
     fun isDrawn(number: Int): Boolean
 
-    /** Returns primitive [number] as a single primitive. */
-    fun primitive(number: Int): Primitive
+    /** Returns a function that returns a primitive of the batch, given its number; for one thread. */
+    fun reader(): (number: Int) -> Primitive
 
     /** Returns this batch with primitives whose colours are not computed. */
     fun unshaded(): PrimitiveBatch

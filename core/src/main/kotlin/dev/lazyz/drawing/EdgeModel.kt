@@ -113,10 +113,10 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double) {
         features = BooleanArray(edges.size) { secondFace[it] < 0 || isCrease(it, cosine) }
     }
 
-    /** Returns the number of a point, or -1 if a coordinate is NaN or infinite. -0 equals 0. */
+    /** Returns the number of a point, or -1 if a coordinate is NaN or infinite. */
     private fun add(distinct: DistinctTriples, x: Float, y: Float, z: Float): Int =
         if (x.isFinite() && y.isFinite() && z.isFinite()) {
-            distinct.add((x + 0f).toBits(), (y + 0f).toBits(), (z + 0f).toBits())
+            distinct.addPoint(x, y, z)
         } else {
             -1
         }

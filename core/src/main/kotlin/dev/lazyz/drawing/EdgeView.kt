@@ -61,8 +61,7 @@ internal class EdgeView(
         private val parts = HiddenParts(space, places, tolerance)
 
         // The part of the edge that is on the raster and between the near and the far plane
-        private var low = 0.0
-        private var high = 1.0
+        private val part = KeptPart()
         private var isFeature = false
 
         fun divide(edge: Int) {
@@ -70,7 +69,9 @@ internal class EdgeView(
             val start = model.end(edge, 0)
             val end = model.end(edge, 1)
             clip(start, end)
-            if (low >= high) return
+            if (part.isEmpty) return
+            val low = part.low
+            val high = part.high
             val w0 = mix(start, end, 2, low)
             val w1 = mix(start, end, 2, high)
             val from = space.distance(w0, mix(start, end, 3, low))
@@ -116,31 +117,21 @@ internal class EdgeView(
         }
 
         private fun clip(start: Int, end: Int) {
-            low = 0.0
-            high = 1.0
-            keep(distance(start) - space.near, distance(end) - space.near)
-            keep(space.far - distance(start), space.far - distance(end))
-            keep(inside(start, 0, 1.0, margin), inside(end, 0, 1.0, margin))
-            keep(inside(start, 1, 1.0, margin), inside(end, 1, 1.0, margin))
+            part.begin()
+            part.keepPositive(distance(start) - space.near, distance(end) - space.near)
+            part.keepPositive(space.far - distance(start), space.far - distance(end))
+            part.keepPositive(inside(start, 0, 1.0, margin), inside(end, 0, 1.0, margin))
+            part.keepPositive(inside(start, 1, 1.0, margin), inside(end, 1, 1.0, margin))
             val right = space.raster.width + margin
             val bottom = space.raster.height + margin
-            keep(inside(start, 0, -1.0, right), inside(end, 0, -1.0, right))
-            keep(inside(start, 1, -1.0, bottom), inside(end, 1, -1.0, bottom))
+            part.keepPositive(inside(start, 0, -1.0, right), inside(end, 0, -1.0, right))
+            part.keepPositive(inside(start, 1, -1.0, bottom), inside(end, 1, -1.0, bottom))
         }
 
         private fun distance(point: Int) = space.distance(places[4 * point + 2], places[4 * point + 3])
 
         private fun inside(point: Int, place: Int, sign: Double, limit: Double): Double =
             sign * places[4 * point + place] + limit * places[4 * point + 2]
-
-        /** Keeps the part in which a linear function with the values [f0] and [f1] at the ends is not negative. */
-        private fun keep(f0: Double, f1: Double) {
-            if (f0 < 0.0) {
-                if (f1 < 0.0) high = low else low = maxOf(low, f0 / (f0 - f1))
-            } else if (f1 < 0.0) {
-                high = minOf(high, f0 / (f0 - f1))
-            }
-        }
     }
 
     private companion object {

@@ -41,8 +41,7 @@ internal class HiddenParts(
     private var margin = 0.0
 
     // The part of the edge that the conditions so far leave
-    private var low = 0.0
-    private var high = 1.0
+    private val part = KeptPart()
 
     /** Whether one triangle hides the whole edge. */
     private var isWhole = false
@@ -111,33 +110,23 @@ internal class HiddenParts(
         val a1 = if (hasEnd) share(a == end) else (x1 * ax + y1 * ay + w1 * aw) * scale
         val b1 = if (hasEnd) share(b == end) else (x1 * bx + y1 * by + w1 * bw) * scale
         val c1 = if (hasEnd) share(c == end) else (x1 * cx + y1 * cy + w1 * cw) * scale
-        low = 0.0
-        high = 1.0
-        keepPositive(a0 + SEAM, a1 + SEAM)
-        keepPositive(b0 + SEAM, b1 + SEAM)
-        keepPositive(c0 + SEAM, c1 + SEAM)
-        if (low >= high) return
+        part.begin()
+        part.keepPositive(a0 + SEAM, a1 + SEAM)
+        part.keepPositive(b0 + SEAM, b1 + SEAM)
+        part.keepPositive(c0 + SEAM, c1 + SEAM)
+        if (part.isEmpty) return
         keepBehind(a0 * ha + b0 * hb + c0 * hc - h0, a1 * ha + b1 * hb + c1 * hc - h1, hasStart, hasEnd)
-        if (high - low > LEAST_PART) intervals.add(low, high)
-        isWhole = low == 0.0 && high == 1.0
+        if (part.high - part.low > LEAST_PART) intervals.add(part.low, part.high)
+        isWhole = part.low == 0.0 && part.high == 1.0
     }
 
     private fun share(isCorner: Boolean) = if (isCorner) 1.0 else 0.0
 
     /** Keeps the part that is behind a plane; [gap0] and [gap1] say by how much both ends are. */
     private fun keepBehind(gap0: Double, gap1: Double, hasStart: Boolean, hasEnd: Boolean) = when {
-        hasStart -> if (gap1 <= margin) high = low else Unit
-        hasEnd -> if (gap0 <= margin) high = low else Unit
-        else -> keepPositive(gap0 - margin, gap1 - margin)
-    }
-
-    /** Keeps the part in which a linear function with the values [f0] at 0 and [f1] at 1 is not negative. */
-    private fun keepPositive(f0: Double, f1: Double) {
-        if (f0 < 0.0) {
-            if (f1 < 0.0) high = low else low = maxOf(low, f0 / (f0 - f1))
-        } else if (f1 < 0.0) {
-            high = minOf(high, f0 / (f0 - f1))
-        }
+        hasStart -> if (gap1 <= margin) part.clear() else Unit
+        hasEnd -> if (gap0 <= margin) part.clear() else Unit
+        else -> part.keepPositive(gap0 - margin, gap1 - margin)
     }
 
     /** Adds the parts that [face], which is in [plane], hides. */
@@ -145,14 +134,13 @@ internal class HiddenParts(
         val hasStart = face.has(start)
         val hasEnd = face.has(end)
         if (hasStart && hasEnd) return
-        low = 0.0
-        high = 1.0
+        part.begin()
         val gap0 = plane.height(x0, y0, w0) - h0
         val gap1 = plane.height(x1, y1, w1) - h1
         keepBehind(gap0, gap1, hasStart, hasEnd)
-        if (low >= high) return
-        val from = low
-        val until = high
+        if (part.isEmpty) return
+        val from = part.low
+        val until = part.high
 
         // Between two crossings with the outline, all is inside or all is outside
         crossings.clear()

@@ -20,6 +20,7 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
 
     /** Recently shaded primitives, by the lower bits of their indices. */
     private val known = arrayOfNulls<Primitive>(KNOWN)
+    private val read = frame.content.reader()
     private val knownIndices = IntArray(KNOWN) { DepthTest.BACKGROUND }
     private val fragment = Fragment()
     private var shadingCalls = 0L
@@ -58,7 +59,7 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
     private fun color(index: Int, x: Int, y: Int): Int {
         val slot = index and KNOWN - 1
         if (knownIndices[slot] != index) {
-            known[slot] = frame.content.primitive(index)
+            known[slot] = read(index)
             knownIndices[slot] = index
         }
         shadingCalls++

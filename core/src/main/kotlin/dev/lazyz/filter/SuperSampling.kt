@@ -49,7 +49,7 @@ public class SuperSampling @JvmOverloads constructor(
      * Sets up [scene] for the samples of [pixels]. Sizes of [Points] and [Lines] stay as they are in pixels.
      *
      * @param options the threads of set-up, see [Scene.frame]
-     * @throws IllegalArgumentException if this is not [possible]
+     * @throws IllegalArgumentException if there is an [obstacle]
      */
     @JvmOverloads
     public fun frame(scene: Scene, pixels: Raster, options: RenderOptions = RenderOptions()): SampledFrame {
@@ -60,13 +60,11 @@ public class SuperSampling @JvmOverloads constructor(
     }
 
     /**
-     * Whether [frame] accepts [scene] and [pixels]. With a [factor] above 1, it does not if the camera's projection is
-     * [Projection.Screen], because such a scene is given in samples; if the raster of samples has a side above
-     * [Raster.MAX_SIDE]; or if a point or a line is wider than [Points.MAX_SIZE] samples.
+     * Returns why [frame] does not accept [scene] and [pixels], or null if it does. With a [factor] above 1, it does not
+     * if the camera's projection is [Projection.Screen], because such a scene is given in samples; if the raster of
+     * samples has a side above [Raster.MAX_SIDE]; or if a point or a line is wider than [Points.MAX_SIZE] samples.
      */
-    public fun possible(scene: Scene, pixels: Raster): Boolean = obstacle(scene, pixels) == null
-
-    private fun obstacle(scene: Scene, pixels: Raster): String? {
+    public fun obstacle(scene: Scene, pixels: Raster): String? {
         val most = Raster.MAX_SIDE / factor
         val widest = Points.MAX_SIZE / factor
         val size = scene.surfaces.maxOfOrNull { sizeOf(it) } ?: 0.0

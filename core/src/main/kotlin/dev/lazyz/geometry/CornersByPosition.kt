@@ -27,12 +27,11 @@ internal class CornersByPosition(positions: FloatArray, triangles: IntArray) {
     /** Number of positions. */
     val count: Int get() = starts.size - 2
 
-    /** -0 equals 0, and all NaNs are equal. Positions that are close together but not equal are different. */
     private fun positionNumbers(p: FloatArray): IntArray {
         val count = p.size / 3
         val distinct = DistinctTriples(count)
         return IntArray(count) {
-            distinct.add((p[3 * it] + 0f).toBits(), (p[3 * it + 1] + 0f).toBits(), (p[3 * it + 2] + 0f).toBits())
+            distinct.addPoint(p[3 * it], p[3 * it + 1], p[3 * it + 2])
         }
     }
 }

@@ -50,6 +50,13 @@ public class DistinctTriples @JvmOverloads constructor(expected: Int = 0) {
         return append(a, b, c, place)
     }
 
+    /**
+     * Returns the number of the point ([x], [y], [z]), whose coordinates are stored as bits, see [get]. -0 equals 0,
+     * and all NaNs are equal. Points that are close together but not equal are different. Throws like [add].
+     */
+    public fun addPoint(x: Float, y: Float, z: Float): Int =
+        add((x + 0f).toBits(), (y + 0f).toBits(), (z + 0f).toBits())
+
     /** Returns one of the three integers of triple [number], 0 until [size]; [place] is 0, 1 or 2. */
     public fun get(number: Int, place: Int): Int = triples[3 * number + place]
 

@@ -1,6 +1,8 @@
 package dev.lazyz.geometry
 
 import java.util.BitSet
+import org.joml.Vector3d
+import org.joml.Vector3dc
 
 /**
  * Points given as x, y, z triples, with a box around each block of points. So the farthest point along a direction is
@@ -41,12 +43,12 @@ internal class PointBlocks(private val xyz: FloatArray, uses: IntArray? = null) 
     }
 
     /**
-     * Returns the number of the point whose dot product with ([x], [y], [z]) is greatest, or -1 if there is
-     * none. The direction can have any finite length.
+     * Returns the point whose dot product with [direction] is greatest, or null if there is none. The direction can
+     * have any finite length. A new vector for each call.
      */
-    fun farthest(x: Double, y: Double, z: Double): Int {
+    fun farthest(direction: Vector3dc): Vector3d? {
         // Begin with the most promising block, so that few others remain
-        val search = Search(x, y, z)
+        val search = Search(direction.x(), direction.y(), direction.z())
         var first = -1
         var reach = Double.NEGATIVE_INFINITY
         for (block in 0 until count) {
@@ -56,10 +58,11 @@ internal class PointBlocks(private val xyz: FloatArray, uses: IntArray? = null) 
                 reach = other
             }
         }
-        if (first < 0) return -1
+        if (first < 0) return null
         search.look(first)
         for (block in 0 until count) if (search.reach(block) > search.most) search.look(block)
-        return search.point
+        val at = 3 * search.point
+        return if (at < 0) null else Vector3d(xyz[at].toDouble(), xyz[at + 1].toDouble(), xyz[at + 2].toDouble())
     }
 
     private inner class Search(private val x: Double, private val y: Double, private val z: Double) {

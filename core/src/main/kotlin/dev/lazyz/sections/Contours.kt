@@ -41,7 +41,7 @@ internal class Contours {
     }
 
     private fun number(point: FloatArray): Int = if (point.all { it.isFinite() }) {
-        points.add((point[0] + 0f).toBits(), (point[1] + 0f).toBits(), (point[2] + 0f).toBits())
+        points.addPoint(point[0], point[1], point[2])
     } else {
         -1
     }
@@ -107,14 +107,18 @@ internal class Contours {
 
     /** Returns an unused segment at [point], which leads away from it if [isDirected]; -1 if there is none. */
     private fun unused(point: Int, isDirected: Boolean): Int {
+        // Those that are used up at the beginning of the chain are not looked at again
+        while (firstAt[point] >= 0 && isGone(firstAt[point] / 2)) firstAt[point] = next[firstAt[point]]
         var i = firstAt[point]
         while (i >= 0) {
             val leadsAway = (balance[i / 2] > 0) == (i % 2 == 0)
-            if (!isUsed[i / 2] && balance[i / 2] != 0 && (leadsAway || !isDirected)) return i
+            if (!isGone(i / 2) && (leadsAway || !isDirected)) return i
             i = next[i]
         }
         return -1
     }
+
+    private fun isGone(pair: Int): Boolean = isUsed[pair] || balance[pair] == 0
 
     private fun isForward(from: Int, to: Int): Boolean {
         val pair = pairs.add(minOf(from, to), maxOf(from, to), 0)

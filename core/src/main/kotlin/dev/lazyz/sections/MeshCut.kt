@@ -1,6 +1,7 @@
 package dev.lazyz.sections
 
 import dev.lazyz.geometry.DistinctTriples
+import dev.lazyz.geometry.FaceNormal
 import dev.lazyz.world.Mesh
 
 /**
@@ -17,6 +18,7 @@ internal class MeshCut(private val mesh: Mesh, plane: SectionPlane) {
         plane.height(p[3 * it] + origin.x(), p[3 * it + 1] + origin.y(), p[3 * it + 2] + origin.z())
     }
     private val normal = plane.normal
+    private val face = FaceNormal(p, triangles)
 
     private fun isOut(vertex: Int) = heights[vertex] > 0.0
 
@@ -26,18 +28,8 @@ internal class MeshCut(private val mesh: Mesh, plane: SectionPlane) {
     /** Whether the triangle is in the plane and shows its front to the kept side. */
     private fun isCeiling(i: Int): Boolean {
         if ((0 until 3).any { heights[triangles[i + it]] != 0.0 }) return false
-        val a = 3 * triangles[i]
-        val b = 3 * triangles[i + 1]
-        val c = 3 * triangles[i + 2]
-        val ux = p[b].toDouble() - p[a]
-        val uy = p[b + 1].toDouble() - p[a + 1]
-        val uz = p[b + 2].toDouble() - p[a + 2]
-        val vx = p[c].toDouble() - p[a]
-        val vy = p[c + 1].toDouble() - p[a + 1]
-        val vz = p[c + 2].toDouble() - p[a + 2]
-        val toward = normal.x() * (uy * vz - uz * vy) + normal.y() * (uz * vx - ux * vz) +
-            normal.z() * (ux * vy - uy * vx)
-        return toward < 0.0
+        face.compute(i)
+        return normal.x() * face.x + normal.y() * face.y + normal.z() * face.z < 0.0
     }
 
     private fun isCrossing(i: Int): Boolean =

@@ -130,29 +130,30 @@ internal class SpherePrimitive private constructor(
         } else {
             camera.toWorldDirection(0.0, 0.0, -1.0)
         }
-        val across = Vectors.dot(ray, normal)
-        val aroundAxis = normal.x * normal.x + normal.z * normal.z
-        val fromAxis = StrictMath.sqrt(aroundAxis)
-        slopes(camera.toWorldDirection(rays.columnStep * scale, 0.0, 0.0), ray, across, normal) { x, y, z ->
-            fragment.dudx = ((normal.z * x - normal.x * z) / aroundAxis / (2.0 * StrictMath.PI)).toFloat()
-            fragment.dvdx = (-y / fromAxis / StrictMath.PI).toFloat()
+        slopes(camera.toWorldDirection(rays.columnStep * scale, 0.0, 0.0), ray, normal) { u, v ->
+            fragment.dudx = u
+            fragment.dvdx = v
         }
-        slopes(camera.toWorldDirection(0.0, rays.rowStep * scale, 0.0), ray, across, normal) { x, y, z ->
-            fragment.dudy = ((normal.z * x - normal.x * z) / aroundAxis / (2.0 * StrictMath.PI)).toFloat()
-            fragment.dvdy = (-y / fromAxis / StrictMath.PI).toFloat()
+        slopes(camera.toWorldDirection(0.0, rays.rowStep * scale, 0.0), ray, normal) { u, v ->
+            fragment.dudy = u
+            fragment.dvdy = v
         }
     }
 
-    /** Passes the change of the normal to [use], if the point moves by [step] and then along [ray] to the sphere. */
-    private inline fun slopes(
-        step: Vector3d,
-        ray: Vector3d,
-        across: Double,
-        normal: Vector3d,
-        use: (x: Double, y: Double, z: Double) -> Unit,
-    ) {
-        val along = Vectors.dot(step, normal) / across
-        use((step.x - along * ray.x) / radius, (step.y - along * ray.y) / radius, (step.z - along * ray.z) / radius)
+    /**
+     * Passes the change of the texture coordinates to [use], if the point moves by [step] and then along [ray] to the
+     * tangent plane.
+     */
+    private inline fun slopes(step: Vector3d, ray: Vector3d, normal: Vector3d, use: (u: Float, v: Float) -> Unit) {
+        val along = Vectors.dot(step, normal) / Vectors.dot(ray, normal)
+        val x = (step.x - along * ray.x) / radius
+        val y = (step.y - along * ray.y) / radius
+        val z = (step.z - along * ray.z) / radius
+        val aroundAxis = normal.x * normal.x + normal.z * normal.z
+        use(
+            ((normal.z * x - normal.x * z) / aroundAxis / (2.0 * StrictMath.PI)).toFloat(),
+            (-y / StrictMath.sqrt(aroundAxis) / StrictMath.PI).toFloat(),
+        )
     }
 
     /** A quarter of the discriminant of the intersection; negative if the ray misses the sphere. */

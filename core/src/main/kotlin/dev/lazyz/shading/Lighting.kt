@@ -49,13 +49,7 @@ internal class Lighting(light: SceneLight, camera: Camera) {
         normalY: Float,
         normalZ: Float,
         out: FloatArray,
-    ) = viewer.from(px, py, pz) { vx, vy, vz ->
-        // Unit normal
-        val length = sqrt(normalX * normalX + normalY * normalY + normalZ * normalZ)
-        val nx = if (length > 0f) normalX / length else vx
-        val ny = if (length > 0f) normalY / length else vy
-        val nz = if (length > 0f) normalZ / length else vz
-
+    ) = viewer.from(px, py, pz, normalX, normalY, normalZ) { vx, vy, vz, nx, ny, nz ->
         // Add up the lights in their order
         val numbers = sources.numbers
         for (channel in 0 until 3) out[channel] = sources.ambient[channel] * occlusion

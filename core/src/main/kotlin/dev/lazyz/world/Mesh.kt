@@ -80,14 +80,7 @@ public class Mesh @JvmOverloads constructor(
     /** A box around the vertices that triangles use, or null if there is none. */
     override val bounds: Box? by lazy { blocks.bounds?.moved(this.origin) }
 
-    override fun farthest(direction: Vector3dc): Vector3d? {
-        val point = blocks.farthest(direction.x(), direction.y(), direction.z())
-        if (point < 0) return null
-        return Vector3d(
-            positions[3 * point] + origin.x(), positions[3 * point + 1] + origin.y(),
-            positions[3 * point + 2] + origin.z(),
-        )
-    }
+    override fun farthest(direction: Vector3dc): Vector3d? = blocks.farthest(direction)?.add(origin)
 
     override fun primitives(setUp: SetUp): Sequence<Primitive> = setUp.mesh(this)
 

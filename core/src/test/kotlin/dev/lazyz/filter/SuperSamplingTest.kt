@@ -22,6 +22,8 @@ import java.util.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -268,8 +270,8 @@ class SuperSamplingTest {
         assertThrows(IllegalArgumentException::class.java) { SuperSampling(2).frame(onScreen, raster) }
         val wide = Scene(listOf(Points(FloatArray(3), 1500.0)))
         assertThrows(IllegalArgumentException::class.java) { SuperSampling(4).frame(wide, raster) }
-        for (refused in listOf(onScreen, wide)) assertEquals(false, SuperSampling(4).possible(refused, raster))
-        assertEquals(true, SuperSampling(2).possible(wide, raster))
+        for (refused in listOf(onScreen, wide)) assertNotNull(SuperSampling(4).obstacle(refused, raster))
+        assertNull(SuperSampling(2).obstacle(wide, raster))
         assertArrayEquals(IntArray(1200), SuperSampling.NONE.frame(onScreen, raster).render(ZBuffer()).argb)
     }
 }

@@ -23,14 +23,8 @@ internal class AntiAliasing(
     /** Sets up [scene] for the samples of the pixels of [raster]. */
     fun frame(scene: Scene, raster: Raster, options: RenderOptions): SampledFrame {
         val wish = SuperSampling(factor ?: usual, filter, rate)
-        if (wish.possible(scene, raster)) return wish.frame(scene, raster, options)
-        if (factor == null) return SuperSampling(1, filter, rate).frame(scene, raster, options)
-        val why = try {
-            wish.frame(scene, raster, options)
-            null
-        } catch (refusal: IllegalArgumentException) {
-            refusal.message
-        }
-        throw Mistake("--aa $factor: $why; use --aa 1")
+        val obstacle = wish.obstacle(scene, raster) ?: return wish.frame(scene, raster, options)
+        if (factor != null) throw Mistake("--aa $factor: $obstacle; use --aa 1")
+        return SuperSampling(1, filter, rate).frame(scene, raster, options)
     }
 }

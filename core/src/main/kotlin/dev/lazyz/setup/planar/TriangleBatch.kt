@@ -46,7 +46,7 @@ internal class TriangleBatch(
     /** Returns an object that shades the triangles of this batch; for one thread. */
     fun faces(): FaceSetUp = setUp.face(mesh)
 
-    override fun primitive(number: Int): Primitive = faces().primitive(number)
+    override fun reader(): (Int) -> Primitive = faces()::primitive
 
     override fun unshaded(): TriangleBatch {
         val plain = Material(shading = Shading.CONSTANT, sides = mesh.material.sides)

@@ -4,7 +4,7 @@ import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
 import kotlin.math.sqrt
 
-/** The direction to the viewer, for each point of a scene. Immutable and thread safe. */
+/** The directions that light depends on, at each point of a scene. Immutable and thread safe. */
 internal class Viewer(camera: Camera) {
     @JvmField val isPerspective: Boolean = camera.projection is Projection.Perspective
 
@@ -27,8 +27,19 @@ internal class Viewer(camera: Camera) {
         backZ = back.z.toFloat()
     }
 
-    /** Passes the unit vector from the point ([px], [py], [pz]) to the viewer to [use]. */
-    inline fun from(px: Float, py: Float, pz: Float, use: (Float, Float, Float) -> Unit) {
+    /**
+     * Passes two unit vectors at the point ([px], [py], [pz]) to [use]: that to the viewer, and the normal. The given
+     * normal can have any length; one of length 0 is replaced by the direction to the viewer (contract rule 6.5).
+     */
+    inline fun from(
+        px: Float,
+        py: Float,
+        pz: Float,
+        normalX: Float,
+        normalY: Float,
+        normalZ: Float,
+        use: (vx: Float, vy: Float, vz: Float, nx: Float, ny: Float, nz: Float) -> Unit,
+    ) {
         var vx = backX
         var vy = backY
         var vz = backZ
@@ -36,11 +47,15 @@ internal class Viewer(camera: Camera) {
             vx = eyeX - px
             vy = eyeY - py
             vz = eyeZ - pz
-            val length = sqrt(vx * vx + vy * vy + vz * vz)
-            vx /= length
-            vy /= length
-            vz /= length
+            val distance = sqrt(vx * vx + vy * vy + vz * vz)
+            vx /= distance
+            vy /= distance
+            vz /= distance
         }
-        use(vx, vy, vz)
+        val length = sqrt(normalX * normalX + normalY * normalY + normalZ * normalZ)
+        val nx = if (length > 0f) normalX / length else vx
+        val ny = if (length > 0f) normalY / length else vy
+        val nz = if (length > 0f) normalZ / length else vz
+        use(vx, vy, vz, nx, ny, nz)
     }
 }

@@ -34,11 +34,7 @@ internal class PhysicalLighting(
         normalY: Float,
         normalZ: Float,
         out: FloatArray,
-    ) = viewer.from(px, py, pz) { vx, vy, vz ->
-        val length = sqrt(normalX * normalX + normalY * normalY + normalZ * normalZ)
-        val nx = if (length > 0f) normalX / length else vx
-        val ny = if (length > 0f) normalY / length else vy
-        val nz = if (length > 0f) normalZ / length else vz
+    ) = viewer.from(px, py, pz, normalX, normalY, normalZ) { vx, vy, vz, nx, ny, nz ->
         val along = nx * vx + ny * vy + nz * vz
         direct(surface, px, py, pz, nx, ny, nz, vx, vy, vz, abs(along), out)
         indirect(surface, occlusion, nx, ny, nz, vx, vy, vz, along, out)

@@ -44,7 +44,7 @@ internal class Solid(
     /** Adds the next corner. Three corners make a triangle. */
     fun add(x: Float, y: Float, z: Float) {
         // Adding 0 turns -0 into 0, and toBits turns every NaN into the same bits
-        triangles.add(positions.add((x + 0f).toBits(), (y + 0f).toBits(), (z + 0f).toBits()))
+        triangles.add(positions.addPoint(x, y, z))
     }
 
     /** Sets the colour of the triangle that was added last; [number] is its number in the palette. */
