@@ -60,8 +60,8 @@ public class SuperSampling @JvmOverloads constructor(
     }
 
     /**
-     * Returns why [frame] does not accept [scene] and [pixels], or null if it does. With a [factor] above 1, it does not
-     * if the camera's projection is [Projection.Screen], because such a scene is given in samples; if the raster of
+     * Returns why [frame] does not accept [scene] and [pixels], or null if it does. With a [factor] above 1, it does
+     * not if the camera's projection is [Projection.Screen], because such a scene is given in samples; if the raster of
      * samples has a side above [Raster.MAX_SIDE]; or if a point or a line is wider than [Points.MAX_SIZE] samples.
      */
     public fun obstacle(scene: Scene, pixels: Raster): String? {
