@@ -11,6 +11,9 @@ internal object Heap {
 
     /** Number of the attempt after which a clear result counts. */
     private const val ENOUGH = 3
+
+    /** How many collections contain one that compacts the whole heap: HotSpot's MarkSweepAlwaysCompactCount. */
+    private const val COLLECTIONS = 4
     private const val BLOCK = 1024
     private const val HEADER = 16
 
@@ -97,9 +100,6 @@ internal object Heap {
         fail(least)
     }
 
-    /** Returns the smaller of two [measurements], for use as a base line, which noise must not increase. */
-    fun less(measurements: () -> Long): Long = minOf(measurements(), measurements())
-
     /** Returns the number of bytes held, once it no longer decreases. */
     private fun settled(): Long {
         var least = held()
@@ -112,9 +112,15 @@ internal object Heap {
         return least
     }
 
+    /**
+     * Returns the number of bytes held. Most collections leave some dead objects where they are, if they take only a
+     * few per cent of the heap, and these count as used. One in [COLLECTIONS] removes them all.
+     */
     private fun held(): Long {
-        System.gc()
         val runtime = Runtime.getRuntime()
-        return runtime.totalMemory() - runtime.freeMemory()
+        return (1..COLLECTIONS).minOf {
+            System.gc()
+            runtime.totalMemory() - runtime.freeMemory()
+        }
     }
 }

@@ -1,12 +1,15 @@
 package dev.lazyz.conformance.probes.memory
 
 import dev.lazyz.conformance.ChildJvm
+import java.lang.ref.Reference
 import java.util.concurrent.TimeUnit
+import kotlin.reflect.KClass
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.DynamicTest
 import org.junit.jupiter.api.DynamicTest.dynamicTest
+import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestFactory
 
 /** Rules that measure the heap report when the garbage collector does not permit that. */
@@ -20,12 +23,42 @@ class HeapTest {
         "Shenandoah" to "not exact",
     ).map { (collector, expected) ->
         dynamicTest(collector) {
-            val process = ChildJvm.start(listOf("-Xmx512m", "-XX:+Use${collector}GC"), AskTheHeap::class)
-            assertTrue(process.waitFor(60, TimeUnit.SECONDS))
-            val answer = process.inputStream.reader().readText()
-            assumeTrue(process.exitValue() == 0, "this JVM has no such collector: $answer")
-            assertEquals(expected, answer.trim())
+            assertEquals(expected, answer(collector, AskTheHeap::class))
         }
+    }
+
+    @Test
+    fun deadImagesDoNotCount() = assertEquals("1 1 1 1 1 1 1 1", answer("Serial", AskAfterDeadImages::class))
+
+    private fun answer(collector: String, main: KClass<*>): String {
+        val process = ChildJvm.start(listOf("-Xmx512m", "-XX:+Use${collector}GC"), main)
+        assertTrue(process.waitFor(60, TimeUnit.SECONDS))
+        val answer = process.inputStream.reader().readText()
+        assumeTrue(process.exitValue() == 0, "this JVM has no such collector: $answer")
+        return answer.trim()
+    }
+}
+
+/** Prints by how much the heap grows in each round by an image, as measured, if the image of the round before is dead. */
+internal object AskAfterDeadImages {
+    private const val ROUNDS = 8
+    private const val IMAGE = 3 shl 20
+
+    @JvmStatic
+    fun main(args: Array<String>) {
+        // Most collections leave a few per cent of the heap as it is, so there must be more
+        val live = List(60) { ByteArray(1 shl 20) }
+        val growth = (1..ROUNDS).map {
+            Heap.most { measure ->
+                val image = ByteArray(IMAGE)
+                val after = ByteArray(1)
+                measure()
+                Reference.reachabilityFence(image)
+                Reference.reachabilityFence(after)
+            }
+        }
+        Reference.reachabilityFence(live)
+        println(growth.joinToString(" ") { "${(it + IMAGE / 2) / IMAGE}" })
     }
 }
 
