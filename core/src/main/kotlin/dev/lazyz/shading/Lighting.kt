@@ -22,12 +22,14 @@ import kotlin.math.sqrt
 internal class Lighting(light: SceneLight, camera: Camera) {
     private val viewer = Viewer(camera)
     private val sources = LightSources(light.classical)
+    private val visibility = light.visibility
 
     /** The light of physically based materials. */
     val physical: PhysicalLighting = PhysicalLighting(
         viewer,
         LightSources(light.physical),
         StudioView.of(light.environment, camera),
+        visibility,
     )
 
     /** What becomes of colours at the end; null if they stay as they are. */
@@ -52,7 +54,8 @@ internal class Lighting(light: SceneLight, camera: Camera) {
     ) = viewer.from(px, py, pz, normalX, normalY, normalZ) { vx, vy, vz, nx, ny, nz ->
         // Add up the lights in their order
         val numbers = sources.numbers
-        for (channel in 0 until 3) out[channel] = sources.ambient[channel] * occlusion
+        val open = if (visibility == null) occlusion else occlusion * visibility.at(px, py, pz, nx, ny, nz)
+        for (channel in 0 until 3) out[channel] = sources.ambient[channel] * open
         out[3] = emission.red
         out[4] = emission.green
         out[5] = emission.blue

@@ -159,6 +159,15 @@ public class Camera private constructor(
     }
 
     /**
+     * Returns this camera with other planes. The picture of what is between them stays the same, its depths change.
+     *
+     * @param near distance of the near plane from the eye along the line of sight, world units
+     * @param far distance of the far plane, world units
+     * @throws IllegalArgumentException if not [near] < [far], or [near] is not positive under perspective
+     */
+    public fun withPlanes(near: Double, far: Double): Camera = Camera(eye, target, up, projection, near, far, this)
+
+    /**
      * Returns this camera rotated so that the axis [up] becomes y.
      *
      * @throws UnsupportedOperationException if the projection is [Projection.Screen]

@@ -168,6 +168,19 @@ public class Material private constructor(
         copy(metallicRoughness = metallicRoughness)
 
     /**
+     * Returns this material as a physically based one that looks similar: a matt dielectric, or, if [specular] is not
+     * black, one with highlights of the same width. Unlit, custom and physically based materials stay as they are.
+     */
+    public fun asMetallicRoughness(): Material {
+        if (metallicRoughness != null || shader != null || shading == Shading.CONSTANT) return this
+        val isShiny = specular.red > 0f || specular.green > 0f || specular.blue > 0f
+
+        // The distributions of Blinn and GGX have the same width for alpha^2 = 2 / (n + 2), and alpha is roughness^2
+        val roughness = if (isShiny) StrictMath.sqrt(StrictMath.sqrt(2.0 / (shininess + 2.0))).toFloat() else 1f
+        return copy(metallicRoughness = MetallicRoughness(metallic = 0f, roughness = roughness))
+    }
+
+    /**
      * Returns this material with another normal map, or without one. It has an effect if light is evaluated at samples:
      * with [metallicRoughness], [Shading.PHONG] or [Shading.BLINN_PHONG].
      */

@@ -29,6 +29,8 @@ import org.joml.Vector3dc
  *   [Environment.USUAL] for a scene without lights, and otherwise none
  * @property toneMapping exposure and tone curve; null means [ToneCurve.NEUTRAL] for a scene with a material with
  *   [MetallicRoughness], and otherwise [ToneMapping.NONE]
+ * @property ambientVisibility which part of ambient light and of the [environment] reaches a point; null for all of it
+ * @property lightIntensity factor of all [lights], default lights included, and of the [environment]; 0 or more
  */
 public class Scene private constructor(
     public val surfaces: List<Surface>,
@@ -37,6 +39,8 @@ public class Scene private constructor(
     public val background: Rgba,
     public val environment: Environment?,
     public val toneMapping: ToneMapping?,
+    public val ambientVisibility: AmbientVisibility?,
+    public val lightIntensity: Float,
 ) {
     /** Creates a scene with the default [environment] and [toneMapping]; see the properties. */
     @JvmOverloads
@@ -45,7 +49,13 @@ public class Scene private constructor(
         lights: List<Light> = emptyList(),
         viewpoint: Viewpoint = Camera.fit(),
         background: Rgba = Rgba.WHITE,
-    ) : this(surfaces, lights, viewpoint, background, null, null)
+    ) : this(surfaces, lights, viewpoint, background, null, null, null, 1f)
+
+    init {
+        require(lightIntensity >= 0f && lightIntensity.isFinite()) {
+            "intensity of light must be 0 or more: $lightIntensity"
+        }
+    }
 
     /** The smallest box around all surfaces, or null if there is none. Computed once. */
     public val bounds: Box? by lazy { surfaces.mapNotNull { it.bounds }.reduceOrNull(Box::union) }
@@ -104,10 +114,18 @@ public class Scene private constructor(
         val camera = camera(raster.width, raster.height)
         val isOnScreen = camera.projection == Projection.Screen
         val environment = environment ?: if (lights.isEmpty()) Environment.USUAL else Environment.NONE
-        val classical = lights.ifEmpty { Light.studio(camera) }
-        val light = SceneLight(classical, lights, environment, effectiveToneMapping)
+        val light = SceneLight(
+            scaled(lights.ifEmpty { Light.studio(camera) }),
+            scaled(lights),
+            if (lightIntensity == 1f) environment else Environment.studio(environment.intensity * lightIntensity),
+            effectiveToneMapping,
+            ambientVisibility,
+        )
         return SetUp(raster, camera, light, if (isOnScreen) Vectors.ZERO else origin, workers)
     }
+
+    private fun scaled(lights: List<Light>): List<Light> =
+        if (lightIntensity == 1f) lights else lights.map { it.scaled(lightIntensity) }
 
     /**
      * Sets up the scene for a raster of [width] x [height] samples and the scene's background. This is the usual way to
@@ -174,6 +192,17 @@ public class Scene private constructor(
     /** Returns this scene with another tone mapping; null for the default one. */
     public fun withToneMapping(toneMapping: ToneMapping?): Scene = copy(toneMapping = toneMapping)
 
+    /** Returns this scene with another visibility of ambient light; null for none. */
+    public fun withAmbientVisibility(ambientVisibility: AmbientVisibility?): Scene =
+        copy(ambientVisibility = ambientVisibility)
+
+    /**
+     * Returns this scene with another factor of its light.
+     *
+     * @throws IllegalArgumentException if [lightIntensity] is negative or not finite
+     */
+    public fun withLightIntensity(lightIntensity: Float): Scene = copy(lightIntensity = lightIntensity)
+
     private fun copy(
         surfaces: List<Surface> = this.surfaces,
         lights: List<Light> = this.lights,
@@ -181,7 +210,11 @@ public class Scene private constructor(
         background: Rgba = this.background,
         environment: Environment? = this.environment,
         toneMapping: ToneMapping? = this.toneMapping,
-    ): Scene = Scene(surfaces, lights, viewpoint, background, environment, toneMapping)
+        ambientVisibility: AmbientVisibility? = this.ambientVisibility,
+        lightIntensity: Float = this.lightIntensity,
+    ): Scene = Scene(
+        surfaces, lights, viewpoint, background, environment, toneMapping, ambientVisibility, lightIntensity,
+    )
 
     override fun toString(): String = "Scene(${surfaces.size} surfaces, ${lights.size} lights, $viewpoint)"
 
@@ -193,6 +226,8 @@ public class Scene private constructor(
         private var background: Rgba = Rgba.WHITE
         private var environment: Environment? = null
         private var toneMapping: ToneMapping? = null
+        private var ambientVisibility: AmbientVisibility? = null
+        private var lightIntensity = 1f
 
         /** Adds a surface after those already added, in submission order. */
         public fun add(surface: Surface): Builder = apply { surfaces.add(surface) }
@@ -212,9 +247,18 @@ public class Scene private constructor(
         /** Sets exposure and tone curve. The default, null, is described at [Scene.toneMapping]. */
         public fun toneMapping(toneMapping: ToneMapping?): Builder = apply { this.toneMapping = toneMapping }
 
+        /** Sets the visibility of ambient light. The default is null: nothing hides it. */
+        public fun ambientVisibility(ambientVisibility: AmbientVisibility?): Builder =
+            apply { this.ambientVisibility = ambientVisibility }
+
+        /** Sets the factor of all light, 0 or more. The default is 1. */
+        public fun lightIntensity(lightIntensity: Float): Builder = apply { this.lightIntensity = lightIntensity }
+
         /** Returns the scene so far. The builder can be used further. */
-        public fun build(): Scene =
-            Scene(surfaces.toList(), lights.toList(), viewpoint, background, environment, toneMapping)
+        public fun build(): Scene = Scene(
+            surfaces.toList(), lights.toList(), viewpoint, background, environment, toneMapping, ambientVisibility,
+            lightIntensity,
+        )
     }
 
     public companion object {
@@ -222,7 +266,8 @@ public class Scene private constructor(
         @JvmStatic
         public fun builder(): Builder = Builder()
 
-        private fun materialOf(surface: Surface): Material? = when (surface) {
+        /** Returns the material of a built-in surface, or null. */
+        internal fun materialOf(surface: Surface): Material? = when (surface) {
             is Mesh -> surface.material
             is Polygon -> surface.material
             is Sphere -> surface.material

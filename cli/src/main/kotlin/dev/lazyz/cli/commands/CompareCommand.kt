@@ -23,6 +23,7 @@ import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.CostOptions
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.INPUT_HELP
+import dev.lazyz.cli.options.LightOptions
 import dev.lazyz.cli.options.LimitOptions
 import dev.lazyz.cli.options.LineOptions
 import dev.lazyz.cli.options.PictureOptions
@@ -48,6 +49,7 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
     private val comparing by ComparingOptions()
     private val reading by ReadingOptions()
     private val picture by PictureOptions()
+    private val light by LightOptions()
     private val camera by CameraOptions()
     private val lines by LineOptions()
     private val cost by CostOptions()
@@ -94,7 +96,7 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
     }
 
     private fun subject(input: String): Subject =
-        subject(input, reading, limits, picture, camera, lines, usualSamples = 1)
+        subject(input, reading, limits, picture, light, camera, lines, usualSamples = 1)
 }
 
 /** Options that choose what to compare, and how to print the result. */

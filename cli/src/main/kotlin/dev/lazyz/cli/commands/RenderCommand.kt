@@ -14,6 +14,7 @@ import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.CostOptions
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.INPUT_HELP
+import dev.lazyz.cli.options.LightOptions
 import dev.lazyz.cli.options.LimitOptions
 import dev.lazyz.cli.options.LineOptions
 import dev.lazyz.cli.options.PictureOptions
@@ -37,6 +38,7 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
     private val output by OutputOptions()
     private val reading by ReadingOptions()
     private val picture by PictureOptions()
+    private val light by LightOptions()
     private val camera by CameraOptions()
     private val lines by LineOptions()
     private val rendering by RenderingOptions()
@@ -67,7 +69,9 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
         // The colours of a count are names of numbers, which must not be mixed
         val usualSamples = if (selector == Selector.count()) 1 else USUAL_SAMPLES
         val request = RenderRequest(
-            subject = subject(input, reading, limits, picture, camera, lines, usualSamples),
+            subject = subject(
+                input, reading, limits, picture, light, camera, lines, usualSamples, isSelected = selector != null,
+            ),
             output = output.picture,
             depthOutput = output.depth,
             strategy = rendering.strategy,

@@ -13,18 +13,28 @@ import dev.lazyz.world.Scene
  * The options of anti-aliasing.
  *
  * @property factor samples a pixel in each direction; null means [usual], or 1 where that is not possible
+ * @property rate how often primitives are shaded; null means [usualRate], or each sample where that is not possible
  */
 internal class AntiAliasing(
     private val factor: Int?,
     private val usual: Int,
     private val filter: PixelFilter,
-    val rate: ShadingRate,
+    private val rate: ShadingRate?,
+    private val usualRate: ShadingRate,
 ) {
-    /** Sets up [scene] for the samples of the pixels of [raster]. */
-    fun frame(scene: Scene, raster: Raster, options: RenderOptions): SampledFrame {
-        val wish = SuperSampling(factor ?: usual, filter, rate)
-        val obstacle = wish.obstacle(scene, raster) ?: return wish.frame(scene, raster, options)
-        if (factor != null) throw Mistake("--aa $factor: $obstacle; use --aa 1")
-        return SuperSampling(1, filter, rate).frame(scene, raster, options)
+    /** Sets up [scene] for the samples of the pixels of [raster]. [isOpaque] says to ignore translucency. */
+    fun frame(scene: Scene, raster: Raster, options: RenderOptions, isOpaque: Boolean): SampledFrame {
+        val wish = SuperSampling(factor ?: usual, filter)
+        val obstacle = wish.obstacle(scene, raster)
+        if (obstacle != null && factor != null) throw Mistake("--aa $factor: $obstacle; use --aa 1")
+        val sampling = if (obstacle == null) wish else SuperSampling(1, filter)
+        val all = sampling.frame(scene, raster, options)
+        val sampled = if (isOpaque) all.asOpaque() else all
+        if ((rate ?: usualRate) == ShadingRate.SAMPLE) return sampled
+        if (!sampled.frame.hasTranslucency) {
+            return SuperSampling(sampling.factor, filter, ShadingRate.PIXEL).of(sampled.frame)
+        }
+        if (rate == null) return sampled
+        throw Mistake("--shading-rate pixel: the scene is translucent; use --shading-rate sample, or --opaque")
     }
 }

@@ -5,7 +5,6 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
-import dev.lazyz.filter.ShadingRate
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
@@ -43,7 +42,7 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         // Apply the options of sections, axis, camera, shading and lines
         val lineWork = subject.lineWork
         val pointOfView = (if (view == null) subject.pointOfView else subject.pointOfView.from(view))
-            .withDefault(lineWork.projection)
+            .withDefaults(subject.style)
         val cut = loaded.withScene(lineWork.cut(loaded.scene) { streams.warning(it) })
         val upright = try {
             pointOfView.applyTo(cut, subject.up)
@@ -56,17 +55,17 @@ internal class FrameSource(private val subject: Subject, private val streams: St
 
         // The camera is fitted to the whole raster. The picture may be a part of it
         val raster = raster(shaded, loaded)
-        val camera = camera(shaded, raster)
-        if (pointOfView.isPrinted) streams.note(PointOfView.words(camera, subject.up) + "\n")
-        val scene = lineWork.drawnOn(shaded.withViewpoint(camera), subject.translucency)
+        val lit = subject.light.applyTo(
+            shaded.withViewpoint(camera(shaded, raster)), subject.color, input.isModel, subject.loading.limits, options,
+            streams,
+        )
+        if (pointOfView.isPrinted) streams.note(PointOfView.words(lit.viewpoint as Camera, subject.up) + "\n")
+        val scene = lineWork.drawnOn(lit, subject.translucency)
         val region = region(raster)
         streams.progress("setting up ${raster.width}x${raster.height} ...")
-        val sampled = subject.antiAliasing.frame(scene, raster, options).within(region)
         val isOpaque = subject.translucency == Translucency.OPAQUE
-        if (subject.antiAliasing.rate == ShadingRate.PIXEL && sampled.frame.hasTranslucency && !isOpaque) {
-            throw Mistake("--shading-rate pixel: the scene is translucent; use --shading-rate sample, or --opaque")
-        }
-        return Shot(if (isOpaque) sampled.asOpaque() else sampled, subject.background?.gradient)
+        val sampled = subject.antiAliasing.frame(scene, raster, options, isOpaque).within(region)
+        return Shot(sampled, subject.background?.gradient)
     }
 
     /** Returns the colour and the texture that the user chose, or null. */

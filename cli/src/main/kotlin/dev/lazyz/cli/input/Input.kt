@@ -26,6 +26,10 @@ internal class Input(
 
     val isBuiltin: Boolean get() = builtin != null
 
+    /** Whether the input is a model: not a scene whose author chose everything. */
+    val isModel: Boolean
+        get() = builtin == null && (format ?: SceneFormat.ofFileName(word)) != SceneFormat.SCENE
+
     /** The name of the input in messages. */
     val name: String get() = if (isStandardInput) "standard input" else word
 

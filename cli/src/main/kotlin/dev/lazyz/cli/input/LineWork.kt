@@ -11,14 +11,10 @@ import dev.lazyz.sections.Hatching
 import dev.lazyz.sections.Section
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Fit
 import dev.lazyz.world.Material
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Shading
-
-/** Styles of whole pictures. */
-internal enum class DrawingStyle { TECHNICAL }
 
 /** The options of line drawings and section planes; null if the user did not give the option. */
 internal class LineWork(
@@ -28,30 +24,31 @@ internal class LineWork(
     hidden: HiddenLines?,
     width: Double?,
     color: Rgba?,
-    private val style: DrawingStyle?,
+    style: PictureStyle?,
     private val cuts: List<Cut>,
     private val capColor: Rgba?,
 ) {
+    private val isTechnical = style == PictureStyle.TECHNICAL
     private val edges: EdgeStyle?
 
     init {
         if (color != null && color.alpha != 1f) throw Mistake("--edge-color must be opaque")
         if (capColor != null && cuts.isEmpty()) throw Mistake("--cap-color needs --cut")
         if (hasEdges && isWireframe) throw Mistake("--wireframe contains the edges of --edges; use one of them")
-        val isDrawn = hasEdges || isWireframe || style != null
+        val isDrawn = hasEdges || isWireframe || isTechnical
         val given = mapOf(
             "--crease-angle" to creaseAngle, "--hidden-lines" to hidden, "--edge-width" to width,
             "--edge-color" to color,
         )
         val lonely = given.entries.firstOrNull { it.value != null && !isDrawn }
-        if (lonely != null) throw Mistake("${lonely.key} needs --edges, --wireframe or --style")
+        if (lonely != null) throw Mistake("${lonely.key} needs --edges, --wireframe or --style technical")
         edges = if (!isDrawn) {
             null
         } else {
             EdgeStyle(
                 if (isWireframe) EdgeSet.ALL else EdgeSet.FEATURES,
                 creaseAngle ?: FeatureEdges.DEFAULT_CREASE_ANGLE,
-                width ?: if (style == null) 1.0 else TECHNICAL_WIDTH,
+                width ?: if (isTechnical) TECHNICAL_WIDTH else 1.0,
                 color ?: Rgba.BLACK,
                 hidden ?: HiddenLines.NONE,
             )
@@ -70,9 +67,9 @@ internal class LineWork(
     }
 
     private fun cap(material: Material, scene: Scene): Material = when {
-        capColor != null && style != null -> Material(capColor, shading = Shading.CONSTANT)
+        capColor != null && isTechnical -> Material(capColor, shading = Shading.CONSTANT)
         capColor != null -> Section.capColor(material, capColor)
-        style != null -> hatching(scene).material()
+        isTechnical -> hatching(scene).material()
         else -> Section.darkened(material)
     }.withName(CAP)
 
@@ -81,15 +78,11 @@ internal class LineWork(
         return Hatching(if (size > 0.0) size / HATCHES else 1.0, HATCH_SHARE, Rgba.ofRgb(HATCH_COLOR), Rgba.WHITE)
     }
 
-    /** The projection of the style, or null. */
-    val projection: Fit? get() = if (style == null) null else Fit.ORTHOGRAPHIC
-
     /** Returns [scene] with the colours of the style. [isShaded] is whether the user chose a shading. */
-    fun colored(scene: Scene, isShaded: Boolean): Scene = if (style == null) {
-        scene
-    } else {
+    fun colored(scene: Scene, isShaded: Boolean): Scene {
+        if (!isTechnical) return scene
         val shading = if (isShaded) null else Shading.CONSTANT
-        scene.withMaterials { if (it.name == CAP) it else white(it, shading) }.withBackground(Rgba.WHITE)
+        return scene.withMaterials { if (it.name == CAP) it else white(it, shading) }.withBackground(Rgba.WHITE)
     }
 
     private fun white(material: Material, shading: Shading?): Material = Material(
@@ -102,8 +95,7 @@ internal class LineWork(
     fun drawnOn(scene: Scene, translucency: Translucency): Scene {
         if (edges == null) return scene
         val hiding = if (translucency == Translucency.OPAQUE) scene.withMaterials(::opaque) else scene
-        val surfaces = scene.surfaces + EdgeDrawing(hiding.surfaces, edges)
-        return Scene(surfaces, scene.lights, scene.viewpoint, scene.background)
+        return scene.withSurfaces(scene.surfaces + EdgeDrawing(hiding.surfaces, edges))
     }
 
     private fun opaque(material: Material): Material =

@@ -66,11 +66,15 @@ internal class PointOfView(
         return scene.withViewpoint(PlacedViewpoint(viewpoint, placement.withUpAxis(up)))
     }
 
-    /** Returns these options with the projection [kind], unless the user chose one, or a camera that has one. */
-    fun withDefault(kind: Fit?): PointOfView {
-        val isOpen = projection == null && fieldOfView == null && (choice == null || choice == CameraChoice.Fit)
-        if (kind == null || !isOpen) return this
-        return PointOfView(choice, view, azimuth, elevation, kind, margin, zoom, fieldOfView, placement, isPrinted)
+    /** Returns these options with the defaults of [style], unless the user chose otherwise, or another camera. */
+    fun withDefaults(style: PictureStyle?): PointOfView {
+        if (style == null || !(choice == null || choice == CameraChoice.Fit)) return this
+        return PointOfView(
+            choice, view, azimuth, elevation,
+            projection ?: style.projection.takeIf { fieldOfView == null },
+            margin ?: style.margin.takeIf { placement.eye == null },
+            zoom, fieldOfView, placement, isPrinted,
+        )
     }
 
     /** Returns these options with the side [other]. */

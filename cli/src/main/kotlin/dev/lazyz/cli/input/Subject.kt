@@ -36,6 +36,8 @@ internal class Subject(
     val depthConvention: DepthConvention?,
     val pointOfView: PointOfView,
     val lineWork: LineWork,
+    val light: LightChoice,
+    val style: PictureStyle?,
 ) {
     /** Whether an option changes the materials. */
     val changesMaterials: Boolean get() = shading != null || mipFilter != null

@@ -6,8 +6,8 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.cli.input.Cut
-import dev.lazyz.cli.input.DrawingStyle
 import dev.lazyz.cli.input.LineWork
+import dev.lazyz.cli.input.PictureStyle
 import dev.lazyz.drawing.FeatureEdges
 import dev.lazyz.drawing.HiddenLines
 import dev.lazyz.world.Points
@@ -35,13 +35,6 @@ internal class LineOptions : OptionGroup("Lines and sections") {
 
     private val color by option("--edge-color", help = "Colour of edges, opaque; default: black").color()
 
-    private val style by option(
-        "--style",
-        help =
-        "technical: --edges, white surfaces without light, white background, orthographic projection, width 1.5; " +
-            "other options have precedence",
-    ).oneOf("STYLE", DrawingStyle.entries.associateBy { it.name.lowercase() })
-
     private val cuts by option(
         "--cut",
         help =
@@ -56,6 +49,7 @@ internal class LineOptions : OptionGroup("Lines and sections") {
         help = "Colour of cut faces; default: that of the material, darker; with --style technical: hatched",
     ).color()
 
-    /** Returns the lines and planes that the options describe. */
-    fun lineWork() = LineWork(hasEdges, isWireframe, creaseAngle, hidden, width, color, style, cuts, capColor)
+    /** Returns the lines and planes that the options and the [style] describe. */
+    fun lineWork(style: PictureStyle?) =
+        LineWork(hasEdges, isWireframe, creaseAngle, hidden, width, color, style, cuts, capColor)
 }

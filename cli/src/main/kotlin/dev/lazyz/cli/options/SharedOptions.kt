@@ -12,6 +12,7 @@ import dev.lazyz.DepthConvention
 import dev.lazyz.RenderOptions
 import dev.lazyz.Selector
 import dev.lazyz.cli.input.AntiAliasing
+import dev.lazyz.cli.input.PictureStyle
 import dev.lazyz.cli.input.PixelSizes
 import dev.lazyz.cli.input.Placement
 import dev.lazyz.cli.input.PointOfView
@@ -29,8 +30,6 @@ import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Points
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Shading
-import dev.lazyz.world.ToneCurve
-import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.UpAxis
 import java.nio.file.Path
 
@@ -43,37 +42,46 @@ internal const val INPUT_HELP: String =
  * Returns the subject that the options describe for [input].
  *
  * @param usualSamples samples a pixel in each direction if the user does not choose
+ * @param isSelected whether a pixel shows other fragments than the nearest
  */
 internal fun subject(
     input: String,
     reading: ReadingOptions,
     limits: LimitOptions,
     picture: PictureOptions,
+    light: LightOptions,
     camera: CameraOptions,
     lines: LineOptions,
     usualSamples: Int,
-): Subject =
-    Subject(
+    isSelected: Boolean = false,
+): Subject {
+    val style = picture.style
+    val lightChoice = light.choice(style)
+    val usualRate = if (lightChoice.hasOcclusion && !isSelected) ShadingRate.PIXEL else ShadingRate.SAMPLE
+    return Subject(
         input = input,
         format = reading.format,
         loading = LoadOptions(limits.limits(), reading.animationTime),
         up = reading.up,
         size = picture.size,
         region = picture.region,
-        antiAliasing = picture.antiAliasing(usualSamples),
+        antiAliasing = picture.antiAliasing(usualSamples, usualRate),
         background = picture.background,
         color = picture.color,
         texture = picture.texture,
         shading = picture.shading,
-        toneCurve = picture.toneCurve,
-        exposure = picture.exposure,
+        toneCurve = light.toneCurve,
+        exposure = light.exposure,
         mipFilter = picture.mipFilter,
         sizes = PixelSizes(picture.pointSize, picture.lineWidth),
         translucency = if (picture.isOpaque) Translucency.OPAQUE else Translucency.BLENDED,
         depthConvention = picture.depthConvention,
         pointOfView = camera.pointOfView(),
-        lineWork = lines.lineWork(),
+        lineWork = lines.lineWork(style),
+        light = lightChoice,
+        style = style,
     )
+}
 
 /** The option `--classpath`. */
 internal fun ParameterHolder.classPath() = option(
@@ -126,8 +134,8 @@ internal class PictureOptions : OptionGroup("Picture") {
     val shadingRate by option(
         "--shading-rate",
         help = "Shade at every visible sample, or once for each primitive in a pixel, for expensive shaders: sample " +
-            "or pixel; default: sample",
-    ).oneOf("RATE", ShadingRate.entries.associateBy { it.name.lowercase() }).default(ShadingRate.SAMPLE)
+            "or pixel; default: sample, or pixel with --ambient-occlusion if that is possible",
+    ).oneOf("RATE", ShadingRate.entries.associateBy { it.name.lowercase() })
 
     val background by option(
         "--background",
@@ -145,17 +153,6 @@ internal class PictureOptions : OptionGroup("Picture") {
 
     val shading by option("--shading", help = "Replace the shading of all materials: ${names(shadings.keys)}")
         .oneOf("SHADING", shadings)
-
-    val toneCurve by option(
-        "--tone-map",
-        help = "How bright light is compressed: ${names(toneCurves.keys)}; default: the scene file's, neutral for " +
-            "scenes with metallic-roughness materials, or none",
-    ).oneOf("CURVE", toneCurves)
-
-    val exposure by option(
-        "--exposure",
-        help = "Brighten by this number of stops, -20..20: 1 doubles the light; default: the scene file's, or 0",
-    ).number("EV", -ToneMapping.MAX_EXPOSURE..ToneMapping.MAX_EXPOSURE, " stops")
 
     val mipFilter by option(
         "--texture-filter",
@@ -184,7 +181,14 @@ internal class PictureOptions : OptionGroup("Picture") {
         ),
     )
 
-    fun antiAliasing(usual: Int) = AntiAliasing(samples, usual, filter, shadingRate)
+    val style by option(
+        "--style",
+        help = "Defaults for whole pictures. product: for a shop, with --ambient-occlusion, --ground-shadow and a " +
+            "wide margin; technical: --edges, white surfaces without light, white background, orthographic",
+    ).oneOf("STYLE", PictureStyle.entries.associateBy { it.name.lowercase() })
+
+    fun antiAliasing(usual: Int, usualRate: ShadingRate) =
+        AntiAliasing(samples, usual, filter, shadingRate, usualRate)
 }
 
 /** Options of the camera. */
@@ -283,12 +287,11 @@ private val formats = SceneFormat.entries.associateBy { it.id }
 
 private val upAxes = UpAxis.entries.associateBy { it.id }
 
-private val toneCurves = ToneCurve.entries.associateBy { it.name.lowercase() }
-
 private val filters = PixelFilter.entries.associateBy { it.name.lowercase().replace('_', '-') }
 
 private val mipFilters = MipFilter.entries.associateBy { it.name.lowercase() }
 
 private val shadings = Shading.entries.associateBy { it.name.lowercase().replace('_', '-') }
 
-private fun names(all: Collection<String>): String = all.toList().dropLast(1).joinToString() + " or " + all.last()
+/** Returns a list of words for a help text. */
+internal fun names(all: Collection<String>): String = all.toList().dropLast(1).joinToString() + " or " + all.last()

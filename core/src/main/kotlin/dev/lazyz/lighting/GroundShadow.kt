@@ -1,0 +1,109 @@
+package dev.lazyz.lighting
+
+import dev.lazyz.Primitive
+import dev.lazyz.RenderOptions
+import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.Vectors
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Projection
+import dev.lazyz.world.Scene
+import dev.lazyz.world.SetUp
+import dev.lazyz.world.Sides
+import dev.lazyz.world.Surface
+import org.joml.Vector3dc
+
+/**
+ * The soft shadow of a scene on level ground below it: a square at the lowest point that darkens the background where
+ * the scene hides the sky, and is not visible otherwise. Add it to the scene as its last surface, with a camera from
+ * [camera], between whose planes it is.
+ *
+ * ```
+ * val shadow = GroundShadow.of(scene)
+ * val camera = shadow.camera(scene.camera(640, 480))
+ * val picture = scene.withSurfaces(scene.surfaces + shadow).withViewpoint(camera)
+ * ```
+ *
+ * The shadow is blended with the background of the raster, so it needs no renderer that blends. In front of a
+ * transparent background, it is black with the alpha of the shadow. It has a depth and a submission index like all
+ * surfaces. Seen from below, it is not drawn. Cameras that fit a scene ignore it. Compute it for the scene as it stands
+ * up: a scene that contains it cannot be rotated.
+ *
+ * The same surfaces as in [AmbientOcclusion] hide the sky. The arithmetic is strict, too.
+ *
+ * Cost: as that of an [AmbientOcclusion] with 64 directions; a sample of the ground costs about as much as a texture.
+ * Memory: 256 KiB. Immutable and thread safe.
+ *
+ * @property strength how dark the deepest shadow is: 0 for no shadow, 1 for black
+ */
+public class GroundShadow private constructor(
+    private val grid: ShadowGrid,
+    private val center: Vector3dc,
+    private val reach: Double,
+    public val strength: Float,
+) : Surface {
+    /** Null: cameras that fit a scene, and its box, ignore the shadow. */
+    override val bounds: Box? get() = null
+
+    /**
+     * Returns [camera] with a near and a far plane between which the shadow is, as far as it is before the camera. The
+     * picture of the scene stays the same, its depths change.
+     */
+    public fun camera(camera: Camera): Camera {
+        val middle = Vectors.dot(Vectors.minus(center, camera.eye), camera.toWorldDirection(0.0, 0.0, -1.0))
+        val radius = StrictMath.sqrt(2.0) * reach
+        val isPerspective = camera.projection is Projection.Perspective
+        val nearest = if (isPerspective) maxOf(middle - radius, camera.near * NEAREST) else middle - radius
+        return camera.withPlanes(minOf(camera.near, nearest), maxOf(camera.far, middle + radius))
+    }
+
+    override fun primitives(setUp: SetUp): Sequence<Primitive> {
+        val r = reach.toFloat()
+        val corners = floatArrayOf(-r, 0f, r, r, 0f, r, r, 0f, -r, -r, 0f, -r)
+        val material = Material(shader = GroundShader(grid, strength, setUp.raster.background), sides = Sides.FRONT)
+        return setUp.mesh(Mesh(corners, intArrayOf(0, 1, 2, 0, 2, 3), material, origin = center))
+    }
+
+    override fun toString(): String = "GroundShadow($strength)"
+
+    public companion object {
+        /** The strength if the caller does not choose. */
+        public const val DEFAULT_STRENGTH: Float = 0.6f
+
+        private const val DIRECTIONS = 64
+        private const val SIZE = 256
+
+        /** How far the shadow can reach beyond the scene, as a multiple of the scene's height. */
+        private const val SPREAD = 1.0
+
+        /** How near to the eye the near plane may come, compared with that of the camera. */
+        private const val NEAREST = 0.125
+
+        /**
+         * Computes the shadow of [scene].
+         *
+         * @param strength how dark the deepest shadow is, 0..1
+         * @param options [RenderOptions.threads] and [RenderOptions.executor] are used, the others are not
+         * @throws IllegalArgumentException if [strength] is out of range, the scene is empty, or its camera's
+         *   projection is [Projection.Screen]
+         */
+        @JvmStatic
+        @JvmOverloads
+        @Throws(InterruptedException::class)
+        public fun of(
+            scene: Scene,
+            strength: Float = DEFAULT_STRENGTH,
+            options: RenderOptions = RenderOptions(),
+        ): GroundShadow {
+            require(strength in 0f..1f) { "strength of a shadow must be in 0..1: $strength" }
+            val occluders = Occluders(scene)
+            val box = occluders.box
+            val center = box.center.also { it.y = box.minY }
+            val reach = maxOf(box.maxX - box.minX, box.maxZ - box.minZ) / 2 + SPREAD * (box.maxY - box.minY)
+            val maps = occluders.maps(SphereDirections.above(DIRECTIONS), SIZE, options)
+            val grid = ShadowGrid(maps, Vectors.minus(center, occluders.origin), reach)
+            return GroundShadow(grid, center, reach, strength)
+        }
+    }
+}

@@ -1,0 +1,120 @@
+package dev.lazyz.lighting
+
+import dev.lazyz.Rgba
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
+import kotlin.math.sqrt
+
+/**
+ * Chooses the light for scenes with dark materials, like the exposure meter of a camera.
+ *
+ * The mean luminance of the lit meshes is measured: base colour, texture and vertex colours in the middle of each
+ * triangle, weighted by area; of large meshes, of every n-th triangle. If it is below that of middle grey, the light is
+ * increased, but less than the colours are darker: black stays darker than grey. The camera has no effect, so the
+ * pictures of a turntable have the same light.
+ */
+public object LightMeter {
+    /** The reflectance of middle grey. Scenes that are as bright or brighter need no more light. */
+    public const val MIDDLE_GREY: Float = 0.18f
+
+    /** The largest result of [intensity]. */
+    public const val MAX_INTENSITY: Float = 3f
+
+    /**
+     * Returns the factor of all light that makes [scene] legible, 1..[MAX_INTENSITY], for [Scene.withLightIntensity]:
+     * the square root of [MIDDLE_GREY] / luminance. 1 if no mesh is lit. Cost: at most [MOST_TRIANGLES] triangles of
+     * each mesh.
+     */
+    @JvmStatic
+    public fun intensity(scene: Scene): Float {
+        var light = 0.0
+        var area = 0.0
+        for (surface in scene.surfaces) {
+            val material = (surface as? Mesh)?.material ?: continue
+            if (material.shading == Shading.CONSTANT || material.shader != null) continue
+            measure(surface) { itsArea, luminance ->
+                area += itsArea
+                light += itsArea * luminance
+            }
+        }
+        if (!(area > 0.0) || light >= MIDDLE_GREY * area) return 1f
+        return minOf(StrictMath.sqrt(MIDDLE_GREY * area / light), MAX_INTENSITY.toDouble()).toFloat()
+    }
+
+    private inline fun measure(mesh: Mesh, use: (area: Double, luminance: Float) -> Unit) {
+        val step = (mesh.triangleCount + MOST_TRIANGLES - 1) / MOST_TRIANGLES
+        if (step == 0) return
+        val color = FloatArray(4)
+        for (triangle in 0 until mesh.triangleCount step step) {
+            val area = area(mesh, triangle)
+            if (!(area > 0.0 && area < Double.POSITIVE_INFINITY)) continue
+            color(mesh, triangle, color)
+            val luminance = luminance(color)
+            if (luminance >= 0f && luminance < Float.POSITIVE_INFINITY) use(area, luminance)
+        }
+    }
+
+    /** Twice the area of a triangle. */
+    private fun area(mesh: Mesh, triangle: Int): Double {
+        val p = mesh.positions
+        val a = 3 * mesh.triangles[3 * triangle]
+        val b = 3 * mesh.triangles[3 * triangle + 1]
+        val c = 3 * mesh.triangles[3 * triangle + 2]
+        val ux = p[b].toDouble() - p[a]
+        val uy = p[b + 1].toDouble() - p[a + 1]
+        val uz = p[b + 2].toDouble() - p[a + 2]
+        val vx = p[c].toDouble() - p[a]
+        val vy = p[c + 1].toDouble() - p[a + 1]
+        val vz = p[c + 2].toDouble() - p[a + 2]
+        val x = uy * vz - uz * vy
+        val y = uz * vx - ux * vz
+        val z = ux * vy - uy * vx
+        return sqrt(x * x + y * y + z * z)
+    }
+
+    /** Stores the colour in the middle of a triangle in [out]. */
+    private fun color(mesh: Mesh, triangle: Int, out: FloatArray) {
+        val material = mesh.material
+        out.fill(1f)
+        val map = material.textureMap
+        val uvs = if (map == null) {
+            null
+        } else if (map.uvSet == 0) {
+            mesh.uvs
+        } else {
+            mesh.uvs2
+        }
+        if (map != null && uvs != null) {
+            val u = mean(mesh, triangle, uvs, 2, 0)
+            val v = mean(mesh, triangle, uvs, 2, 1)
+            map.texture.sample(map.transform.u(u, v), map.transform.v(u, v), out)
+        }
+        val colors = mesh.colors
+        for (k in 0 until 3) {
+            out[k] *= component(material.baseColor, k)
+            if (colors != null) out[k] *= mean(mesh, triangle, colors, 4, k)
+        }
+    }
+
+    private fun mean(mesh: Mesh, triangle: Int, values: FloatArray, stride: Int, place: Int): Float {
+        val corners = mesh.triangles
+        val at = 3 * triangle
+        return (
+            values[stride * corners[at] + place] + values[stride * corners[at + 1] + place] +
+                values[stride * corners[at + 2] + place]
+            ) / 3f
+    }
+
+    private fun component(color: Rgba, k: Int): Float = when (k) {
+        0 -> color.red
+        1 -> color.green
+        else -> color.blue
+    }
+
+    /** Relative luminance of linear light, ITU-R BT.709. */
+    private fun luminance(color: FloatArray): Float = 0.2126f * color[0] + 0.7152f * color[1] + 0.0722f * color[2]
+
+    private const val MOST_TRIANGLES = 65_536
+}

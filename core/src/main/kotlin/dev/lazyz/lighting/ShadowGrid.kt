@@ -1,0 +1,86 @@
+package dev.lazyz.lighting
+
+import org.joml.Vector3dc
+
+/**
+ * How dark level ground is around a scene, on a square grid: the part of the [maps] from which no light arrives. It is
+ * blurred so that the edges of single shadows do not show, and fades toward the border. Immutable and thread safe.
+ * Memory: 4 bytes a node.
+ *
+ * @param maps the light
+ * @param center middle of the grid, relative to the origin of the [maps], world units
+ * @param reach half of the side of the grid, world units
+ */
+internal class ShadowGrid(private val maps: List<DistanceMap>, center: Vector3dc, reach: Double) {
+    private val centerX = center.x().toFloat()
+    private val centerZ = center.z().toFloat()
+    private val reach = reach.toFloat()
+    private val shadows: FloatArray
+
+    init {
+        val y = center.y().toFloat()
+        val raw = FloatArray(NODES * NODES)
+        for (row in 0 until NODES) {
+            val v = place(row)
+            for (column in 0 until NODES) {
+                val u = place(column)
+                raw[row * NODES + column] =
+                    fade(u) * fade(v) * hidden(centerX + this.reach * u, y, centerZ + this.reach * v)
+            }
+        }
+        shadows = blurred(blurred(raw))
+    }
+
+    /** Returns 1 in the middle, and 0 at the borders -1 and 1. */
+    private fun fade(place: Float): Float = (1f - place * place) * (1f - place * place)
+
+    private fun hidden(x: Float, y: Float, z: Float): Float {
+        var open = 0f
+        for (map in maps) open += map.openness(x, y, z)
+        return 1f - open / maps.size
+    }
+
+    /** Returns where a node is, -1..1. */
+    private fun place(number: Int): Float = (2 * number + 1 - NODES) / (NODES - 1f)
+
+    /** Returns the grid blurred along its rows and transposed. */
+    private fun blurred(values: FloatArray): FloatArray {
+        val result = FloatArray(NODES * NODES)
+        for (row in 0 until NODES) {
+            for (column in 0 until NODES) {
+                var sum = 0f
+                for (k in -RADIUS..RADIUS) {
+                    val at = minOf(maxOf(column + k, 0), NODES - 1)
+                    sum += WEIGHTS[k + RADIUS] * values[row * NODES + at]
+                }
+                result[column * NODES + row] = sum
+            }
+        }
+        return result
+    }
+
+    /** Returns how dark the ground is at a point, 0..1; 0 beyond the grid. */
+    fun at(x: Float, z: Float): Float {
+        val column = ((x - centerX) / reach + 1f) * HALF
+        val row = ((z - centerZ) / reach + 1f) * HALF
+        if (!(column >= 0f && row >= 0f && column < NODES - 1 && row < NODES - 1)) return 0f
+        val left = column.toInt()
+        val top = row.toInt()
+        val right = column - left
+        val down = row - top
+        val at = top * NODES + left
+        val upper = shadows[at] * (1f - right) + shadows[at + 1] * right
+        val lower = shadows[at + NODES] * (1f - right) + shadows[at + NODES + 1] * right
+        return upper * (1f - down) + lower * down
+    }
+
+    private companion object {
+        /** Nodes of a side. */
+        const val NODES = 256
+        const val HALF = (NODES - 1) / 2f
+
+        /** Weights of the blur, nodes to each side: a sum of 1. */
+        const val RADIUS = 4
+        val WEIGHTS = floatArrayOf(1f, 8f, 28f, 56f, 70f, 56f, 28f, 8f, 1f).map { it / 256f }.toFloatArray()
+    }
+}

@@ -1,0 +1,19 @@
+package dev.lazyz.world
+
+/**
+ * How much of the light from all sides reaches a point. [Scene.withAmbientVisibility] multiplies ambient light and the
+ * [Environment] by it, like an [OcclusionMap] (contract rule 6.13). `AmbientOcclusion` computes it from the shapes of a
+ * scene.
+ *
+ * Must be a pure function with the arithmetic of contract rule 6.3, and thread safe: it is called for each shaded
+ * sample, by any thread, in any order.
+ */
+public fun interface AmbientVisibility {
+    /**
+     * Returns the part of the light that reaches a point, 0..1.
+     *
+     * @param x the point in world space, relative to [Scene.origin]; likewise [y] and [z]
+     * @param normalX the normal at the point, unit length, on the viewer's side; likewise [normalY] and [normalZ]
+     */
+    public fun at(x: Float, y: Float, z: Float, normalX: Float, normalY: Float, normalZ: Float): Float
+}
