@@ -37,7 +37,9 @@ internal class Occluders(scene: Scene) {
             "a scene given on the screen has no shadows"
         }
         val diagonal = Vector3d(box.maxX - box.minX, box.maxY - box.minY, box.maxZ - box.minZ)
-        radius = maxOf(StrictMath.sqrt(Vectors.dot(diagonal, diagonal)) / 2, LEAST_RADIUS)
+        val center = box.center
+        val away = StrictMath.sqrt(Vectors.dot(center, center))
+        radius = maxOf(StrictMath.sqrt(Vectors.dot(diagonal, diagonal)) / 2, LEAST_SHARE * away, LEAST_RADIUS)
     }
 
     private fun hidesLight(surface: Surface): Boolean =
@@ -60,5 +62,8 @@ internal class Occluders(scene: Scene) {
     private companion object {
         /** World units; the numbers of smaller scenes would not fit into single precision. */
         const val LEAST_RADIUS = 1e-30
+
+        /** Likewise, compared with the distance from the world's origin. */
+        const val LEAST_SHARE = 1e-9
     }
 }

@@ -27,7 +27,7 @@ class PhysicalLightingTest {
 
     /** The linear colour of a point at the world's origin. */
     private fun seen(material: Material, vararg lights: Light, environment: Environment = Environment.NONE): Rgba {
-        val light = SceneLight(lights.toList(), lights.toList(), environment, ToneMapping.NONE)
+        val light = SceneLight(lights.toList(), lights.toList(), environment, ToneMapping.NONE, null)
         val fragment = Fragment()
         fragment.normalX = 2f * normal.x.toFloat()
         fragment.normalY = 2f * normal.y.toFloat()

@@ -1,0 +1,219 @@
+package dev.lazyz.lighting
+
+import dev.lazyz.Frame
+import dev.lazyz.RenderOptions
+import dev.lazyz.Rgba
+import dev.lazyz.strategies.Renderers
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.AlphaMode
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Environment
+import dev.lazyz.world.Light
+import dev.lazyz.world.Material
+import dev.lazyz.world.Mesh
+import dev.lazyz.world.Points
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Surface
+import dev.lazyz.world.ToneMapping
+import kotlin.math.abs
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Contract rule 6.13, and how near the visibility is to what geometry says. */
+class AmbientOcclusionTest {
+    /** A level square at height [y], from -[half] to [half]. */
+    private fun floor(half: Float, y: Float = 0f, material: Material = Material(), origin: Vector3d = Vector3d()) = Mesh(
+        floatArrayOf(-half, y, half, half, y, half, half, y, -half, -half, y, -half),
+        intArrayOf(0, 1, 2, 0, 2, 3), material, origin = origin,
+    )
+
+    /** A square along the y axis, through x = 0. */
+    private fun wall(half: Float) = Mesh(
+        floatArrayOf(0f, -half, half, 0f, half, half, 0f, half, -half, 0f, -half, -half),
+        intArrayOf(0, 1, 2, 0, 2, 3),
+    )
+
+    private fun upward(surfaces: List<Surface>, x: Float, y: Float, z: Float, directions: Int = 512, size: Int = 256) =
+        AmbientOcclusion.of(Scene(surfaces), directions, size).at(x, y, z, 0f, 1f, 0f)
+
+    @Test
+    fun nothingHidesALevelFloor() {
+        val occlusion = AmbientOcclusion.of(Scene(listOf(floor(1f))))
+        for (x in -9..9) for (z in -9..9) assertEquals(1f, occlusion.at(x / 10f, 0f, z / 10f, 0f, 1f, 0f))
+    }
+
+    @Test
+    fun aSphereDoesNotHideItself() {
+        for (radius in listOf(1e-9, 1.0, 1e12)) {
+            val occlusion = AmbientOcclusion.of(Scene(listOf(Sphere(Vector3d(), radius, Material()))))
+            for (n in SphereDirections.everywhere(50)) {
+                val x = n.x.toFloat()
+                val y = n.y.toFloat()
+                val z = n.z.toFloat()
+                val r = radius.toFloat()
+                assertTrue(occlusion.at(x * r, y * r, z * r, x, y, z) > 0.98f) { "radius $radius, $n" }
+            }
+        }
+    }
+
+    /** A point next to a wall sees half of the sky. */
+    @Test
+    fun aHighWallHidesHalfOfTheSky() {
+        val seen = upward(listOf(floor(0.1f), wall(10f)), 0.5f, 0f, 0f)
+        assertEquals(0.5f, seen, 0.03f)
+    }
+
+    /** The part of Lambert's light that comes from a sphere straight above is (radius / distance)^2. */
+    @Test
+    fun aSphereAboveHidesWhatItsFormFactorSays() {
+        for (height in listOf(1.5, 2.0, 3.0)) {
+            val sphere = Sphere(Vector3d(0.0, height, 0.0), 1.0, Material())
+            val seen = upward(listOf(floor(2f), sphere), 0f, 0f, 0f, directions = 1024)
+            assertEquals(1.0 - 1.0 / (height * height), seen.toDouble(), 0.02) { "height $height" }
+        }
+    }
+
+    @Test
+    fun nothingReachesTheInsideOfASphere() {
+        val outer = Sphere(Vector3d(), 10.0, Material())
+        assertTrue(upward(listOf(outer, floor(1f)), 0f, 0f, 0f) == 0f)
+    }
+
+    @Test
+    fun translucentSurfacesPointsAndMissingSurfacesHideNothing() {
+        val glass = floor(10f, y = 1f, Material(Rgba(1f, 1f, 1f, 0.5f), alphaMode = AlphaMode.BLEND))
+        val points = Points(floatArrayOf(0f, 1f, 0f, 0.1f, 1f, 0f), 500.0)
+        assertEquals(1f, upward(listOf(floor(1f), glass, points), 0f, 0f, 0f))
+        assertEquals(0f, upward(listOf(floor(1f), floor(20f, y = 0.5f)), 0f, 0f, 0f), 0.02f)
+    }
+
+    /** Points are relative to the scene's origin, so that they are exact far from the world's. */
+    @Test
+    fun farFromTheOriginItIsTheSame() {
+        val near = listOf(floor(1f), floor(0.5f, y = 0.5f))
+        val there = Vector3d(1e7, -2e7, 3e7)
+        val far = listOf(floor(1f, origin = there), floor(0.5f, y = 0.5f, origin = there))
+        for (x in listOf(-0.8f, 0f, 0.6f)) {
+            assertEquals(upward(near, x, 0f, 0.1f), upward(far, x, 0f, 0.1f), 0.01f)
+        }
+    }
+
+    @Test
+    fun rule_6_13_theNumberOfThreadsHasNoEffect() {
+        val scene = Scene(listOf(floor(1f), Sphere(Vector3d(0.1, 0.5, 0.2), 0.4, Material())))
+        val all = listOf(1, 2, 7).map { AmbientOcclusion.of(scene, 64, 64, RenderOptions(threads = it)) }
+        for (x in -20..20) {
+            val seen = all.map { it.at(x / 20f, 0f, 0.1f, 0.1f, 0.99f, 0.05f).toRawBits() }
+            assertEquals(1, seen.toSet().size)
+        }
+    }
+
+    private fun scene(material: Material): Scene {
+        val surfaces = listOf(
+            floor(1f, material = material), Sphere(Vector3d(0.1, 0.5, 0.2), 0.4, material),
+            Sphere(Vector3d(-0.5, 0.2, 0.2), 0.2, material),
+        )
+        return Scene(surfaces, viewpoint = Camera.fit(20.0, 30.0)).let {
+            it.withAmbientVisibility(AmbientOcclusion.of(it, 32, 64))
+        }
+    }
+
+    @Test
+    fun rule_6_13_allRenderersGiveTheSamePicture() {
+        val lit = scene(Material(Rgba(0.8f, 0.5f, 0.3f)).asMetallicRoughness())
+        val shadow = GroundShadow.of(lit)
+        val camera = shadow.camera(lit.camera(120, 90))
+        val frame = lit.withSurfaces(lit.surfaces + shadow).withViewpoint(camera).frame(120, 90)
+        val expected = ZBuffer().render(frame)
+        for (renderer in Renderers.builtIn) assertEquals(expected, renderer.render(frame)) { renderer.id }
+        assertNotEquals(expected, ZBuffer().render(lit.withAmbientVisibility(null).frame(120, 90)))
+    }
+
+    /** Ambient light is multiplied by the visibility; other light is not. */
+    @Test
+    fun rule_6_13_classicalMaterialsLoseAmbientLight() {
+        val half = { _: Float, _: Float, _: Float, _: Float, _: Float, _: Float -> 0.5f }
+        val light = listOf(Light.Ambient(Rgba(0.4f, 0.2f, 0.8f)), Light.Directional(Vector3d(0.0, -1.0, 0.0), GREY))
+        for (shading in Shading.entries) {
+            val material = Material(shading = shading)
+            val scene = Scene(listOf(floor(1f, material = material)), light, Camera.fit(0.0, 90.0))
+            val seen = color(scene.withAmbientVisibility(half).frame(9, 9))
+            val expected = if (shading == Shading.CONSTANT) Rgba.WHITE else Rgba(0.45f, 0.35f, 0.65f)
+            assertEquals(expected.toArgb(), seen) { "$shading" }
+        }
+    }
+
+    /** A black surface reflects nothing into hollows; a white one so much that they are hardly darker. */
+    @Test
+    fun rule_6_13_lightIsReflectedIntoHollows() {
+        fun factor(albedo: Float, open: Float): Double {
+            val material = Material(Rgba(albedo, albedo, albedo)).asMetallicRoughness()
+            val scene = Scene(listOf(floor(1f, material = material)), listOf(Light.Ambient(GREY)), Camera.fit(0.0, 90.0))
+                .withEnvironment(Environment.NONE).withToneMapping(ToneMapping.NONE)
+            val frames = listOf(scene, scene.withAmbientVisibility { _, _, _, _, _, _ -> open })
+            val (all, part) = frames.map { Rgba.ofArgb(color(it.frame(9, 9))).red.toDouble() }
+            return part / all
+        }
+        for (open in listOf(0.2f, 0.5f, 0.8f)) {
+            val factors = listOf(0.05f, 0.3f, 0.6f, 0.9f).map { factor(it, open) }
+            assertEquals(factors.sorted(), factors) { "brighter walls reflect more" }
+            assertTrue(factors.all { it in open - 0.02..1.0 }) { "$factors" }
+        }
+
+        // The published formula: a cubic in the openness, for an albedo of 0.9
+        val formula = ((0.5 * (2.0404 * 0.9 - 0.3324) - 4.7951 * 0.9 + 0.6417) * 0.5 + 2.7552 * 0.9 + 0.6903) * 0.5
+        assertTrue(abs(factor(0.9f, 0.5f) - formula) < 0.03) { "$formula" }
+    }
+
+    private fun color(frame: Frame): Int = ZBuffer().render(frame).argb(4, 4)
+
+    @Test
+    fun whatCannotBeComputedIsRefused() {
+        val scene = Scene(listOf(floor(1f)))
+        assertThrows(IllegalArgumentException::class.java) { AmbientOcclusion.of(scene, directions = 7) }
+        assertThrows(IllegalArgumentException::class.java) { AmbientOcclusion.of(scene, size = 4097) }
+        assertThrows(IllegalArgumentException::class.java) { AmbientOcclusion.of(Scene(emptyList())) }
+        assertThrows(IllegalArgumentException::class.java) {
+            AmbientOcclusion.of(scene.withViewpoint(Camera.screen()))
+        }
+    }
+
+    /** A scene without height or width, and a single point, have shadows of nothing. */
+    @Test
+    fun flatScenesAreComputed() {
+        val flat = listOf(floor(1f), wall(1f), Points(floatArrayOf(1f, 2f, 3f)), floor(0f))
+        for (surface in flat) {
+            val scene = Scene(listOf(surface))
+            val seen = AmbientOcclusion.of(scene, 16, 16).at(0f, 0f, 0f, 0f, 1f, 0f)
+            assertTrue(seen in 0f..1f) { "$surface: $seen" }
+            val shadow = GroundShadow.of(scene)
+            val camera = shadow.camera(scene.camera(20, 20))
+            ZBuffer().render(scene.withSurfaces(listOf(surface, shadow)).withViewpoint(camera).frame(20, 20))
+        }
+    }
+
+    @Test
+    fun directionsAreUnitVectorsInAllParts() {
+        val all = SphereDirections.everywhere(200)
+        assertTrue(all.all { abs(it.length() - 1.0) < 1e-12 })
+        val mean = all.fold(Vector3d()) { sum, it -> sum.add(it) }.div(200.0)
+        assertTrue(mean.length() < 0.01) { "$mean" }
+        val above = SphereDirections.above(200)
+        assertTrue(above.all { it.y > 0.0 })
+
+        // The mean height of a density proportional to y^3 is 4/5
+        assertEquals(0.8, above.sumOf { it.y } / 200, 0.005)
+        assertArrayEquals(doubleArrayOf(0.0, 0.0), doubleArrayOf(above.sumOf { it.x }, above.sumOf { it.z }), 2.0)
+    }
+
+    private companion object {
+        val GREY = Rgba(0.25f, 0.25f, 0.25f)
+    }
+}

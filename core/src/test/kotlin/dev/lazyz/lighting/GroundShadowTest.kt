@@ -1,0 +1,119 @@
+package dev.lazyz.lighting
+
+import dev.lazyz.Image
+import dev.lazyz.Raster
+import dev.lazyz.Rgba
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Fit
+import dev.lazyz.world.Material
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Sphere
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class GroundShadowTest {
+    /** A ball that floats above its ground, which a second ball determines. */
+    private val scene = Scene(
+        listOf(Sphere(Vector3d(0.0, 2.0, 0.0), 1.0, Material()), Sphere(Vector3d(0.0, 0.1, 0.0), 0.1, Material())),
+    )
+
+    private fun picture(scene: Scene, viewpoint: Camera, background: Rgba, strength: Float = 0.6f): Image {
+        val shadow = GroundShadow.of(scene, strength)
+        val all = scene.withSurfaces(scene.surfaces + shadow).withViewpoint(shadow.camera(viewpoint))
+        return ZBuffer().render(all.frame(Raster(80, 60, background)))
+    }
+
+    private val fromAbove = Camera.fit(0.0, 30.0, zoom = 0.6).camera(scene, 80.0 / 60.0)
+
+    /** Rows from the horizon down at which the ground is seen, in the column [x]. */
+    private fun ground(image: Image, x: Int) = (0 until 60).filter { image.primitive(x, it) >= 2 }
+
+    @Test
+    fun theGroundIsDarkestBelowTheSceneAndFadesToTheBackground() {
+        val image = picture(scene, Camera.fit(0.0, 30.0, zoom = 0.2).camera(scene, 80.0 / 60.0), Rgba.WHITE)
+        val middle = ground(image, 40)
+        assertTrue(middle.isNotEmpty())
+        assertTrue(image.argb.all { it ushr 24 == 0xFF })
+        val darkest = middle.minOf { image.argb(40, it) and 0xFF }
+        assertTrue(darkest < 225) { "darkest $darkest" }
+
+        // Beside the balls, both ends of each column are borders
+        for (x in 0..30) {
+            for (y in ground(image, x).let { listOfNotNull(it.firstOrNull(), it.lastOrNull()) }) {
+                assertTrue(image.argb(x, y) and 0xFF > 250) { "border of the ground at ($x, $y)" }
+            }
+        }
+    }
+
+    @Test
+    fun strengthScalesTheShadow() {
+        assertTrue(ground(picture(scene, fromAbove, Rgba.WHITE), 40).isNotEmpty())
+        val none = picture(scene, fromAbove, Rgba.WHITE, 0f)
+        assertTrue((0 until 80).all { x -> ground(none, x).all { none.argb(x, it) == -1 } })
+        val weak = picture(scene, fromAbove, Rgba.WHITE, 0.3f)
+        val strong = picture(scene, fromAbove, Rgba.WHITE, 1f)
+        assertTrue(strong.argb.indices.all { strong.argb[it] and 0xFF <= weak.argb[it] and 0xFF })
+        assertThrows(IllegalArgumentException::class.java) { GroundShadow.of(scene, 1.01f) }
+    }
+
+    /** Black with alpha over a colour gives what is rendered in front of the colour. */
+    @Test
+    fun transparentBackgroundsGetTheShadowAsAlpha() {
+        val color = Rgba(0.3f, 0.6f, 0.9f)
+        val opaque = picture(scene, fromAbove, color)
+        val clear = picture(scene, fromAbove, Rgba.TRANSPARENT)
+        val half = picture(scene, fromAbove, color.withAlpha(0.5f))
+        for (x in 0 until 80) {
+            for (y in ground(clear, x)) {
+                assertEquals(0, clear.argb(x, y) and 0xFFFFFF)
+                val shadow = (clear.argb(x, y) ushr 24) / 255f
+                assertEquals(color.scaled(1f - shadow).blue, Rgba.ofArgb(opaque.argb(x, y)).blue, 0.012f)
+                assertEquals(shadow + 0.5f * (1f - shadow), (half.argb(x, y) ushr 24) / 255f, 0.006f)
+            }
+        }
+    }
+
+    @Test
+    fun theSceneItselfStaysAsItIs() {
+        val with = picture(scene, fromAbove, Rgba.WHITE)
+        val without = ZBuffer().render(scene.withViewpoint(fromAbove).frame(80, 60))
+        for (i in without.argb.indices) if (without.primitive[i] >= 0) assertEquals(without.argb[i], with.argb[i])
+        assertEquals(without.primitive.count { it >= 0 }, with.primitive.count { it in 0..1 })
+    }
+
+    @Test
+    fun fromBelowThereIsNoGround() {
+        val camera = Camera.fit(0.0, -20.0).camera(scene, 80.0 / 60.0)
+        assertTrue(picture(scene, camera, Rgba.WHITE).primitive.none { it >= 2 })
+    }
+
+    /** The planes of a fitted camera touch the scene; the shadow reaches farther. */
+    @Test
+    fun theWholeShadowIsBetweenThePlanes() {
+        for (kind in Fit.entries) {
+            for (elevation in listOf(5.0, 45.0, 90.0)) {
+                val camera = Camera.fit(0.0, elevation, zoom = 0.2, kind = kind).camera(scene, 80.0 / 60.0)
+                val shadow = GroundShadow.of(scene)
+                val wide = shadow.camera(camera)
+                assertTrue(wide.near <= camera.near && wide.far >= camera.far)
+                val image = picture(scene, camera, Rgba.WHITE)
+
+                // Beside the balls, the ground begins and ends as bright as the background
+                val rows = ground(image, 30)
+                val ends = listOf(rows.first(), rows.last()).map { "%08x".format(image.argb(30, it)) }
+                assertEquals(listOf("ffffffff", "ffffffff"), ends) { "$kind at $elevation: $rows" }
+            }
+        }
+    }
+
+    @Test
+    fun camerasThatFitIgnoreIt() {
+        val with = scene.withSurfaces(scene.surfaces + GroundShadow.of(scene))
+        assertEquals(scene.camera(80, 60).eye, with.camera(80, 60).eye)
+        assertEquals(scene.bounds.toString(), with.bounds.toString())
+    }
+}

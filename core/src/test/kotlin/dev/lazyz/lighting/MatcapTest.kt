@@ -1,0 +1,102 @@
+package dev.lazyz.lighting
+
+import dev.lazyz.Fragment
+import dev.lazyz.Image
+import dev.lazyz.Rgba
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Fit
+import dev.lazyz.world.Material
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureWrap
+import kotlin.math.abs
+import kotlin.math.sqrt
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class MatcapTest {
+    /** Red grows to the right, green upward; the corners, which no normal reaches, are blue. */
+    private val texture: Texture = run {
+        val texels = IntArray(SIDE * SIDE) { i ->
+            val u = (i % SIDE + 0.5) / SIDE
+            val v = (i / SIDE + 0.5) / SIDE
+            val isInside = (u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5) < 0.25
+            val blue = if (isInside) 0 else 255
+            (0xFF shl 24) or ((u * 255).toInt() shl 16) or (((1 - v) * 255).toInt() shl 8) or blue
+        }
+        Texture(SIDE, SIDE, texels, TextureFilter.BILINEAR, TextureWrap.CLAMP, TextureWrap.CLAMP)
+    }
+
+    private fun picture(scene: Scene, camera: Camera, tint: Rgba = Rgba.WHITE): Image {
+        val shader = Matcap(texture, camera, scene.origin, tint)
+        return ZBuffer().render(
+            scene.withMaterials { it.withShader(shader) }.withViewpoint(camera).frame(101, 101),
+        )
+    }
+
+    /** The codes of red and green that a place on the lit sphere has, 0..255; [x] and [y] are -1..1. */
+    private fun requireColor(x: Double, y: Double, argb: Int, tolerance: Int) {
+        val red = (argb ushr 16 and 0xFF) - 255 * (0.5 + 0.49 * x)
+        val green = (argb ushr 8 and 0xFF) - 255 * (0.5 + 0.49 * y)
+        assertTrue(abs(red) <= tolerance && abs(green) <= tolerance) { "($x, $y): %08x".format(argb) }
+        assertTrue(argb and 0xFF < 30) { "a corner is read at ($x, $y): %08x".format(argb) }
+    }
+
+    @Test
+    fun aSphereLooksLikeThePicture() {
+        val scene = Scene(listOf(Sphere(Vector3d(3.0, 1.0, -2.0), 1.0, Material())))
+        for (azimuth in listOf(0.0, 30.0, 200.0)) {
+            val camera = Camera.fit(azimuth, 25.0, kind = Fit.ORTHOGRAPHIC, margin = 0.0).camera(scene, 1.0)
+            val image = picture(scene, camera)
+            for (y in 0..100) for (x in 0..100) {
+                val u = (x + 0.5) / 50.5 - 1.0
+                val v = 1.0 - (y + 0.5) / 50.5
+                if (u * u + v * v < 0.9) requireColor(u, v, image.argb(x, y), 4)
+            }
+        }
+    }
+
+    /** At the edge of the picture, too: its axes turn with the direction to the point. */
+    @Test
+    fun withPerspectiveTheEdgeOfASphereIsTheEdgeOfThePicture() {
+        val sphere = Sphere(Vector3d(1.5, 0.8, 0.0), 1.0, Material())
+        val camera = Camera.perspective(Vector3d(0.0, 0.0, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 60.0, 1.0, 10.0)
+        val image = picture(Scene(listOf(sphere)), camera)
+        val inside = image.argb.indices.filter { image.primitive[it] == 0 }
+        val (rights, ups) = inside.map { i ->
+            (image.argb[i] ushr 16 and 0xFF) / 255.0 - 0.5 to (image.argb[i] ushr 8 and 0xFF) / 255.0 - 0.5
+        }.unzip()
+
+        // Both ends of both axes are reached, on all sides alike
+        for (ends in listOf(rights.min(), -rights.max(), ups.min(), -ups.max())) assertEquals(-0.48, ends, 0.03)
+        assertTrue(rights.zip(ups).maxOf { (x, y) -> sqrt(x * x + y * y) } < 0.5)
+    }
+
+    @Test
+    fun aTintMultiplies() {
+        val scene = Scene(listOf(Sphere(Vector3d(), 1.0, Material())))
+        val camera = Camera.fit(0.0, 0.0).camera(scene, 1.0)
+        val plain = Rgba.ofArgb(picture(scene, camera).argb(70, 30))
+        val tinted = Rgba.ofArgb(picture(scene, camera, Rgba(0.5f, 0.25f, 1f)).argb(70, 30))
+        assertEquals(plain.red / 2, tinted.red, 0.01f)
+        assertEquals(plain.green / 4, tinted.green, 0.01f)
+    }
+
+    @Test
+    fun withoutANormalTheMiddleIsShown() {
+        val camera = Camera.fit().camera(Scene(listOf(Sphere(Vector3d(), 1.0, Material()))), 1.0)
+        val fragment = Fragment()
+        fragment.moveTo(0, 0)
+        Matcap(texture, camera).shade(fragment)
+        requireColor(0.0, 0.0, fragment.toArgb(), 2)
+    }
+
+    private companion object {
+        const val SIDE = 64
+    }
+}
