@@ -9,6 +9,7 @@ module dev.lazyz.core {
     exports dev.lazyz.drawing;
     exports dev.lazyz.filter;
     exports dev.lazyz.geometry;
+    exports dev.lazyz.lighting;
     exports dev.lazyz.pipeline;
     exports dev.lazyz.sections;
     exports dev.lazyz.strategies.flow;

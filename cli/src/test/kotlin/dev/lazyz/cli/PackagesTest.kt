@@ -115,7 +115,7 @@ class PackagesTest {
             "", "raster", "geometry", "world", "shading.light", "shading.pbr", "shading", "setup", "setup.planar",
             "sections", "drawing.strokes", "drawing", "pipeline", "filter",
             "strategies.tiled.raster", "strategies.tiled.binning", "strategies.tiled.resolve",
-            "strategies.*", "strategies",
+            "strategies.*", "strategies", "lighting",
         ).map { if (it.isEmpty()) "dev.lazyz" else "dev.lazyz.$it" }
 
         val MODULES = listOf("core", "scenes", "conformance", "cli", "jmh")

@@ -47,7 +47,7 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
         val depth = viewport.depthOfUnit(0.0)
         val hiddenWidth = style.width * EdgeStyle.HIDDEN_SHARE
         val view = view(setUp)
-        view.divide(style.edges)
+        view.divide(style.edges, style.hidden != HiddenLines.NONE)
 
         // The first submitted wins where visible and hidden lines cross
         val pen = Pen(setUp.raster, style.color, depth, style.width)

@@ -38,9 +38,14 @@ internal class EdgeView(
         planes = model.polygons.map { if (it.isHiding) PolygonPlane.of(it, places) else null }
     }
 
-    /** Divides the drawn edges of the set [edges] into visible and hidden parts. */
-    fun divide(edges: EdgeSet) {
-        val drawn = (0 until model.edgeCount).filter { isDrawn(it, edges) }
+    /**
+     * Divides the drawn edges of the set [edges] into visible and hidden parts. Edges of faces that are not drawn,
+     * because they show their backs, have no visible parts.
+     *
+     * @param hasHidden whether hidden parts are needed
+     */
+    fun divide(edges: EdgeSet, hasHidden: Boolean) {
+        val drawn = (0 until model.edgeCount).filter { isIn(edges, it) && (hasHidden || facing.isDrawn(it)) }
         val chunks = List((drawn.size + CHUNK - 1) / CHUNK) { Chunk(edges == EdgeSet.ALL) }
         workers.forEach(chunks.size) { number ->
             for (i in number * CHUNK until minOf((number + 1) * CHUNK, drawn.size)) chunks[number].divide(drawn[i])
@@ -51,8 +56,8 @@ internal class EdgeView(
         }
     }
 
-    private fun isDrawn(edge: Int, edges: EdgeSet): Boolean =
-        (edges == EdgeSet.ALL || model.isFeature(edge) || facing.isSilhouette(edge)) && facing.isDrawn(edge)
+    private fun isIn(edges: EdgeSet, edge: Int): Boolean =
+        edges == EdgeSet.ALL || model.isFeature(edge) || facing.isSilhouette(edge)
 
     /** Some of the edges, for one thread. */
     private inner class Chunk(private val isAll: Boolean) {
@@ -89,11 +94,12 @@ internal class EdgeView(
             }
 
             // What is not hidden is visible
+            val isDrawn = facing.isDrawn(edge)
             parts.intervals.join()
             var at = low
             parts.intervals.forEachGap(low, high) { gapFrom, gapUntil ->
                 add(hidden, start, end, at, gapFrom)
-                add(visible, start, end, gapFrom, gapUntil)
+                if (isDrawn) add(visible, start, end, gapFrom, gapUntil)
                 at = gapUntil
             }
             add(hidden, start, end, at, high)

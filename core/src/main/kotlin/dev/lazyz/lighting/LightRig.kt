@@ -53,7 +53,7 @@ public enum class LightRig(public val environment: Environment?) {
         )
     },
 
-    /** Warm light from high up at the front left of the scene, and blue sky. It stays where it is if the camera moves. */
+    /** Warm light from high up at the front left of the scene, and blue sky. It stays in place if the camera moves. */
     SUN(Environment.studio(0.2f)) {
         override fun lights(camera: Camera): List<Light> = listOf(
             Light.Ambient(Rgba(0.10f, 0.12f, 0.16f)),

@@ -8,6 +8,7 @@ import dev.lazyz.world.Mesh
 import dev.lazyz.world.Points
 import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
+import dev.lazyz.world.Sides
 import dev.lazyz.world.Surface
 import dev.lazyz.world.Vertex
 import java.util.function.UnaryOperator
@@ -27,7 +28,8 @@ import org.joml.Vector3dc
  * surface of a solid leaves the solid, or nothing.
  *
  * Polygons are cut, and have no caps. Points are removed one by one, and lines are cut. Spheres and custom surfaces are
- * not cut, with a warning. New vertices get normals, texture coordinates and colours by linear interpolation.
+ * not cut, with a warning. New vertices get normals, texture coordinates and colours by linear interpolation. Materials
+ * become two-sided, because a cut opens the view of inner walls.
  *
  * Immutable and thread safe.
  *
@@ -51,7 +53,15 @@ public class Section @JvmOverloads constructor(
         }
         val whole = scene.surfaces.count { it !is Mesh && it !is Polygon && it !is Points && it !is Lines }
         if (whole > 0) warnings += "$whole spheres or custom surfaces cannot be cut, and are shown whole"
-        return SectionedScene(scene.withSurfaces(kept + caps), warnings)
+        val shown = if (planes.isEmpty()) kept else kept.map(::twoSided)
+        return SectionedScene(scene.withSurfaces(shown + caps), warnings)
+    }
+
+    /** Inner walls, of which some show their backs, can be seen now. */
+    private fun twoSided(surface: Surface): Surface = if (Scene.materialOf(surface)?.sides == Sides.FRONT) {
+        surface.withMaterials { it.withSides(Sides.BOTH) }
+    } else {
+        surface
     }
 
     private fun cut(surface: Surface, plane: SectionPlane): Surface? = when (surface) {

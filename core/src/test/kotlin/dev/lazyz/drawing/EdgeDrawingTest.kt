@@ -17,6 +17,7 @@ import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
 import dev.lazyz.world.SetUp
 import dev.lazyz.world.Shading
+import dev.lazyz.world.Sides
 import dev.lazyz.world.Surface
 import dev.lazyz.world.Vertex
 import java.util.Random
@@ -53,6 +54,31 @@ class EdgeDrawingTest {
 
     private fun square(x0: Float, y0: Float, x1: Float, y1: Float, z: Float): Mesh =
         Mesh(floatArrayOf(x0, y0, z, x1, y0, z, x1, y1, z, x0, y1, z), intArrayOf(0, 1, 2, 0, 2, 3), plain)
+
+    /** A closed solid hides its own back, whether its material is drawn from both sides or not. */
+    @Test
+    fun hiddenEdgesOfOneSidedSolidsAreDrawn() {
+        val camera = Camera.fit(30.0, 20.0, kind = Fit.ORTHOGRAPHIC)
+        for (hidden in HiddenLines.entries) {
+            val (both, front) = Sides.entries.map { sides ->
+                val scene = Scene(listOf(Solids.cube(plain.withSides(sides))), viewpoint = camera)
+                ZBuffer().render(EdgeStyle(hidden = hidden).drawnOn(scene).frame(100, 100))
+            }
+            assertArrayEquals(both.argb, front.argb) { "$hidden" }
+        }
+    }
+
+    /** What is not drawn, and not hidden either, has no edges. */
+    @Test
+    fun backsThatAreNotDrawnHaveNoEdges() {
+        val back = Mesh(
+            floatArrayOf(-1f, -1f, 0f, 1f, -1f, 0f, 1f, 1f, 0f), intArrayOf(0, 2, 1), plain.withSides(Sides.FRONT),
+        )
+        for (hidden in HiddenLines.entries) {
+            val image = render(listOf(back), EdgeStyle(hidden = hidden))
+            assertEquals(0, image.visible) { "$hidden" }
+        }
+    }
 
     /**
      * An edge of a convex solid is visible if one of its faces shows its front. All pixels that contain a point of it

@@ -29,7 +29,12 @@ import org.junit.jupiter.api.Test
 /** Contract rule 6.13, and how near the visibility is to what geometry says. */
 class AmbientOcclusionTest {
     /** A level square at height [y], from -[half] to [half]. */
-    private fun floor(half: Float, y: Float = 0f, material: Material = Material(), origin: Vector3d = Vector3d()) = Mesh(
+    private fun floor(
+        half: Float,
+        y: Float = 0f,
+        material: Material = Material(),
+        origin: Vector3d = Vector3d(),
+    ) = Mesh(
         floatArrayOf(-half, y, half, half, y, half, half, y, -half, -half, y, -half),
         intArrayOf(0, 1, 2, 0, 2, 3), material, origin = origin,
     )
@@ -155,7 +160,8 @@ class AmbientOcclusionTest {
     fun rule_6_13_lightIsReflectedIntoHollows() {
         fun factor(albedo: Float, open: Float): Double {
             val material = Material(Rgba(albedo, albedo, albedo)).asMetallicRoughness()
-            val scene = Scene(listOf(floor(1f, material = material)), listOf(Light.Ambient(GREY)), Camera.fit(0.0, 90.0))
+            val above = Camera.fit(0.0, 90.0)
+            val scene = Scene(listOf(floor(1f, material = material)), listOf(Light.Ambient(GREY)), above)
                 .withEnvironment(Environment.NONE).withToneMapping(ToneMapping.NONE)
             val frames = listOf(scene, scene.withAmbientVisibility { _, _, _, _, _, _ -> open })
             val (all, part) = frames.map { Rgba.ofArgb(color(it.frame(9, 9))).red.toDouble() }

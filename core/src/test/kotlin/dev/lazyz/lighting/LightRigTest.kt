@@ -68,9 +68,11 @@ class LightRigTest {
     @Test
     fun aHeadlightIsSymmetricAndTheSunStaysInPlace() {
         val front = picture(ball(Material()), LightRig.HEADLIGHT)
-        for (y in 0 until 61) for (x in 0 until 61) {
-            val difference = (front.argb(x, y) and 0xFF) - (front.argb(60 - x, y) and 0xFF)
-            assertTrue(difference in -2..2) { "($x, $y): $difference" }
+        for (y in 0 until 61) {
+            for (x in 0 until 61) {
+                val difference = (front.argb(x, y) and 0xFF) - (front.argb(60 - x, y) and 0xFF)
+                assertTrue(difference in -2..2) { "($x, $y): $difference" }
+            }
         }
         val turned = ball(Material()).withViewpoint(Camera.fit(220.0, 15.0))
         val (before, after) = listOf(ball(Material()), turned)

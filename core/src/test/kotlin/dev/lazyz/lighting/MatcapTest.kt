@@ -53,10 +53,12 @@ class MatcapTest {
         for (azimuth in listOf(0.0, 30.0, 200.0)) {
             val camera = Camera.fit(azimuth, 25.0, kind = Fit.ORTHOGRAPHIC, margin = 0.0).camera(scene, 1.0)
             val image = picture(scene, camera)
-            for (y in 0..100) for (x in 0..100) {
-                val u = (x + 0.5) / 50.5 - 1.0
-                val v = 1.0 - (y + 0.5) / 50.5
-                if (u * u + v * v < 0.9) requireColor(u, v, image.argb(x, y), 4)
+            for (y in 0..100) {
+                for (x in 0..100) {
+                    val u = (x + 0.5) / 50.5 - 1.0
+                    val v = 1.0 - (y + 0.5) / 50.5
+                    if (u * u + v * v < 0.9) requireColor(u, v, image.argb(x, y), 4)
+                }
             }
         }
     }

@@ -3,10 +3,12 @@ package dev.lazyz.sections
 import dev.lazyz.Rgba
 import dev.lazyz.drawing.Solids
 import dev.lazyz.world.Lines
+import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
 import dev.lazyz.world.Points
 import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
+import dev.lazyz.world.Sides
 import dev.lazyz.world.Sphere
 import dev.lazyz.world.Surface
 import dev.lazyz.world.Vertex
@@ -191,6 +193,16 @@ class SectionTest {
             assertEquals(rest.positions[3 * i] / 4, rest.colors!![4 * i], 1e-6f)
         }
         assertEquals(4, rest.vertexCount)
+    }
+
+    /** A cut opens the view of inner walls, which show their backs. */
+    @Test
+    fun whatRemainsShowsBothSides() {
+        val cube = Solids.cube(Material(sides = Sides.FRONT))
+        val cut = cut(listOf(cube), SectionPlane.x(0.0)).scene.surfaces.filterIsInstance<Mesh>()
+        assertEquals(listOf(Sides.BOTH), cut.map { it.material.sides })
+        val whole = cut(listOf(cube)).scene.surfaces.filterIsInstance<Mesh>()
+        assertEquals(listOf(Sides.FRONT), whole.map { it.material.sides })
     }
 
     @Test

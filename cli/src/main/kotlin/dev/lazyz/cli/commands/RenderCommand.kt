@@ -51,7 +51,7 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli render teapot -o teapot.png" to "a built-in scene, 640x480",
-        "zcli render part.stl --up z --view iso --projection orthographic -o part.png" to "a part from a CAD program",
+        "zcli render part.stl --view iso --projection orthographic -o part.png" to "a part from a CAD program",
         "zcli render model.glb --size 512x512 --background transparent -o model.png" to "a thumbnail for a web page",
         "zcli render city -o city.png --depth-out city.pfm --stats=json" to "also depth and statistics, for a script",
         "zcli render city --size 8000x6000 --region 4000,2000,640x480 -o detail.png" to "a part of a large picture",

@@ -41,11 +41,12 @@ internal class FrameSource(private val subject: Subject, private val streams: St
     fun frame(loaded: LoadedScene, options: RenderOptions, view: View? = null): Shot {
         // Apply the options of sections, axis, camera, shading and lines
         val lineWork = subject.lineWork
+        val up = subject.up ?: input.usualUp
         val pointOfView = (if (view == null) subject.pointOfView else subject.pointOfView.from(view))
             .withDefaults(subject.style)
         val cut = loaded.withScene(lineWork.cut(loaded.scene) { streams.warning(it) })
         val upright = try {
-            pointOfView.applyTo(cut, subject.up)
+            pointOfView.applyTo(cut, up)
         } catch (e: UnsupportedOperationException) {
             throw Mistake("--up: ${e.message}")
         }
@@ -59,8 +60,8 @@ internal class FrameSource(private val subject: Subject, private val streams: St
             shaded.withViewpoint(camera(shaded, raster)), subject.color, input.isModel, subject.loading.limits, options,
             streams,
         )
-        if (pointOfView.isPrinted) streams.note(PointOfView.words(lit.viewpoint as Camera, subject.up) + "\n")
-        val scene = lineWork.drawnOn(lit, subject.translucency)
+        if (pointOfView.isPrinted) streams.note(PointOfView.words(lit.viewpoint as Camera, up) + "\n")
+        val scene = lineWork.drawnOn(lit, raster, subject.translucency)
         val region = region(raster)
         streams.progress("setting up ${raster.width}x${raster.height} ...")
         val isOpaque = subject.translucency == Translucency.OPAQUE

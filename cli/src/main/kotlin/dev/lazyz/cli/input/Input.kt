@@ -7,6 +7,7 @@ import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.world.UpAxis
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -26,9 +27,15 @@ internal class Input(
 
     val isBuiltin: Boolean get() = builtin != null
 
+    /** The format that the user or the name says; null for built-in scenes, and if the content decides. */
+    private val statedFormat = if (isBuiltin) null else format ?: SceneFormat.ofFileName(word)
+
     /** Whether the input is a model: not a scene whose author chose everything. */
-    val isModel: Boolean
-        get() = builtin == null && (format ?: SceneFormat.ofFileName(word)) != SceneFormat.SCENE
+    val isModel: Boolean get() = !isBuiltin && statedFormat != SceneFormat.SCENE
+
+    /** The axis that points up in most files of this format: parts for machines lie on the plane of x and y. */
+    val usualUp: UpAxis
+        get() = if (statedFormat == SceneFormat.STL || statedFormat == SceneFormat.THREE_MF) UpAxis.Z else UpAxis.Y
 
     /** The name of the input in messages. */
     val name: String get() = if (isStandardInput) "standard input" else word

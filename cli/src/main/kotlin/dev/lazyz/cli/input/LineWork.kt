@@ -1,5 +1,6 @@
 package dev.lazyz.cli.input
 
+import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.drawing.EdgeDrawing
@@ -22,7 +23,7 @@ internal class LineWork(
     isWireframe: Boolean,
     creaseAngle: Double?,
     hidden: HiddenLines?,
-    width: Double?,
+    private val width: Double?,
     color: Rgba?,
     style: PictureStyle?,
     private val cuts: List<Cut>,
@@ -48,9 +49,8 @@ internal class LineWork(
             EdgeStyle(
                 if (isWireframe) EdgeSet.ALL else EdgeSet.FEATURES,
                 creaseAngle ?: FeatureEdges.DEFAULT_CREASE_ANGLE,
-                width ?: if (isTechnical) TECHNICAL_WIDTH else 1.0,
-                color ?: Rgba.BLACK,
-                hidden ?: HiddenLines.NONE,
+                color = color ?: Rgba.BLACK,
+                hidden = hidden ?: HiddenLines.NONE,
             )
         }
     }
@@ -91,19 +91,34 @@ internal class LineWork(
         name = material.name,
     )
 
-    /** Returns [scene] with the edges drawn; with [Translucency.OPAQUE], translucent materials hide lines. */
-    fun drawnOn(scene: Scene, translucency: Translucency): Scene {
+    /**
+     * Returns [scene] with the edges drawn, for the pixels of [raster]; with [Translucency.OPAQUE], translucent
+     * materials hide lines.
+     */
+    fun drawnOn(scene: Scene, raster: Raster, translucency: Translucency): Scene {
         if (edges == null) return scene
+        val style = edges.withWidth(width ?: usualWidth(raster))
         val hiding = if (translucency == Translucency.OPAQUE) scene.withMaterials(::opaque) else scene
-        return scene.withSurfaces(scene.surfaces + EdgeDrawing(hiding.surfaces, edges))
+        return scene.withSurfaces(scene.surfaces + EdgeDrawing(hiding.surfaces, style))
+    }
+
+    /** Returns the width of lines that look the same in large and in small pictures, pixels. */
+    private fun usualWidth(raster: Raster): Double {
+        val scale = minOf(raster.width, raster.height) / USUAL_SIDE
+        return (if (isTechnical) TECHNICAL_WIDTH else 1.0) * scale.coerceIn(LEAST_SCALE, MOST_SCALE)
     }
 
     private fun opaque(material: Material): Material =
         if (material.alphaMode == AlphaMode.BLEND) material.withAlphaMode(AlphaMode.OPAQUE) else material
 
     private companion object {
-        /** Pixels. */
+        /** The width of lines in technical drawings, pixels in a picture of [USUAL_SIDE]; otherwise it is 1. */
         const val TECHNICAL_WIDTH = 1.5
+
+        /** The shorter side of a picture, pixels, and how much lines grow and shrink with it. */
+        const val USUAL_SIDE = 480.0
+        const val LEAST_SCALE = 0.5
+        const val MOST_SCALE = 8.0
 
         /** Number of stripes of a cap along the model, the part of it that they cover, and their colour. */
         const val HATCHES = 40

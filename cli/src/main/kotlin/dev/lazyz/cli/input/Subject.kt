@@ -20,7 +20,7 @@ internal class Subject(
     val input: String,
     val format: SceneFormat?,
     val loading: LoadOptions,
-    val up: UpAxis,
+    val up: UpAxis?,
     val size: ImageSize?,
     val region: Region?,
     val antiAliasing: AntiAliasing,

@@ -30,8 +30,10 @@ internal class LineOptions : OptionGroup("Lines and sections") {
     private val hidden by option("--hidden-lines", help = "Hidden lines: none, dashed or solid; default: none")
         .oneOf("HOW", HiddenLines.entries.associateBy { it.name.lowercase() })
 
-    private val width by option("--edge-width", help = "Width of edges in pixels, up to 4096; default: 1")
-        .number("PX", 0.001..Points.MAX_SIZE.toDouble(), " pixels")
+    private val width by option(
+        "--edge-width",
+        help = "Width of edges in pixels, up to 4096; default: by the size of the picture, 1 for 640x480",
+    ).number("PX", 0.001..Points.MAX_SIZE.toDouble(), " pixels")
 
     private val color by option("--edge-color", help = "Colour of edges, opaque; default: black").color()
 

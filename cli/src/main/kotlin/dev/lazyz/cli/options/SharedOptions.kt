@@ -96,9 +96,10 @@ internal class ReadingOptions : OptionGroup("Reading") {
     val format by option("--format", help = "Format of INPUT: ${names(formats.keys)}; default: by its extension")
         .oneOf("FORMAT", formats)
 
-    val up by option("--up", help = "Which axis of the model points up: ${names(upAxes.keys)}; default: y")
-        .oneOf("AXIS", upAxes)
-        .default(UpAxis.Y)
+    val up by option(
+        "--up",
+        help = "Which axis of the model points up: ${names(upAxes.keys)}; default: z for .stl and .3mf, otherwise y",
+    ).oneOf("AXIS", upAxes)
 
     val animationTime by option(
         "--animation-time",

@@ -36,7 +36,7 @@ class LinesAndSectionsTest {
     fun theTechnicalStyleIsBlackAndWhite() {
         val plain = picture("--style", "technical")
         assertEquals(setOf(black, white), plain.toSet())
-        assertEquals(plain, picture("--style", "technical", "--projection", "orthographic", "--edge-width", "1.5"))
+        assertEquals(plain, picture("--style", "technical", "--projection", "orthographic", "--edge-width", "0.75"))
         assertNotEquals(plain, picture("--style", "technical", "--projection", "perspective"))
         assertTrue(picture("--style", "technical", "--background", "0f0").contains(0xFF00FF00.toInt()))
         assertTrue(picture("--style", "technical", "--shading", "phong").toSet().size > 10)

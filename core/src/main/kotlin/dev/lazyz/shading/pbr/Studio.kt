@@ -10,16 +10,18 @@ package dev.lazyz.shading.pbr
  */
 internal object Studio {
     private val boxes = arrayOf(
-        // Key light at the upper left, fill light at the right, above, and behind at the left and at the right
+        // Key light at the upper left, fill light at the right, above, and behind at the left and at the right; and a
+        // dim light at the camera, which is what black glossy surfaces show where they face it
         SoftBox(doubleArrayOf(-0.75, 0.70, 0.75), 0.55f, 0.50f, 3.1f, 3.0f, 2.9f),
         SoftBox(doubleArrayOf(1.0, 0.20, 0.45), 0.28f, 0.75f, 1.35f, 1.4f, 1.45f),
         SoftBox(doubleArrayOf(0.05, 1.0, -0.1), 0.70f, 0.45f, 1.35f, 1.35f, 1.35f),
         SoftBox(doubleArrayOf(-0.9, 0.25, -0.8), 0.30f, 0.70f, 1.8f, 1.85f, 1.95f),
         SoftBox(doubleArrayOf(0.8, 0.35, -0.9), 0.35f, 0.60f, 1.4f, 1.4f, 1.4f),
+        SoftBox(doubleArrayOf(-0.10, 0.12, 1.0), 0.42f, 0.34f, 0.62f, 0.62f, 0.62f),
     )
 
     /** The light of the walls: of the horizon, how it rises upward, and how it bends. */
-    private val walls = floatArrayOf(0.21f, 0.15f, 0.04f)
+    private val walls = floatArrayOf(0.30f, 0.12f, 0.04f)
 
     /** Nine coefficients of the irradiance for red, green and blue. */
     private val harmonics = Array(3) { FloatArray(9) }

@@ -39,7 +39,7 @@ class HeapTest {
     }
 }
 
-/** Prints by how much the heap grows in each round by an image, as measured, if the image of the round before is dead. */
+/** Prints how many images each round holds, as measured, while the image of the round before is dead. */
 internal object AskAfterDeadImages {
     private const val ROUNDS = 8
     private const val IMAGE = 3 shl 20

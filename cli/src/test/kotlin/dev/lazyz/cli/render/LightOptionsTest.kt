@@ -1,0 +1,234 @@
+package dev.lazyz.cli.render
+
+import dev.lazyz.cli.argb
+import dev.lazyz.cli.image
+import dev.lazyz.cli.output.ExitCode
+import dev.lazyz.cli.zcli
+import java.awt.image.BufferedImage
+import java.nio.file.Path
+import javax.imageio.ImageIO
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.CsvSource
+import org.junit.jupiter.params.provider.ValueSource
+
+/** Lights, shadows, lit spheres, and the style for products. */
+class LightOptionsTest {
+    @TempDir
+    lateinit var folder: Path
+
+    /** A cube of one colour, linear 0.21, that floats above a small one. */
+    private val cubes: Path by lazy { model("cubes", "Kd 0.5 0.5 0.5") }
+
+    private fun model(name: String, colour: String): Path {
+        folder.resolve("$name.mtl").writeText("newmtl m\n$colour\n")
+        val corners = (0 until 8).map { Triple(it and 1, it shr 1 and 1, it shr 2) }
+        val text = StringBuilder("mtllib $name.mtl\nusemtl m\n")
+        for ((x, y, z) in corners) text.append("v $x ${y + 1} $z\n")
+        for ((x, y, z) in corners) text.append("v ${0.45 + 0.1 * x} ${0.1 * y} ${0.45 + 0.1 * z}\n")
+        for (first in listOf(1, 9)) {
+            for (face in listOf("0 2 3 1", "4 5 7 6", "0 1 5 4", "2 6 7 3", "0 4 6 2", "1 3 7 5")) {
+                text.append("f ${face.split(' ').joinToString(" ") { "${it.toInt() + first}" }}\n")
+            }
+        }
+        return folder.resolve("$name.obj").apply { writeText(text.toString()) }
+    }
+
+    private fun picture(input: Any, vararg words: String): BufferedImage {
+        val out = folder.resolve("out.png")
+        zcli("render", input, "--size", "40x30", "--aa", "2", "-o", out, *words).done()
+        return out.image
+    }
+
+    private fun argb(input: Any, vararg words: String): List<Int> = picture(input, *words).argb()
+
+    private fun brightness(pixels: List<Int>): Double = pixels.map { it ushr 8 and 0xFF }.average()
+
+    @ParameterizedTest
+    @ValueSource(strings = ["studio", "three-point", "flat", "headlight", "sun", "STUDIO"])
+    fun presetsReplaceTheLight(light: String) {
+        val pixels = argb(cubes, "--light", light)
+        if (light.lowercase() == "studio") assertEquals(argb(cubes), pixels) else assertNotEquals(argb(cubes), pixels)
+    }
+
+    @Test
+    fun presetsReplaceLightsOfTheScene() {
+        val scene = folder.resolve("scene.json")
+        scene.writeText(
+            """{"lazyz": 1, "lights": [{"ambient": {"color": [0, 0.1, 0]}}], "surfaces": [{"sphere": {"center": [0, 0, 0], "radius": 1}}]}""",
+        )
+        val own = argb(scene)
+        assertTrue(own.any { it ushr 16 and 0xFF == 0 && it and 0xFF == 0 })
+        assertTrue(argb(scene, "--light", "flat").all { it == -1 })
+        assertTrue(brightness(argb(scene, "--light-intensity", "4")) > brightness(own))
+    }
+
+    @Test
+    fun intensityMultipliesTheLight() {
+        val plain = argb(cubes, "--background", "black", "--light-intensity", "1")
+        assertTrue(brightness(argb(cubes, "--background", "black", "--light-intensity", "2")) > brightness(plain) * 1.2)
+        assertTrue(argb(cubes, "--background", "black", "--light-intensity", "0").all { it == 0xFF shl 24 })
+    }
+
+    /** Models with dark materials get more light; a colour that the user chose, and scene files, do not. */
+    @Test
+    fun darkModelsAreLegible() {
+        val dark = model("dark", "Kd 0.02 0.02 0.02")
+        val fixed = brightness(argb(dark, "--background", "black", "--light-intensity", "1"))
+        assertTrue(brightness(argb(dark, "--background", "black")) > 1.5 * fixed)
+        assertEquals(argb(dark, "--light-intensity", "3"), argb(dark))
+        assertEquals(argb(cubes), argb(cubes, "--light-intensity", "1"))
+        val color = arrayOf("--color", "282828")
+        assertEquals(argb(cubes, *color, "--light-intensity", "1"), argb(cubes, *color))
+        val scene = folder.resolve("dark.json")
+        scene.writeText(
+            """{"lazyz": 1, "surfaces": [{"mesh": {"positions": [0, 0, 0, 1, 0, 0, 0, 1, 0], "triangles": [0, 1, 2]},
+                "material": {"baseColor": [0.01, 0.01, 0.01]}}]}""",
+        )
+        assertEquals(argb(scene, "--light-intensity", "1"), argb(scene))
+    }
+
+    @Test
+    fun occlusionDarkensContactsOnly() {
+        val open = argb(cubes, "--ambient-occlusion", "--view", "top")
+        val contact = argb(cubes, "--ambient-occlusion", "--view", "bottom")
+        val top = open[15 * 40 + 20] and 0xFF
+        val below = contact.filter { it != -1 }.map { it and 0xFF }
+        assertTrue(below.min() < below.max() - 3) { "$below" }
+        assertTrue(top > 60)
+    }
+
+    @Test
+    fun theGroundIsDarkerBelowTheModel() {
+        val without = argb(cubes, "--elevation", "30")
+        val with = argb(cubes, "--elevation", "30", "--ground-shadow")
+        val changed = without.indices.filter { without[it] != with[it] }
+        assertTrue(changed.size > 50 && changed.all { without[it] == -1 || with[it] and 0xFF < 0xFF }) { "$changed" }
+        val clear = picture(cubes, "--elevation", "30", "--ground-shadow", "--background", "transparent")
+        assertTrue(clear.argb().any { it ushr 24 in 5..250 && it and 0xFFFFFF == 0 })
+        val gradient = argb(cubes, "--elevation", "30", "--ground-shadow", "--background", "skyblue,white")
+        assertTrue(gradient.all { it ushr 24 == 0xFF })
+    }
+
+    @Test
+    fun aLitSphereReplacesColours() {
+        val image = BufferedImage(32, 32, BufferedImage.TYPE_INT_RGB)
+        for (x in 0 until 32) for (y in 0 until 32) image.setRGB(x, y, if (y < 16) 0xFF0000 else 0x0000FF)
+        val file = folder.resolve("sphere.png").also { ImageIO.write(image, "png", it.toFile()) }
+        val front = argb(cubes, "--matcap", "$file", "--elevation", "45", "--aa", "1").toSet()
+        assertTrue(0xFFFF0000.toInt() in front && 0xFF0000FF.toInt() in front)
+        val tinted = argb(cubes, "--matcap", "$file", "--elevation", "45", "--aa", "1", "--color", "00f").toSet()
+        assertTrue(0xFF000000.toInt() in tinted && 0xFF0000FF.toInt() in tinted)
+    }
+
+    @Test
+    fun productIsOcclusionShadowAndMargin() {
+        val product = argb(cubes, "--style", "product")
+        assertEquals(product, argb(cubes, "--ambient-occlusion", "--ground-shadow", "--margin", "12"))
+        assertNotEquals(product, argb(cubes, "--style", "product", "--margin", "2"))
+    }
+
+    /** What is computed at pixels for speed is computed at samples if that is asked for, or necessary. */
+    @Test
+    fun occlusionIsShadedOnceAPixelWherePossible() {
+        val calls = listOf(arrayOf("--shading-rate", "sample"), emptyArray()).map { words ->
+            val out = folder.resolve("out.png")
+            zcli("render", cubes, "--size", "40x30", "-o", out, "--stats=json", "--ambient-occlusion", *words)
+                .done().stat("shadingCalls").toInt()
+        }
+        assertTrue(calls[1] * 10 < calls[0]) { "$calls" }
+        val glass = model("glass", "Kd 0.5 0.5 0.5\nd 0.5")
+        assertEquals(argb(glass, "--ambient-occlusion", "--shading-rate", "sample"), argb(glass, "--ambient-occlusion"))
+    }
+
+    /** The planes contain the ground, and the printed camera gives the picture again. */
+    @Test
+    fun thePrintedCameraGivesThePictureWithItsShadow() {
+        val out = folder.resolve("a.png")
+        val depth = folder.resolve("a.pfm")
+        val common = arrayOf("--size", "40x30", "--ground-shadow", "--depth-out", depth)
+        val first = zcli("render", cubes, "-o", out, *common, "--print-camera")
+        val before = out.image.argb() to depth.toFile().readBytes().toList()
+        val words = first.errors.lines().first { it.startsWith("--projection") }.trim().split(' ')
+        zcli("render", cubes, "-o", out, *common, *words.toTypedArray()).done()
+        assertEquals(before.first, out.image.argb())
+        assertEquals(before.second, depth.toFile().readBytes().toList())
+    }
+
+    @Test
+    fun allStrategiesGiveTheSamePicture() {
+        zcli("compare", cubes, "--size", "40x30", "--style", "product").done()
+    }
+
+    /** Lines keep exposure, tone curve and environment. */
+    @Test
+    fun linesKeepTheLight() {
+        val shaded = argb(cubes, "--exposure", "1.5", "--aa", "1")
+        val lines = argb(cubes, "--exposure", "1.5", "--aa", "1", "--edges")
+        for (i in shaded.indices) if (lines[i] != 0xFF shl 24) assertEquals(shaded[i], lines[i])
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+        "--light moonlight, 'moonlight'",
+        "--light-intensity -1, '0'",
+        "--light-intensity NaN, ''",
+        "--matcap nowhere.png, nowhere.png",
+        "--matcap cubes.obj --light sun, --light",
+        "--matcap cubes.obj --ambient-occlusion, --ambient-occlusion",
+    )
+    fun mistakesAreExplained(words: String, expected: String) {
+        val run = zcli("render", cubes, "-o", folder.resolve("never.png"), *words.split(' ').toTypedArray())
+        assertEquals(ExitCode.MISTAKE, run.code) { run.errors }
+        assertTrue(expected in run.errors) { run.errors }
+    }
+
+    @Test
+    fun scenesOnTheScreenHaveNoShadows() {
+        val scene = folder.resolve("screen.json")
+        scene.writeText(
+            """{"lazyz": 1, "camera": {"screen": {}}, "surfaces": [{"polygon": {"points":
+                [[1, 1, 0.5], [9, 1, 0.5], [5, 9, 0.5]]}}]}""",
+        )
+        val run = zcli("render", scene, "-o", folder.resolve("never.png"), "--ground-shadow")
+        assertEquals(ExitCode.MISTAKE, run.code) { run.errors }
+    }
+
+    /** Parts for machines stand on the plane of x and y. */
+    @ParameterizedTest
+    @CsvSource("stl, z", "obj, y")
+    fun theUpAxisDependsOnTheFormat(format: String, axis: String) {
+        val corners = listOf("0 0 0", "4 0 0", "0 2 0", "0 0 1")
+        val faces = listOf(listOf(0, 2, 1), listOf(0, 1, 3), listOf(0, 3, 2), listOf(1, 2, 3))
+        val file = folder.resolve("part.$format")
+        file.writeText(
+            if (format == "obj") {
+                corners.joinToString("") { "v $it\n" } +
+                    faces.joinToString("") { face -> "f ${face.joinToString(" ") { "${it + 1}" }}\n" }
+            } else {
+                faces.joinToString("", "solid part\n", "endsolid\n") { face ->
+                    "facet normal 0 0 0\nouter loop\n" + face.joinToString("") { "vertex ${corners[it]}\n" } +
+                        "endloop\nendfacet\n"
+                }
+            },
+        )
+        assertEquals(argb(file, "--up", axis), argb(file))
+        val other = if (axis == "z") "y" else "z"
+        assertNotEquals(argb(file, "--up", other), argb(file))
+    }
+
+    /** Lines look the same in large and in small pictures: they cover the same part of them. */
+    @Test
+    fun linesGrowWithThePicture() {
+        val parts = listOf("160", "640", "1280").map { side ->
+            val pixels = argb(cubes, "--style", "technical", "--size", side, "--aa", "4")
+            pixels.sumOf { 255.0 - (it and 0xFF) } / (255.0 * pixels.size)
+        }
+        assertTrue(parts.max() < 1.6 * parts.min()) { "$parts" }
+    }
+}
