@@ -109,9 +109,10 @@ def render(arguments, model, column):
         seconds, message = time.perf_counter() - start, run.stderr.strip() + run.stdout.strip()
     except subprocess.TimeoutExpired:
         seconds, message = TIME_LIMIT_SECONDS, "no picture in time"
-    if message:
-        print(f"{model.name}, {title}: {message[-300:]}")
-    return seconds if picture.is_file() else None
+    if picture.is_file():
+        return seconds
+    print(f"{model.name}, {title}: no picture: {message[-1000:]}")
+    return None
 
 
 def sheet(arguments, models, columns, file):
@@ -152,9 +153,9 @@ def main():
     parser.add_argument("--shown", type=int, help="side of each picture in the sheets; default: --size")
     parser.add_argument("--rows", type=int, default=100, help="rows of a sheet at most")
     parser.add_argument("--format", default="png", help="png or jpg")
-    parser.add_argument("--quality", type=int, default=85, help="quality of jpg, 1..95")
+    parser.add_argument("--quality", type=int, default=90, help="quality of jpg, 1..95")
     parser.add_argument("--rounds", type=int, default=1, help="how often each picture is made; times are medians")
-    parser.add_argument("--columns", help="only columns whose titles contain one of these, separated by commas")
+    parser.add_argument("--columns", help="numbers of columns, from 1, separated by commas; default: all")
     parser.add_argument("--no-captions", action="store_true", help="sheets without titles of rows and columns")
     parser.add_argument("--only-sheets", action="store_true", help="use the pictures that are in --out")
     parser.add_argument("--java", default="java", help="Java 17 or newer")
@@ -165,8 +166,7 @@ def main():
     models.sort(key=lambda file: file.name.lower())
     if not models:
         sys.exit(f"no models in {arguments.models}")
-    wanted = arguments.columns.split(",") if arguments.columns else [""]
-    columns = [c for c in COLUMNS if any(w in c[0] for w in wanted)]
+    columns = [COLUMNS[int(c) - 1] for c in arguments.columns.split(",")] if arguments.columns else COLUMNS
     arguments.out.mkdir(parents=True, exist_ok=True)
 
     if not arguments.only_sheets:

@@ -2,8 +2,8 @@
 
     f3d_picture.py MODEL SIZE PICTURE [--texture FILE] [--direction X,Y,Z] [OPTION=VALUE ...]
 
-Options are those of the library, with values in JSON, such as render.effect.tone_mapping=true. Without options, all is
-as the library has it, except for the white background. X,Y,Z is the direction of view of a camera that shows everything.
+Options are those of the library, with values in JSON, such as render.effect.tone_mapping=true. Without options, all
+is as the library has it, except for the white background. X,Y,Z is the direction of view; the camera shows everything.
 """
 
 import argparse
