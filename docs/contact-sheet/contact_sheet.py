@@ -16,6 +16,8 @@ import sys
 import time
 from pathlib import Path
 
+from PIL import Image, ImageDraw, ImageFont
+
 # What f3d uses for the thumbnails of a file manager, see thumbnail.d/05_all.json of its configuration
 THUMBNAIL = (
     "--direction=-1,-0.5,-1 render.effect.antialiasing.mode=\"ssaa\" render.effect.tone_mapping=true"
@@ -117,8 +119,6 @@ def render(arguments, model, column):
 
 def sheet(arguments, models, columns, file):
     """Puts the pictures of some models into one picture, a row each."""
-    from PIL import Image, ImageDraw, ImageFont
-
     side = arguments.shown or arguments.size
     font = ImageFont.load_default(max(10, side // 12))
     top, left = 2 * font.size, int(max(font.getlength(m.name) for m in models)) + 2 * GAP
@@ -166,7 +166,10 @@ def main():
     models.sort(key=lambda file: file.name.lower())
     if not models:
         sys.exit(f"no models in {arguments.models}")
-    columns = [COLUMNS[int(c) - 1] for c in arguments.columns.split(",")] if arguments.columns else COLUMNS
+    wanted = arguments.columns.split(",") if arguments.columns else []
+    columns = [column for number, column in enumerate(COLUMNS, 1) if str(number) in wanted or not wanted]
+    if not columns:
+        sys.exit(f"no columns {arguments.columns}: there are 1 to {len(COLUMNS)}")
     arguments.out.mkdir(parents=True, exist_ok=True)
 
     if not arguments.only_sheets:
