@@ -125,9 +125,13 @@ public class Section @JvmOverloads constructor(
         /** The part of the light that remains in [darkened]. */
         private const val DARK = 0.6f
 
-        /** Returns the default material of caps: the base colour of [material], darker, without texture. */
+        /** Returns the default material of caps: the base colour of [material] times the mean of its texture, darker. */
         @JvmStatic
-        public fun darkened(material: Material): Material = capColor(material, material.baseColor.scaled(DARK))
+        public fun darkened(material: Material): Material {
+            val base = material.baseColor.scaled(DARK)
+            val mean = material.texture?.meanColor ?: return capColor(material, base)
+            return capColor(material, Rgba(base.red * mean.red, base.green * mean.green, base.blue * mean.blue))
+        }
 
         /** Returns [material] in another [color], without what does not fit a cap: textures, one-sidedness, shaders. */
         @JvmStatic

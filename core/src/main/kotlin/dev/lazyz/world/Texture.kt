@@ -1,6 +1,7 @@
 package dev.lazyz.world
 
 import dev.lazyz.Fragment
+import dev.lazyz.Rgba
 import kotlin.math.sqrt
 
 /** How a [Texture] is sampled between texels. */
@@ -113,6 +114,9 @@ public class Texture private constructor(
 
     /** Whether any texel is not fully opaque. Cost: one pass over the texels, once. */
     public val hasAlpha: Boolean get() = levels.hasAlpha
+
+    /** The mean of all texels in linear light, weighted by alpha. Cost: that of the mip levels, once. */
+    public val meanColor: Rgba get() = Rgba.ofArgb(levels[levels.last].argb[0])
 
     /** Returns the texel at column [x], 0 until [width], and row [y], 0 until [height], as `0xAARRGGBB`. */
     public fun texel(x: Int, y: Int): Int = image.argb[y * width + x]

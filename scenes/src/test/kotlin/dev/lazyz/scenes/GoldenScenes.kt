@@ -2,11 +2,18 @@ package dev.lazyz.scenes
 
 import dev.lazyz.FillRule
 import dev.lazyz.Rgba
+import dev.lazyz.lighting.AmbientOcclusion
+import dev.lazyz.lighting.GroundShadow
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
+import dev.lazyz.world.Environment
+import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
+import dev.lazyz.world.MetallicRoughness
+import dev.lazyz.world.MipFilter
+import dev.lazyz.world.OcclusionMap
 import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Shading
@@ -14,8 +21,13 @@ import dev.lazyz.world.Sides
 import dev.lazyz.world.Sphere
 import dev.lazyz.world.Surface
 import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureEncoding
 import dev.lazyz.world.TextureFilter
+import dev.lazyz.world.TextureMap
 import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.ToneCurve
+import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.UvTransform
 import dev.lazyz.world.Vertex
 import org.joml.Vector3d
 
@@ -66,7 +78,47 @@ internal object GoldenScenes {
                     wall(),
             )
         },
+        "metallic" to { scene(shown(metallic())).withEnvironment(Environment.studio(0.6f)) },
+        "metallic-aces" to {
+            scene(shown(metallic()) + behind(metallic(), 1)).withLights(lights + spot).withLightIntensity(1.25f)
+                .withToneMapping(ToneMapping(ToneCurve.ACES, 0.5))
+        },
+        "trilinear" to { scene(floors(MipFilter.TRILINEAR)) },
+        "anisotropic" to { scene(floors(MipFilter.ANISOTROPIC)) },
+        "occluded" to { occluded(scene(shown(metallic()) + wall()).withEnvironment(Environment.USUAL)) },
+        "on-ground" to { onGround(scene(shown(shining(Shading.BLINN_PHONG)))) },
     )
+
+    private val spot = Light.Spot(
+        Vector3d(0.0, 2.0, 4.0), Vector3d(0.0, -1.0, -2.0), Rgba(6f, 5f, 4f), 8.0, 25.0, Falloff.inverseSquare(9.0),
+    )
+
+    /** A mixture of plastic and metal, with all maps. */
+    private fun metallic(): Material {
+        val numbers = leaf.withEncoding(TextureEncoding.LINEAR).withMipFilter(MipFilter.TRILINEAR)
+        val map = TextureMap(numbers, transform = UvTransform(0.7, 0.9, 20.0, 0.1, 0.2))
+        return shining(Shading.PHONG, leaf).withMetallicRoughness(MetallicRoughness(0.8f, 0.9f, map))
+            .withOcclusionMap(OcclusionMap(map, 0.7f)).withEmissionMap(map)
+    }
+
+    /** A floor and a ball with a texture that is far too fine for most samples. */
+    private fun floors(mipFilter: MipFilter): List<Surface> {
+        val fine = Texture(64, 32, IntArray(64 * 32) { leaf.texel(it * 5 % 8, it / 64 * 3 % 8) or (0xFF shl 24) })
+        val material = Material(texture = fine.withMipFilter(mipFilter), shading = Shading.FLAT)
+        val positions = floatArrayOf(-4f, -1f, 4f, 4f, -1f, 4f, 4f, -0.6f, -8f, -4f, -0.6f, -8f)
+        val floor = Mesh(
+            positions, intArrayOf(0, 1, 2, 0, 2, 3), material,
+            uvs = floatArrayOf(0f, 0f, 9f, 1f, 9f, 14f, 0f, 14f),
+        )
+        return listOf(floor, Sphere(Vector3d(0.3, 0.6, 0.0), 1.0, material))
+    }
+
+    private fun occluded(scene: Scene) = scene.withAmbientVisibility(AmbientOcclusion.of(scene, 48, 64))
+
+    private fun onGround(scene: Scene): Scene {
+        val shadow = GroundShadow.of(scene)
+        return scene.withSurfaces(scene.surfaces + shadow).withViewpoint(shadow.camera(camera))
+    }
 
     private fun scene(surfaces: List<Surface>) = Scene(surfaces, lights, camera, Rgba(0.2f, 0.3f, 0.5f))
 
