@@ -31,6 +31,7 @@ COLUMNS = [
     ("Lazy Z technical", "zcli", "--style technical --hidden-lines dashed"),
     ("Lazy Z section", "zcli", "--cut z=50% --edges"),
     ("Lazy Z wireframe", "zcli", "--wireframe --edge-width 0.5"),
+    ("Lazy Z product", "zcli", "--style product"),
     ("f3d", "f3d", ""),
     ("f3d, SSAA", "f3d", 'render.effect.antialiasing.mode="ssaa"'),
     ("f3d, thumbnail", "f3d", THUMBNAIL),

@@ -50,7 +50,7 @@ class StrategiesAgreeProperties {
     fun rule_7_1_inScenes(@ForAll(supplier = WorldCases::class) case: FrameCase, @ForAll salt: Long) = agree(case, salt)
 
     /** Rasters of several tiles and subdivisions, and enough primitives to hide each other. */
-    @Property(tries = 500, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 250, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_onLargerFrames(@ForAll(supplier = LargerCases::class) case: FrameCase, @ForAll salt: Long) =
         agree(case, salt)
 
