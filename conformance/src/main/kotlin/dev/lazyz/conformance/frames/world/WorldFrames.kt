@@ -120,7 +120,7 @@ internal object WorldFrames {
         )
         val kinds = mixed(19 to large, 1 to mixed(1 to dots.points(), 1 to dots.lines()))
         val others = kinds.list().ofMaxSize(max - 1).withSizeDistribution(RandomDistribution.uniform())
-        val first = mixed(1 to large, 3 to meshes.backdrop())
+        val first = mixed(1 to large, 4 to meshes.backdrop())
         val some = Combinators.combine(others, first, ints(0, max)).`as` { list, one, place ->
             list.toMutableList().apply { add(minOf(place, size), one) }.toList()
         }
