@@ -76,6 +76,16 @@ class DifferentialFuzzingTest {
         assertEquals(null, Recipe.parse("# no recipe"))
     }
 
+    /** So that the search is guided to pairs of, for example, a normal map and a spot. */
+    @Test
+    fun traitsOfScenesAreKnown() {
+        val random = Random(1)
+        val recipes = generateSequence { Recipe.any(random) }
+            .filter { it[Ingredient.KIND] == "MESHES" && it[Ingredient.SECOND_KIND] == "LINES" && it.cost < 100_000 }
+        val traits = recipes.take(20).flatMap { it.traits(it.frame().value()) }.toSet()
+        for (trait in listOf("KIND=MESHES", "MESH", "LINES", "SPOT", "SECOND_UVS")) assertTrue(trait in traits, trait)
+    }
+
     @Test
     fun framesBecomeUnlikeEachOther() {
         val pairs = TraitPairs()
