@@ -23,6 +23,20 @@ object BrokenMaps {
         }
     }
 
+    /** Derivatives that a surface does not have are those of a surface that was shaded before. */
+    fun footprintOfAnotherSurface(): BrokenRenderer {
+        val last = Footprint()
+        return reshading("footprint-of-another-surface") { shader, _ ->
+            Shader {
+                val own = Footprint(it)
+                own.fillFrom(last)
+                last.copy(own)
+                own.copyTo(it)
+                shader.shade(it)
+            }
+        }
+    }
+
     /** The normal that a map has made is the one that the map changes at the next sample. */
     fun normalOfTheLastSample() = reshading("normal-of-the-last-sample") { shader, inside ->
         val normal = FloatArray(3)
@@ -120,7 +134,7 @@ object BrokenMaps {
 
 /** The derivatives of a fragment's texture coordinates. */
 private class Footprint() {
-    private val numbers = FloatArray(8)
+    private val numbers = FloatArray(2 * SET)
 
     /** Whether they are those of a fragment. */
     var isKnown = false
@@ -137,6 +151,14 @@ private class Footprint() {
         isKnown = other.isKnown
     }
 
+    /** Replaces the derivatives of each set of coordinates that are all 0 by those of [other]. */
+    fun fillFrom(other: Footprint) {
+        for (first in listOf(0, SET)) {
+            val set = first until first + SET
+            if (set.all { numbers[it] == 0f }) for (k in set) numbers[k] = other.numbers[k]
+        }
+    }
+
     fun copyTo(fragment: Fragment) {
         fragment.dudx = numbers[0]
         fragment.dvdx = numbers[1]
@@ -146,5 +168,10 @@ private class Footprint() {
         fragment.dv2dx = numbers[5]
         fragment.du2dy = numbers[6]
         fragment.dv2dy = numbers[7]
+    }
+
+    private companion object {
+        /** Number of derivatives of a set of coordinates. */
+        const val SET = 4
     }
 }

@@ -78,10 +78,7 @@ class ExactShadingTest {
     private fun known(frames: Arbitrary<FrameCase>, count: Int): List<FrameCase> = some(frames, count).map { case ->
         val scene = checkNotNull(case.scene)
         val raster = case.frame.raster
-        val isPhysical = scene.surfaces.any { surface ->
-            ExactShading.materialOf(surface)?.let(ExactLight::isPhysical) ==
-                true
-        }
+        val isPhysical = scene.surfaces.mapNotNull(ExactShading::materialOf).any(ExactLight::isPhysical)
         val lights = scene.lights.ifEmpty { Light.studio(scene.camera(raster.width, raster.height)) }
         val known = scene.withSurfaces(scene.surfaces.filterNot { it is Points || it is Lines })
             .withMaterials { it.withMipFilter(MipFilter.NONE) }

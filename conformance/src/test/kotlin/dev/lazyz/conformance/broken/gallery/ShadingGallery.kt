@@ -38,6 +38,11 @@ internal object ShadingGallery {
             "reads textures with the derivatives of the sample that was shaded before",
             lit, scenes,
         ),
+        Mutant(
+            BrokenMaps::footprintOfAnotherSurface,
+            "reads textures of surfaces without coordinates with the derivatives of another surface",
+            scenes,
+        ),
         Mutant(BrokenMaps::mipFilterLost, "reads textures without their mip filters", lit, scenes),
         Mutant(BrokenMaps::transformLost, "reads textures at coordinates that are not transformed", lit, scenes),
         Mutant(
