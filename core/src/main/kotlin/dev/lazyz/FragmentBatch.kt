@@ -160,6 +160,7 @@ public class FragmentBatch internal constructor(capacity: Int) {
     internal fun begin(fields: Int) {
         size = 0
         val stale = this.fields and fields.inv()
+        val before = this.fields
         this.fields = fields
         if (stale and Attributes.WORLD != 0) for (array in listOf(worldX, worldY, worldZ)) array.fill(0f)
         if (stale and Attributes.NORMAL != 0) for (array in listOf(normalX, normalY, normalZ)) array.fill(0f)
@@ -168,8 +169,11 @@ public class FragmentBatch internal constructor(capacity: Int) {
         if (stale and Attributes.TANGENT != 0) {
             for (array in listOf(tangentX, tangentY, tangentZ, tangentW)) array.fill(0f)
         }
-        if (stale and Attributes.FOOTPRINT != 0) {
-            for (array in listOf(dudx, dvdx, dudy, dvdy, du2dx, dv2dx, du2dy, dv2dy)) array.fill(0f)
+        if (before and Attributes.FOOTPRINT != 0) {
+            // Derivatives are only written for the coordinates that the fragments have
+            val ended = if (stale and Attributes.FOOTPRINT != 0) before else stale
+            if (ended and Attributes.UV != 0) for (array in listOf(dudx, dvdx, dudy, dvdy)) array.fill(0f)
+            if (ended and Attributes.UV2 != 0) for (array in listOf(du2dx, dv2dx, du2dy, dv2dy)) array.fill(0f)
         }
         if (stale and Attributes.COLOR != 0) {
             for (array in listOf(vertexRed, vertexGreen, vertexBlue, vertexAlpha)) array.fill(1f)

@@ -41,13 +41,13 @@ public class FrameCase(public val frame: Frame, public val code: String) {
 
     /**
      * Returns the scene with changed surfaces; null if there is none, or the surfaces do not correspond to the
-     * primitives one to one.
+     * primitives one to one. The tone mapping stays the same, even if the default of the changed scene is another one.
      */
     internal fun sceneOf(change: (List<Surface>) -> List<Surface>?): Scene? {
         val scene = scene ?: return null
         if (scene.surfaces.size != frame.primitives.size || scene.surfaces.any { it.isOfMany }) return null
         val surfaces = change(scene.surfaces) ?: return null
-        return Scene(surfaces, scene.lights, scene.viewpoint, scene.background)
+        return scene.withSurfaces(surfaces).withToneMapping(scene.effectiveToneMapping)
     }
 
     /** Whether the number of primitives of the surface may be other than one. */

@@ -71,11 +71,41 @@ public enum class FrameTrait(internal val words: String) {
     /** The scene has a sphere. */
     SPHERE("a sphere"),
 
+    /** The scene has points. */
+    POINTS("points"),
+
+    /** The scene has lines. */
+    LINES("lines"),
+
     /** The scene has lights. */
     LIT("lights"),
 
+    /** The scene has a spot. */
+    SPOT("a spot"),
+
+    /** The scene has a light that decreases with the distance. */
+    FALLOFF("light that falls off"),
+
+    /** The scene has an exposure other than 0 or a tone curve. */
+    TONE_MAPPING("exposure or a tone curve"),
+
     /** A surface of the scene has a texture. */
     TEXTURED("a texture"),
+
+    /** A surface of the scene has a map with a mip filter. */
+    MIP_FILTER("a mip filter"),
+
+    /** A mesh of the scene has a map that uses its second texture coordinates. */
+    SECOND_UVS("second texture coordinates"),
+
+    /** A mesh of the scene has a normal map and tangents. */
+    NORMAL_MAP("a normal map"),
+
+    /** A surface of the scene has a metallic-roughness material. */
+    PHYSICAL("a metallic-roughness material"),
+
+    /** Such a surface reflects an environment. */
+    ENVIRONMENT("an environment"),
 
     /** A surface of the scene has a mask. */
     MASKED("a mask"),

@@ -8,12 +8,21 @@ import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.Rasters
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
+import dev.lazyz.world.Environment
+import dev.lazyz.world.Falloff
+import dev.lazyz.world.Light
+import dev.lazyz.world.Lines
+import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
+import dev.lazyz.world.MipFilter
+import dev.lazyz.world.Points
 import dev.lazyz.world.Polygon
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
 import dev.lazyz.world.Sphere
 import dev.lazyz.world.Surface
+import dev.lazyz.world.ToneMapping
 import java.util.EnumSet
 import org.joml.Vector3d
 
@@ -39,18 +48,49 @@ internal fun rasterTraits(raster: Raster): EnumSet<FrameTrait> {
 internal fun addSceneTraits(scene: Scene, traits: MutableSet<FrameTrait>) {
     val camera = scene.viewpoint as? Camera ?: return
     if (camera.projection == Projection.Screen) return
-    if (scene.lights.isNotEmpty()) traits.add(FrameTrait.LIT)
+    addLightTraits(scene, traits)
     for (surface in scene.surfaces) {
         val material = when (surface) {
             is Mesh -> surface.material.also { traits.add(FrameTrait.MESH) }
             is Sphere -> surface.material.also { traits.add(FrameTrait.SPHERE) }
             is Polygon -> surface.material
+            is Points -> unmapped(surface.material, surface.normals != null).also { traits.add(FrameTrait.POINTS) }
+            is Lines -> unmapped(surface.material, isLit = false).also { traits.add(FrameTrait.LINES) }
             else -> continue
         }
         if (material.texture != null) traits.add(FrameTrait.TEXTURED)
         if (material.alphaMode == AlphaMode.MASK) traits.add(FrameTrait.MASKED)
         if (reachesAcrossNearPlane(surface, camera)) traits.add(FrameTrait.NEAR_PLANE)
+        addMapTraits(material, surface as? Mesh, traits)
+        if (material.metallicRoughness == null || material.shading == Shading.CONSTANT) continue
+        traits.add(FrameTrait.PHYSICAL)
+        val usual = if (scene.lights.isEmpty()) Environment.USUAL else Environment.NONE
+        if ((scene.environment ?: usual) != Environment.NONE) traits.add(FrameTrait.ENVIRONMENT)
     }
+}
+
+/** Returns what points and lines use of their [material]. */
+private fun unmapped(material: Material, isLit: Boolean): Material =
+    material.withoutMaps().let { if (isLit) it else it.withShading(Shading.CONSTANT) }
+
+private fun addLightTraits(scene: Scene, traits: MutableSet<FrameTrait>) {
+    if (scene.lights.isNotEmpty()) traits.add(FrameTrait.LIT)
+    if (scene.lights.any { it is Light.Spot }) traits.add(FrameTrait.SPOT)
+    val falloffs = scene.lights.map { (it as? Light.Point)?.falloff ?: (it as? Light.Spot)?.falloff ?: Falloff.NONE }
+    if (falloffs.any { it != Falloff.NONE }) traits.add(FrameTrait.FALLOFF)
+    if (scene.effectiveToneMapping != ToneMapping.NONE) traits.add(FrameTrait.TONE_MAPPING)
+}
+
+/** Adds the traits of the maps of [material], on [mesh] or on a surface that is not a mesh. */
+private fun addMapTraits(material: Material, mesh: Mesh?, traits: MutableSet<FrameTrait>) {
+    val normalMap = material.normalMap?.takeIf { mesh?.tangents != null }
+    val maps = listOfNotNull(
+        material.textureMap, material.metallicRoughness?.map, normalMap?.map, material.occlusionMap?.map,
+        material.emissionMap,
+    )
+    if (maps.any { it.texture.mipFilter != MipFilter.NONE }) traits.add(FrameTrait.MIP_FILTER)
+    if (mesh?.uvs2 != null && maps.any { it.uvSet == 1 }) traits.add(FrameTrait.SECOND_UVS)
+    if (normalMap != null) traits.add(FrameTrait.NORMAL_MAP)
 }
 
 private fun reachesAcrossNearPlane(surface: Surface, camera: Camera): Boolean {

@@ -81,4 +81,10 @@ public enum class FrameKind(public val isInSpace: Boolean = false) {
 
     /** Triangles that extend from in front of the camera to behind it. */
     NEAR_PLANE(true),
+
+    /** Clouds of points, of less than a pixel to more than a tile. */
+    POINTS(true),
+
+    /** Lines, mostly polylines, as wide as the points. */
+    LINES(true),
 }

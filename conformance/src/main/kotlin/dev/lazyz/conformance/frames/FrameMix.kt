@@ -121,6 +121,8 @@ public class FrameMix private constructor(
                 FrameKind.MESHES -> WorldFrames.mesh()
                 FrameKind.SPHERES -> WorldFrames.sphere()
                 FrameKind.NEAR_PLANE -> WorldFrames.nearPlane()
+                FrameKind.POINTS -> WorldFrames.points()
+                FrameKind.LINES -> WorldFrames.lines()
                 else -> mixed(2 to WorldFrames.polygon(), 1 to WorldFrames.holed())
             }
         }
@@ -183,7 +185,7 @@ public class FrameMix private constructor(
                 when (it) {
                     FrameKind.COINCIDENT, FrameKind.COPLANAR, FrameKind.INTERPENETRATING -> 5
                     FrameKind.CONFETTI, FrameKind.SPHERES -> 4
-                    FrameKind.DEGENERATE, FrameKind.TINY -> 1
+                    FrameKind.DEGENERATE, FrameKind.TINY, FrameKind.POINTS, FrameKind.LINES -> 1
                     else -> 2
                 }
             },

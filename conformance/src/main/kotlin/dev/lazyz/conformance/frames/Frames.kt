@@ -86,10 +86,13 @@ public object Frames {
     }
 
     /**
-     * Returns frames of 3D scenes: polygons with and without holes, meshes of one to dozens of triangles, spheres, in
-     * front of the camera, behind it, and across its near and far planes, with and without perspective. Vertices may
-     * have normals, texture coordinates and colours. Materials have every [dev.lazyz.world.Shading], highlights,
-     * emission, textures, masks, one side or two. Lights are of every kind. No primitive is translucent.
+     * Returns frames of 3D scenes: polygons with and without holes, meshes of one to dozens of triangles, spheres,
+     * points and lines, in front of the camera, behind it, and across its near and far planes, with and without
+     * perspective. Vertices may have normals, one or two sets of texture coordinates, tangents and colours. Materials
+     * have every [dev.lazyz.world.Shading], highlights, emission, masks, one side or two; some are of the
+     * metallic-roughness model. Textures and other maps have every filter, transformed coordinates and any encoding.
+     * Lights are of every kind, with and without falloff. Some scenes have an environment or tone mapping. No primitive
+     * is translucent.
      *
      * The camera is directed at the surfaces, so that few frames are empty and most samples are covered more than once.
      *

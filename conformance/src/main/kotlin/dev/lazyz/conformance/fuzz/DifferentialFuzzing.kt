@@ -4,7 +4,6 @@ import dev.lazyz.Capability
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.asOpaque
-import dev.lazyz.conformance.census.Census
 import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.difference
 import java.nio.file.Path
@@ -90,7 +89,7 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
      */
     private fun difference(recipe: Recipe, isNew: Boolean): String? {
         val frame = recipe.frame()
-        val traits = traits(recipe, frame.value())
+        val traits = recipe.traits(frame.value())
         if (pairs.add(traits) > 0) {
             pool.add(Known(recipe, traits))
             if (isNew) corpus.add(recipe)
@@ -101,12 +100,6 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
         val message = "$who: $disagreement\nin\n$case\nrecipe $recipe"
         corpus.addDifference(recipe, case, message)
         return message
-    }
-
-    private fun traits(recipe: Recipe, case: FrameCase): Set<String> {
-        val chosen = Ingredient.entries.map { "$it=${recipe[it]}" }.toSet()
-        val isSmall = case.frame.region.size * case.frame.primitives.size <= MOST_EXAMINED
-        return if (isSmall) chosen + Census.traits(case.frame).map { it.name } else chosen
     }
 
     /** Describes how the two renderers differ for [whole]; null if they do not. */
@@ -165,12 +158,6 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
 
         /** Greatest cost of a frame. Larger ones would take seconds with the slowest renderers. */
         private const val MOST_SAMPLES = 3_000_000L
-
-        /**
-         * Greatest number of samples times primitives to examine. Examining larger frames takes longer than rendering
-         * them.
-         */
-        private const val MOST_EXAMINED = 300_000L
 
         /** Greatest number of smaller frames to render when shrinking a frame. */
         private const val MOST_STEPS = 300

@@ -4,6 +4,7 @@ import dev.lazyz.Coherence
 import dev.lazyz.RenderOptions
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.withinAny
+import dev.lazyz.conformance.census.Census
 import dev.lazyz.conformance.frames.FrameKind
 import dev.lazyz.conformance.frames.FrameMix
 import dev.lazyz.conformance.frames.Frames
@@ -57,6 +58,13 @@ internal class Recipe private constructor(private val chosen: Map<Ingredient, St
     /** Returns the part of [case] to render. */
     fun finish(case: FrameCase): FrameCase = if (get(Ingredient.PART) == "WHOLE") case else case.withinAny(Random(seed))
 
+    /** Returns the ingredients and the traits of the frame that was made from this recipe, as words. */
+    fun traits(case: FrameCase): Set<String> {
+        val chosen = Ingredient.entries.map { "$it=${get(it)}" }.toSet()
+        val isSmall = case.frame.region.size * case.frame.primitives.size <= MOST_EXAMINED
+        return if (isSmall) chosen + Census.traits(case.frame, case.scene).map { it.name } else chosen
+    }
+
     /** Returns the line of text. */
     override fun toString(): String = chosen.entries.joinToString(" ") { "${it.key}=${it.value}" } + " SEED=$seed"
 
@@ -69,6 +77,12 @@ internal class Recipe private constructor(private val chosen: Map<Ingredient, St
         private const val SEED_ONLY = 3
 
         private const val GENERATOR_SIZE = 1000
+
+        /**
+         * Greatest number of samples times primitives to examine. Examining larger frames takes longer than rendering
+         * them.
+         */
+        private const val MOST_EXAMINED = 300_000L
 
         /** Returns a random recipe. */
         fun any(random: Random): Recipe =

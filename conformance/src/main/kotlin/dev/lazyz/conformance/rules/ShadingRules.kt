@@ -85,10 +85,14 @@ public sealed interface ShadingRules : RulesForOne {
         Judgement(renderer(), case).equalsReference()
     }
 
-    /** Light, highlights, emission, vertex colours and textures are correct at every sample of long rows. */
+    /**
+     * Light, highlights, emission, vertex colours, maps with their filters, metallic-roughness materials and tone
+     * mapping are correct at every sample of long rows.
+     */
     @Rule(
-        intent = "A sample's light, texture and vertex colours do not depend on how many samples are shaded at once.",
-        look = "Compare the attributes of the sample that differs with Primitive.shade: weights, normal, u and v.",
+        intent = "A sample's light, maps and vertex colours do not depend on how many samples are shaded at once.",
+        look = "Compare the attributes of the sample that differs with Primitive.shade: weights, normal, tangent, " +
+            "both texture coordinates and their derivatives.",
         about = [Symptom.COLOR],
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)

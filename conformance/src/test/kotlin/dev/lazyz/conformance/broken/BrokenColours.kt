@@ -84,7 +84,8 @@ object BrokenColours {
         LazyZBuffer(options).render(Frame(frame.raster, primitives, frame.region), sink)
     }
 
-    private fun coherent(
+    /** Renders with the options of coherence by [how]. */
+    internal fun coherent(
         id: String,
         options: RenderOptions = RenderOptions(),
         how: (Frame, RenderOptions, RowSink) -> Counters,

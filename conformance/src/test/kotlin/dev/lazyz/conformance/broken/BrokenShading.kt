@@ -4,6 +4,7 @@ import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Rgba
+import dev.lazyz.Shader
 import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.TextureFilter
@@ -47,7 +48,8 @@ object BrokenShading {
             Lists().render(front, sink)
         }
 
-    private fun wrong(id: String, change: (Inside, Changes) -> Unit) = BrokenRenderer(id) { frame, sink ->
+    /** Renders correctly, but primitives that are changed by [change]. */
+    internal fun wrong(id: String, change: (Inside, Changes) -> Unit) = BrokenRenderer(id) { frame, sink ->
         changed(frame, change) { ZBuffer().render(frame, sink) }
     }
 
@@ -68,7 +70,7 @@ object BrokenShading {
 internal class Changes : AutoCloseable {
     private val undo = ArrayList<() -> Unit>()
 
-    fun set(target: Any, field: String, value: Any) {
+    fun set(target: Any, field: String, value: Any?) {
         val accessible = Inside.field(target, field)
         val before = accessible.get(target)
         accessible.set(target, value)
@@ -76,6 +78,12 @@ internal class Changes : AutoCloseable {
     }
 
     fun setNumber(data: DoubleArray, at: Int, value: Double) {
+        val before = data[at]
+        data[at] = value
+        undo.add { data[at] = before }
+    }
+
+    fun setNumber(data: FloatArray, at: Int, value: Float) {
         val before = data[at]
         data[at] = value
         undo.add { data[at] = before }
@@ -109,10 +117,18 @@ internal class Inside(primitive: Primitive) {
 
     private val isPlanar: Boolean get() = core?.javaClass?.simpleName == "PlanarPrimitive"
 
-    private val shader: Any? get() = core?.let { read(it, "shader") }
+    /** Whether it is a sphere. */
+    val isSphere: Boolean get() = core?.javaClass?.simpleName == "SpherePrimitive"
+
+    /** Whether the normals of the vertices are reversed. */
+    val isTurned: Boolean get() = isPlanar && read(checkNotNull(core), "normalSign") == -1.0
+
+    /** The shader of the primitive's material, or null. */
+    val shader: Any? get() = core?.let { read(it, "shader") }
         ?.takeIf { it.javaClass.simpleName == "MaterialShader" }
 
-    private val material: Any? get() = shader?.let { read(it, "material") }
+    /** The material, or null. */
+    val material: Any? get() = shader?.let { read(it, "material") }
 
     /** The material's texture, or null. */
     val texture: Any? get() = material?.let { read(it, "textureMap") }?.let { read(it, "texture") }
@@ -138,14 +154,20 @@ internal class Inside(primitive: Primitive) {
     fun eachCorner(action: (data: DoubleArray, at: Int) -> Unit) {
         if (!isPlanar) return
         val planar = checkNotNull(core)
-        val data = read(checkNotNull(read(planar, "vertices")), "data") as DoubleArray
-        for (corner in read(planar, "corners") as IntArray) action(data, STRIDE * corner)
+        val vertices = checkNotNull(read(planar, "vertices"))
+        val data = read(vertices, "data") as DoubleArray
+        for (corner in read(planar, "corners") as IntArray) action(data, read(vertices, "stride") as Int * corner)
+    }
+
+    /** Replaces the shader by what [change] returns for it. */
+    fun reshade(changes: Changes, change: (Shader) -> Shader) {
+        val whole = core ?: return
+        changes.set(whole, "shader", change(read(whole, "shader") as Shader))
     }
 
     companion object {
         private val WRAPPERS = setOf("MaskedPrimitive", "OpaquePrimitive", "Glass")
         private val CORES = setOf("PlanarPrimitive", "SpherePrimitive")
-        private const val STRIDE = 16
         private const val W = 3
         const val NORMAL: Int = 7
         const val COLOR: Int = 12

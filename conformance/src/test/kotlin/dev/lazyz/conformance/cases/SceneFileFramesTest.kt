@@ -25,13 +25,19 @@ import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.scenes.scenefile.SceneFile
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FrameBuilder
+import dev.lazyz.world.Material
+import dev.lazyz.world.MetallicRoughness
 import dev.lazyz.world.Polygon
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Sphere
+import dev.lazyz.world.Vertex
 import java.util.Random
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import net.jqwik.api.Provide
+import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
@@ -89,6 +95,17 @@ class SceneFileFramesTest {
     fun polygons(): Arbitrary<FrameCase> {
         val kinds = FrameKind.entries.filter { !it.isInSpace && it != FrameKind.CONFETTI }
         return Frames.of(FrameMix.of(*kinds.toTypedArray()))
+    }
+
+    /** The default of a scene depends on its materials, of which a change may leave out some. */
+    @Test
+    fun toneMappingIsThatOfTheWholeScene() {
+        val metal = Sphere(Vector3d(), 1.0, Material().withMetallicRoughness(MetallicRoughness()))
+        val corners = listOf(Vertex(-1.0, -1.0, 0.0), Vertex(1.0, -1.0, 0.0), Vertex(0.0, 1.0, 0.0))
+        val eye = Vector3d(0.0, 0.0, 4.0)
+        val camera = Camera.perspective(eye, Vector3d(), Vector3d(0.0, 1.0, 0.0), 40.0, 0.5, 10.0)
+        val scene = Scene(listOf(metal, Polygon(listOf(corners))), viewpoint = camera)
+        assertSame(FrameCase(scene.frame(Raster(8, 8)), "", scene).keeping(1))
     }
 
     @Test

@@ -13,13 +13,24 @@ import dev.lazyz.conformance.frames.Plate
 import dev.lazyz.conformance.frames.screen.screenCase
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
+import dev.lazyz.world.Falloff
 import dev.lazyz.world.FrameBuilder
+import dev.lazyz.world.Light
+import dev.lazyz.world.Lines
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
+import dev.lazyz.world.MetallicRoughness
+import dev.lazyz.world.MipFilter
+import dev.lazyz.world.NormalMap
+import dev.lazyz.world.Points
 import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
 import dev.lazyz.world.Sphere
+import dev.lazyz.world.Surface
 import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureMap
+import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.Vertex
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -94,10 +105,57 @@ class CensusTest {
             ofScene(Scene(listOf(Mesh(across, intArrayOf(0, 1, 2), texture)), viewpoint = camera)),
         )
         assertEquals(setOf(FrameTrait.SPHERE), ofScene(Scene(listOf(Sphere(Vector3d(), 1.0)), viewpoint = camera)))
+        assertEquals(setOf(FrameTrait.POINTS), ofScene(Scene(listOf(Points(near)), viewpoint = camera)))
+        assertEquals(
+            setOf(FrameTrait.LINES, FrameTrait.MASKED),
+            ofScene(Scene(listOf(Lines(near, intArrayOf(0, 1), material = texture)), viewpoint = camera)),
+        )
         val onScreen = Scene(listOf(Mesh(near, intArrayOf(0, 1, 2), texture)), viewpoint = Camera.screen())
         assertEquals(setOf<FrameTrait>(), ofScene(onScreen))
     }
 
+    @Test
+    fun lightsBringTraits() {
+        val up = Vector3d(0.0, 1.0, 0.0)
+        fun of(vararg lights: Light) = ofScene(Scene(emptyList(), lights.toList(), camera))
+        assertEquals(setOf(FrameTrait.LIT), of(Light.Point(up, Rgba.WHITE)))
+        assertEquals(
+            setOf(FrameTrait.LIT, FrameTrait.FALLOFF),
+            of(Light.Point(up, Rgba.WHITE, Falloff.inverseSquare())),
+        )
+        assertEquals(setOf(FrameTrait.LIT, FrameTrait.SPOT), of(Light.Spot(up, up, Rgba.WHITE)))
+        val exposed = Scene(emptyList(), viewpoint = camera).withToneMapping(ToneMapping(exposure = 1.0))
+        assertEquals(setOf(FrameTrait.TONE_MAPPING), ofScene(exposed))
+    }
+
+    @Test
+    fun mapsBringTraits() {
+        val filtered = Texture(1, 1, intArrayOf(-1), mipFilter = MipFilter.TRILINEAR)
+        val second = TextureMap(filtered, uvSet = 1)
+        val mapped = Material().withNormalMap(NormalMap(second))
+        val positions = FloatArray(9)
+        val triangle = intArrayOf(0, 1, 2)
+        fun of(surface: Surface) = ofScene(Scene(listOf(surface), viewpoint = camera))
+
+        // A normal map needs tangents, and second coordinates must be there
+        val bare = Mesh(positions, triangle, mapped)
+        assertEquals(setOf(FrameTrait.MESH), of(bare))
+        val whole = Mesh(positions, triangle, mapped, uvs2 = FloatArray(6), tangents = FloatArray(12))
+        val traits = setOf(FrameTrait.MESH, FrameTrait.NORMAL_MAP, FrameTrait.SECOND_UVS, FrameTrait.MIP_FILTER)
+        assertEquals(traits, of(whole))
+
+        // Metals reflect a studio if there is no light; they are not lit with constant shading, nor without normals
+        val sphere = Sphere(Vector3d(), 1.0, metal)
+        val studio = setOf(FrameTrait.SPHERE, FrameTrait.PHYSICAL, FrameTrait.ENVIRONMENT, FrameTrait.TONE_MAPPING)
+        assertEquals(studio, of(sphere))
+        val lit = Scene(listOf(sphere), listOf(Light.Ambient(Rgba.WHITE)), camera)
+        assertEquals(studio - FrameTrait.ENVIRONMENT + FrameTrait.LIT, ofScene(lit))
+        assertEquals(setOf(FrameTrait.SPHERE), of(Sphere(Vector3d(), 1.0, metal.withShading(Shading.CONSTANT))))
+        assertFalse(FrameTrait.PHYSICAL in of(Points(positions, 1.0, metal)))
+        assertTrue(FrameTrait.PHYSICAL in of(Points(positions, 1.0, metal, normals = positions)))
+    }
+
+    private val metal = Material().withMetallicRoughness(MetallicRoughness())
     private val eye = Vector3d(0.0, 0.0, 5.0)
     private val camera = Camera.perspective(eye, Vector3d(), Vector3d(0.0, 1.0, 0.0), 40.0, 0.5, 9.0)
 

@@ -2,6 +2,8 @@ package dev.lazyz.conformance.census
 
 import dev.lazyz.conformance.census.FrameTrait.CROSSING
 import dev.lazyz.conformance.census.FrameTrait.DEEP
+import dev.lazyz.conformance.census.FrameTrait.ENVIRONMENT
+import dev.lazyz.conformance.census.FrameTrait.FALLOFF
 import dev.lazyz.conformance.census.FrameTrait.FORMLESS
 import dev.lazyz.conformance.census.FrameTrait.GREATER
 import dev.lazyz.conformance.census.FrameTrait.GREATER_OR_EQUAL
@@ -9,19 +11,27 @@ import dev.lazyz.conformance.census.FrameTrait.HIDDEN
 import dev.lazyz.conformance.census.FrameTrait.LARGER_IS_NEARER
 import dev.lazyz.conformance.census.FrameTrait.LESS
 import dev.lazyz.conformance.census.FrameTrait.LESS_OR_EQUAL
+import dev.lazyz.conformance.census.FrameTrait.LINES
 import dev.lazyz.conformance.census.FrameTrait.LIT
 import dev.lazyz.conformance.census.FrameTrait.MANY_SPANS
 import dev.lazyz.conformance.census.FrameTrait.MASKED
 import dev.lazyz.conformance.census.FrameTrait.MEETING
 import dev.lazyz.conformance.census.FrameTrait.MESH
+import dev.lazyz.conformance.census.FrameTrait.MIP_FILTER
 import dev.lazyz.conformance.census.FrameTrait.NEAR_PLANE
+import dev.lazyz.conformance.census.FrameTrait.NORMAL_MAP
 import dev.lazyz.conformance.census.FrameTrait.NOTHING_VISIBLE
 import dev.lazyz.conformance.census.FrameTrait.NO_PRIMITIVES
+import dev.lazyz.conformance.census.FrameTrait.PHYSICAL
+import dev.lazyz.conformance.census.FrameTrait.POINTS
+import dev.lazyz.conformance.census.FrameTrait.SECOND_UVS
 import dev.lazyz.conformance.census.FrameTrait.SEVERAL_VISIBLE
 import dev.lazyz.conformance.census.FrameTrait.SMALLER_IS_NEARER
 import dev.lazyz.conformance.census.FrameTrait.SPHERE
+import dev.lazyz.conformance.census.FrameTrait.SPOT
 import dev.lazyz.conformance.census.FrameTrait.TEXTURED
 import dev.lazyz.conformance.census.FrameTrait.TIE
+import dev.lazyz.conformance.census.FrameTrait.TONE_MAPPING
 import dev.lazyz.conformance.census.FrameTrait.TRANSLUCENT
 
 /**
@@ -42,13 +52,16 @@ internal object PairsOfTraits {
             NO_PRIMITIVES,
             setOf(
                 SEVERAL_VISIBLE, TIE, HIDDEN, CROSSING, MEETING, DEEP, MANY_SPANS, TRANSLUCENT, FORMLESS, MESH, SPHERE,
-                TEXTURED, MASKED, NEAR_PLANE,
+                POINTS, LINES, TEXTURED, MIP_FILTER, SECOND_UVS, NORMAL_MAP, PHYSICAL, ENVIRONMENT, MASKED, NEAR_PLANE,
             ),
         ),
         Triple("ties and crossings are visible", NOTHING_VISIBLE, setOf(SEVERAL_VISIBLE, TIE, CROSSING)),
     )
 
-    private val ofScenes = setOf(MESH, SPHERE, TEXTURED, MASKED, NEAR_PLANE)
+    private val ofScenes = setOf(
+        MESH, SPHERE, POINTS, LINES, SPOT, FALLOFF, TONE_MAPPING, TEXTURED, MIP_FILTER, SECOND_UVS, NORMAL_MAP,
+        PHYSICAL, ENVIRONMENT, MASKED, NEAR_PLANE,
+    )
 
     /**
      * Compatible traits that do not occur together in the suite's frames, or not so that a census finds it, and why.
@@ -56,7 +69,6 @@ internal object PairsOfTraits {
     private val unmet: List<Triple<String, FrameTrait, Set<FrameTrait>>> = listOf(
         Triple("not every pair with lights is met at the default effort", LIT, FrameTrait.entries.toSet()),
         Triple("surfaces of the suite's scenes are too simple", MANY_SPANS, ofScenes),
-        Triple("a scene is not kept when Glass is put into its frame", TRANSLUCENT, ofScenes),
     )
 
     /** Returns why no frame has both; null if some may. */

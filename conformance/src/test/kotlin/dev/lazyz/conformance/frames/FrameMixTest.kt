@@ -68,6 +68,8 @@ class FrameMixTest {
             FrameKind.SPHERES to "Sphere(",
             FrameKind.MESHES to "Mesh(",
             FrameKind.POLYGONS_IN_SPACE to "Polygon(",
+            FrameKind.POINTS to "Points(",
+            FrameKind.LINES to "Lines(",
         )) {
             val cases = some(FrameMix.of(kind).counted(1, 5))
             assertTrue(cases.all { word in it.code }) { "$kind" }

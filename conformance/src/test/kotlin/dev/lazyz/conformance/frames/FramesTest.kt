@@ -94,6 +94,12 @@ class FramesTest {
         for (word in words) {
             assertTrue(cases.count { word in it.code } > cases.size / 10) { word }
         }
+        val seldom = listOf("Points(", "Lines(", "Spot(", "Falloff.inverse", "withEnvironment", "ToneCurve.ACES") +
+            listOf("uvs2", "tangents", "MipFilter.TRILINEAR", "MipFilter.ANISOTROPIC", "TextureEncoding.LINEAR") +
+            listOf("UvTransform", "MetallicRoughness", "NormalMap", "OcclusionMap", "withEmissionMap")
+        for (word in seldom) {
+            assertTrue(cases.count { word in it.code } > cases.size / 40) { word }
+        }
         assertTrue(cases.any { "NaN" in it.code })
         assertTrue(frames.none { frame -> frame.primitives.any { it.isTranslucent } })
     }

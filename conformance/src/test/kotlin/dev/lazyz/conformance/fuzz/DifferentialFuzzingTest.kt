@@ -10,6 +10,7 @@ import java.nio.file.Path
 import java.util.Random
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.readLines
+import net.jqwik.api.sessions.JqwikSession
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -74,6 +75,17 @@ class DifferentialFuzzingTest {
             assertEquals(recipe, Recipe.parse("$recipe"))
         }
         assertEquals(null, Recipe.parse("# no recipe"))
+    }
+
+    /** So that the search is guided to pairs of, for example, a normal map and a spot. */
+    @Test
+    fun traitsOfScenesAreKnown() {
+        val random = Random(1)
+        val recipes = generateSequence { Recipe.any(random) }
+            .filter { it[Ingredient.KIND] == "MESHES" && it[Ingredient.SECOND_KIND] == "LINES" && it.cost < 100_000 }
+        val traits = HashSet<String>()
+        JqwikSession.run { for (it in recipes.take(20)) traits.addAll(it.traits(it.frame().value())) }
+        for (trait in listOf("KIND=MESHES", "MESH", "LINES", "SPOT", "SECOND_UVS")) assertTrue(trait in traits, trait)
     }
 
     @Test

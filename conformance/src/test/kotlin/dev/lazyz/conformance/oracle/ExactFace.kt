@@ -6,7 +6,7 @@ import org.joml.Vector3d
 
 /**
  * A vertex or a sample of a face, [SIZE] numbers: clip space (until it is projected), world space, normal, texture
- * coordinates, colour.
+ * coordinates, colour, second texture coordinates, tangent and the sign of the bitangent.
  */
 internal class Corner(val n: DoubleArray) {
     val world: Vector3d get() = Vector3d(n[WORLD], n[WORLD + 1], n[WORLD + 2])
@@ -20,7 +20,9 @@ internal class Corner(val n: DoubleArray) {
         const val NORMAL: Int = 7
         const val UV: Int = 10
         const val COLOR: Int = 12
-        const val SIZE: Int = 16
+        const val UV2: Int = 16
+        const val TANGENT: Int = 18
+        const val SIZE: Int = 22
     }
 }
 

@@ -2,6 +2,7 @@ package dev.lazyz.conformance.oracle
 
 import dev.lazyz.Rgba
 import dev.lazyz.world.Camera
+import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
 import dev.lazyz.world.Material
 import dev.lazyz.world.Projection
@@ -9,46 +10,63 @@ import dev.lazyz.world.Shading
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
-/** Light as contract rule 6.5 defines it, in double precision: an oracle for the library's own light. */
-internal class ExactLight(private val camera: Camera, private val lights: List<Light>) {
+/**
+ * Light as contract rules 6.5 and 6.8 define it, in double precision: an oracle for the library's own light. It does
+ * not know ambient light and the environment on metallic-roughness materials.
+ *
+ * @param classical the lights of other materials
+ * @param physical the lights of metallic-roughness materials
+ */
+internal class ExactLight(
+    private val camera: Camera,
+    private val classical: List<Light>,
+    private val physical: List<Light>,
+) {
     private val isPerspective = camera.projection is Projection.Perspective
 
     /** Factor of a surface's own colour, and what is added to it; red, green, blue. */
     class Sum(val factor: DoubleArray, val summand: DoubleArray)
+
+    /** A point of a surface; its normal may have any length. */
+    class Place(val point: Vector3dc, val normal: Vector3dc)
+
+    /** A light as seen from a point: the unit vector to it, and the factor of its colour. */
+    private class Beam(val color: DoubleArray, val direction: Vector3d)
 
     /** Returns the vector from [point] to the viewer, of any length. */
     fun toViewer(point: Vector3dc): Vector3d =
         if (isPerspective) Vector3d(camera.eye).sub(point) else camera.toWorldDirection(0.0, 0.0, 1.0)
 
     /**
-     * Returns the light at [point], or null where rounding decides: a normal of almost no length, a light at the point.
+     * Returns the light at a place, or null where rounding decides: a normal of almost no length, a light at the point.
      *
+     * @param emission what the summand begins with
+     * @param occlusion factor of ambient light
      * @param isPhong whether the highlight is Phong's instead of Blinn's
      * @param graze the cosine above which a light shines: about 0
      */
-    fun at(material: Material, point: Vector3dc, normal: Vector3dc, isPhong: Boolean, graze: Double): Sum? {
-        val v = toViewer(point).normalize()
-        val length = normal.length()
-        if (length > 0.0 && length < LEAST) return null
-        val n = if (length == 0.0) v else Vector3d(normal).div(length)
+    fun at(
+        material: Material,
+        emission: DoubleArray,
+        occlusion: Double,
+        place: Place,
+        isPhong: Boolean,
+        graze: Double,
+    ): Sum? {
+        val v = toViewer(place.point).normalize()
+        val n = unitNormal(place.normal, v) ?: return null
         val factor = DoubleArray(3)
-        val summand = parts(material.emission)
-        for (light in lights) {
-            val color = parts(light.color)
-            val l = when (light) {
-                is Light.Ambient -> {
-                    for (k in 0 until 3) factor[k] += color[k]
-                    continue
-                }
-                is Light.Directional -> Vector3d(light.direction).negate()
-                is Light.Point -> Vector3d(light.position).sub(point)
-                is Light.Spot -> error("no generated scene has a $light")
+        val summand = emission.copyOf()
+        for (light in classical) {
+            if (light is Light.Ambient) {
+                for (k in 0 until 3) factor[k] += parts(light.color)[k] * occlusion
+                continue
             }
-            if (l.length() < LEAST) return null
-            l.normalize()
+            val beam = beam(light, place.point) ?: return null
+            val l = beam.direction
             val cosine = n.dot(l)
             if (!(cosine > graze)) continue
-            for (k in 0 until 3) factor[k] += color[k] * cosine
+            for (k in 0 until 3) factor[k] += beam.color[k] * cosine
             val specular = parts(material.specular)
             if (specular.all { it == 0.0 }) continue
             val h = Vector3d(l).add(v)
@@ -56,9 +74,88 @@ internal class ExactLight(private val camera: Camera, private val lights: List<L
             val highlight = if (isPhong) 2 * cosine * n.dot(v) - l.dot(v) else n.dot(h) / h.length()
             if (!(highlight > 0.0)) continue
             val strength = Math.pow(highlight, material.shininess.toDouble())
-            for (k in 0 until 3) summand[k] += color[k] * specular[k] * strength
+            for (k in 0 until 3) summand[k] += beam.color[k] * specular[k] * strength
         }
         return Sum(factor, summand)
+    }
+
+    /**
+     * Returns the light that a metallic-roughness surface of the base colour [color] reflects: rule 6.8. Null where
+     * rounding decides.
+     *
+     * @param graze as in [at]
+     */
+    fun reflected(
+        color: DoubleArray,
+        metallic: Double,
+        roughness: Double,
+        place: Place,
+        graze: Double,
+    ): DoubleArray? {
+        val v = toViewer(place.point).normalize()
+        val n = unitNormal(place.normal, v) ?: return null
+        val alpha = maxOf(roughness * roughness, 1.0 / 512)
+        val sum = DoubleArray(3)
+        for (light in physical) {
+            if (light is Light.Ambient) error("the oracle does not know ambient light on metallic-roughness materials")
+            val beam = beam(light, place.point) ?: return null
+            val l = beam.direction
+            val cosine = n.dot(l)
+            if (!(cosine > graze)) continue
+            val h = Vector3d(l).add(v)
+            if (h.length() < LEAST) return null
+            h.normalize()
+            val across = Vector3d(n).cross(h).lengthSquared()
+            val width = n.dot(h) * n.dot(h) * alpha * alpha + across
+            val d = if (n.dot(h) > 0.0) alpha * alpha / (width * width) else 0.0
+            val shadows = smith(cosine, alpha) * smith(Math.abs(n.dot(v)), alpha)
+            val grazing = Math.pow(1 - minOf(1.0, Math.abs(v.dot(h))), 5.0)
+            for (k in 0 until 3) {
+                val f0 = 0.04 * (1 - metallic) + color[k] * metallic
+                val f = f0 + (1 - f0) * grazing
+                val diffuse = color[k] * (1 - metallic)
+                sum[k] += beam.color[k] * cosine * ((1 - f) * diffuse + f * d / shadows)
+            }
+        }
+        return sum
+    }
+
+    private fun smith(cosine: Double, alpha: Double) =
+        cosine + Math.sqrt(alpha * alpha + (1 - alpha * alpha) * cosine * cosine)
+
+    private fun unitNormal(normal: Vector3dc, v: Vector3d): Vector3d? = when (val length = normal.length()) {
+        0.0 -> v
+        else -> if (length < LEAST) null else Vector3d(normal).div(length)
+    }
+
+    /** Null where rounding decides: at the light. */
+    private fun beam(light: Light, point: Vector3dc): Beam? {
+        val (position, falloff) = when (light) {
+            is Light.Directional -> return Beam(parts(light.color), Vector3d(light.direction).negate())
+            is Light.Point -> light.position to light.falloff
+            is Light.Spot -> light.position to light.falloff
+            is Light.Ambient -> error("ambient light comes from no direction")
+        }
+        val to = Vector3d(position).sub(point)
+        val distance = to.length()
+        if (distance < LEAST) return null
+        to.div(distance)
+        var strength = decrease(falloff, distance)
+        if (light is Light.Spot) strength *= edge(light, -to.dot(light.direction))
+        return Beam(DoubleArray(3) { parts(light.color)[it] * strength }, to)
+    }
+
+    private fun decrease(falloff: Falloff, distance: Double): Double {
+        if (falloff == Falloff.NONE) return 1.0
+        return maxOf(0.0, 1 - Math.pow(distance / falloff.range, 4.0)) / (distance * distance)
+    }
+
+    /** The part of a spot's light that reaches a point in a direction whose cosine with its axis is [cosine]. */
+    private fun edge(spot: Light.Spot, cosine: Double): Double {
+        val outer = Math.cos(Math.toRadians(spot.outerAngle))
+        val inner = Math.cos(Math.toRadians(spot.innerAngle))
+        val part = ((cosine - outer) / maxOf(0.001, inner - outer)).coerceIn(0.0, 1.0)
+        return part * part
     }
 
     companion object {
@@ -67,7 +164,12 @@ internal class ExactLight(private val camera: Camera, private val lights: List<L
         fun parts(color: Rgba): DoubleArray =
             doubleArrayOf(color.red.toDouble(), color.green.toDouble(), color.blue.toDouble())
 
+        /** Whether light is computed by the metallic-roughness model. */
+        fun isPhysical(material: Material): Boolean =
+            material.metallicRoughness != null && material.shading != Shading.CONSTANT
+
         /** Whether light is evaluated at the vertices. */
-        fun isAtVertices(shading: Shading): Boolean = shading == Shading.FLAT || shading == Shading.GOURAUD
+        fun isAtVertices(material: Material): Boolean =
+            !isPhysical(material) && (material.shading == Shading.FLAT || material.shading == Shading.GOURAUD)
     }
 }

@@ -24,15 +24,18 @@ internal fun interface ExactColor {
 }
 
 /**
- * The colours of a scene's primitives from contract rules 3.6, 5.5, 6.5 and 6.6 alone, in double precision.
+ * The colours of a scene's primitives from contract rules 3.6, 5.5, 6.5, 6.6, 6.8, 6.9 and 6.11 alone, in double
+ * precision.
  *
  * It uses nothing of set-up: it projects, clips, interpolates, lights and reads textures itself. Where the last bits
  * decide, the result is undefined or has several correct values: normals across the face, grazing light, borders of
- * texels.
+ * texels. It does not know points, lines, mip filters, and ambient light and the environment on metallic-roughness
+ * materials.
  */
 internal class ExactShading(scene: Scene, private val raster: Raster) {
     private val camera: Camera = scene.camera(raster.width, raster.height)
-    private val light = ExactLight(camera, scene.lights.ifEmpty { Light.studio(camera) })
+    private val light = ExactLight(camera, scene.lights.ifEmpty { Light.studio(camera) }, scene.lights)
+    private val toneMapping = ExactToneMapping(scene.effectiveToneMapping)
 
     /** The colours of each primitive. */
     val primitives: List<ExactColor> = scene.surfaces.flatMap(::colors)
@@ -51,6 +54,8 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         for (k in 0 until 3) n[Corner.NORMAL + k] = (mesh.normals?.get(3 * i + k) ?: 0f).toDouble()
         for (k in 0 until 2) n[Corner.UV + k] = (mesh.uvs?.get(2 * i + k) ?: 0f).toDouble()
         for (k in 0 until 4) n[Corner.COLOR + k] = (mesh.colors?.get(4 * i + k) ?: 1f).toDouble()
+        for (k in 0 until 2) n[Corner.UV2 + k] = (mesh.uvs2?.get(2 * i + k) ?: 0f).toDouble()
+        for (k in 0 until 4) n[Corner.TANGENT + k] = (mesh.tangents?.get(4 * i + k) ?: 0f).toDouble()
         return Corner(n)
     }
 
@@ -64,7 +69,7 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
     }
 
     private fun face(contours: List<List<Corner>>, surface: Surface): ExactColor {
-        val material = if (surface is Mesh) surface.material else (surface as Polygon).material
+        val material = checkNotNull(materialOf(surface))
         val corners = contours.flatten()
         val open = ExactColor { _, _ -> emptyList() }
         if (corners.size < 3 || corners.any { !it.world.isFinite }) return open
@@ -77,10 +82,14 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         val seen = Vector3d(across).normalize(if (side > 0) 1.0 else -1.0)
 
         // Turn the normals to it; if they are across the face, either way
-        val hasNormals = surface is Mesh && surface.normals != null && material.shading != Shading.FLAT
+        val isFlat = material.shading == Shading.FLAT && ExactLight.isAtVertices(material)
+        val hasNormals = surface is Mesh && surface.normals != null && !isFlat
         val along = corners.sumOf { it.normal.dot(seen) }
         val turned = when {
-            !hasNormals -> listOf(contours.map { list -> list.map { it.with(Corner.NORMAL, seen.x, seen.y, seen.z) } })
+            !hasNormals -> {
+                val ways = contours.turned(if (side > 0) 1.0 else -1.0)
+                listOf(ways.map { list -> list.map { it.with(Corner.NORMAL, seen.x, seen.y, seen.z) } })
+            }
             Math.abs(along) < 1e-9 -> listOf(contours.turned(1.0), contours.turned(-1.0))
             else -> listOf(contours.turned(if (along > 0) 1.0 else -1.0))
         }
@@ -89,8 +98,12 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         return ExactColor { x, y -> variants.flatMap { it.at(x, y) } }
     }
 
+    /** Multiplies normals and tangents by [sign]. */
     private fun List<List<Corner>>.turned(sign: Double) = map { contour ->
-        contour.map { it.with(Corner.NORMAL, sign * it.normal.x, sign * it.normal.y, sign * it.normal.z) }
+        contour.map { corner ->
+            val numbers = TURNED.associateWith { sign * corner.n[it] }
+            Corner(DoubleArray(Corner.SIZE) { numbers[it] ?: corner.n[it] })
+        }
     }
 
     /** One way to round. */
@@ -99,7 +112,7 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         private val material: Material,
         private val graze: Double,
     ) {
-        private val isLit = ExactLight.isAtVertices(material.shading)
+        private val isLit = ExactLight.isAtVertices(material)
         val face: ExactFace? = (if (isLit) lit(contours) else contours)?.let { ExactFace(raster, camera, it) }
 
         /** Light at the vertices, or at their centre. */
@@ -110,7 +123,8 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
             return contours.map { contour ->
                 contour.map { corner ->
                     val point = if (material.shading == Shading.FLAT) mean else corner.world
-                    val sum = light.at(material, point, corner.normal, false, graze) ?: return null
+                    val place = ExactLight.Place(point, corner.normal)
+                    val sum = light.at(material, emission(material), 1.0, place, false, graze) ?: return null
                     val c = base(material, corner)
                     for (k in 0 until 3) c[k] = c[k] * sum.factor[k] + sum.summand[k]
                     corner.with(Corner.COLOR, *c)
@@ -120,8 +134,9 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
 
         fun at(x: Int, y: Int): List<DoubleArray> {
             val sample = checkNotNull(face).at(x, y)
-            val isSame = listOf(Corner.UV, Corner.UV + 1).map { face.isSame(it) }
-            return colors(material, sample, isLit, material.shading == Shading.PHONG, graze, isSame)
+            return colors(material, sample, isLit, material.shading == Shading.PHONG, graze) { set, coordinate ->
+                face.isSame((if (set == 0) Corner.UV else Corner.UV2) + coordinate)
+            }
         }
     }
 
@@ -132,36 +147,52 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         isLit: Boolean,
         isPhong: Boolean,
         graze: Double,
-        isSame: List<Boolean>,
+        isSame: (set: Int, coordinate: Int) -> Boolean,
     ): List<DoubleArray> {
-        val own = if (isLit) sample.n.copyOfRange(Corner.COLOR, Corner.SIZE) else base(material, sample)
-        val factor = doubleArrayOf(1.0, 1.0, 1.0)
-        val summand = if (isLit) DoubleArray(3) else ExactLight.parts(material.emission)
-        val sum = if (isLit || material.shading == Shading.CONSTANT) {
-            ExactLight.Sum(factor, summand)
-        } else {
-            light.at(material, sample.world, sample.normal, isPhong, graze) ?: return emptyList()
-        }
-        return texels(material, sample, isSame).map { texel ->
-            DoubleArray(4) { k ->
-                if (k < 3) own[k] * texel[k] * sum.factor[k] + sum.summand[k] else alpha(material, own[3] * texel[3])
+        val maps = ExactMaps(material, sample, isSame)
+        return maps.texels().map { texels ->
+            val own = if (isLit) sample.n.copyOfRange(Corner.COLOR, Corner.COLOR + 4) else base(material, sample)
+            for (k in 0 until 4) own[k] *= texels.color[k]
+            val shown = when {
+                isLit -> own
+                material.shading == Shading.CONSTANT -> sum(own, emission(material))
+                else -> {
+                    val normal = maps.normal(texels) ?: return emptyList()
+                    val place = ExactLight.Place(sample.world, normal)
+                    lit(material, own, texels, place, isPhong, graze) ?: return emptyList()
+                }
             }
+            val emitted = if (material.emissionMap == null) DoubleArray(3) else ExactLight.parts(material.emission)
+            val light = DoubleArray(3) { shown[it] + emitted[it] * texels.emission[it] }
+            val alpha = if (material.alphaMode == AlphaMode.BLEND) own[3] else 1.0
+            doubleArrayOf(*toneMapping.of(light), alpha)
         }
     }
 
-    private fun alpha(material: Material, alpha: Double) = if (material.alphaMode == AlphaMode.BLEND) alpha else 1.0
-
-    /** The texture at the sample first, then around it, within the error of coordinates in single precision. */
-    private fun texels(material: Material, sample: Corner, isSame: List<Boolean>): List<DoubleArray> {
-        val texture = material.texture ?: return listOf(doubleArrayOf(1.0, 1.0, 1.0, 1.0))
-        val exact = ExactTexture(texture)
-        val (us, vs) = (0 until 2).map { k ->
-            val rounded = sample.n[Corner.UV + k].toFloat()
-            val off = maxOf(Math.ulp(rounded).toDouble(), 1e-6)
-            if (isSame[k]) listOf(0.0 + rounded) else listOf(0.0 + rounded, rounded - off, rounded + off)
+    /** The surface's [own] colour with light; null where rounding decides. */
+    private fun lit(
+        material: Material,
+        own: DoubleArray,
+        texels: ExactMaps.Texels,
+        place: ExactLight.Place,
+        isPhong: Boolean,
+        graze: Double,
+    ): DoubleArray? {
+        val model = material.metallicRoughness
+        if (model != null) {
+            val (metallic, roughness) = model.metallic * texels.metallic to model.roughness * texels.roughness
+            return light.reflected(own, metallic, roughness, place, graze)?.let { sum(it, emission(material)) }
         }
-        return us.flatMap { u -> vs.map { v -> exact.at(u, v) } }
+        val occlusion = 1 + (material.occlusionMap?.strength ?: 0f) * (texels.occlusion - 1)
+        val sum = light.at(material, emission(material), occlusion, place, isPhong, graze) ?: return null
+        return DoubleArray(3) { own[it] * sum.factor[it] + sum.summand[it] }
     }
+
+    private fun sum(a: DoubleArray, b: DoubleArray) = DoubleArray(3) { a[it] + b[it] }
+
+    /** What light at a point begins with: nothing if a map adds it later. */
+    private fun emission(material: Material): DoubleArray =
+        if (material.emissionMap == null) ExactLight.parts(material.emission) else DoubleArray(3)
 
     private fun base(material: Material, corner: Corner): DoubleArray {
         val color = doubleArrayOf(*ExactLight.parts(material.baseColor), material.baseColor.alpha.toDouble())
@@ -178,19 +209,30 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         if (Math.abs(normal.y) > 0.9999 || Math.abs(normal.x) < 1e-6) return@ExactColor emptyList()
         val u = 0.5 + Math.atan2(normal.x, normal.z) / (2 * Math.PI)
         val v = Math.acos(normal.y) / Math.PI
-        val n = DoubleArray(Corner.SIZE) { 1.0 }
+        val white = Corner(DoubleArray(Corner.SIZE)).with(Corner.COLOR, 1.0, 1.0, 1.0, 1.0)
         val turned = Vector3d(normal).mul(if (isInside) -1.0 else 1.0)
-        val sample = Corner(n).with(Corner.WORLD, point.x, point.y, point.z)
+        val sample = white.with(Corner.WORLD, point.x, point.y, point.z)
             .with(Corner.NORMAL, turned.x, turned.y, turned.z).with(Corner.UV, u, v)
         val isPhong = sphere.material.shading != Shading.BLINN_PHONG
-        GRAZES.flatMap { colors(sphere.material, sample, false, isPhong, it, listOf(false, false)) }
+        GRAZES.flatMap { colors(sphere.material, sample, false, isPhong, it) { set, _ -> set == 1 } }
     }
 
-    private companion object {
-        val GRAZES = listOf(0.0, 2e-6, -2e-6)
+    companion object {
+        private val GRAZES = listOf(0.0, 2e-6, -2e-6)
+
+        /** The attributes that are reversed on back faces. */
+        private val TURNED = (Corner.NORMAL until Corner.NORMAL + 3) + (Corner.TANGENT until Corner.TANGENT + 4)
+
+        /** Returns the material of a surface that the oracle knows, otherwise null. */
+        fun materialOf(surface: Surface): Material? = when (surface) {
+            is Mesh -> surface.material
+            is Polygon -> surface.material
+            is Sphere -> surface.material
+            else -> null
+        }
 
         /** The contours' common normal: the sum of the cross products of adjacent vertices. */
-        fun newell(contours: List<List<Corner>>): Vector3d {
+        private fun newell(contours: List<List<Corner>>): Vector3d {
             val sum = Vector3d()
             for (contour in contours) {
                 val origin = contour[0].world

@@ -1,10 +1,11 @@
 package dev.lazyz.conformance.oracle
 
 import dev.lazyz.world.Texture
+import dev.lazyz.world.TextureEncoding
 import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap
 
-/** Reads a texture as contract rule 6.6 defines, in double precision. */
+/** Reads a texture as contract rule 6.6 defines without a mip filter, in double precision. */
 internal class ExactTexture(private val texture: Texture) {
     /** Returns red, green, blue, linear, and alpha at ([u], [v]). */
     fun at(u: Double, v: Double): DoubleArray {
@@ -29,9 +30,13 @@ internal class ExactTexture(private val texture: Texture) {
         val row = wrapped(y, texture.height, texture.wrapV)
         val argb = texture.texel(column, row)
         return doubleArrayOf(
-            linear(argb ushr 16 and 0xFF), linear(argb ushr 8 and 0xFF), linear(argb and 0xFF), (argb ushr 24) / 255.0,
+            decoded(argb ushr 16 and 0xFF), decoded(argb ushr 8 and 0xFF), decoded(argb and 0xFF),
+            (argb ushr 24) / 255.0,
         )
     }
+
+    private fun decoded(code: Int): Double =
+        if (texture.encoding == TextureEncoding.SRGB) linear(code) else code / 255.0
 
     private fun wrapped(index: Long, size: Int, wrap: TextureWrap): Int = when (wrap) {
         TextureWrap.REPEAT -> Math.floorMod(index, size)

@@ -16,12 +16,18 @@ internal class WorldAttributes(
     private val normals: Pattern?,
     private val uvs: Pattern?,
     private val colors: Pattern?,
+    private val uvs2: Pattern?,
+    private val tangents: Pattern?,
 ) {
     fun normals(positions: FloatArray): FloatArray? = normals?.of(positions, 3)
 
     fun uvs(positions: FloatArray): FloatArray? = uvs?.of(positions, 2)
 
     fun colors(positions: FloatArray): FloatArray? = colors?.of(positions, 4)
+
+    fun uvs2(positions: FloatArray): FloatArray? = uvs2?.of(positions, 2)
+
+    fun tangents(positions: FloatArray): FloatArray? = tangents?.of(positions, 4)
 
     /** Determines the values of each vertex. */
     fun interface Pattern {
@@ -33,18 +39,31 @@ internal class WorldAttributes(
 
     companion object {
         fun any(): Arbitrary<WorldAttributes> = Combinators
-            .combine(maybe(2, normals()), maybe(5, uvs()), maybe(2, colors()))
-            .`as` { normals, uvs, colors -> WorldAttributes(normals.first, uvs.first, colors.first) }
+            .combine(maybe(1, 2, normals()), maybe(1, 5, uvs()), maybe(1, 2, colors()), seldom())
+            .`as` { normals, uvs, colors, (uvs2, tangents) ->
+                WorldAttributes(normals.first, uvs.first, colors.first, uvs2.first, tangents.first)
+            }
 
         /**
          * Generates normals that are equal or nearly equal at all vertices. Half of them point away from the viewer.
+         * Half of the meshes also have what a normal map needs.
          */
         fun withNormals(): Arbitrary<WorldAttributes> {
             val same = mixed(3 to cycle(directions, 1), 1 to normals())
-            return Combinators.combine(same, maybe(1, colors())).`as` { normals, colors ->
-                WorldAttributes(normals, null, colors.first)
-            }
+            val places = Combinators.combine(uvs(), tangents()).`as`(::Pair)
+            return Combinators.combine(same, maybe(1, 1, colors()), places, ints(0, 1))
+                .`as` { normals, colors, (uvs, tangents), isMapped ->
+                    if (isMapped == 0) {
+                        WorldAttributes(normals, null, colors.first, null, null)
+                    } else {
+                        WorldAttributes(normals, uvs, colors.first, null, tangents)
+                    }
+                }
         }
+
+        /** Generates second texture coordinates and tangents, each for two of five meshes. */
+        private fun seldom(): Arbitrary<Pair<Maybe, Maybe>> =
+            Combinators.combine(maybe(3, 2, uvs()), maybe(3, 2, tangents())).`as`(::Pair)
 
         /**
          * Generates normals of any direction, including opposite and zero ones, or normals that point away from or
@@ -78,14 +97,23 @@ internal class WorldAttributes(
         private fun colors(): Arbitrary<Pattern> =
             cycle(WorldMaterials.colors.map { floatArrayOf(it.red, it.green, it.blue, it.alpha) }, 4)
 
+        /** Generates tangents of any direction, including zero ones, with either sign of the bitangent. */
+        private fun tangents(): Arbitrary<Pattern> {
+            val any = Combinators.combine(directions, oneOf(1f, -1f)).`as` { (x, y, z), sign ->
+                floatArrayOf(x, y, z, sign)
+            }
+            val right = floatArrayOf(1f, 0f, 0f, 1f)
+            return mixed(1 to Arbitraries.just(Pattern { _, _, part -> right[part] }), 2 to cycle(any, 3))
+        }
+
         private fun cycle(values: Arbitrary<FloatArray>, most: Int): Arbitrary<Pattern> =
             values.list().ofMinSize(1).ofMaxSize(most).map { list ->
                 Pattern { vertex, _, part -> list[vertex % list.size][part] }
             }
 
-        /** Generates null with a probability of 1 in [weight] + 1. */
-        private fun maybe(weight: Int, patterns: Arbitrary<Pattern>): Arbitrary<Maybe> =
-            mixed(1 to Arbitraries.just(Maybe(null)), weight to patterns.map(::Maybe))
+        /** Generates null or a pattern, with these weights. */
+        private fun maybe(none: Int, some: Int, patterns: Arbitrary<Pattern>): Arbitrary<Maybe> =
+            mixed(none to Arbitraries.just(Maybe(null)), some to patterns.map(::Maybe))
 
         private class Maybe(val first: Pattern?)
     }

@@ -16,12 +16,13 @@ import net.jqwik.api.Combinators
 import net.jqwik.api.RandomDistribution
 
 /**
- * Generates frames of 3D scenes: shapes within a few units of the origin, lights, and a camera among or in front of
- * them.
+ * Generates frames of 3D scenes: shapes within a few units of the origin, lights, a camera among or in front of them,
+ * and sometimes an environment or tone mapping.
  */
 internal object WorldFrames {
     private val shapes = WorldShapes(WorldMaterials.opaque())
     private val meshes = WorldMeshes(WorldMaterials.opaque())
+    private val dots = WorldPoints(WorldMaterials.opaque())
 
     fun polygon(): Arbitrary<Coded<Surface>> = shapes.polygon()
 
@@ -33,14 +34,20 @@ internal object WorldFrames {
 
     fun mesh(): Arbitrary<Coded<Surface>> = meshes.any()
 
+    fun points(): Arbitrary<Coded<Surface>> = dots.points()
+
+    fun lines(): Arbitrary<Coded<Surface>> = dots.lines()
+
     /** Generates frames of all kinds of surfaces, without translucency. */
     fun cases(rasters: Arbitrary<Raster>, maxSurfaces: Int): Arbitrary<FrameCase> =
-        cases(rasters, surfaces(shapes, meshes, maxSurfaces))
+        cases(rasters, surfaces(shapes, meshes, dots, maxSurfaces))
 
     /** Generates frames of all kinds of surfaces, some of them translucent. */
     fun blended(rasters: Arbitrary<Raster>, maxSurfaces: Int): Arbitrary<FrameCase> {
         val materials = WorldMaterials.blended()
-        return cases(rasters, surfaces(WorldShapes(materials), WorldMeshes(materials), maxSurfaces))
+        val surfaces =
+            surfaces(WorldShapes(materials), WorldMeshes(materials), WorldPoints(materials), maxSurfaces)
+        return cases(rasters, surfaces)
     }
 
     /** Generates frames of meshes with normals, seen from both sides, with light from a direction or a point. */
@@ -51,11 +58,11 @@ internal object WorldFrames {
 
     /** Generates frames of points, in front of and among meshes, without translucency. */
     fun dotted(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> =
-        cases(rasters, among(WorldPoints(WorldMaterials.opaque()).points()))
+        cases(rasters, among(dots.points()))
 
     /** Generates frames of lines, in front of and among meshes, without translucency. */
     fun lined(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> =
-        cases(rasters, among(WorldPoints(WorldMaterials.opaque()).lines()))
+        cases(rasters, among(dots.lines()))
 
     /** Generates frames of points and lines, most of which blend, among meshes. */
     fun blendedDots(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> {
@@ -80,32 +87,40 @@ internal object WorldFrames {
         rasters: Arbitrary<Raster>,
         surfaces: Arbitrary<List<Coded<Surface>>>,
         lights: Arbitrary<List<Coded<Light>>>,
-    ): Arbitrary<FrameCase> = Combinators.combine(rasters, surfaces, lights, WorldCameras.aims())
-        .`as` { raster, list, sources, aim ->
-            val camera = aim.on(raster)
-            val scene = Scene(list.map { it.value }, sources.map { it.value }, camera.value)
-            FrameCase(
-                scene.frame(raster),
-                "Scene(\n    ${lines(list)},\n    ${lines(sources)},\n    ${camera.code},\n).frame(${code(raster)})",
-                scene,
-            )
-        }
+    ): Arbitrary<FrameCase> =
+        Combinators.combine(rasters, surfaces, lights, WorldCameras.aims(), WorldExposure.any())
+            .`as` { raster, list, sources, aim, exposure ->
+                val camera = aim.on(raster)
+                val scene = exposure.value(Scene(list.map { it.value }, sources.map { it.value }, camera.value))
+                val parts = "${lines(list)},\n    ${lines(sources)},\n    ${camera.code}"
+                FrameCase(
+                    scene.frame(raster),
+                    "Scene(\n    $parts,\n)${exposure.code}.frame(${code(raster)})",
+                    scene,
+                )
+            }
 
     private fun lines(list: List<Coded<*>>): String =
         if (list.isEmpty()) "listOf()" else list.joinToString("", "listOf(", "\n    )") { "\n        ${it.code}," }
 
     /** Generates surfaces, mostly including a backdrop. */
-    private fun surfaces(shapes: WorldShapes, meshes: WorldMeshes, max: Int): Arbitrary<List<Coded<Surface>>> {
+    private fun surfaces(
+        shapes: WorldShapes,
+        meshes: WorldMeshes,
+        dots: WorldPoints,
+        max: Int,
+    ): Arbitrary<List<Coded<Surface>>> {
         if (max == 0) return Arbitraries.just(emptyList())
-        val kinds = mixed(
+        val large = mixed(
             5 to meshes.any(),
             3 to shapes.polygon(),
             2 to shapes.holed(),
             3 to shapes.sphere(),
             1 to shapes.nearPlane(),
         )
+        val kinds = mixed(19 to large, 1 to mixed(1 to dots.points(), 1 to dots.lines()))
         val others = kinds.list().ofMaxSize(max - 1).withSizeDistribution(RandomDistribution.uniform())
-        val first = mixed(1 to kinds, 3 to meshes.backdrop())
+        val first = mixed(1 to large, 4 to meshes.backdrop())
         val some = Combinators.combine(others, first, ints(0, max)).`as` { list, one, place ->
             list.toMutableList().apply { add(minOf(place, size), one) }.toList()
         }

@@ -1,9 +1,12 @@
 package dev.lazyz.conformance.frames.world
 
+import dev.lazyz.Rgba
 import dev.lazyz.conformance.cases.Coded
 import dev.lazyz.conformance.cases.code
 import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.mixed
+import dev.lazyz.conformance.cases.oneOf
+import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
@@ -15,7 +18,7 @@ internal object WorldLights {
     /** Generates at most four lights. Shrinks to none, which means [Light.studio]. */
     fun any(): Arbitrary<List<Coded<Light>>> = mixed(
         1 to Arbitraries.just(emptyList()),
-        4 to mixed(2 to ambient(), 3 to directional(), 4 to point()).list().ofMinSize(1).ofMaxSize(4),
+        4 to mixed(2 to ambient(), 3 to directional(), 4 to point(), 2 to spot()).list().ofMinSize(1).ofMaxSize(4),
     )
 
     /**
@@ -38,11 +41,50 @@ internal object WorldLights {
             Coded(Light.Directional(direction, color), "Light.Directional(${code(direction)}, ${code(color)})")
         }
 
-    private fun point(): Arbitrary<Coded<Light>> = Combinators.combine(ints(0, 124), WorldMaterials.colors)
-        .`as` { number, color ->
+    private fun point(): Arbitrary<Coded<Light>> =
+        Combinators.combine(ints(0, 124), WorldMaterials.colors, falloffs()).`as` { number, color, falloff ->
             val position = lattice(number).mul(1.5)
-            Coded(Light.Point(position, color), "Light.Point(${code(position)}, ${code(color)})")
+            val light = seen(color, falloff)
+            Coded(
+                Light.Point(position, light, falloff),
+                listOfNotNull(code(position), code(light), code(falloff)).joinToString(", ", "Light.Point(", ")"),
+            )
         }
+
+    /** Generates spots that are directed at the surfaces: narrow and wide, with sharp and soft edges. */
+    private fun spot(): Arbitrary<Coded<Light>> {
+        val angles = oneOf(20.0 to 45.0, 0.0 to 30.0, 15.0 to 15.1, 60.0 to 90.0)
+        return Combinators.combine(ints(0, 124), ints(0, 124), WorldMaterials.colors, angles, falloffs())
+            .`as` { from, to, color, (inner, outer), falloff ->
+                // A spot at its target has no direction
+                val position = lattice(from).mul(1.5)
+                val target = lattice(to).mul(0.25)
+                val direction = if (position == target) Vector3d(0.0, 0.0, -1.0) else target.sub(position)
+                val light = seen(color, falloff)
+                val words = listOfNotNull(
+                    code(position), code(direction), code(light), code(inner), code(outer), code(falloff),
+                )
+                Coded(
+                    Light.Spot(position, direction, light, inner, outer, falloff),
+                    words.joinToString(", ", "Light.Spot(", ")"),
+                )
+            }
+    }
+
+    /** Generates falloffs: mostly none, otherwise with and without a range that ends among the surfaces. */
+    private fun falloffs(): Arbitrary<Falloff> = mixed(
+        2 to Arbitraries.just(Falloff.NONE),
+        1 to oneOf(Falloff.inverseSquare(), Falloff.inverseSquare(3.5), Falloff.inverseSquare(6.0)),
+    )
+
+    /** Returns a colour that is bright enough to be seen at the surfaces. */
+    private fun seen(color: Rgba, falloff: Falloff): Rgba = if (falloff.isInverseSquare) color.scaled(8f) else color
+
+    private fun code(falloff: Falloff): String? = when {
+        !falloff.isInverseSquare -> null
+        falloff.range.isInfinite() -> "Falloff.inverseSquare()"
+        else -> "Falloff.inverseSquare(${code(falloff.range)})"
+    }
 
     /** Returns one of the 125 points with integer coordinates from -2 to 2. */
     private fun lattice(number: Int): Vector3d =

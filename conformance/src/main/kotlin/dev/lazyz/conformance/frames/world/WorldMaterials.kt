@@ -6,19 +6,18 @@ import dev.lazyz.conformance.cases.code
 import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.mixed
 import dev.lazyz.conformance.cases.oneOf
-import dev.lazyz.scenes.Tint
 import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Material
 import dev.lazyz.world.Shading
 import dev.lazyz.world.Sides
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureWrap
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 
-/** Generates materials: every shading, highlights, emission, textures, masks, one and two sides. */
+/**
+ * Generates materials: every shading, highlights, emission, masks, one and two sides; and what [WorldMaps] adds, for
+ * example textures.
+ */
 internal object WorldMaterials {
     /** Colours whose components are multiples of 1/8, mostly opaque. */
     val colors: Arbitrary<Rgba> = Combinators
@@ -33,22 +32,25 @@ internal object WorldMaterials {
     fun blended(): Arbitrary<Coded<Material>> =
         materials(mixed(6 to Arbitraries.just(AlphaMode.BLEND), 2 to oneOf(AlphaMode.OPAQUE, AlphaMode.MASK)))
 
-    /** Generates materials that are lit with the normals of the vertices and visible from both sides. */
+    /**
+     * Generates materials that are lit with the normals of the vertices and visible from both sides. Some have a normal
+     * map.
+     */
     fun twoSided(): Arbitrary<Coded<Material>> = Combinators
-        .combine(colors, oneOf(Shading.PHONG, Shading.BLINN_PHONG, Shading.GOURAUD), highlights())
-        .`as` { color, shading, highlight -> coded(Look(color, null, shading, highlight, Rgba.BLACK), Cut()) }
+        .combine(
+            colors, oneOf(Shading.PHONG, Shading.BLINN_PHONG, Shading.GOURAUD), highlights(), WorldMaps.onlyNormals(),
+        )
+        .`as` { color, shading, highlight, normals ->
+            coded(Look(color, shading, highlight, Rgba.BLACK), Cut(), normals)
+        }
 
     private fun materials(modes: Arbitrary<AlphaMode>): Arbitrary<Coded<Material>> {
         val emissions = mixed(3 to Arbitraries.just(Rgba.BLACK), 1 to colors.map { it.scaled(0.25f) })
-        val textures = mixed(1 to Arbitraries.just(listOf<Coded<Texture>>()), 2 to texture().map { listOf(it) })
         val shadings = oneOf(Shading.PHONG, Shading.BLINN_PHONG, Shading.GOURAUD, Shading.CONSTANT, Shading.FLAT)
-        val looks = Combinators.combine(colors, textures, shadings, highlights(), emissions)
-            .`as` { color, texture, shading, highlight, emission ->
-                Look(color, texture.firstOrNull(), shading, highlight, emission)
-            }
+        val looks = Combinators.combine(colors, shadings, highlights(), emissions).`as`(::Look)
         val sides = mixed(11 to Arbitraries.just(Sides.BOTH), 1 to Arbitraries.just(Sides.FRONT))
         val cuts = Combinators.combine(modes, oneOf(0.5f, 0.25f, 128 / 255f), sides).`as`(::Cut)
-        return Combinators.combine(looks, cuts).`as`(::coded)
+        return Combinators.combine(looks, cuts, WorldMaps.any()).`as`(::coded)
     }
 
     /** Generates no highlight, or an exponent and a colour. */
@@ -57,47 +59,17 @@ internal object WorldMaterials {
         3 to Combinators.combine(colors, oneOf(1, 2, 5, 32, 1024)).`as`(::Highlight),
     )
 
-    private fun texture(): Arbitrary<Coded<Texture>> {
-        val sizes = oneOf(2 to 2, 1 to 1, 3 to 5, 1 to 4, 8 to 8)
-        val wraps = oneOf(*TextureWrap.values())
-        return Combinators.combine(sizes, ints(0, 0xFF), oneOf(*TextureFilter.values()), wraps, wraps)
-            .`as` { (width, height), seed, filter, wrapU, wrapV ->
-                val texels = IntArray(width * height) { texel(seed, it) }
-                Coded(
-                    Texture(width, height, texels, filter, wrapU, wrapV),
-                    "Texture($width, $height, intArrayOf(${texels.joinToString()}), TextureFilter.$filter, " +
-                        "TextureWrap.$wrapU, TextureWrap.$wrapV)",
-                )
-            }
-    }
-
-    /** Returns any colour. Half of all textures are opaque. */
-    private fun texel(seed: Int, number: Int): Int {
-        val bits = Tint.hash(seed, number, 0, 0)
-        val alpha = if (seed % 2 == 0) 0xFF else ALPHAS[bits ushr 24 and 3]
-        return alpha shl 24 or (bits and 0xFFFFFF)
-    }
-
-    private val ALPHAS = intArrayOf(0xFF, 0xFF, 0x80, 0)
-
     private class Highlight(val color: Rgba, val shininess: Int)
 
-    private class Look(
-        val color: Rgba,
-        val texture: Coded<Texture>?,
-        val shading: Shading,
-        val highlight: Highlight,
-        val emission: Rgba,
-    )
+    private class Look(val color: Rgba, val shading: Shading, val highlight: Highlight, val emission: Rgba,)
 
     private class Cut(val mode: AlphaMode = AlphaMode.OPAQUE, val cutoff: Float = 0.5f, val sides: Sides = Sides.BOTH,)
 
-    private fun coded(look: Look, cut: Cut): Coded<Material> {
+    private fun coded(look: Look, cut: Cut, changes: List<MaterialChange>): Coded<Material> {
         val highlight = look.highlight
         val words = listOfNotNull(
             code(look.color),
-            look.texture?.code ?: "null",
-            "Shading.${look.shading}",
+            "shading = Shading.${look.shading}",
             "specular = ${code(highlight.color)}, shininess = ${highlight.shininess}"
                 .takeIf { highlight.color != Rgba.BLACK },
             "emission = ${code(look.emission)}".takeIf { look.emission != Rgba.BLACK },
@@ -106,12 +78,13 @@ internal object WorldMaterials {
             "sides = Sides.${cut.sides}".takeIf { cut.sides != Sides.BOTH },
         )
         val cutoff = if (cut.mode == AlphaMode.MASK) cut.cutoff else 0.5f
+        val plain = Material(
+            look.color, null, look.shading, highlight.color, highlight.shininess, look.emission, cut.mode, cutoff,
+            cut.sides,
+        )
         return Coded(
-            Material(
-                look.color, look.texture?.value, look.shading, highlight.color, highlight.shininess, look.emission,
-                cut.mode, cutoff, cut.sides,
-            ),
-            words.joinToString(prefix = "Material(", postfix = ")"),
+            changes.fold(plain) { material, change -> change.value(material) },
+            words.joinToString(prefix = "Material(", postfix = ")") + changes.joinToString("") { it.code },
         )
     }
 }

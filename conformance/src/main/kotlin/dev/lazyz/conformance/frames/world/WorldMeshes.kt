@@ -42,6 +42,8 @@ internal class WorldMeshes(private val materials: Arbitrary<Coded<Material>>) {
             val normals = attribute.normals(positions)
             val uvs = attribute.uvs(positions)
             val colors = attribute.colors(positions)
+            val uvs2 = attribute.uvs2(positions)
+            val tangents = attribute.tangents(positions)
             val words = listOfNotNull(
                 code(positions),
                 "intArrayOf(${shape.triangles.joinToString()})",
@@ -49,9 +51,13 @@ internal class WorldMeshes(private val materials: Arbitrary<Coded<Material>>) {
                 normals?.let { "normals = ${code(it)}" },
                 uvs?.let { "uvs = ${code(it)}" },
                 colors?.let { "colors = ${code(it)}" },
+                uvs2?.let { "uvs2 = ${code(it)}" },
+                tangents?.let { "tangents = ${code(it)}" },
             )
             Coded(
-                Mesh(positions, shape.triangles, material.value, normals, uvs, colors),
+                Mesh(
+                    positions, shape.triangles, material.value, normals, uvs, colors, uvs2 = uvs2, tangents = tangents,
+                ),
                 words.joinToString(prefix = "Mesh(", postfix = ")"),
             )
         }

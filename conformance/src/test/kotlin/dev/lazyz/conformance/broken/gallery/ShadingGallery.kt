@@ -1,8 +1,10 @@
 package dev.lazyz.conformance.broken.gallery
 
+import dev.lazyz.conformance.broken.BrokenMaps
 import dev.lazyz.conformance.broken.BrokenShading
 import dev.lazyz.conformance.broken.gallery.RuleNames.blended
 import dev.lazyz.conformance.broken.gallery.RuleNames.lit
+import dev.lazyz.conformance.broken.gallery.RuleNames.options
 import dev.lazyz.conformance.broken.gallery.RuleNames.scenes
 import dev.lazyz.conformance.broken.gallery.RuleNames.turned
 
@@ -27,5 +29,39 @@ internal object ShadingGallery {
             "does not draw translucent faces that are seen from behind",
             blended,
         ),
+    ) + maps()
+
+    private fun maps() = listOf(
+        Mutant(BrokenMaps::oneSetOfCoordinates, "reads all maps at the first texture coordinates", lit, scenes),
+        Mutant(
+            BrokenMaps::footprintOfTheLastSample,
+            "reads textures with the derivatives of the sample that was shaded before",
+            lit, scenes,
+        ),
+        Mutant(
+            BrokenMaps::footprintOfAnotherSurface,
+            "reads textures of surfaces without coordinates with the derivatives of another surface",
+            scenes,
+        ),
+        Mutant(BrokenMaps::mipFilterLost, "reads textures without their mip filters", lit, scenes),
+        Mutant(BrokenMaps::transformLost, "reads textures at coordinates that are not transformed", lit, scenes),
+        Mutant(
+            BrokenMaps::stepsForgetAttributes,
+            "stepped colours lack derivatives, second texture coordinates and tangents",
+            options,
+        ),
+        Mutant(
+            BrokenMaps::normalOfTheLastSample,
+            "a normal map changes the normal that it made at the sample before",
+            lit, scenes, turned,
+        ),
+        Mutant(BrokenMaps::tangentsNotTurned, "reverses the normals of back faces, but not their tangents", turned),
+        Mutant(BrokenMaps::occlusionLost, "ignores occlusion maps", lit),
+        Mutant(BrokenMaps::emissionMapLost, "ignores emission maps", lit, scenes),
+        Mutant(BrokenMaps::metalsArePlastic, "all metals are plastic", lit, scenes),
+        Mutant(BrokenMaps::environmentLost, "metals do not reflect the environment", lit, scenes),
+        Mutant(BrokenMaps::spheresNotToned, "tone mapping is left out for spheres", lit, scenes),
+        Mutant(BrokenMaps::conesLost, "spots shine in all directions", lit, scenes),
+        Mutant(BrokenMaps::falloffLost, "light is equally strong at any distance", lit, scenes),
     )
 }
