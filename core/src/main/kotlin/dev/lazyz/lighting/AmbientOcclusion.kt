@@ -24,7 +24,7 @@ import dev.lazyz.world.Scene
  * 1/64 of the radius of the scene with the default size, do not count.
  *
  * Cost of [of]: one small rendering without colours for each direction, which takes about as long as transforming all
- * vertices. Cost of [at]: some 15 ns for each direction on the outer side. Memory: 2 bytes for each texel of each map,
+ * vertices. Cost of [at]: some 20 ns for each direction on the outer side. Memory: 2 bytes for each texel of each map,
  * 16 MiB with the default numbers. Immutable and thread safe.
  *
  * Source: S. Zhukov, A. Iones and G. Kronin, "An Ambient Light Illumination Model", Rendering Techniques 1998; with

@@ -24,8 +24,8 @@ public object LightMeter {
 
     /**
      * Returns the factor of all light that makes [scene] legible, 1..[MAX_INTENSITY], for [Scene.withLightIntensity]:
-     * the square root of [MIDDLE_GREY] / luminance. 1 if no mesh is lit. Cost: at most [MOST_TRIANGLES] triangles of
-     * each mesh.
+     * the square root of [MIDDLE_GREY] / luminance. 1 if no mesh is lit. Cost: at most 65,536 triangles of each
+     * mesh.
      */
     @JvmStatic
     public fun intensity(scene: Scene): Float {

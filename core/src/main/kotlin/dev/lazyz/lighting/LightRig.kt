@@ -23,47 +23,47 @@ public enum class LightRig(public val environment: Environment?) {
      * The lights that scenes without lights have: [Light.studio] and, for materials with [MetallicRoughness],
      * [Environment.USUAL].
      */
-    STUDIO(null) {
-        override fun lights(camera: Camera): List<Light> = emptyList()
-    },
+    STUDIO(null),
 
     /**
      * As photographers light a portrait: a warm key light from the upper left, a weaker cool fill light from the right,
      * and a rim light from above and behind that separates the outline from the background.
      */
-    THREE_POINT(Environment.studio(0.2f)) {
-        override fun lights(camera: Camera): List<Light> = listOf(
+    THREE_POINT(Environment.studio(0.2f)),
+
+    /** The same light on every surface: base colours as they are, without shades. */
+    FLAT(Environment.NONE),
+
+    /** One light at the camera, so that nothing that is visible is in the shade. */
+    HEADLIGHT(Environment.studio(0.15f)),
+
+    /** Warm light from high up at the front left of the scene, and blue sky. It stays in place if the camera moves. */
+    SUN(Environment.studio(0.2f)),
+    ;
+
+    /** Returns the lights for a picture from [camera]; none if they are those of a scene without lights. */
+    public fun lights(camera: Camera): List<Light> = when (this) {
+        STUDIO -> emptyList()
+
+        THREE_POINT -> listOf(
             Light.Ambient(Rgba(0.03f, 0.03f, 0.035f)),
             Light.Directional(camera.toWorldDirection(0.75, -0.65, -0.75), Rgba(0.62f, 0.58f, 0.52f)),
             Light.Directional(camera.toWorldDirection(-0.95, -0.10, -0.60), Rgba(0.14f, 0.16f, 0.20f)),
             Light.Directional(camera.toWorldDirection(-0.35, -0.80, 0.75), Rgba(0.55f, 0.56f, 0.60f)),
         )
-    },
 
-    /** The same light on every surface: base colours as they are, without shades. */
-    FLAT(Environment.NONE) {
-        override fun lights(camera: Camera): List<Light> = listOf(Light.Ambient(Rgba.WHITE))
-    },
+        FLAT -> listOf(Light.Ambient(Rgba.WHITE))
 
-    /** One light at the camera, so that nothing that is visible is in the shade. */
-    HEADLIGHT(Environment.studio(0.15f)) {
-        override fun lights(camera: Camera): List<Light> = listOf(
+        HEADLIGHT -> listOf(
             Light.Ambient(Rgba(0.05f, 0.05f, 0.05f)),
             Light.Directional(camera.toWorldDirection(0.0, 0.0, -1.0), Rgba(0.72f, 0.72f, 0.72f)),
         )
-    },
 
-    /** Warm light from high up at the front left of the scene, and blue sky. It stays in place if the camera moves. */
-    SUN(Environment.studio(0.2f)) {
-        override fun lights(camera: Camera): List<Light> = listOf(
+        SUN -> listOf(
             Light.Ambient(Rgba(0.10f, 0.12f, 0.16f)),
             Light.Directional(Vector3d(0.45, -0.80, -0.55), Rgba(0.68f, 0.64f, 0.54f)),
         )
-    },
-    ;
-
-    /** Returns the lights for a picture from [camera]; none if they are those of a scene without lights. */
-    public abstract fun lights(camera: Camera): List<Light>
+    }
 
     /** Returns [scene] with these lights and this [environment] instead of its own, for a picture from [camera]. */
     public fun on(scene: Scene, camera: Camera): Scene =

@@ -125,7 +125,7 @@ public class Section @JvmOverloads constructor(
         /** The part of the light that remains in [darkened]. */
         private const val DARK = 0.6f
 
-        /** Returns the default material of caps: the base colour of [material] times the mean of its texture, darker. */
+        /** Returns the default material of caps: base colour times mean texture colour of [material], darker. */
         @JvmStatic
         public fun darkened(material: Material): Material {
             val base = material.baseColor.scaled(DARK)

@@ -52,13 +52,13 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         }
         val seen = lineWork.colored(subject.sizes.applyTo(upright), subject.shading != null)
         val colored = paint(seen)?.applyTo(seen) ?: seen
-        val shaded = toned(if (subject.changesMaterials) colored.withMaterials(::changed) else colored)
+        val shaded = if (subject.changesMaterials) colored.withMaterials(::changed) else colored
 
         // The camera is fitted to the whole raster. The picture may be a part of it
         val raster = raster(shaded, loaded)
-        val lit = subject.light.applyTo(
-            shaded.withViewpoint(camera(shaded, raster)), subject.color, input.isModel, subject.loading.limits, options,
-            streams,
+        val viewed = shaded.withViewpoint(camera(shaded, raster))
+        val lit = toned(
+            subject.light.applyTo(viewed, subject.color, input.isModel, subject.loading.limits, options, streams),
         )
         if (pointOfView.isPrinted) streams.note(PointOfView.words(lit.viewpoint as Camera, up) + "\n")
         val scene = lineWork.drawnOn(lit, raster, subject.translucency)

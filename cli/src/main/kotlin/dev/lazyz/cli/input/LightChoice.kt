@@ -73,7 +73,8 @@ internal class LightChoice(
 
     private fun lit(scene: Scene, color: Rgba?, isMetered: Boolean): Scene {
         val rigged = rig?.on(scene, scene.viewpoint as Camera) ?: scene
-        val isAuto = intensity == null && isMetered && color == null && rigged.lights.isEmpty()
+        val hasUsualLight = if (rig == null) scene.lights.isEmpty() else rig != LightRig.FLAT
+        val isAuto = intensity == null && isMetered && color == null && hasUsualLight
         return rigged.withLightIntensity(intensity ?: if (isAuto) LightMeter.intensity(scene) else 1f)
     }
 

@@ -103,6 +103,16 @@ class LightOptionsTest {
         assertTrue(top > 60)
     }
 
+    /** Occlusion makes materials physically based, which have another tone curve, whatever other options are given. */
+    @Test
+    fun exposureZeroChangesNothing() {
+        val scene = folder.resolve("ball.json")
+        scene.writeText("""{"lazyz": 1, "surfaces": [{"sphere": {"center": [0, 0, 0], "radius": 1}}]}""")
+        val occluded = argb(scene, "--ambient-occlusion")
+        assertEquals(occluded, argb(scene, "--ambient-occlusion", "--exposure", "0"))
+        assertEquals(occluded, argb(scene, "--ambient-occlusion", "--tone-map", "neutral"))
+    }
+
     @Test
     fun theGroundIsDarkerBelowTheModel() {
         val without = argb(cubes, "--elevation", "30")
