@@ -86,7 +86,10 @@ internal class DistanceMap(
         return upper * (1f - down) + lower * down
     }
 
-    private fun open(at: Int, level: Float): Float = if ((heights[at].toInt() and LEVELS) <= level) 1f else 0f
+    private fun open(at: Int, level: Float): Float {
+        val height = heights[at].toInt() and LEVELS
+        return if (height == 0 || height <= level) 1f else 0f
+    }
 
     private fun form(axis: Vector3dc, middle: Vector3dc, scale: Double, offset: Double): FloatArray {
         val factor = scale / radius

@@ -15,7 +15,7 @@ import dev.lazyz.world.Surface
 import org.joml.Vector3dc
 
 /**
- * The soft shadow of a scene on level ground below it: a square at the lowest point that darkens the background where
+ * The soft shadow of a scene on level ground below it: a square just below the lowest point that darkens the background where
  * the scene hides the sky, and is not visible otherwise. Add it to the scene as its last surface, with a camera from
  * [camera], between whose planes it is.
  *
@@ -40,7 +40,6 @@ import org.joml.Vector3dc
 public class GroundShadow private constructor(
     private val grid: ShadowGrid,
     private val center: Vector3dc,
-    private val reach: Double,
     public val strength: Float,
 ) : Surface {
     /** Null: cameras that fit a scene, and its box, ignore the shadow. */
@@ -52,14 +51,14 @@ public class GroundShadow private constructor(
      */
     public fun camera(camera: Camera): Camera {
         val middle = Vectors.dot(Vectors.minus(center, camera.eye), camera.toWorldDirection(0.0, 0.0, -1.0))
-        val radius = StrictMath.sqrt(2.0) * reach
+        val radius = StrictMath.sqrt(2.0) * grid.reach
         val isPerspective = camera.projection is Projection.Perspective
         val nearest = if (isPerspective) maxOf(middle - radius, camera.near * NEAREST) else middle - radius
         return camera.withPlanes(minOf(camera.near, nearest), maxOf(camera.far, middle + radius))
     }
 
     override fun primitives(setUp: SetUp): Sequence<Primitive> {
-        val r = reach.toFloat()
+        val r = grid.reach
         val corners = floatArrayOf(-r, 0f, r, r, 0f, r, r, 0f, -r, -r, 0f, -r)
         val material = Material(shader = GroundShader(grid, strength, setUp.raster.background), sides = Sides.FRONT)
         return setUp.mesh(Mesh(corners, intArrayOf(0, 1, 2, 0, 2, 3), material, origin = center))
@@ -75,7 +74,13 @@ public class GroundShadow private constructor(
         private const val SIZE = 256
 
         /** How far the shadow can reach beyond the scene, as a multiple of the scene's height. */
-        private const val SPREAD = 1.0
+        private const val SPREAD = 0.6
+
+        /** How far below the scene the ground is, as a part of the radius of the scene. */
+        private const val GAP = 0.001
+
+        /** The least height that counts there, as a part of half of the scene's width. */
+        private const val LEAST_SHARE = 0.2
 
         /** How near to the eye the near plane may come, compared with that of the camera. */
         private const val NEAREST = 0.125
@@ -100,10 +105,15 @@ public class GroundShadow private constructor(
             val occluders = Occluders(scene)
             val box = occluders.box
             val center = box.center.also { it.y = box.minY }
-            val reach = maxOf(box.maxX - box.minX, box.maxZ - box.minZ) / 2 + SPREAD * (box.maxY - box.minY)
+            val halfX = (box.maxX - box.minX) / 2
+            val halfZ = (box.maxZ - box.minZ) / 2
+            val spread = SPREAD * maxOf(box.maxY - box.minY, LEAST_SHARE * maxOf(halfX, halfZ))
             val maps = occluders.maps(SphereDirections.above(DIRECTIONS), SIZE, options)
-            val grid = ShadowGrid(maps, Vectors.minus(center, occluders.origin), reach)
-            return GroundShadow(grid, center, reach, strength)
+            val grid = ShadowGrid(maps, Vectors.minus(center, occluders.origin), halfX, halfZ, spread)
+
+            // A floor of the scene itself is visible
+            center.y -= GAP * occluders.radius
+            return GroundShadow(grid, center, strength)
         }
     }
 }

@@ -1,5 +1,6 @@
 package dev.lazyz.lighting
 
+import kotlin.math.abs
 import org.joml.Vector3dc
 
 /**
@@ -9,30 +10,44 @@ import org.joml.Vector3dc
  *
  * @param maps the light
  * @param center middle of the grid, relative to the origin of the [maps], world units
- * @param reach half of the side of the grid, world units
+ * @param halfX half of the extent of the scene along x, world units; likewise [halfZ]
+ * @param spread by how much the grid is larger than the scene on each side, world units
  */
-internal class ShadowGrid(private val maps: List<DistanceMap>, center: Vector3dc, reach: Double) {
+internal class ShadowGrid(
+    private val maps: List<DistanceMap>,
+    center: Vector3dc,
+    halfX: Double,
+    halfZ: Double,
+    spread: Double,
+) {
     private val centerX = center.x().toFloat()
     private val centerZ = center.z().toFloat()
-    private val reach = reach.toFloat()
+
+    /** Half of the side of the grid, world units. */
+    val reach: Float = (maxOf(halfX, halfZ) + spread).toFloat()
     private val shadows: FloatArray
 
     init {
         val y = center.y().toFloat()
         val raw = FloatArray(NODES * NODES)
         for (row in 0 until NODES) {
-            val v = place(row)
+            val z = reach * place(row)
             for (column in 0 until NODES) {
-                val u = place(column)
-                raw[row * NODES + column] =
-                    fade(u) * fade(v) * hidden(centerX + this.reach * u, y, centerZ + this.reach * v)
+                val x = reach * place(column)
+                val fading = fading(x, halfX, spread) * fading(z, halfZ, spread)
+                if (fading > 0f) raw[row * NODES + column] = fading * hidden(centerX + x, y, centerZ + z)
             }
         }
         shadows = blurred(blurred(raw))
     }
 
-    /** Returns 1 in the middle, and 0 at the borders -1 and 1. */
-    private fun fade(place: Float): Float = (1f - place * place) * (1f - place * place)
+    /** Returns 1 from -[half] to [half], and 0 from [spread] beyond it. */
+    private fun fading(place: Float, half: Double, spread: Double): Float {
+        val beyond = ((abs(place) - half) / spread).toFloat()
+        if (!(beyond < 1f)) return 0f
+        val part = maxOf(beyond, 0f)
+        return (1f - part * part) * (1f - part * part)
+    }
 
     private fun hidden(x: Float, y: Float, z: Float): Float {
         var open = 0f

@@ -14,9 +14,10 @@ internal object SphereDirections {
 
     /**
      * Returns [count] unit vectors that point up, and more of them the steeper they are: their number in a part of the
-     * sphere is proportional to the cube of y.
+     * sphere is proportional to the seventh power of y.
      */
-    fun above(count: Int): List<Vector3d> = spiral(count) { StrictMath.sqrt(StrictMath.sqrt(1.0 - it)) }
+    fun above(count: Int): List<Vector3d> =
+        spiral(count) { StrictMath.sqrt(StrictMath.sqrt(StrictMath.sqrt(1.0 - it))) }
 
     /** Returns the vectors whose y are those of [height] at evenly spaced places between 0 and 1. */
     private inline fun spiral(count: Int, height: (place: Double) -> Double): List<Vector3d> = List(count) { i ->

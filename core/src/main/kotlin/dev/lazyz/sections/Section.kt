@@ -5,6 +5,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
+import dev.lazyz.world.MetallicRoughness
 import dev.lazyz.world.Points
 import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
@@ -133,9 +134,11 @@ public class Section @JvmOverloads constructor(
             return capColor(material, Rgba(base.red * mean.red, base.green * mean.green, base.blue * mean.blue))
         }
 
-        /** Returns [material] in another [color], without what does not fit a cap: textures, one-sidedness, shaders. */
+        /** Returns [material] in another [color], without what does not fit a cap: maps, one-sidedness, shaders. */
         @JvmStatic
         public fun capColor(material: Material, color: Rgba): Material =
-            Material(color, shading = material.shading, name = material.name)
+            Material(color, shading = material.shading, name = material.name).withMetallicRoughness(
+                material.metallicRoughness?.let { MetallicRoughness(it.metallic, it.roughness) },
+            )
     }
 }

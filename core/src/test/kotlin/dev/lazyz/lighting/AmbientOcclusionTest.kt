@@ -214,8 +214,8 @@ class AmbientOcclusionTest {
         val above = SphereDirections.above(200)
         assertTrue(above.all { it.y > 0.0 })
 
-        // The mean height of a density proportional to y^3 is 4/5
-        assertEquals(0.8, above.sumOf { it.y } / 200, 0.005)
+        // The mean height of a density proportional to y^7 is 8/9
+        assertEquals(8.0 / 9.0, above.sumOf { it.y } / 200, 0.005)
         assertArrayEquals(doubleArrayOf(0.0, 0.0), doubleArrayOf(above.sumOf { it.x }, above.sumOf { it.z }), 2.0)
     }
 

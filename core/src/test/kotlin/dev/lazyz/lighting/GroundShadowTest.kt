@@ -7,6 +7,7 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
 import dev.lazyz.world.Material
+import dev.lazyz.world.Points
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Sphere
 import org.joml.Vector3d
@@ -108,6 +109,15 @@ class GroundShadowTest {
                 assertEquals(listOf("ffffffff", "ffffffff"), ends) { "$kind at $elevation: $rows" }
             }
         }
+    }
+
+    /** Where nothing hides the sky there is no shadow, not even far from the scene. */
+    @Test
+    fun pointsHaveNoShadow() {
+        val points = Scene(listOf(Points(floatArrayOf(0f, 0f, 0f, 1f, 3f, 1f, -1f, 1f, 0f), 1.0)))
+        val camera = Camera.fit(0.0, 30.0, zoom = 0.3).camera(points, 80.0 / 60.0)
+        val image = picture(points, camera, Rgba.WHITE)
+        assertTrue(image.argb.indices.all { image.primitive[it] < 3 || image.argb[it] == -1 })
     }
 
     @Test

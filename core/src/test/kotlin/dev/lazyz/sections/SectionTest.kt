@@ -5,12 +5,14 @@ import dev.lazyz.drawing.Solids
 import dev.lazyz.world.Lines
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
+import dev.lazyz.world.MetallicRoughness
 import dev.lazyz.world.Points
 import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Sides
 import dev.lazyz.world.Sphere
 import dev.lazyz.world.Surface
+import dev.lazyz.world.Texture
 import dev.lazyz.world.Vertex
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -193,6 +195,16 @@ class SectionTest {
             assertEquals(rest.positions[3 * i] / 4, rest.colors!![4 * i], 1e-6f)
         }
         assertEquals(4, rest.vertexCount)
+    }
+
+    @Test
+    fun capsHaveTheColourOfTheModel() {
+        val texture = Texture(2, 1, intArrayOf(0xFFFF0000.toInt(), 0xFF000000.toInt()))
+        val metal = Material(Rgba(1f, 0.5f, 0.5f), texture).withMetallicRoughness(MetallicRoughness(0.25f, 0.5f))
+        val cap = caps(cut(listOf(Solids.cube(metal)), SectionPlane.x(0.0))).single().material
+        assertEquals(MetallicRoughness(0.25f, 0.5f), cap.metallicRoughness)
+        assertEquals(0.3f, cap.baseColor.red, 0.003f)
+        assertEquals(0f, cap.baseColor.green)
     }
 
     /** A cut opens the view of inner walls, which show their backs. */

@@ -11,6 +11,7 @@ import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Material
+import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
 
@@ -43,7 +44,7 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         val lineWork = subject.lineWork
         val up = subject.up ?: input.usualUp
         val pointOfView = (if (view == null) subject.pointOfView else subject.pointOfView.from(view))
-            .withDefaults(subject.style)
+            .withDefaults(if (loaded.isOnScreen) null else subject.style)
         val cut = loaded.withScene(lineWork.cut(loaded.scene) { streams.warning(it) })
         val upright = try {
             pointOfView.applyTo(cut, up)
@@ -57,9 +58,8 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         // The camera is fitted to the whole raster. The picture may be a part of it
         val raster = raster(shaded, loaded)
         val viewed = shaded.withViewpoint(camera(shaded, raster))
-        val lit = toned(
-            subject.light.applyTo(viewed, subject.color, input.isModel, subject.loading.limits, options, streams),
-        )
+        val hasFreePlanes = pointOfView.hasFreePlanes && shaded.viewpoint !is Camera
+        val lit = toned(subject.light.applyTo(viewed, subject, input.isModel, hasFreePlanes, options, streams))
         if (pointOfView.isPrinted) streams.note(PointOfView.words(lit.viewpoint as Camera, up) + "\n")
         val scene = lineWork.drawnOn(lit, raster, subject.translucency)
         val region = region(raster)
@@ -113,6 +113,9 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         val text = "${region.columnStart},${region.rowStart},${region.width}x${region.height}"
         throw Mistake("--region $text reaches beyond the whole picture, which is ${raster.width}x${raster.height}")
     }
+
+    private val LoadedScene.isOnScreen: Boolean
+        get() = (scene.viewpoint as? Camera)?.projection == Projection.Screen
 
     private companion object {
         val DEFAULT_SIZE = ImageSize(640, 480)

@@ -15,6 +15,7 @@ import dev.lazyz.world.Camera
 import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
+import dev.lazyz.world.Shading
 import dev.lazyz.world.TextureFilter
 import dev.lazyz.world.TextureWrap
 import java.nio.file.Path
@@ -25,6 +26,8 @@ import java.nio.file.Path
  * @param rig null for the scene's own lights, or the default ones
  * @param intensity factor of all light; null means 1, or what the light meter says
  * @param matcap the file of a lit sphere, or null
+ * @param shading the shading that the user chose, or null
+ * @param others the names of other options given, which have no effect with [matcap]
  */
 internal class LightChoice(
     private val rig: LightRig?,
@@ -32,6 +35,8 @@ internal class LightChoice(
     wantsOcclusion: Boolean,
     wantsGroundShadow: Boolean,
     private val matcap: Path?,
+    shading: Shading?,
+    others: List<String>,
     style: PictureStyle?,
 ) {
     private val hasGroundShadow = wantsGroundShadow || style == PictureStyle.PRODUCT
@@ -43,32 +48,48 @@ internal class LightChoice(
         val lonely = listOfNotNull(
             rig?.let { "--light" }, intensity?.let { "--light-intensity" },
             "--ambient-occlusion".takeIf { wantsOcclusion },
-        ).firstOrNull()
-        if (matcap != null && lonely != null) throw Mistake("--matcap replaces all light, so $lonely has no effect")
+        ) + others
+        if (matcap != null && lonely.isNotEmpty()) {
+            throw Mistake("--matcap replaces materials and light, so ${lonely[0]} has no effect")
+        }
+        if (hasOcclusion && (shading == Shading.FLAT || shading == Shading.GOURAUD)) {
+            val word = shading.name.lowercase()
+            throw Mistake("with ambient occlusion, light is computed at each pixel, so --shading $word has no effect")
+        }
     }
 
     /**
-     * Returns [scene], which has a camera, in the light of these options.
+     * Returns [scene], which has a camera, in the light of these options for [subject]. Uses the threads of [options].
      *
-     * @param color a colour for all surfaces that the user chose, or null
      * @param isMetered whether dark materials get more light
-     * @param options the threads
+     * @param hasFreePlanes whether the near and the far plane of the camera can be moved
      */
     fun applyTo(
         scene: Scene,
-        color: Rgba?,
+        subject: Subject,
         isMetered: Boolean,
-        limits: LoadLimits,
+        hasFreePlanes: Boolean,
         options: RenderOptions,
         streams: Streams,
     ): Scene {
-        val lit = if (matcap == null) lit(scene, color, isMetered) else captured(scene, matcap, color, limits)
+        val color = subject.color
+        val lit = if (matcap == null) {
+            lit(scene, color, isMetered)
+        } else {
+            captured(scene, matcap, color, subject.loading.limits)
+        }
         if (!(hasOcclusion || hasGroundShadow) || scene.bounds == null) return lit
         if ((scene.viewpoint as Camera).projection == Projection.Screen) {
             throw Mistake("a scene given on the screen has no --ambient-occlusion and no --ground-shadow")
         }
         streams.progress("computing shadows ...")
-        return shadowed(if (hasOcclusion && matcap == null) occluded(lit, options) else lit, options)
+        val casting = subject.translucency.appliedTo(scene)
+        val soft = if (hasOcclusion && matcap == null) occluded(lit, casting, options) else lit
+        if (!hasGroundShadow) return soft
+        val shadow = GroundShadow.of(casting, options = options)
+        val camera = scene.viewpoint as Camera
+        return soft.withSurfaces(soft.surfaces + shadow)
+            .withViewpoint(if (hasFreePlanes) shadow.camera(camera) else camera)
     }
 
     private fun lit(scene: Scene, color: Rgba?, isMetered: Boolean): Scene {
@@ -85,13 +106,7 @@ internal class LightChoice(
         return scene.withMaterials { it.withShader(shader) }
     }
 
-    private fun occluded(scene: Scene, options: RenderOptions): Scene =
+    private fun occluded(scene: Scene, casting: Scene, options: RenderOptions): Scene =
         scene.withMaterials { it.asMetallicRoughness() }
-            .withAmbientVisibility(AmbientOcclusion.of(scene, options = options))
-
-    private fun shadowed(scene: Scene, options: RenderOptions): Scene {
-        if (!hasGroundShadow) return scene
-        val shadow = GroundShadow.of(scene, options = options)
-        return scene.withSurfaces(scene.surfaces + shadow).withViewpoint(shadow.camera(scene.viewpoint as Camera))
-    }
+            .withAmbientVisibility(AmbientOcclusion.of(casting, options = options))
 }

@@ -10,7 +10,6 @@ import dev.lazyz.drawing.FeatureEdges
 import dev.lazyz.drawing.HiddenLines
 import dev.lazyz.sections.Hatching
 import dev.lazyz.sections.Section
-import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Material
 import dev.lazyz.world.Projection
@@ -98,7 +97,7 @@ internal class LineWork(
     fun drawnOn(scene: Scene, raster: Raster, translucency: Translucency): Scene {
         if (edges == null) return scene
         val style = edges.withWidth(width ?: usualWidth(raster))
-        val hiding = if (translucency == Translucency.OPAQUE) scene.withMaterials(::opaque) else scene
+        val hiding = translucency.appliedTo(scene)
         return scene.withSurfaces(scene.surfaces + EdgeDrawing(hiding.surfaces, style))
     }
 
@@ -107,9 +106,6 @@ internal class LineWork(
         val scale = minOf(raster.width, raster.height) / USUAL_SIDE
         return (if (isTechnical) TECHNICAL_WIDTH else 1.0) * scale.coerceIn(LEAST_SCALE, MOST_SCALE)
     }
-
-    private fun opaque(material: Material): Material =
-        if (material.alphaMode == AlphaMode.BLEND) material.withAlphaMode(AlphaMode.OPAQUE) else material
 
     private companion object {
         /** The width of lines in technical drawings, pixels in a picture of [USUAL_SIDE]; otherwise it is 1. */

@@ -77,6 +77,9 @@ internal class PointOfView(
         )
     }
 
+    /** Whether the user did not choose the near or the far plane. */
+    val hasFreePlanes: Boolean get() = placement.near == null && placement.far == null
+
     /** Returns these options with the side [other]. */
     fun from(other: View): PointOfView =
         PointOfView(choice, other, null, null, projection, margin, zoom, fieldOfView, placement, isPrinted)

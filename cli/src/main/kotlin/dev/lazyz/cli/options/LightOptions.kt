@@ -5,7 +5,6 @@ import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.cli.input.LightChoice
-import dev.lazyz.cli.input.PictureStyle
 import dev.lazyz.lighting.LightRig
 import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.ToneMapping
@@ -50,9 +49,16 @@ internal class LightOptions : OptionGroup("Light") {
         help = "Brighten by this number of stops, -20..20: 1 doubles the light; default: the scene file's, or 0",
     ).number("EV", -ToneMapping.MAX_EXPOSURE..ToneMapping.MAX_EXPOSURE, " stops")
 
-    /** Returns the light that the options and the [style] describe. */
-    fun choice(style: PictureStyle?) =
-        LightChoice(rig, intensity?.toFloat(), hasOcclusion, hasGroundShadow, matcap, style)
+    /** Returns the light that the options describe, for a [picture] with others. */
+    fun choice(picture: PictureOptions): LightChoice {
+        val others = listOfNotNull(
+            picture.shading?.let { "--shading" }, picture.texture?.let { "--texture" }, toneCurve?.let { "--tone-map" },
+            exposure?.let { "--exposure" },
+        )
+        return LightChoice(
+            rig, intensity?.toFloat(), hasOcclusion, hasGroundShadow, matcap, picture.shading, others, picture.style,
+        )
+    }
 }
 
 private val rigs = LightRig.entries.associateBy { it.name.lowercase().replace('_', '-') }

@@ -56,7 +56,7 @@ internal fun subject(
     isSelected: Boolean = false,
 ): Subject {
     val style = picture.style
-    val lightChoice = light.choice(style)
+    val lightChoice = light.choice(picture)
     val usualRate = if (lightChoice.hasOcclusion && !isSelected) ShadingRate.PIXEL else ShadingRate.SAMPLE
     return Subject(
         input = input,

@@ -156,6 +156,37 @@ class LightOptionsTest {
         assertEquals(argb(glass, "--ambient-occlusion", "--shading-rate", "sample"), argb(glass, "--ambient-occlusion"))
     }
 
+    /** Planes that the user chose cut the model, and the ground does not change that. */
+    @Test
+    fun thePlanesOfTheUserStay() {
+        val planes = arrayOf("--eye", "0.5,1,9", "--near", "8.4", "--far", "20")
+        val cut = argb(cubes, *planes)
+        val shadowed = argb(cubes, *planes, "--ground-shadow")
+        for (i in cut.indices) if (cut[i] != -1 && shadowed[i] ushr 24 == 0xFF) assertEquals(cut[i], shadowed[i])
+    }
+
+    /** A floor of the model is not hidden by the ground. */
+    @Test
+    fun aFloorAtTheLowestPointIsVisible() {
+        val floor = folder.resolve("floor.obj")
+        floor.writeText("v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nf 4 3 2 1\n")
+        for (azimuth in listOf("10", "33", "77")) {
+            val words = arrayOf("--azimuth", azimuth, "--color", "f00", "--light", "flat")
+            val without = argb(floor, *words)
+            val with = argb(floor, *words, "--ground-shadow")
+            val red = without.indices.filter { without[it] == 0xFFFF0000.toInt() }
+            assertTrue(red.size > 100 && red.all { with[it] == without[it] }) { azimuth }
+        }
+    }
+
+    /** Surfaces that are rendered as opaque have shadows. */
+    @Test
+    fun opaqueSurfacesHaveShadows() {
+        val glass = model("pane", "Kd 0.5 0.5 0.5\nd 0.5")
+        val dark = argb(glass, "--ground-shadow", "--opaque").filter { it != -1 }.size
+        assertTrue(dark > argb(glass, "--ground-shadow").filter { it != -1 }.size + 20)
+    }
+
     /** The planes contain the ground, and the printed camera gives the picture again. */
     @Test
     fun thePrintedCameraGivesThePictureWithItsShadow() {
@@ -191,6 +222,9 @@ class LightOptionsTest {
         "--matcap nowhere.png, nowhere.png",
         "--matcap cubes.obj --light sun, --light",
         "--matcap cubes.obj --ambient-occlusion, --ambient-occlusion",
+        "--matcap cubes.obj --shading flat, --shading",
+        "--matcap cubes.obj --exposure 1, --exposure",
+        "--style product --shading gouraud, --shading gouraud",
     )
     fun mistakesAreExplained(words: String, expected: String) {
         val run = zcli("render", cubes, "-o", folder.resolve("never.png"), *words.split(' ').toTypedArray())
