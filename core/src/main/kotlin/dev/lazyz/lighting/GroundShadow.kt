@@ -15,9 +15,9 @@ import dev.lazyz.world.Surface
 import org.joml.Vector3dc
 
 /**
- * The soft shadow of a scene on level ground below it: a square just below the lowest point that darkens the background where
- * the scene hides the sky, and is not visible otherwise. Add it to the scene as its last surface, with a camera from
- * [camera], between whose planes it is.
+ * The soft shadow of a scene on level ground below it: a square just below the lowest point that darkens the background
+ * where the scene hides the sky, and is not visible otherwise. Add it to the scene as its last surface, with a camera
+ * from [camera], between whose planes it is.
  *
  * ```
  * val shadow = GroundShadow.of(scene)

@@ -159,7 +159,7 @@ class LightOptionsTest {
     /** Planes that the user chose cut the model, and the ground does not change that. */
     @Test
     fun thePlanesOfTheUserStay() {
-        val planes = arrayOf("--eye", "0.5,1,9", "--near", "8.4", "--far", "20")
+        val planes = arrayOf("--eye", "0.5,1,9", "--near", "8.4", "--far", "20", "--aa", "1")
         val cut = argb(cubes, *planes)
         val shadowed = argb(cubes, *planes, "--ground-shadow")
         for (i in cut.indices) if (cut[i] != -1 && shadowed[i] ushr 24 == 0xFF) assertEquals(cut[i], shadowed[i])
