@@ -80,7 +80,7 @@ configure(subprojects.filter { it.name != "bom" }) {
 
     tasks.withType<Test>().configureEach {
         useJUnitPlatform()
-        jvmArgs("--add-modules", "jdk.incubator.vector", "-XX:+UseSerialGC")
+        jvmArgs("--add-modules", "jdk.incubator.vector", "-XX:+UseSerialGC", "-XX:MarkSweepAlwaysCompactCount=1")
         if (project.name in shortTests) jvmArgs("-XX:TieredStopAtLevel=1")
         maxParallelForks = 2
         include("**/*Test.class", "**/*Properties.class", "**/*Example.class")

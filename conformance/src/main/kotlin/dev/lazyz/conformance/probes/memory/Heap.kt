@@ -1,6 +1,8 @@
 package dev.lazyz.conformance.probes.memory
 
+import com.sun.management.HotSpotDiagnosticMXBean
 import dev.lazyz.conformance.judgement.notMeasured
+import java.lang.management.ManagementFactory
 import java.lang.ref.Reference
 import java.lang.ref.WeakReference
 import kotlin.math.abs
@@ -10,10 +12,20 @@ internal object Heap {
     private const val ATTEMPTS = 5
 
     /** Number of the attempt after which a clear result counts. */
-    private const val ENOUGH = 3
+    private const val ENOUGH = 2
 
-    /** How many collections contain one that compacts the whole heap: HotSpot's MarkSweepAlwaysCompactCount. */
-    private const val COLLECTIONS = 4
+    /** How many collections contain one that compacts the whole heap. Other JVMs than HotSpot do not say. */
+    private val collections by lazy {
+        val stated = runCatching {
+            val hotSpot = ManagementFactory.getPlatformMXBean(HotSpotDiagnosticMXBean::class.java)
+            hotSpot.getVMOption("MarkSweepAlwaysCompactCount").value.toInt()
+        }
+        stated.getOrDefault(USUAL_COLLECTIONS).coerceIn(1, MOST_COLLECTIONS)
+    }
+
+    /** The default of HotSpot. */
+    private const val USUAL_COLLECTIONS = 4
+    private const val MOST_COLLECTIONS = 16
     private const val BLOCK = 1024
     private const val HEADER = 16
 
@@ -44,7 +56,7 @@ internal object Heap {
         if (!isExact()) notMeasured("this JVM's garbage collector counts memory in large regions, not in objects")
     }
 
-    /** Returns whether the heap grows by what is allocated. ZGC and Shenandoah count regions of some megabytes. */
+    /** Returns whether the heap grows by what is allocated. ZGC counts regions of some megabytes. */
     fun isExact(): Boolean {
         if (!isKnownToBeExact) isKnownToBeExact = KNOWN.all { isExact(it) }
         return isKnownToBeExact
@@ -87,7 +99,7 @@ internal object Heap {
 
     /**
      * Calls [fail] with the least of several [measurements], unless one of them is at most [limit], since noise only
-     * adds. Four measurements are enough if the result is clearly above the limit.
+     * adds. Three measurements are enough if the result is clearly above the limit.
      */
     fun requireAtMost(limit: Long, measurements: () -> Long, fail: (least: Long) -> Nothing) {
         requireMeasurable()
@@ -114,11 +126,11 @@ internal object Heap {
 
     /**
      * Returns the number of bytes held. Most collections leave some dead objects where they are, if they take only a
-     * few per cent of the heap, and these count as used. One in [COLLECTIONS] removes them all.
+     * few per cent of the heap, and these count as used. One of a few removes them all, see [collections].
      */
     private fun held(): Long {
         val runtime = Runtime.getRuntime()
-        return (1..COLLECTIONS).minOf {
+        return (1..collections).minOf {
             System.gc()
             runtime.totalMemory() - runtime.freeMemory()
         }

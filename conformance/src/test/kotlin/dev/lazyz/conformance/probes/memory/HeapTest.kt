@@ -20,7 +20,6 @@ class HeapTest {
         "Serial" to "exact",
         "Parallel" to "exact",
         "Z" to "not exact",
-        "Shenandoah" to "not exact",
     ).map { (collector, expected) ->
         dynamicTest(collector) {
             assertEquals(expected, answer(collector, AskTheHeap::class))
