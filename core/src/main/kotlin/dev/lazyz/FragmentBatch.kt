@@ -160,7 +160,7 @@ public class FragmentBatch internal constructor(capacity: Int) {
     internal fun begin(fields: Int) {
         size = 0
         val stale = this.fields and fields.inv()
-        val before = this.fields
+        val staleFootprints = footprints(this.fields) and footprints(fields).inv()
         this.fields = fields
         if (stale and Attributes.WORLD != 0) for (array in listOf(worldX, worldY, worldZ)) array.fill(0f)
         if (stale and Attributes.NORMAL != 0) for (array in listOf(normalX, normalY, normalZ)) array.fill(0f)
@@ -169,16 +169,16 @@ public class FragmentBatch internal constructor(capacity: Int) {
         if (stale and Attributes.TANGENT != 0) {
             for (array in listOf(tangentX, tangentY, tangentZ, tangentW)) array.fill(0f)
         }
-        if (before and Attributes.FOOTPRINT != 0) {
-            // Derivatives are only written for the coordinates that the fragments have
-            val ended = if (stale and Attributes.FOOTPRINT != 0) before else stale
-            if (ended and Attributes.UV != 0) for (array in listOf(dudx, dvdx, dudy, dvdy)) array.fill(0f)
-            if (ended and Attributes.UV2 != 0) for (array in listOf(du2dx, dv2dx, du2dy, dv2dy)) array.fill(0f)
-        }
+        if (staleFootprints and Attributes.UV != 0) for (array in listOf(dudx, dvdx, dudy, dvdy)) array.fill(0f)
+        if (staleFootprints and Attributes.UV2 != 0) for (array in listOf(du2dx, dv2dx, du2dy, dv2dy)) array.fill(0f)
         if (stale and Attributes.COLOR != 0) {
             for (array in listOf(vertexRed, vertexGreen, vertexBlue, vertexAlpha)) array.fill(1f)
         }
     }
+
+    /** Returns the sets of texture coordinates whose derivatives are written: of those that the fragments have. */
+    private fun footprints(fields: Int): Int =
+        if (fields and Attributes.FOOTPRINT == 0) 0 else fields and (Attributes.UV or Attributes.UV2)
 
     /** Assigns the samples of row [y] from column [x] on to the elements from [at] on, [count] of them. */
     internal fun place(at: Int, x: Int, y: Int, count: Int) {

@@ -74,16 +74,8 @@ internal class DistanceMap(
     fun openness(px: Float, py: Float, pz: Float): Float {
         val column = columns[0] * px + columns[1] * py + columns[2] * pz + columns[3]
         val row = rows[0] * px + rows[1] * py + rows[2] * pz + rows[3]
-        if (!(column >= 0f && row >= 0f && column < size - 1 && row < size - 1)) return 1f
         val level = levels[0] * px + levels[1] * py + levels[2] * pz + levels[3] + SLACK
-        val left = column.toInt()
-        val top = row.toInt()
-        val right = column - left
-        val down = row - top
-        val at = top * size + left
-        val upper = open(at, level) * (1f - right) + open(at + 1, level) * right
-        val lower = open(at + size, level) * (1f - right) + open(at + size + 1, level) * right
-        return upper * (1f - down) + lower * down
+        return interpolated(column, row, size, outside = 1f) { open(it, level) }
     }
 
     private fun open(at: Int, level: Float): Float {

@@ -1,6 +1,7 @@
 package dev.lazyz.lighting
 
 import dev.lazyz.Rgba
+import dev.lazyz.geometry.FaceNormal
 import dev.lazyz.world.Material
 import dev.lazyz.world.Mesh
 import dev.lazyz.world.Scene
@@ -47,31 +48,15 @@ public object LightMeter {
         val step = (mesh.triangleCount + MOST_TRIANGLES - 1) / MOST_TRIANGLES
         if (step == 0) return
         val color = FloatArray(4)
+        val face = FaceNormal(mesh.positions, mesh.triangles)
         for (triangle in 0 until mesh.triangleCount step step) {
-            val area = area(mesh, triangle)
+            face.compute(3 * triangle)
+            val area = sqrt(face.x * face.x + face.y * face.y + face.z * face.z)
             if (!(area > 0.0 && area < Double.POSITIVE_INFINITY)) continue
             color(mesh, triangle, color)
             val luminance = luminance(color)
             if (luminance >= 0f && luminance < Float.POSITIVE_INFINITY) use(area, luminance)
         }
-    }
-
-    /** Twice the area of a triangle. */
-    private fun area(mesh: Mesh, triangle: Int): Double {
-        val p = mesh.positions
-        val a = 3 * mesh.triangles[3 * triangle]
-        val b = 3 * mesh.triangles[3 * triangle + 1]
-        val c = 3 * mesh.triangles[3 * triangle + 2]
-        val ux = p[b].toDouble() - p[a]
-        val uy = p[b + 1].toDouble() - p[a + 1]
-        val uz = p[b + 2].toDouble() - p[a + 2]
-        val vx = p[c].toDouble() - p[a]
-        val vy = p[c + 1].toDouble() - p[a + 1]
-        val vz = p[c + 2].toDouble() - p[a + 2]
-        val x = uy * vz - uz * vy
-        val y = uz * vx - ux * vz
-        val z = ux * vy - uy * vx
-        return sqrt(x * x + y * y + z * z)
     }
 
     /** Stores the colour in the middle of a triangle in [out]. */

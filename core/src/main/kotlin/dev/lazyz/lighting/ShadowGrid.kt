@@ -78,15 +78,7 @@ internal class ShadowGrid(
     fun at(x: Float, z: Float): Float {
         val column = ((x - centerX) / reach + 1f) * HALF
         val row = ((z - centerZ) / reach + 1f) * HALF
-        if (!(column >= 0f && row >= 0f && column < NODES - 1 && row < NODES - 1)) return 0f
-        val left = column.toInt()
-        val top = row.toInt()
-        val right = column - left
-        val down = row - top
-        val at = top * NODES + left
-        val upper = shadows[at] * (1f - right) + shadows[at + 1] * right
-        val lower = shadows[at + NODES] * (1f - right) + shadows[at + NODES + 1] * right
-        return upper * (1f - down) + lower * down
+        return interpolated(column, row, NODES, outside = 0f) { shadows[it] }
     }
 
     private companion object {

@@ -32,6 +32,7 @@ import dev.lazyz.cli.options.classPath
 import dev.lazyz.cli.options.count
 import dev.lazyz.cli.options.listOf
 import dev.lazyz.cli.options.subject
+import dev.lazyz.cli.options.words
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Mistake
@@ -114,7 +115,7 @@ private class ComparingOptions : OptionGroup("Comparing") {
         "--views",
         help = "Look from each of these sides, separated by commas, such as iso,front,back; default: the options " +
             "of the camera",
-    ).listOf("SIDES", View.entries.associateBy { it.name.lowercase() })
+    ).listOf("SIDES", words(View.entries))
 
     val repeat by option(
         "--repeat",

@@ -23,6 +23,7 @@ import dev.lazyz.cli.options.classPath
 import dev.lazyz.cli.options.oneOf
 import dev.lazyz.cli.options.selector
 import dev.lazyz.cli.options.subject
+import dev.lazyz.cli.options.words
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.render.RenderJob
@@ -108,7 +109,7 @@ private class OutputOptions : OptionGroup("Output") {
         "--stats",
         help = "Print statistics, as a table or, with --stats=json, as one JSON object; to standard output, or to " +
             "standard error if the picture goes to standard output",
-    ).oneOf("json", StatsForm.entries.associateBy { it.name.lowercase() })
+    ).oneOf("json", words(StatsForm.entries))
         .optionalValue(StatsForm.TABLE, acceptsUnattachedValue = false)
 }
 

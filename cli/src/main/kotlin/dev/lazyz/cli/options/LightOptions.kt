@@ -61,6 +61,6 @@ internal class LightOptions : OptionGroup("Light") {
     }
 }
 
-private val rigs = LightRig.entries.associateBy { it.name.lowercase().replace('_', '-') }
+private val rigs = words(LightRig.entries)
 
-private val toneCurves = ToneCurve.entries.associateBy { it.name.lowercase() }
+private val toneCurves = words(ToneCurve.entries)

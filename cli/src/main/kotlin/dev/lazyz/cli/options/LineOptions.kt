@@ -28,7 +28,7 @@ internal class LineOptions : OptionGroup("Lines and sections") {
     ).number("DEGREES", 0.0..180.0, " degrees")
 
     private val hidden by option("--hidden-lines", help = "Hidden lines: none, dashed or solid; default: none")
-        .oneOf("HOW", HiddenLines.entries.associateBy { it.name.lowercase() })
+        .oneOf("HOW", words(HiddenLines.entries))
 
     private val width by option(
         "--edge-width",

@@ -19,6 +19,13 @@ import dev.lazyz.scenes.ImageSize
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
+/** Returns the constants of an enum class, as they are written on the command line. */
+internal fun <E : Enum<E>> words(entries: List<E>): Map<String, E> =
+    entries.associateBy { it.name.lowercase().replace('_', '-') }
+
+/** Returns a list of words for a help text. */
+internal fun names(all: Collection<String>): String = all.toList().dropLast(1).joinToString() + " or " + all.last()
+
 /** An option whose value is a size: `640x480`, or `512` for a square. */
 internal fun RawOption.size(): NullableOption<ImageSize, ImageSize> = convert("WxH") { text ->
     val form = Regex("""(-?\d+)(?:[xX×](-?\d+))?""")

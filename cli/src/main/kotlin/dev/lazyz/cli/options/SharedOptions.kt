@@ -136,7 +136,7 @@ internal class PictureOptions : OptionGroup("Picture") {
         "--shading-rate",
         help = "Shade at every visible sample, or once for each primitive in a pixel, for expensive shaders: sample " +
             "or pixel; default: sample, or pixel with --ambient-occlusion if that is possible",
-    ).oneOf("RATE", ShadingRate.entries.associateBy { it.name.lowercase() })
+    ).oneOf("RATE", words(ShadingRate.entries))
 
     val background by option(
         "--background",
@@ -186,7 +186,7 @@ internal class PictureOptions : OptionGroup("Picture") {
         "--style",
         help = "Defaults for whole pictures. product: for a shop, with --ambient-occlusion, --ground-shadow and a " +
             "wide margin; technical: --edges, white surfaces without light, white background, orthographic",
-    ).oneOf("STYLE", PictureStyle.entries.associateBy { it.name.lowercase() })
+    ).oneOf("STYLE", words(PictureStyle.entries))
 
     fun antiAliasing(usual: Int, usualRate: ShadingRate) =
         AntiAliasing(samples, usual, filter, shadingRate, usualRate)
@@ -200,8 +200,8 @@ internal class CameraOptions : OptionGroup("Camera") {
             "default: fit for models, scene for scene files and built-in scenes",
     ).camera()
 
-    private val view by option("--view", help = "Look from ${names(View.entries.map { it.name.lowercase() })}")
-        .oneOf("SIDE", View.entries.associateBy { it.name.lowercase() })
+    private val view by option("--view", help = "Look from ${names(words(View.entries).keys)}")
+        .oneOf("SIDE", words(View.entries))
 
     private val azimuth by option("--azimuth", help = "Degrees around the up axis: 0 front, 90 right; default: 30")
         .number("DEGREES", -1e6..1e6, " degrees")
@@ -210,7 +210,7 @@ internal class CameraOptions : OptionGroup("Camera") {
         .number("DEGREES", -90.0..90.0, " degrees")
 
     private val projection by option("--projection", help = "perspective or orthographic; default: perspective")
-        .oneOf("KIND", Fit.entries.associateBy { it.name.lowercase() })
+        .oneOf("KIND", words(Fit.entries))
 
     private val margin by option(
         "--margin",
@@ -268,7 +268,7 @@ internal class CostOptions : OptionGroup("Cost (the picture stays the same; see 
         "--coherence",
         help = "How late shading proceeds from pixel to pixel: direct (each separately), incremental (by steps) or " +
             "adaptive (the cheaper one); default: direct",
-    ).oneOf("MODE", Coherence.entries.associateBy { it.name.lowercase() })
+    ).oneOf("MODE", words(Coherence.entries))
 
     private val threads by option("--threads", help = "Number of threads, 1 or more; default: one per processor")
         .count { RenderOptions(threads = it) }
@@ -288,11 +288,8 @@ private val formats = SceneFormat.entries.associateBy { it.id }
 
 private val upAxes = UpAxis.entries.associateBy { it.id }
 
-private val filters = PixelFilter.entries.associateBy { it.name.lowercase().replace('_', '-') }
+private val filters = words(PixelFilter.entries)
 
-private val mipFilters = MipFilter.entries.associateBy { it.name.lowercase() }
+private val mipFilters = words(MipFilter.entries)
 
-private val shadings = Shading.entries.associateBy { it.name.lowercase().replace('_', '-') }
-
-/** Returns a list of words for a help text. */
-internal fun names(all: Collection<String>): String = all.toList().dropLast(1).joinToString() + " or " + all.last()
+private val shadings = words(Shading.entries)
