@@ -18,7 +18,7 @@ val catalog = libs
 val javaRelease = 17
 
 /** Modules of many short tests, which would mostly wait for the optimizing compiler. */
-val shortTests = listOf("scenes", "cli")
+val shortTests = listOf("scenes", "testing", "cli")
 
 /** A jar that runs alone: its file name and main class, by module. */
 val fatJars = mapOf(
@@ -101,7 +101,7 @@ configure(subprojects.filter { it.name != "bom" }) {
 }
 
 // The libraries that go to Maven Central, with sources and documentation.
-for (module in listOf("core", "scenes", "conformance")) {
+for (module in listOf("core", "scenes", "conformance", "testing")) {
     project(":$module") {
         apply(plugin = catalog.plugins.dokka.get().pluginId)
 

@@ -12,4 +12,7 @@ dependencyResolutionManagement {
 
 rootProject.name = "lazyz"
 
-include("bom", "core", "scenes", "conformance", "cli", "jmh")
+include("bom", "core", "scenes", "conformance", "testing", "cli", "jmh")
+
+// Modules that connect Lazy Z with other libraries are in a folder of their own
+project(":testing").projectDir = file("integrations/testing")

@@ -20,7 +20,7 @@ import org.w3c.dom.Node;
  * in the root of the clone. Prints each fault, and exits with 1 if there is one.
  */
 public class Publication {
-    private static final List<String> MODULES = List.of("core", "scenes", "conformance");
+    private static final List<String> MODULES = List.of("core", "scenes", "conformance", "testing");
     private static final List<String> FACTS = List.of("name", "description", "url", "licenses", "developers", "scm");
     private static final Map<String, String> CHECKSUMS = Map.of("md5", "MD5", "sha1", "SHA-1");
 
@@ -122,7 +122,7 @@ public class Publication {
         // Classes that only hold functions of a file are pages of their package
         TreeSet<String> holders = holders(module);
         Pattern type = Pattern.compile("(?m)^public .*(?:class|interface) ([\\w/]+)/([\\w$]+) .*\\{$");
-        type.matcher(Files.readString(Path.of(module, "api", "lazyz-" + module + ".api"))).results().forEach(match -> {
+        type.matcher(Files.readString(folder(module).resolve("api/lazyz-" + module + ".api"))).results().forEach(match -> {
             String name = match.group(2).replace('$', '.');
             if (!holders.contains(name)) types.add(match.group(1).replace('/', '.') + "/" + name);
         });
@@ -134,7 +134,7 @@ public class Publication {
             Pattern location =
                     Pattern.compile("(?m)^\\$dokka\\.location:([\\w.]+)/((?:\\w+\\.)*[A-Z]\\w*[a-z]\\w*)///Point");
             location.matcher(list).results().forEach(match -> shown.add(match.group(1) + "/" + match.group(2)));
-            for (String part : Files.readString(Path.of(module, "api", "packages.md")).split("(?m)^# Package ")) {
+            for (String part : Files.readString(folder(module).resolve("api/packages.md")).split("(?m)^# Package ")) {
                 if (part.startsWith("# Module")) continue;
                 String name = part.lines().findFirst().orElseThrow();
                 String words = part.substring(name.length()).strip().split("[`.:,;\n]")[0];
@@ -153,10 +153,16 @@ public class Publication {
         if (!shown.isEmpty()) faults.add(file + " shows what is not public: " + shown);
     }
 
+    /** The folder of a module: in the root of the clone, or among the integrations. */
+    private static Path folder(String module) {
+        Path folder = Path.of(module);
+        return Files.exists(folder) ? folder : Path.of("integrations", module);
+    }
+
     private static TreeSet<String> holders(String module) throws IOException {
         TreeSet<String> names = new TreeSet<>();
         Pattern name = Pattern.compile("(?m)^@file:JvmName\\(\"(\\w+)\"\\)$");
-        try (var files = Files.walk(Path.of(module, "src/main/kotlin"))) {
+        try (var files = Files.walk(folder(module).resolve("src/main/kotlin"))) {
             for (Path file : (Iterable<Path>) files.filter(it -> it.toString().endsWith(".kt"))::iterator) {
                 names.add(file.getFileName().toString().replace(".kt", "Kt"));
                 name.matcher(Files.readString(file)).results().forEach(it -> names.add(it.group(1)));

@@ -5,5 +5,6 @@ dependencies {
         api(project(":core"))
         api(project(":scenes"))
         api(project(":conformance"))
+        api(project(":testing"))
     }
 }

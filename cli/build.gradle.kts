@@ -16,6 +16,7 @@ dependencies {
     implementation(libs.clikt)
     implementation(libs.colormath)
     implementation(libs.mordant)
+    testImplementation(project(":testing"))
     testImplementation(libs.abi.tools)
 }
 
@@ -40,6 +41,7 @@ tasks.test {
     inputs.files(
         rootProject.fileTree(rootDir) {
             include("*.kts", "*.properties", "pom.xml", "gradle/*.toml", "*/build.gradle.kts", "*/pom.xml", "*/api/*")
+            include("integrations/*/build.gradle.kts", "integrations/*/pom.xml", "integrations/*/api/*")
             include("*/src/main/module/*", "docs/architecture.md")
         },
     )

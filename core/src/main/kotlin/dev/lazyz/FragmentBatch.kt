@@ -145,6 +145,7 @@ public class FragmentBatch internal constructor(capacity: Int) {
     public val alpha: FloatArray = FloatArray(capacity)
 
     private val each = Fragment()
+    private var scratch = emptyArray<FloatArray>()
 
     /**
      * Bits of the attributes that the fragments have, see [begin]; all other attributes have their default. Initially
@@ -154,7 +155,13 @@ public class FragmentBatch internal constructor(capacity: Int) {
         private set
 
     /** Bytes of the arrays. */
-    internal val bytes: Long get() = 32L * Int.SIZE_BYTES * x.size
+    internal val bytes: Long get() = (32L + scratch.size) * Int.SIZE_BYTES * x.size
+
+    /** Returns [count] arrays as long as those of the attributes, with any contents, for a shader while it runs. */
+    internal fun scratch(count: Int): Array<FloatArray> {
+        if (scratch.size < count) scratch = Array(count) { FloatArray(x.size) }
+        return scratch
+    }
 
     /** Starts a batch whose fragments have the attributes [fields], a combination of the bits in [Attributes]. */
     internal fun begin(fields: Int) {
@@ -190,14 +197,21 @@ public class FragmentBatch internal constructor(capacity: Int) {
 
     /** Calls [shader] for each fragment. */
     internal fun shadeEach(shader: Shader) {
-        val fragment = each
-        for (i in 0 until size) {
-            moveTo(fragment, i)
+        forEach { fragment, i ->
             shader.shade(fragment)
             red[i] = fragment.red
             green[i] = fragment.green
             blue[i] = fragment.blue
             alpha[i] = fragment.alpha
+        }
+    }
+
+    /** Passes each fragment with its number to [use]; always the same object, with other attributes. */
+    internal inline fun forEach(use: (Fragment, Int) -> Unit) {
+        val fragment = each
+        for (i in 0 until size) {
+            moveTo(fragment, i)
+            use(fragment, i)
         }
     }
 

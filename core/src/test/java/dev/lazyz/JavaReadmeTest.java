@@ -3,9 +3,9 @@ package dev.lazyz;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.lazyz.strategies.zbuffer.ZBuffer;
-import dev.lazyz.world.Material;
 import dev.lazyz.world.Scene;
-import dev.lazyz.world.Sphere;
+import dev.lazyz.world.material.Material;
+import dev.lazyz.world.surface.Sphere;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 

@@ -1,9 +1,9 @@
 package dev.lazyz
 
 import dev.lazyz.strategies.zbuffer.ZBuffer
-import dev.lazyz.world.Material
-import dev.lazyz.world.Sphere
+import dev.lazyz.world.material.Material
 import dev.lazyz.world.scene
+import dev.lazyz.world.surface.Sphere
 import kotlin.io.path.readLines
 import kotlin.io.path.readText
 import org.joml.Vector3d

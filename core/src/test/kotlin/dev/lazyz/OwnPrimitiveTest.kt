@@ -4,12 +4,12 @@ import dev.lazyz.geometry.Box
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FrameBuilder
-import dev.lazyz.world.Material
-import dev.lazyz.world.SetUp
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Sphere
-import dev.lazyz.world.Surface
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
 import dev.lazyz.world.scene
+import dev.lazyz.world.surface.SetUp
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Surface
 import java.util.function.UnaryOperator
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals

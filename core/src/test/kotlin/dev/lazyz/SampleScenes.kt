@@ -1,21 +1,21 @@
 package dev.lazyz
 
-import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FrameBuilder
 import dev.lazyz.world.Light
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.MipFilter
-import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Sides
-import dev.lazyz.world.Sphere
-import dev.lazyz.world.Surface
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.Vertex
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Surface
+import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import org.joml.Vector3d
 

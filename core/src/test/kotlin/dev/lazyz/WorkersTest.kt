@@ -2,9 +2,9 @@ package dev.lazyz
 
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.zbuffer.ZBuffer
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Scene
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
 import java.lang.ref.WeakReference
 import java.util.Collections
 import java.util.concurrent.CountDownLatch

@@ -12,8 +12,8 @@ import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.flow.FlowPipeline
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.zbuffer.ZBuffer
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.scene
+import dev.lazyz.world.surface.Mesh
 import java.io.ByteArrayInputStream
 import javax.imageio.ImageIO
 import kotlinx.coroutines.flow.asFlow

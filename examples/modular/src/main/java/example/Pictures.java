@@ -7,7 +7,7 @@ import dev.lazyz.scenes.writers.Images;
 import dev.lazyz.strategies.Renderers;
 import dev.lazyz.strategies.flow.FlowPipeline;
 import dev.lazyz.world.Scene;
-import dev.lazyz.world.Sphere;
+import dev.lazyz.world.surface.Sphere;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import org.joml.Vector3d;

@@ -22,9 +22,8 @@ fun main(args: Array<String>) {
 }
 
 /**
- * Runs zcli on the given streams, without a terminal, and returns its exit code: 0 if all is done, 1 if the pictures of
- * the strategies differ or a strategy does not conform, 2 after a mistake of the user or a bad file, 70 after a bug in
- * zcli.
+ * Runs zcli on the given streams, without a terminal, and returns its exit code: 0 if all is done, 1 if pictures differ
+ * or a strategy does not conform, 2 after a mistake of the user or a bad file, 70 after a bug in zcli.
  */
 fun run(args: Array<String>, stdin: InputStream, stdout: OutputStream, stderr: PrintStream): Int =
     run(args, Streams(stdin, stdout, stderr))

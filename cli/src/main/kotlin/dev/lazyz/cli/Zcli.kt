@@ -5,6 +5,7 @@ import com.github.ajalt.clikt.core.subcommands
 import com.github.ajalt.clikt.parameters.options.versionOption
 import dev.lazyz.cli.commands.CompareCommand
 import dev.lazyz.cli.commands.ConformanceCommand
+import dev.lazyz.cli.commands.DiffCommand
 import dev.lazyz.cli.commands.RenderCommand
 import dev.lazyz.cli.commands.ScenesCommand
 import dev.lazyz.cli.commands.StrategiesCommand
@@ -29,8 +30,9 @@ internal class Zcli(streams: Streams, args: List<String>) : Command("zcli") {
     init {
         versionOption(Version.text, help = "Print the version and exit", message = { "zcli $it" })
         val commands = mapOf(
-            "render" to { RenderCommand(streams) },
+            "render" to { RenderCommand(streams, args) },
             "compare" to { CompareCommand(streams, args) },
+            "diff" to { DiffCommand(streams) },
             "conformance" to { ConformanceCommand(streams, args) },
             "scenes" to { ScenesCommand(streams) },
             "strategies" to { StrategiesCommand(streams) },

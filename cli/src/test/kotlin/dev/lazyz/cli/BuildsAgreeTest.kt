@@ -23,14 +23,20 @@ class BuildsAgreeTest {
     private val gradleRoot = text("build.gradle.kts")
     private val surefire = pom.child("build").child("plugins").children("plugin")
         .single { it.value("artifactId") == "maven-surefire-plugin" }
+
+    /** The folders of the modules, by their names in Gradle. */
     private val folders = pom.child("modules").children("module").map { it.textContent }
-    private val modules = folders - "bom"
+        .associateBy { it.substringAfterLast('/') }
+    private val modules = folders.keys.toList() - "bom"
     private val published = quoted(Regex("""for \(module in listOf\((.*)\)\)""").find(gradleRoot)!!.groupValues[1])
 
     @Test
     fun modules() {
         val included = Regex("""include\((.*?)\)""", RegexOption.DOT_MATCHES_ALL).findAll(text("settings.gradle.kts"))
-        assertEquals(folders.toSet(), included.flatMap { quoted(it.groupValues[1]) }.toSet())
+        assertEquals(folders.keys, included.flatMap { quoted(it.groupValues[1]) }.toSet())
+        val moved = Regex("""project\(":(.*)"\).projectDir = file\("(.*)"\)""").findAll(text("settings.gradle.kts"))
+            .associate { it.groupValues[1] to it.groupValues[2] }
+        assertEquals(folders.filter { (name, folder) -> name != folder }, moved)
     }
 
     @Test
@@ -39,8 +45,8 @@ class BuildsAgreeTest {
         assertEquals(pom.value("groupId"), gradle["group"])
         assertEquals(pom.value("version"), gradle["version"])
         assertTrue("""artifactId = "lazyz-${'$'}{project.name}"""" in gradleRoot, "artifactId in build.gradle.kts")
-        for (module in folders) {
-            val modulePom = xml("$module/pom.xml")
+        for (module in folders.keys) {
+            val modulePom = modulePom(module)
             assertEquals("lazyz-$module", modulePom.value("artifactId"))
             val versioned = modulePom.childOrNull("parent") ?: modulePom
             assertEquals(pom.value("version"), versioned.value("version"), "version of $module")
@@ -80,7 +86,7 @@ class BuildsAgreeTest {
         val given = gradleDependencies(gradleRoot)
         assertEquals(inherited, given - LAUNCHER, "every module")
         for (module in modules) {
-            val maven = xml("$module/pom.xml").child("dependencies").children("dependency").map(::mavenDependency)
+            val maven = modulePom(module).child("dependencies").children("dependency").map(::mavenDependency)
             assertEquals(maven.toSet(), gradleDependencies(gradleFile(module)), module)
         }
     }
@@ -100,7 +106,7 @@ class BuildsAgreeTest {
         val lint = Regex("""-Xlint:[\w,-]+""")
         assertEquals(lint.find(compiler)?.value, lint.find(gradleRoot)?.value, "javac's lint")
         for (module in modules) {
-            val strict = xml("$module/pom.xml").childOrNull("properties")?.valueOrNull("explicit.api") == "strict"
+            val strict = modulePom(module).childOrNull("properties")?.valueOrNull("explicit.api") == "strict"
             assertEquals(strict, "explicitApi()" in gradleFile(module), "explicit API of $module")
         }
     }
@@ -109,26 +115,26 @@ class BuildsAgreeTest {
     fun moduleNames() {
         assertTrue("\"Automatic-Module-Name\" to \"dev.lazyz.\${project.name}\"" in gradleRoot)
         for (module in modules) {
-            assertEquals("dev.lazyz.$module", xml("$module/pom.xml").child("properties").value("module.name"))
+            assertEquals("dev.lazyz.$module", modulePom(module).child("properties").value("module.name"))
         }
     }
 
     /** A module exports the packages that have a text, which are those with public types. */
     @Test
     fun moduleDescriptors() {
-        val withDescriptor = modules.filter { root.resolve("$it/src/main/module/module-info.java").exists() }
+        val withDescriptor = modules.filter { folder(it).resolve("src/main/module/module-info.java").exists() }
         assertTrue("core" in withDescriptor)
         val gradle = Regex("""(?m)^// Descriptors.*\nfor \(module in listOf\((.*)\)\)""").find(gradleRoot)!!
         assertEquals(withDescriptor, quoted(gradle.groupValues[1]))
         for (module in modules) {
-            val skip = xml("$module/pom.xml").child("properties").valueOrNull("moditect.skip")
+            val skip = modulePom(module).child("properties").valueOrNull("moditect.skip")
             assertEquals(if (module in withDescriptor) "false" else null, skip, module)
         }
         for (module in withDescriptor) {
-            val descriptor = text("$module/src/main/module/module-info.java")
+            val descriptor = text("${folders.getValue(module)}/src/main/module/module-info.java")
             assertTrue("module dev.lazyz.$module {" in descriptor, module)
             val exported = Regex("""(?m)^ +exports (.*);$""").findAll(descriptor).map { it.groupValues[1] }
-            val texts = Regex("""(?m)^# Package (.*)$""").findAll(text("$module/api/packages.md"))
+            val texts = Regex("""(?m)^# Package (.*)$""").findAll(text("${folders.getValue(module)}/api/packages.md"))
             assertEquals(texts.map { it.groupValues[1] }.toSet(), exported.toSet(), module)
         }
     }
@@ -176,7 +182,7 @@ class BuildsAgreeTest {
         assertEquals(pom.child("properties").value("argLine").split(" "), every + "\${test.compiler}")
         val shortTests = Regex("""val shortTests = listOf\((.*)\)""").find(gradleRoot)!!
         for (module in modules) {
-            val maven = xml("$module/pom.xml").childOrNull("properties")?.valueOrNull("test.compiler")
+            val maven = modulePom(module).childOrNull("properties")?.valueOrNull("test.compiler")
             val gradle = short.joinToString(" ").takeIf { module in quoted(shortTests.groupValues[1]) }
             assertEquals(maven, gradle, "compiler of the tests of $module")
         }
@@ -186,15 +192,15 @@ class BuildsAgreeTest {
     fun javaSources() {
         // Gradle compiles src/main/java in every module, Maven only if the POM names it
         for (module in modules) {
-            val named = xml("$module/pom.xml").childOrNull("build")?.valueOrNull("sourceDirectory") == "src/main/java"
-            if (root.resolve("$module/src/main/java").exists()) assertTrue(named, "src/main/java of $module")
+            val named = modulePom(module).childOrNull("build")?.valueOrNull("sourceDirectory") == "src/main/java"
+            if (folder(module).resolve("src/main/java").exists()) assertTrue(named, "src/main/java of $module")
         }
     }
 
     @Test
     fun fatJarsAndPublications() {
         for (module in modules) {
-            val properties = xml("$module/pom.xml").childOrNull("properties")
+            val properties = modulePom(module).childOrNull("properties")
             assertEquals(
                 properties?.valueOrNull("maven.deploy.skip") != "true",
                 module in published,
@@ -248,7 +254,11 @@ class BuildsAgreeTest {
         }.toSet()
     }
 
-    private fun gradleFile(module: String) = text("$module/build.gradle.kts")
+    private fun folder(module: String) = root.resolve(folders.getValue(module))
+
+    private fun modulePom(module: String) = xml("${folders.getValue(module)}/pom.xml")
+
+    private fun gradleFile(module: String) = text("${folders.getValue(module)}/build.gradle.kts")
 
     private fun text(path: String) = root.resolve(path).readText()
 

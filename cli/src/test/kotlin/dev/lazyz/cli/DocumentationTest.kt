@@ -2,16 +2,18 @@ package dev.lazyz.cli
 
 import dev.lazyz.Capability
 import dev.lazyz.cli.output.ExitCode
+import java.nio.file.Path
 import kotlin.io.path.readText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
 
 /** `docs/cli.md` and `--help` describe the same flags. */
 class DocumentationTest {
     private val page: String = ProjectFiles.root.resolve("docs/cli.md").readText()
 
-    private val commands = listOf("render", "compare", "conformance", "scenes", "strategies")
+    private val commands = listOf("render", "compare", "diff", "conformance", "scenes", "strategies")
 
     private fun help(vararg command: String) = zcli(*command, "--help").done().text
 
@@ -56,6 +58,19 @@ class DocumentationTest {
         val section = page.substringAfter("## zcli compare").substringBefore("\n## ")
         val statistics = zcli("render", "teapot", "-o", "-", "--size", "4x3", "--stats=json").errors
         for (key in own) assertTrue("`$key`" in section || "\"$key\":" in statistics, key)
+    }
+
+    @Test
+    fun keysOfADifferenceAreTold(@TempDir folder: Path) {
+        val pictures = listOf("red", "blue").map { color ->
+            folder.resolve("$color.png").also {
+                zcli("render", "teapot", "--size", "4x3", "--background", color, "-o", it).done()
+            }
+        }
+        val json = zcli("diff", *pictures.toTypedArray(), "--json").text
+        val section = page.substringAfter("## zcli diff").substringBefore("\n## ")
+        val keys = Regex("\"(\\w+)\":").findAll(json).map { it.groupValues[1] }.toSet()
+        assertEquals(emptyList<String>(), keys.filter { "`$it`" !in section })
     }
 
     @Test

@@ -29,6 +29,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.BeforeAll
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** The script `zcli`, in a folder with a jar like the one of the build. */
@@ -87,6 +88,7 @@ class LauncherTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun damagedArchiveIsMadeAgainAfterItsFirstUse() {
         render()
         val archive = archives.single()
@@ -149,6 +151,7 @@ class LauncherTest {
     fun collectorOfOnesOwn() = render(OFF + ("ZCLI_JAVA_OPTIONS" to "-XX:+UseParallelGC -Xmx64m"))
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun vectorApiOnRequest() {
         assumeTrue(Tiled().kernel == "vector", "this machine has no vectors that are wide enough")
         val jar = "${home.resolve("zcli.jar")}"

@@ -16,18 +16,18 @@ import org.junit.jupiter.params.provider.ValueSource
 class PackageTextsTest {
     private fun publicPackages(module: String): List<String> {
         val type = Regex("""^public .*(?:class|interface) ([\w/]+)/\w[\w$]* .*""")
-        val listing = ProjectFiles.root.resolve("$module/api/lazyz-$module.api").readLines()
+        val listing = ProjectFiles.folderOf(module).resolve("api/lazyz-$module.api").readLines()
         return listing.mapNotNull { type.matchEntire(it)?.groupValues?.get(1)?.replace('/', '.') }.distinct().sorted()
     }
 
     /** The texts by their headings, such as `Package dev.lazyz`, with single spaces between words. */
     private fun texts(module: String): Map<String, String> =
-        ProjectFiles.root.resolve("$module/api/packages.md").readText().split(Regex("(?m)^# ")).drop(1).associate {
+        ProjectFiles.folderOf(module).resolve("api/packages.md").readText().split(Regex("(?m)^# ")).drop(1).associate {
             it.substringBefore('\n') to it.substringAfter('\n').trim().replace(Regex("""\s+"""), " ")
         }
 
     @ParameterizedTest
-    @ValueSource(strings = ["core", "scenes", "conformance"])
+    @ValueSource(strings = ["core", "scenes", "conformance", "testing"])
     fun eachPublicPackageHasAText(module: String) {
         val packages = publicPackages(module)
         assertTrue("dev.lazyz" in packages || "dev.lazyz.$module" in packages) { "$packages" }
@@ -42,7 +42,7 @@ class PackageTextsTest {
         val page = ProjectFiles.root.resolve("docs/architecture.md").readText()
         val rows = row.findAll(page).associate { it.groupValues[1] to it.groupValues[2] }
         var compared = 0
-        for (module in listOf("core", "scenes", "conformance")) {
+        for (module in listOf("core", "scenes", "conformance", "testing")) {
             for ((heading, text) in texts(module)) {
                 val name = heading.substringAfter("dev.lazyz", "none").removePrefix(".")
                 val words = rows[name] ?: continue

@@ -3,6 +3,7 @@ package dev.lazyz.cli
 import dev.lazyz.Image
 import dev.lazyz.conformance.Conformance
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.testing.PictureAssertion
 import java.io.File
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
@@ -17,14 +18,13 @@ import org.junit.jupiter.api.Test
 
 /**
  * The public API of the libraries is what `MODULE/api/lazyz-MODULE.api` lists: the signatures that compiled programs
- * depend on. A
- * change of the API shows in the diff of these files; `-Dlazyz.update=true` writes them.
+ * depend on. A change of the API shows in the diff of these files; `-Dlazyz.update=true` writes them.
  */
 class PublicApiTest {
     @Test
     fun theApiIsTheListedOne() {
         val changed = MODULES.mapNotNull { (module, type) ->
-            val listing = ProjectFiles.root.resolve("$module/api/lazyz-$module.api")
+            val listing = ProjectFiles.folderOf(module).resolve("api/lazyz-$module.api")
             val actual = dump(type)
             if (System.getProperty("lazyz.update") == "true") {
                 listing.parent.createDirectories()
@@ -67,6 +67,7 @@ class PublicApiTest {
             "core" to Image::class.java,
             "scenes" to Scenes::class.java,
             "conformance" to Conformance::class.java,
+            "testing" to PictureAssertion::class.java,
         )
     }
 }

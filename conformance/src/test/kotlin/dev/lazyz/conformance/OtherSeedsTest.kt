@@ -32,7 +32,7 @@ class OtherSeedsTest {
         val oracle = { ReferenceRenderer() }
         val all = UnusualRenderers.all + Galleries.correct + oracle
         val good = RuleOutcome.entries.filterNot { it.isFailure }.toSet()
-        return passing(if (seeds == null) TestEffort.oneOf(4, UnusualRenderers.quick) else all, good)
+        return passing(if (seeds == null) TestEffort.sample(4, UnusualRenderers.quick) else all, good)
     }
 
     private fun passing(renderers: List<() -> Renderer>, good: Set<RuleOutcome>): List<DynamicTest> {

@@ -35,26 +35,26 @@ import org.junit.jupiter.api.Assertions.assertTrue
  * [RendererConformance] compares each with the oracle, on fewer frames. This test compares them with each other.
  */
 class StrategiesAgreeProperties {
-    @Property(tries = 4000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 2000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_onTheScreen(@ForAll(supplier = ScreenCases::class) case: FrameCase, @ForAll salt: Long) =
         agree(case, salt)
 
-    @Property(tries = 1500, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 900, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_onTies(@ForAll(supplier = TiedCases::class) case: FrameCase, @ForAll salt: Long) = agree(case, salt)
 
     @Property(tries = 1000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_onPrimitivesOfOnesOwn(@ForAll(supplier = ConfettiCases::class) case: FrameCase, @ForAll salt: Long) =
         agree(case, salt)
 
-    @Property(tries = 3500, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 2000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_inScenes(@ForAll(supplier = WorldCases::class) case: FrameCase, @ForAll salt: Long) = agree(case, salt)
 
     /** Rasters of several tiles and subdivisions, and enough primitives to hide each other. */
-    @Property(tries = 250, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 150, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_onLargerFrames(@ForAll(supplier = LargerCases::class) case: FrameCase, @ForAll salt: Long) =
         agree(case, salt)
 
-    @Property(tries = 2000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 1200, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_5_5_onTranslucentFrames(@ForAll(supplier = TranslucentCases::class) case: FrameCase, @ForAll salt: Long) =
         agree(case, salt)
 

@@ -1,15 +1,22 @@
 package dev.lazyz.conformance
 
 /**
- * How much the longest tests try. The default build tests a part of the wrong renderers and of the frames, always the
- * same part. The continuous build tests another part on its second JDK with `-Dlazyz.part=1`; `-Dlazyz.effort=full`
- * tests all of them.
+ * How much the longest tests try. `mvn verify` alone tries a part of the wrong renderers and of the frames, always the
+ * same part, so that it takes minutes. `-Dlazyz.effort=rest` tries what that leaves out, which is what the continuous
+ * build does on its second JDK; `-Dlazyz.effort=full` tries all. Other tests that take long are annotated with
+ * `@EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")`.
  */
 internal object TestEffort {
-    val isFull: Boolean = System.getProperty("lazyz.effort") == "full"
-    private val part = Integer.getInteger("lazyz.part", 0)
+    private val effort: String? = System.getProperty("lazyz.effort")
+    private val isRest: Boolean get() = effort == "rest"
 
-    /** Returns every [step]th element, or all. */
-    fun <T> oneOf(step: Int, all: List<T>): List<T> =
-        if (isFull) all else all.filterIndexed { i, _ -> i % step == part % step }
+    val isFull: Boolean get() = effort == "full"
+
+    /** Returns each [step]th element; with the effort `rest` the others, with `full` all. */
+    fun <T> share(step: Int, all: List<T>): List<T> =
+        if (isFull) all else all.filterIndexed { i, _ -> (i % step == 0) != isRest }
+
+    /** Returns each [step]th element; with the effort `rest` each one that follows these, with `full` all. */
+    fun <T> sample(step: Int, all: List<T>): List<T> =
+        if (isFull) all else all.filterIndexed { i, _ -> i % step == if (isRest) 1 else 0 }
 }

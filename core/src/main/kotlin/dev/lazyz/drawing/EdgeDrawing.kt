@@ -7,10 +7,10 @@ import dev.lazyz.drawing.strokes.Pen
 import dev.lazyz.drawing.strokes.Pieces
 import dev.lazyz.drawing.strokes.Polylines
 import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.UpAxis
 import dev.lazyz.setup.Viewport
-import dev.lazyz.world.SetUp
-import dev.lazyz.world.Surface
-import dev.lazyz.world.UpAxis
+import dev.lazyz.world.surface.SetUp
+import dev.lazyz.world.surface.Surface
 
 /**
  * The edges of the meshes and polygons among [surfaces], drawn as lines. Add it to the scene that has the surfaces, as

@@ -2,11 +2,11 @@ package dev.lazyz.drawing
 
 import dev.lazyz.geometry.DistinctTriples
 import dev.lazyz.geometry.Vectors
-import dev.lazyz.world.AlphaMode
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.Polygon
-import dev.lazyz.world.Sides
-import dev.lazyz.world.Surface
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Surface
 import org.joml.Vector3dc
 
 /**

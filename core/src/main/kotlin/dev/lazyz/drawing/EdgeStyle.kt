@@ -1,8 +1,8 @@
 package dev.lazyz.drawing
 
 import dev.lazyz.Rgba
-import dev.lazyz.world.Points
 import dev.lazyz.world.Scene
+import dev.lazyz.world.surface.Points
 
 /**
  * How the edges of a scene are drawn. Immutable and thread safe.

@@ -2,8 +2,8 @@ package dev.lazyz.drawing
 
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
 
 /**
  * Finds the edges of a mesh that a line drawing shows, without regard to what is hidden. Vertices at the same position

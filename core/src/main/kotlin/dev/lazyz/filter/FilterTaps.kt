@@ -1,5 +1,8 @@
 package dev.lazyz.filter
 
+import kotlin.math.ceil
+import kotlin.math.round
+
 /**
  * The weights of the samples of a pixel in one direction, as integers, so that sums are exact. Immutable.
  *
@@ -7,12 +10,12 @@ package dev.lazyz.filter
  */
 internal class FilterTaps(filter: PixelFilter, val factor: Int) {
     /** Number of samples that count before the first sample of the pixel, and after the last. */
-    val margin: Int = if (filter == PixelFilter.BOX) 0 else StrictMath.ceil((filter.radius - 0.5) * factor).toInt()
+    val margin: Int = if (filter == PixelFilter.BOX) 0 else ceil((filter.radius - 0.5) * factor).toInt()
 
     /** The weights from the first sample that counts on. For [PixelFilter.BOX] all are 1. */
     val weights: IntArray = IntArray(factor + 2 * margin) {
         val distance = (it - margin + 0.5) / factor - 0.5
-        if (filter == PixelFilter.BOX) 1 else StrictMath.rint(filter.weight(distance) * UNIT / factor).toInt()
+        if (filter == PixelFilter.BOX) 1 else round(filter.weight(distance) * UNIT / factor).toInt()
     }
 
     /** The first sample that counts for pixel [pixel]. It may be before the raster. */

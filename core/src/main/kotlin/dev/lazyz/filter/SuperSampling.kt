@@ -6,11 +6,11 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.drawing.EdgeDrawing
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Points
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Surface
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Surface
 
 /**
  * Anti-aliasing by several samples a pixel: [factor] x [factor] samples on a regular grid, and a filter.
@@ -61,18 +61,17 @@ public class SuperSampling @JvmOverloads constructor(
 
     /**
      * Returns why [frame] does not accept [scene] and [pixels], or null if it does. With a [factor] above 1, it does
-     * not if the camera's projection is [Projection.Screen], because such a scene is given in samples; if the raster of
+     * not if the scene is given on the screen ([Scene.isOnScreen]), because that is in samples; if the raster of
      * samples has a side above [Raster.MAX_SIDE]; or if a point or a line is wider than [Points.MAX_SIZE] samples.
      */
     public fun obstacle(scene: Scene, pixels: Raster): String? {
         val most = Raster.MAX_SIDE / factor
         val widest = Points.MAX_SIZE / factor
         val size = scene.surfaces.maxOfOrNull { sizeOf(it) } ?: 0.0
-        val isOnScreen = (scene.viewpoint as? Camera)?.projection == Projection.Screen
         return when {
             factor == 1 -> null
 
-            isOnScreen -> "a scene that is given on the screen has one sample a pixel"
+            scene.isOnScreen -> "a scene that is given on the screen has one sample a pixel"
 
             maxOf(pixels.width, pixels.height) > most ->
                 "with $factor x $factor samples a pixel, a side has at most $most pixels: " +

@@ -2,10 +2,10 @@ package dev.lazyz.lighting
 
 import dev.lazyz.RenderOptions
 import dev.lazyz.world.AmbientVisibility
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Points
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Points
 
 /**
  * Which part of a uniform sky each point of a scene sees: hollows and contacts are darker.

@@ -5,13 +5,13 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.SetUp
-import dev.lazyz.world.Sides
-import dev.lazyz.world.Surface
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.SetUp
+import dev.lazyz.world.surface.Surface
 import org.joml.Vector3dc
 
 /**

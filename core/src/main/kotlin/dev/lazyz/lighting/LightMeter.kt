@@ -2,10 +2,10 @@ package dev.lazyz.lighting
 
 import dev.lazyz.Rgba
 import dev.lazyz.geometry.FaceNormal
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.surface.Mesh
 import kotlin.math.sqrt
 
 /**

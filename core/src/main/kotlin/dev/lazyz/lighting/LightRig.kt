@@ -4,8 +4,8 @@ import dev.lazyz.Rgba
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
 import dev.lazyz.world.Light
-import dev.lazyz.world.MetallicRoughness
 import dev.lazyz.world.Scene
+import dev.lazyz.world.material.MetallicRoughness
 import org.joml.Vector3d
 
 /**

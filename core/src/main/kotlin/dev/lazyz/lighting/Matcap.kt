@@ -7,7 +7,7 @@ import dev.lazyz.geometry.Vectors
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Texture
+import dev.lazyz.world.material.Texture
 import kotlin.math.sqrt
 import org.joml.Vector3dc
 

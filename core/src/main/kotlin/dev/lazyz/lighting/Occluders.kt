@@ -5,20 +5,20 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Points
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Surface
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Surface
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
  * The surfaces of a scene that hide light: opaque and masked ones; not translucent ones, [Points] and [Lines].
  *
- * @throws IllegalArgumentException if the scene is empty, or its camera's projection is [Projection.Screen]
+ * @throws IllegalArgumentException if the scene is empty, or given on the screen ([Scene.isOnScreen])
  */
 internal class Occluders(scene: Scene) {
     /** The box around the scene, world space. */
@@ -33,9 +33,7 @@ internal class Occluders(scene: Scene) {
     private val scene = scene.withSurfaces(scene.surfaces.filter(::hidesLight))
 
     init {
-        require((scene.viewpoint as? Camera)?.projection != Projection.Screen) {
-            "a scene given on the screen has no shadows"
-        }
+        require(!scene.isOnScreen) { "a scene given on the screen has no shadows" }
         val diagonal = Vector3d(box.maxX - box.minX, box.maxY - box.minY, box.maxZ - box.minZ)
         val center = box.center
         val away = StrictMath.sqrt(Vectors.dot(center, center))

@@ -1,7 +1,7 @@
 package dev.lazyz.sections
 
 import dev.lazyz.Rgba
-import dev.lazyz.world.Vertex
+import dev.lazyz.world.surface.Vertex
 
 /**
  * Cuts one contour of a polygon by a plane (Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 17, 1974). A

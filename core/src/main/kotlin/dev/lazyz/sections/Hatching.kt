@@ -3,7 +3,8 @@ package dev.lazyz.sections
 import dev.lazyz.Fragment
 import dev.lazyz.Rgba
 import dev.lazyz.Shader
-import dev.lazyz.world.Material
+import dev.lazyz.world.material.Material
+import kotlin.math.floor
 
 /**
  * Colours a surface with parallel stripes, as caps in technical drawings. The stripes are where planes with the normal
@@ -29,7 +30,7 @@ public class Hatching(
 
     override fun shade(fragment: Fragment) {
         val place = (fragment.worldX.toDouble() + fragment.worldY + fragment.worldZ) / period
-        val color = if (place - StrictMath.floor(place) < share) stripe else ground
+        val color = if (place - floor(place) < share) stripe else ground
         fragment.setColor(color.red, color.green, color.blue, color.alpha)
     }
 

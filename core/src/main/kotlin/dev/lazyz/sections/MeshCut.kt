@@ -2,7 +2,7 @@ package dev.lazyz.sections
 
 import dev.lazyz.geometry.DistinctTriples
 import dev.lazyz.geometry.FaceNormal
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.surface.Mesh
 
 /**
  * One mesh and one plane: what remains of the mesh, and the contours of the cut. A point between two vertices depends

@@ -2,16 +2,16 @@ package dev.lazyz.sections
 
 import dev.lazyz.FillRule
 import dev.lazyz.Rgba
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.MetallicRoughness
-import dev.lazyz.world.Points
-import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Sides
-import dev.lazyz.world.Surface
-import dev.lazyz.world.Vertex
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MetallicRoughness
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Surface
+import dev.lazyz.world.surface.Vertex
 import java.util.function.UnaryOperator
 import org.joml.Vector3dc
 

@@ -1,7 +1,7 @@
 package dev.lazyz.sections
 
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Points
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Points
 import org.joml.Vector3dc
 
 /** Cuts points and lines by a plane. */

@@ -6,6 +6,8 @@ import dev.lazyz.Spans
 import dev.lazyz.raster.RowHull
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.shading.AttributedPrimitive
+import kotlin.math.ceil
+import kotlin.math.round
 
 /**
  * A line segment on the raster: a quad around its snapped ends, and the sample nearest to each end (contract rule
@@ -101,7 +103,7 @@ internal class LinePrimitive(
     }
 
     override fun depth(x: Int, y: Int): Int =
-        if (isLevel) z0 else z0 + StrictMath.rint(along(x, y) * (z1.toDouble() - z0.toDouble())).toInt()
+        if (isLevel) z0 else z0 + round(along(x, y) * (z1.toDouble() - z0.toDouble())).toInt()
 
     /**
      * Returns the position of a sample along the segment: 0 at the first end and before it, 1 at the second end and
@@ -138,7 +140,7 @@ internal class LinePrimitive(
 
         /** Returns the component of [half] in one direction, rounded away from zero so that no line is too thin. */
         fun share(half: Int, run: Long, length: Double): Int {
-            val size = StrictMath.ceil(half.toDouble() * Math.abs(run).toDouble() / length).toInt()
+            val size = ceil(half.toDouble() * Math.abs(run).toDouble() / length).toInt()
             return if (run < 0L) -size else size
         }
     }

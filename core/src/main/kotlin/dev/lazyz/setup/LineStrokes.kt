@@ -10,9 +10,9 @@ import dev.lazyz.shading.Lighting
 import dev.lazyz.shading.MaskedPrimitive
 import dev.lazyz.shading.MaterialShader
 import dev.lazyz.shading.Vertices
-import dev.lazyz.world.AlphaMode
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Shading
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.surface.Lines
 
 /** Sets up the segments of one [Lines] surface, and holds the data that they share. Immutable and thread safe. */
 internal class LineStrokes(private val lines: Lines, private val stage: VertexStage, lighting: Lighting) {

@@ -8,11 +8,11 @@ import dev.lazyz.Shader
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.shading.Lighting
 import dev.lazyz.shading.MaterialShader
-import dev.lazyz.world.AlphaMode
-import dev.lazyz.world.Material
-import dev.lazyz.world.Points
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Sides
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.surface.Points
 
 /** Sets up the points of one [Points] surface, and holds the data that they share. Immutable and thread safe. */
 internal class PointCloud(private val points: Points, private val stage: VertexStage, lighting: Lighting) {

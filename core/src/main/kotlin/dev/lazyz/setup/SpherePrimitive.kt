@@ -5,10 +5,11 @@ import dev.lazyz.Shader
 import dev.lazyz.Spans
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.shading.AttributedPrimitive
-import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Sides
-import dev.lazyz.world.Sphere
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.surface.Sphere
+import kotlin.math.floor
 import org.joml.Vector3d
 
 /**
@@ -224,7 +225,7 @@ internal class SpherePrimitive private constructor(
 
     /** Rounds a position down to a column or row of the raster; NaN gives 0. */
     private fun clamp(position: Double, size: Int): Int =
-        StrictMath.floor(position).coerceIn(0.0, size.toDouble()).toInt()
+        floor(position).coerceIn(0.0, size.toDouble()).toInt()
 
     override fun toString(): String = "SpherePrimitive($sphere)"
 

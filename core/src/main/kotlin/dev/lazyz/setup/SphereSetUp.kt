@@ -6,11 +6,11 @@ import dev.lazyz.Shader
 import dev.lazyz.shading.Lighting
 import dev.lazyz.shading.MaskedPrimitive
 import dev.lazyz.shading.MaterialShader
-import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Material
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Sphere
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.surface.Sphere
 
 /** Converts spheres to primitives. */
 internal object SphereSetUp {

@@ -3,8 +3,8 @@ package dev.lazyz.setup
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.shading.Vertices
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Projection
+import dev.lazyz.world.surface.Mesh
 
 /**
  * The transforms of all vertices of a frame: from world space to clip space, and to the raster. Immutable and thread

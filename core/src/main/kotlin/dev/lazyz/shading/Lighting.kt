@@ -6,9 +6,9 @@ import dev.lazyz.shading.light.Viewer
 import dev.lazyz.shading.pbr.PhysicalLighting
 import dev.lazyz.shading.pbr.StudioView
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Material
 import dev.lazyz.world.SceneLight
-import dev.lazyz.world.Shading
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
 import kotlin.math.sqrt
 
 /**
@@ -23,6 +23,9 @@ internal class Lighting(light: SceneLight, camera: Camera) {
     private val viewer = Viewer(camera)
     private val sources = LightSources(light.classical)
     private val visibility = light.visibility
+
+    /** The same for many fragments at a time. */
+    val ofBatches: BatchLighting = BatchLighting(viewer, sources, visibility)
 
     /** The light of physically based materials. */
     val physical: PhysicalLighting = PhysicalLighting(

@@ -1,7 +1,7 @@
 package dev.lazyz.shading
 
 import dev.lazyz.Fragment
-import dev.lazyz.world.TextureMap
+import dev.lazyz.world.material.TextureMap
 
 /** Reads a map at the coordinates of a fragment. Immutable and thread safe. */
 internal class MapReader private constructor(map: TextureMap) {

@@ -5,9 +5,9 @@ import dev.lazyz.Fragment
 import dev.lazyz.FragmentBatch
 import dev.lazyz.Rgba
 import dev.lazyz.shading.pbr.PhysicalSurface
-import dev.lazyz.world.AlphaMode
-import dev.lazyz.world.Material
-import dev.lazyz.world.Shading
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
 
 /**
  * A shader for a material and lights.
@@ -43,6 +43,10 @@ internal class MaterialShader(
 
     /** Whether a colour is only a product and a sum. */
     private val isSimple = texture == null && isFinished && !isLit
+
+    /** Whether the light of many fragments can be computed together. */
+    private val isLitTogether = isLit && model == null && emissionMap == null
+    private val hasMaps = texture != null || normalMap != null || occlusionMap != null
 
     override fun shade(fragment: Fragment) {
         // Base colour x vertex colour x texture
@@ -145,7 +149,68 @@ internal class MaterialShader(
             if (material.alphaMode == AlphaMode.BLEND) scale(batch.vertexAlpha, base.alpha, 0f, batch.alpha, count)
             return
         }
-        batch.shadeEach(this)
+        if (!isLitTogether || count < BatchLighting.FEWEST || !shadeTogether(batch)) batch.shadeEach(this)
+    }
+
+    /** Shades the fragments of [batch] together. Returns false if that cannot give the same bits as one by one. */
+    private fun shadeTogether(batch: FragmentBatch): Boolean {
+        val count = batch.size
+        val scratch = batch.scratch(BatchLighting.ARRAYS)
+        batch.normalX.copyInto(scratch[BatchLighting.NORMAL], 0, 0, count)
+        batch.normalY.copyInto(scratch[BatchLighting.NORMAL + 1], 0, 0, count)
+        batch.normalZ.copyInto(scratch[BatchLighting.NORMAL + 2], 0, 0, count)
+        scratch[BatchLighting.OCCLUSION].fill(1f, 0, count)
+        scale(batch.vertexRed, base.red, batch.red, count)
+        scale(batch.vertexGreen, base.green, batch.green, count)
+        scale(batch.vertexBlue, base.blue, batch.blue, count)
+        if (material.alphaMode == AlphaMode.BLEND) scale(batch.vertexAlpha, base.alpha, batch.alpha, count)
+        if (hasMaps) readMaps(batch, scratch)
+        if (!lighting.ofBatches.illuminate(batch, material, emission)) return false
+        if (!lighting.ofBatches.apply(batch)) return false
+        if (toneMapper != null) mapTones(batch, toneMapper)
+        return true
+    }
+
+    /** Reads the maps at each fragment: multiplies colours by the texture, changes normals, and stores occlusion. */
+    private fun readMaps(batch: FragmentBatch, scratch: Array<FloatArray>) {
+        val normalX = scratch[BatchLighting.NORMAL]
+        val normalY = scratch[BatchLighting.NORMAL + 1]
+        val normalZ = scratch[BatchLighting.NORMAL + 2]
+        val occlusion = scratch[BatchLighting.OCCLUSION]
+        val blends = material.alphaMode == AlphaMode.BLEND
+        batch.forEach { fragment, i ->
+            if (texture != null) {
+                val texel = texture.read(fragment)
+                batch.red[i] *= texel[0]
+                batch.green[i] *= texel[1]
+                batch.blue[i] *= texel[2]
+                if (blends) batch.alpha[i] *= texel[3]
+            }
+            if (normalMap != null) {
+                normalMap.apply(fragment)
+                normalX[i] = fragment.normalX
+                normalY[i] = fragment.normalY
+                normalZ[i] = fragment.normalZ
+            }
+            if (occlusionMap != null) occlusion[i] = occlusion(fragment, occlusionMap)
+        }
+    }
+
+    private fun mapTones(batch: FragmentBatch, toneMapper: ToneMapper) {
+        val color = FloatArray(3)
+        for (i in 0 until batch.size) {
+            color[0] = batch.red[i]
+            color[1] = batch.green[i]
+            color[2] = batch.blue[i]
+            toneMapper.apply(color)
+            batch.red[i] = color[0]
+            batch.green[i] = color[1]
+            batch.blue[i] = color[2]
+        }
+    }
+
+    private fun scale(from: FloatArray, factor: Float, to: FloatArray, count: Int) {
+        for (i in 0 until count) to[i] = from[i] * factor
     }
 
     private fun scale(from: FloatArray, factor: Float, emission: Float, to: FloatArray, count: Int) {

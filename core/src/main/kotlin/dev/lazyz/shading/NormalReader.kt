@@ -1,7 +1,7 @@
 package dev.lazyz.shading
 
 import dev.lazyz.Fragment
-import dev.lazyz.world.NormalMap
+import dev.lazyz.world.material.NormalMap
 import kotlin.math.sqrt
 
 /** Changes the normal of a fragment by a normal map (contract rule 6.9). Immutable and thread safe. */

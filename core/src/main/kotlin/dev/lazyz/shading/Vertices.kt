@@ -1,6 +1,6 @@
 package dev.lazyz.shading
 
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.surface.Mesh
 
 /**
  * Vertices in clip space with their attributes, [stride] numbers for each.

@@ -1,5 +1,7 @@
 package dev.lazyz.world
 
+import dev.lazyz.world.material.OcclusionMap
+
 /**
  * How much of the light from all sides reaches a point. [Scene.withAmbientVisibility] multiplies ambient light and the
  * [Environment] by it, like an [OcclusionMap] (contract rule 6.13). `AmbientOcclusion` computes it from the shapes of a

@@ -1,6 +1,7 @@
 package dev.lazyz.world
 
 import dev.lazyz.geometry.Transforms
+import dev.lazyz.geometry.UpAxis
 import dev.lazyz.geometry.Vectors
 import org.joml.Matrix4d
 import org.joml.Vector3d

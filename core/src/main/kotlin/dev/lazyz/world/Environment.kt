@@ -1,5 +1,7 @@
 package dev.lazyz.world
 
+import dev.lazyz.world.material.MetallicRoughness
+
 /**
  * Light from all directions that materials with [MetallicRoughness] reflect (contract rule 6.10). Immutable and thread
  * safe.

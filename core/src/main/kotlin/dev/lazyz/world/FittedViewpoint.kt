@@ -1,6 +1,9 @@
 package dev.lazyz.world
 
 import dev.lazyz.geometry.Vectors
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Surface
 import org.joml.Vector3d
 
 /**

@@ -1,6 +1,7 @@
 package dev.lazyz.world
 
 import dev.lazyz.Rgba
+import dev.lazyz.geometry.UpAxis
 import dev.lazyz.geometry.Vectors
 import org.joml.Vector3d
 import org.joml.Vector3dc

@@ -9,7 +9,17 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.Workers
 import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.UpAxis
 import dev.lazyz.geometry.Vectors
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MetallicRoughness
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.SetUp
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Surface
 import java.util.function.UnaryOperator
 import org.joml.Vector3d
 import org.joml.Vector3dc
@@ -56,6 +66,12 @@ public class Scene private constructor(
             "intensity of light must be 0 or more: $lightIntensity"
         }
     }
+
+    /**
+     * Whether the scene is given in screen coordinates ([Projection.Screen]): no camera looks at it, so that it cannot
+     * be seen from elsewhere, turned or cut, and has no shadows. False if the [viewpoint] is not a [Camera].
+     */
+    public val isOnScreen: Boolean get() = (viewpoint as? Camera)?.projection == Projection.Screen
 
     /** The smallest box around all surfaces, or null if there is none. Computed once. */
     public val bounds: Box? by lazy { surfaces.mapNotNull { it.bounds }.reduceOrNull(Box::union) }
@@ -112,7 +128,6 @@ public class Scene private constructor(
 
     private fun setUp(raster: Raster, workers: Workers): SetUp {
         val camera = camera(raster.width, raster.height)
-        val isOnScreen = camera.projection == Projection.Screen
         val environment = environment ?: if (lights.isEmpty()) Environment.USUAL else Environment.NONE
         val light = SceneLight(
             scaled(lights.ifEmpty { Light.studio(camera) }),
@@ -121,7 +136,10 @@ public class Scene private constructor(
             effectiveToneMapping,
             ambientVisibility,
         )
-        return SetUp(raster, camera, light, if (isOnScreen) Vectors.ZERO else origin, workers)
+
+        // A viewpoint can also return a camera of the screen, which has no other origin
+        val shadingOrigin = if (camera.projection == Projection.Screen) Vectors.ZERO else origin
+        return SetUp(raster, camera, light, shadingOrigin, workers)
     }
 
     private fun scaled(lights: List<Light>): List<Light> =
@@ -161,8 +179,8 @@ public class Scene private constructor(
      * Returns this scene, in which the axis [up] points up, rotated so that y points up. Its lights and its camera are
      * rotated, too; a rule such as [Camera.fit] is kept. Cost: a copy of all positions and normals.
      *
-     * @throws UnsupportedOperationException if the camera's projection is [Projection.Screen], or a surface cannot be
-     *   rotated, see [Surface.withUpAxis]
+     * @throws UnsupportedOperationException if the scene is given on the screen, see [isOnScreen], or a surface cannot
+     *   be rotated, see [Surface.withUpAxis]
      */
     public fun withUpAxis(up: UpAxis): Scene = if (up == UpAxis.Y) {
         this

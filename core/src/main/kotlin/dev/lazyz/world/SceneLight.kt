@@ -1,5 +1,6 @@
 package dev.lazyz.world
 
+import dev.lazyz.world.material.MetallicRoughness
 import org.joml.Vector3dc
 
 /**

@@ -1,8 +1,8 @@
 package dev.lazyz.drawing
 
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows

@@ -1,7 +1,7 @@
 package dev.lazyz.drawing
 
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
 
 /** Closed meshes with known edges, counter-clockwise seen from outside. */
 internal object Solids {

@@ -6,10 +6,10 @@ import dev.lazyz.Rgba
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
-import dev.lazyz.world.Material
-import dev.lazyz.world.Points
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Sphere
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows

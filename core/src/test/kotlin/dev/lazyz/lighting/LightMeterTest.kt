@@ -1,15 +1,15 @@
 package dev.lazyz.lighting
 
 import dev.lazyz.Rgba
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Sphere
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureMap
-import dev.lazyz.world.UvTransform
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureMap
+import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Sphere
 import kotlin.math.sqrt
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals

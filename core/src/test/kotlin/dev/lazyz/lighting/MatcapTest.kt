@@ -6,12 +6,13 @@ import dev.lazyz.Rgba
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
-import dev.lazyz.world.Material
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Sphere
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureWrap
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Sphere
 import kotlin.math.abs
 import kotlin.math.sqrt
 import org.joml.Vector3d
@@ -77,6 +78,20 @@ class MatcapTest {
         // Both ends of both axes are reached, on all sides alike
         for (ends in listOf(rights.min(), -rights.max(), ups.min(), -ups.max())) assertEquals(-0.48, ends, 0.03)
         assertTrue(rights.zip(ups).maxOf { (x, y) -> sqrt(x * x + y * y) } < 0.5)
+    }
+
+    /** Points of a scene far away are relative to its origin, and so is the eye. */
+    @Test
+    fun withPerspectiveASceneFarAwayLooksTheSame() {
+        val positions = floatArrayOf(-1f, -1f, 0f, 1f, -1f, 0f, 1f, 1f, 0f, -1f, 1f, 0f)
+        val normals = floatArrayOf(-1f, -1f, 1f, 1f, -1f, 1f, 1f, 1f, 1f, -1f, 1f, 1f)
+        val pictures = listOf(Vector3d(), Vector3d(4000.0, -2000.0, 1000.0)).map { origin ->
+            val mesh = Mesh(positions, intArrayOf(0, 1, 2, 0, 2, 3), Material(), normals, origin = origin)
+            val eye = Vector3d(1.0, 0.5, 2.0).add(origin)
+            picture(Scene(listOf(mesh)), Camera.perspective(eye, origin, Vector3d(0.0, 1.0, 0.0), 60.0, 0.5, 10.0))
+        }
+        assertEquals(pictures[0], pictures[1])
+        assertTrue(pictures[0].argb.toSet().size > 100)
     }
 
     @Test

@@ -15,12 +15,12 @@ import dev.lazyz.ShadingCursor
 import dev.lazyz.Spans
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FrameBuilder
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Sphere
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
 import dev.lazyz.world.scene
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Sphere
 import java.util.Random
 import org.joml.Vector3d
 

@@ -16,7 +16,7 @@ import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
 import dev.lazyz.world.FrameBuilder
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Sphere
+import dev.lazyz.world.surface.Sphere
 import java.util.Random
 import org.joml.Vector3d
 

@@ -8,11 +8,11 @@ import dev.lazyz.SampleScenes
 import dev.lazyz.samples
 import dev.lazyz.samplesByCursor
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Material
-import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
-import dev.lazyz.world.SetUp
-import dev.lazyz.world.Vertex
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.SetUp
+import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll

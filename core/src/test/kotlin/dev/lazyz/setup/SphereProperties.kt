@@ -8,11 +8,11 @@ import dev.lazyz.Shader
 import dev.lazyz.samples
 import dev.lazyz.samplesByCursor
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Material
 import dev.lazyz.world.Projection
-import dev.lazyz.world.SetUp
-import dev.lazyz.world.Sides
-import dev.lazyz.world.Sphere
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.surface.SetUp
+import dev.lazyz.world.surface.Sphere
 import java.math.BigDecimal
 import java.math.MathContext
 import java.util.Random

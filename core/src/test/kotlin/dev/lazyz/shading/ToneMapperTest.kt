@@ -3,13 +3,13 @@ package dev.lazyz.shading
 import dev.lazyz.Rgba
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Material
-import dev.lazyz.world.MetallicRoughness
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Sphere
 import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MetallicRoughness
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -3,6 +3,9 @@ package dev.lazyz.world
 import dev.lazyz.Raster
 import dev.lazyz.SampleSet
 import dev.lazyz.samples
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.SetUp
+import dev.lazyz.world.surface.Sphere
 import java.util.Random
 import org.joml.Matrix4d
 import org.joml.Vector3d
@@ -38,6 +41,30 @@ class CameraTest {
             val camera = Camera.perspective(eye, target, someUp, 45.0, 1.0, 10.0)
             assertClose(Matrix4d().lookAt(eye, target, someUp), camera.viewMatrix())
         }
+    }
+
+    private fun places(camera: Camera) = listOf(camera.eye, camera.target, camera.up)
+
+    /** Everything else stays, to the bit: also axes that could not be computed from rounded positions again. */
+    @Test
+    fun otherPlanesChangeNothingElse() {
+        val cameras = listOf(
+            Camera.perspective(Vector3d(1.0, 2.0, 3.0), Vector3d(), Vector3d(0.1, 1.0, 0.0), 45.0, 1.0, 10.0),
+            Camera.orthographic(Vector3d(1.0, 2.0, 3.0), Vector3d(), up, 4.0, -1.0, 10.0),
+            Camera.perspective(Vector3d(0.1, 1.0, 7.0), Vector3d(1.1, 2.5, 3.0), up, 45.0, 1.0, 10.0)
+                .relativeTo(Vector3d(1e16, 0.0, 0.0)),
+        )
+        for (camera in cameras) {
+            val changed = camera.withPlanes(0.5, 77.0)
+            assertEquals(0.5, changed.near)
+            assertEquals(77.0, changed.far)
+            assertEquals(camera.projection, changed.projection)
+            assertEquals(places(camera), places(changed))
+            assertEquals(camera.viewMatrix(), changed.viewMatrix())
+            assertThrows(IllegalArgumentException::class.java) { camera.withPlanes(2.0, 2.0) }
+        }
+        assertThrows(IllegalArgumentException::class.java) { cameras[0].withPlanes(0.0, 1.0) }
+        assertEquals(-5.0, cameras[1].withPlanes(-5.0, 1.0).near)
     }
 
     @Test

@@ -5,6 +5,14 @@ import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.geometry.Box
 import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.SetUp
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Surface
+import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import org.joml.Vector3d
 import org.joml.Vector4d

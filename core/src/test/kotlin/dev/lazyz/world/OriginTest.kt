@@ -7,6 +7,13 @@ import dev.lazyz.asOpaque
 import dev.lazyz.geometry.Box
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.SetUp
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Vertex
 import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -9,12 +9,20 @@ import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.Shader
 import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Surface
+import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -104,5 +112,16 @@ class ScreenCameraTest {
         assertThrows(IllegalArgumentException::class.java) { Camera.screen(1.0, 1.0) }
         assertThrows(IllegalArgumentException::class.java) { Camera.screen(0.0, Double.NaN) }
         assertThrows(IllegalStateException::class.java) { Camera.screen().projectionMatrix(1.0) }
+    }
+
+    @Test
+    fun aSceneKnowsWhetherItIsOnTheScreen() {
+        val scene = Scene(emptyList())
+        assertTrue(scene.withViewpoint(Camera.screen()).isOnScreen)
+        val up = Vector3d(0.0, 1.0, 0.0)
+        val camera = Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), up, 2.0, 1.0, 9.0)
+        for (other in listOf(camera, Camera.fit(), Viewpoint { _, _ -> Camera.screen() })) {
+            assertFalse(scene.withViewpoint(other).isOnScreen)
+        }
     }
 }

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes
 
 import dev.lazyz.Raster
+import dev.lazyz.lighting.LightRig
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 
@@ -13,6 +14,8 @@ import dev.lazyz.world.Scene
  * @property depth the depth rules; only scene files can differ from the default
  * @property cameras the cameras of a model, in the order of the file; the first is the viewpoint of [scene]. Empty for
  *   scene files, whose only camera is the viewpoint, and for formats without cameras
+ * @property lightRig the arrangement of lights that a scene file names, or null. [scene] has its lights for the camera
+ *   of the file; for a picture from another one, use `scene.withLights(lightRig.lights(camera))`
  */
 public class LoadedScene @JvmOverloads constructor(
     public val scene: Scene,
@@ -20,6 +23,7 @@ public class LoadedScene @JvmOverloads constructor(
     public val size: ImageSize? = null,
     public val depth: DepthRules = DepthRules(),
     public val cameras: List<NamedCamera> = emptyList(),
+    public val lightRig: LightRig? = null,
 ) {
     /**
      * Returns the raster for setting up the scene, `scene.frame(raster(...))`, with the scene's background and the
@@ -30,7 +34,7 @@ public class LoadedScene @JvmOverloads constructor(
     public fun raster(width: Int, height: Int): Raster = depth.raster(width, height, scene.background)
 
     /** Returns this input with another scene. */
-    public fun withScene(scene: Scene): LoadedScene = LoadedScene(scene, warnings, size, depth, cameras)
+    public fun withScene(scene: Scene): LoadedScene = LoadedScene(scene, warnings, size, depth, cameras, lightRig)
 
     override fun toString(): String = "LoadedScene($scene, ${warnings.size} warnings, size $size)"
 }

@@ -3,7 +3,7 @@ package dev.lazyz.scenes
 import dev.lazyz.scenes.builtin.Builtins
 import dev.lazyz.scenes.formats.SceneReading
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Texture
+import dev.lazyz.world.material.Texture
 import java.io.InputStream
 import java.nio.file.Path
 

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes
 
 import dev.lazyz.scenes.loading.TestSources
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.surface.Mesh
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.file.Files

@@ -10,6 +10,7 @@ import kotlin.random.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** Files of some megabytes, read in virtual machines whose heaps are measured by the files' sizes. */
@@ -32,6 +33,7 @@ class LoadingMemoryTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun whatDoesNotFitIsRefusedAndDoesNotExhaustTheMemory() {
         // No corner is shared, so that each facet has three vertices
         val random = Random(1)

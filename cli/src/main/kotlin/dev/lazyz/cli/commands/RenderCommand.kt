@@ -1,6 +1,7 @@
 package dev.lazyz.cli.commands
 
 import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
@@ -20,12 +21,15 @@ import dev.lazyz.cli.options.LineOptions
 import dev.lazyz.cli.options.PictureOptions
 import dev.lazyz.cli.options.ReadingOptions
 import dev.lazyz.cli.options.classPath
+import dev.lazyz.cli.options.number
 import dev.lazyz.cli.options.oneOf
 import dev.lazyz.cli.options.selector
 import dev.lazyz.cli.options.subject
 import dev.lazyz.cli.options.words
+import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.render.ReferenceRequest
 import dev.lazyz.cli.render.RenderJob
 import dev.lazyz.cli.render.RenderRequest
 import dev.lazyz.cli.render.StatsForm
@@ -33,10 +37,15 @@ import dev.lazyz.cli.strategies.StrategyPath
 import dev.lazyz.filter.ShadingRate
 import java.nio.file.Path
 
-/** `zcli render`: declares the options. [RenderJob] does the work. */
-internal class RenderCommand(private val streams: Streams) : Command("render") {
+/**
+ * `zcli render`: declares the options. [RenderJob] does the work.
+ *
+ * @param args the words of the command line, for the command that creates a missing reference
+ */
+internal class RenderCommand(private val streams: Streams, private val args: List<String>) : Command("render") {
     private val input by argument("INPUT", help = INPUT_HELP)
     private val output by OutputOptions()
+    private val reference by ReferenceOptions()
     private val reading by ReadingOptions()
     private val picture by PictureOptions()
     private val light by LightOptions()
@@ -48,7 +57,8 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
 
     override fun help(context: Context): String =
         "Renders a model or a scene to a picture.\n\nBy default the camera shows the whole model from the front " +
-            "right, slightly from above, and a model without lights gets default lights."
+            "right, slightly from above, and a model without lights gets default lights. Exit code 1: the picture " +
+            "differs from that of --ref."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli render teapot -o teapot.png" to "a built-in scene, 640x480",
@@ -58,6 +68,7 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
         "zcli render city --size 8000x6000 --region 4000,2000,640x480 -o detail.png" to "a part of a large picture",
         "zcli render city --strategy auto --explain -o city.png" to "the fastest strategy for it, and why",
         "zcli render city --select count -o overdraw.png" to "the number of surfaces at each pixel",
+        "zcli render city --ref city.png --diff where.png" to "is the picture still that of city.png? for tests",
         "cat model.obj | zcli render - --format obj -o - > model.png" to "in a pipe",
     )
 
@@ -79,8 +90,10 @@ internal class RenderCommand(private val streams: Streams) : Command("render") {
             choices = cost.choices(selector),
             isExplained = rendering.isExplained,
             stats = output.stats,
+            reference = reference.request(args),
         )
-        StrategyPath.with(rendering.classPath) { RenderJob(request, streams).run() }
+        val code = StrategyPath.with(rendering.classPath) { RenderJob(request, streams).run() }
+        if (code != ExitCode.DONE) throw ProgramResult(code)
     }
 
     private companion object {
@@ -96,7 +109,7 @@ private class OutputOptions : OptionGroup("Output") {
         "--output",
         metavar = "OUT",
         help = "The file for the picture: .png or .ppm, or - for PNG to standard output; default: INPUT's name " +
-            "with .png in the current folder, if that file does not exist yet",
+            "with .png in the current folder, if that file does not exist yet; none with --ref",
     )
 
     val depth by option(
@@ -111,6 +124,34 @@ private class OutputOptions : OptionGroup("Output") {
             "standard error if the picture goes to standard output",
     ).oneOf("json", words(StatsForm.entries))
         .optionalValue(StatsForm.TABLE, acceptsUnattachedValue = false)
+}
+
+/** Options of the comparison with a reference. */
+private class ReferenceOptions : OptionGroup("Reference") {
+    private val file by option(
+        "--ref",
+        help = "Compare the picture with this image file, pixel by pixel; exit code 1 if they differ",
+    ).convert("FILE") { Path.of(it) }
+
+    private val threshold by option(
+        "--ref-threshold",
+        help = "The greatest difference of a channel from the reference that is accepted, 0..255, in steps of 8 " +
+            "bits; default: 0",
+    ).number("CODES", 0.0..255.0, "")
+
+    private val diff by option(
+        "--diff",
+        help = "Write a picture of the differences from the reference, a .png file: yellow to red where the " +
+            "pictures differ",
+    ).convert("FILE") { Path.of(it) }
+
+    /** Returns what the options ask for, or null if the picture is not compared. */
+    fun request(args: List<String>): ReferenceRequest? {
+        val reference = file?.let { ReferenceRequest(it, threshold ?: 0.0, diff, args) }
+        if (reference == null && threshold != null) throw Mistake("--ref-threshold needs --ref")
+        if (reference == null && diff != null) throw Mistake("--diff needs --ref")
+        return reference
+    }
 }
 
 /** Options of the strategy. */

@@ -22,14 +22,13 @@ internal class AntiAliasing(
     private val rate: ShadingRate?,
     private val usualRate: ShadingRate,
 ) {
-    /** Sets up [scene] for the samples of the pixels of [raster]. [isOpaque] says to ignore translucency. */
-    fun frame(scene: Scene, raster: Raster, options: RenderOptions, isOpaque: Boolean): SampledFrame {
+    /** Sets up [scene] for the samples of the pixels of [raster]. */
+    fun frame(scene: Scene, raster: Raster, options: RenderOptions): SampledFrame {
         val wish = SuperSampling(factor ?: usual, filter)
         val obstacle = wish.obstacle(scene, raster)
         if (obstacle != null && factor != null) throw Mistake("--aa $factor: $obstacle; use --aa 1")
         val sampling = if (obstacle == null) wish else SuperSampling(1, filter)
-        val all = sampling.frame(scene, raster, options)
-        val sampled = if (isOpaque) all.asOpaque() else all
+        val sampled = sampling.frame(scene, raster, options)
         if ((rate ?: usualRate) == ShadingRate.SAMPLE) return sampled
         if (!sampled.frame.hasTranslucency) {
             return SuperSampling(sampling.factor, filter, ShadingRate.PIXEL).of(sampled.frame)

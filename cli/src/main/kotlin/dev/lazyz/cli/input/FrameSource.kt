@@ -10,10 +10,10 @@ import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Material
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.material.Material
 
 /** Reads the input that [subject] names, and creates the frame that the options describe. */
 internal class FrameSource(private val subject: Subject, private val streams: Streams) {
@@ -44,7 +44,7 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         val lineWork = subject.lineWork
         val up = subject.up ?: input.usualUp
         val pointOfView = (if (view == null) subject.pointOfView else subject.pointOfView.from(view))
-            .withDefaults(if (loaded.isOnScreen) null else subject.style)
+            .withDefaults(if (loaded.scene.isOnScreen) null else subject.style)
         val cut = loaded.withScene(lineWork.cut(loaded.scene) { streams.warning(it) })
         val upright = try {
             pointOfView.applyTo(cut, up)
@@ -59,13 +59,15 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         val raster = raster(shaded, loaded)
         val viewed = shaded.withViewpoint(camera(shaded, raster))
         val hasFreePlanes = pointOfView.hasFreePlanes && shaded.viewpoint !is Camera
-        val lit = toned(subject.light.applyTo(viewed, subject, input.isModel, hasFreePlanes, options, streams))
-        if (pointOfView.isPrinted) streams.note(PointOfView.words(lit.viewpoint as Camera, up) + "\n")
-        val scene = lineWork.drawnOn(lit, raster, subject.translucency)
+
+        // Lit spheres are the last materials; only what is opaque after that hides light and lines
+        val lit = subject.translucency.appliedTo(subject.light.lit(viewed, subject, input.isModel, loaded.lightRig))
+        val shadowed = subject.light.withShadows(lit, hasFreePlanes, options, streams)
+        if (pointOfView.isPrinted) streams.note(PointOfView.words(shadowed.viewpoint as Camera, up) + "\n")
+        val scene = lineWork.drawnOn(toned(shadowed), raster)
         val region = region(raster)
         streams.progress("setting up ${raster.width}x${raster.height} ...")
-        val isOpaque = subject.translucency == Translucency.OPAQUE
-        val sampled = subject.antiAliasing.frame(scene, raster, options, isOpaque).within(region)
+        val sampled = subject.antiAliasing.frame(scene, raster, options).within(region)
         return Shot(sampled, subject.background?.gradient)
     }
 
@@ -113,9 +115,6 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         val text = "${region.columnStart},${region.rowStart},${region.width}x${region.height}"
         throw Mistake("--region $text reaches beyond the whole picture, which is ${raster.width}x${raster.height}")
     }
-
-    private val LoadedScene.isOnScreen: Boolean
-        get() = (scene.viewpoint as? Camera)?.projection == Projection.Screen
 
     private companion object {
         val DEFAULT_SIZE = ImageSize(640, 480)

@@ -3,11 +3,11 @@ package dev.lazyz.cli.input
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Nearest
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
-import dev.lazyz.world.UpAxis
 import java.nio.file.Files
 import java.nio.file.Path
 

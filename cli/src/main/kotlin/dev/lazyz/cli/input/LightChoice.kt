@@ -12,12 +12,12 @@ import dev.lazyz.lighting.Matcap
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.world.Camera
-import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureWrap
 import java.nio.file.Path
 
 /**
@@ -59,44 +59,41 @@ internal class LightChoice(
     }
 
     /**
-     * Returns [scene], which has a camera, in the light of these options for [subject]. Uses the threads of [options].
+     * Returns [scene], which has a camera, in the light of these options for [subject], or with materials that show a
+     * lit sphere.
      *
      * @param isMetered whether dark materials get more light
+     * @param own the rig that the scene's file names, or null. Its lights turn with the camera
+     */
+    fun lit(scene: Scene, subject: Subject, isMetered: Boolean, own: LightRig?): Scene {
+        val color = subject.color
+        if (matcap != null) return captured(scene, matcap, color, subject.loading.limits)
+        val camera = scene.viewpoint as Camera
+        val rigged = rig?.on(scene, camera) ?: own?.let { scene.withLights(it.lights(camera)) } ?: scene
+        val hasUsualLight = if (rig == null) scene.lights.isEmpty() else rig != LightRig.FLAT
+        val isAuto = isMetered && color == null && hasUsualLight
+        return rigged.withLightIntensity(
+            intensity ?: if (isAuto) LightMeter.intensity(scene) else scene.lightIntensity,
+        )
+    }
+
+    /**
+     * Returns [scene], which has a camera, with the shadows of these options. Uses the threads of [options].
+     *
      * @param hasFreePlanes whether the near and the far plane of the camera can be moved
      */
-    fun applyTo(
-        scene: Scene,
-        subject: Subject,
-        isMetered: Boolean,
-        hasFreePlanes: Boolean,
-        options: RenderOptions,
-        streams: Streams,
-    ): Scene {
-        val color = subject.color
-        val lit = if (matcap == null) {
-            lit(scene, color, isMetered)
-        } else {
-            captured(scene, matcap, color, subject.loading.limits)
-        }
-        if (!(hasOcclusion || hasGroundShadow) || scene.bounds == null) return lit
-        if ((scene.viewpoint as Camera).projection == Projection.Screen) {
+    fun withShadows(scene: Scene, hasFreePlanes: Boolean, options: RenderOptions, streams: Streams): Scene {
+        if (!(hasOcclusion || hasGroundShadow) || scene.bounds == null) return scene
+        if (scene.isOnScreen) {
             throw Mistake("a scene given on the screen has no --ambient-occlusion and no --ground-shadow")
         }
         streams.progress("computing shadows ...")
-        val casting = subject.translucency.appliedTo(scene)
-        val soft = if (hasOcclusion && matcap == null) occluded(lit, casting, options) else lit
+        val soft = if (hasOcclusion && matcap == null) occluded(scene, options) else scene
         if (!hasGroundShadow) return soft
-        val shadow = GroundShadow.of(casting, options = options)
+        val shadow = GroundShadow.of(scene, options = options)
         val camera = scene.viewpoint as Camera
         return soft.withSurfaces(soft.surfaces + shadow)
             .withViewpoint(if (hasFreePlanes) shadow.camera(camera) else camera)
-    }
-
-    private fun lit(scene: Scene, color: Rgba?, isMetered: Boolean): Scene {
-        val rigged = rig?.on(scene, scene.viewpoint as Camera) ?: scene
-        val hasUsualLight = if (rig == null) scene.lights.isEmpty() else rig != LightRig.FLAT
-        val isAuto = intensity == null && isMetered && color == null && hasUsualLight
-        return rigged.withLightIntensity(intensity ?: if (isAuto) LightMeter.intensity(scene) else 1f)
     }
 
     private fun captured(scene: Scene, file: Path, color: Rgba?, limits: LoadLimits): Scene {
@@ -106,7 +103,7 @@ internal class LightChoice(
         return scene.withMaterials { it.withShader(shader) }
     }
 
-    private fun occluded(scene: Scene, casting: Scene, options: RenderOptions): Scene =
+    private fun occluded(scene: Scene, options: RenderOptions): Scene =
         scene.withMaterials { it.asMetallicRoughness() }
-            .withAmbientVisibility(AmbientOcclusion.of(casting, options = options))
+            .withAmbientVisibility(AmbientOcclusion.of(scene, options = options))
 }

@@ -11,10 +11,10 @@ import dev.lazyz.drawing.HiddenLines
 import dev.lazyz.sections.Hatching
 import dev.lazyz.sections.Section
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Material
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
 
 /** The options of line drawings and section planes; null if the user did not give the option. */
 internal class LineWork(
@@ -57,9 +57,7 @@ internal class LineWork(
     /** Returns [scene] cut by the planes. Passes a text to [warn] for what cannot be cut or capped. */
     fun cut(scene: Scene, warn: (String) -> Unit): Scene {
         if (cuts.isEmpty()) return scene
-        if ((scene.viewpoint as? Camera)?.projection == Projection.Screen) {
-            throw Mistake("--cut: a scene given on the screen cannot be cut")
-        }
+        if (scene.isOnScreen) throw Mistake("--cut: a scene given on the screen cannot be cut")
         val cut = Section(cuts.map { it.plane(scene) }) { cap(it, scene) }.of(scene)
         cut.warnings.forEach(warn)
         return cut.scene
@@ -90,15 +88,11 @@ internal class LineWork(
         name = material.name,
     )
 
-    /**
-     * Returns [scene] with the edges drawn, for the pixels of [raster]; with [Translucency.OPAQUE], translucent
-     * materials hide lines.
-     */
-    fun drawnOn(scene: Scene, raster: Raster, translucency: Translucency): Scene {
+    /** Returns [scene] with the edges drawn, for the pixels of [raster]. */
+    fun drawnOn(scene: Scene, raster: Raster): Scene {
         if (edges == null) return scene
         val style = edges.withWidth(width ?: usualWidth(raster))
-        val hiding = translucency.appliedTo(scene)
-        return scene.withSurfaces(scene.surfaces + EdgeDrawing(hiding.surfaces, style))
+        return scene.withSurfaces(scene.surfaces + EdgeDrawing(scene.surfaces, style))
     }
 
     /** Returns the width of lines that look the same in large and in small pictures, pixels. */

@@ -1,16 +1,16 @@
 package dev.lazyz.cli.input
 
 import dev.lazyz.Rgba
-import dev.lazyz.world.AlphaMode
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.Points
-import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Surface
-import dev.lazyz.world.Texture
-import dev.lazyz.world.Vertex
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Surface
+import dev.lazyz.world.surface.Vertex
 
 /**
  * A colour and a texture that replace those of all surfaces, and the colours of vertices.

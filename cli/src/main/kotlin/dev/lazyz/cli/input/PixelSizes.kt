@@ -1,9 +1,9 @@
 package dev.lazyz.cli.input
 
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Points
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Surface
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Surface
 
 /**
  * Sizes from the command line that replace those of the input.

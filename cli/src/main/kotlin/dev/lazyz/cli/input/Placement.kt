@@ -1,10 +1,10 @@
 package dev.lazyz.cli.input
 
+import dev.lazyz.geometry.UpAxis
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FittedViewpoint
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.UpAxis
 import dev.lazyz.world.Viewpoint
 import org.joml.Vector3d
 import org.joml.Vector3dc

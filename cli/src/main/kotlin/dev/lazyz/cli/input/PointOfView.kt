@@ -1,13 +1,13 @@
 package dev.lazyz.cli.input
 
 import dev.lazyz.cli.output.Mistake
+import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
 import dev.lazyz.world.FittedViewpoint
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.UpAxis
 import dev.lazyz.world.Viewpoint
 import org.joml.Vector3dc
 
@@ -90,7 +90,11 @@ internal class PointOfView(
         val cameras = loaded.cameras
         return when (choice) {
             null -> if (cameras.isEmpty()) own else Camera.fit()
-            CameraChoice.Fit -> if (cameras.isEmpty()) whole(own) else Camera.fit()
+            CameraChoice.Fit -> when {
+                loaded.scene.isOnScreen -> own
+                cameras.isEmpty() -> whole(own)
+                else -> Camera.fit()
+            }
             CameraChoice.OfScene -> own
             is CameraChoice.OfModel ->
                 cameras.getOrNull(choice.number)?.camera ?: throw Mistake(noCamera(choice.number, loaded))
@@ -119,7 +123,6 @@ internal class PointOfView(
 
     /** Returns a camera that shows the whole scene, with the direction and projection of [viewpoint]. */
     private fun whole(viewpoint: Viewpoint): Viewpoint {
-        if (viewpoint is Camera && viewpoint.projection == Projection.Screen) return viewpoint
         val own = framing(viewpoint)
         return Camera.fit(own.azimuth, own.elevation, 1.0, own.kind, own.margin, own.fieldOfView)
     }

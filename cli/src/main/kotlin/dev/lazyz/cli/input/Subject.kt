@@ -3,15 +3,17 @@ package dev.lazyz.cli.input
 import dev.lazyz.DepthConvention
 import dev.lazyz.Region
 import dev.lazyz.Rgba
+import dev.lazyz.Shader
+import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
-import dev.lazyz.world.AlphaMode
-import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
 import dev.lazyz.world.ToneCurve
-import dev.lazyz.world.UpAxis
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.Shading
 import java.nio.file.Path
 
 /** How to render translucent materials. */
@@ -21,10 +23,19 @@ internal enum class Translucency {
     ;
 
     /** Returns [scene], whose translucent materials are opaque if they are to be rendered so. */
-    fun appliedTo(scene: Scene): Scene = if (this == OPAQUE) {
-        scene.withMaterials { if (it.alphaMode == AlphaMode.BLEND) it.withAlphaMode(AlphaMode.OPAQUE) else it }
-    } else {
-        scene
+    fun appliedTo(scene: Scene): Scene = if (this == OPAQUE) scene.withMaterials(::opaque) else scene
+
+    /** Other shaders ignore alpha if the material is opaque; a custom one sets what it likes. */
+    private fun opaque(material: Material): Material {
+        if (material.alphaMode != AlphaMode.BLEND) return material
+        val custom = material.shader
+        val shader = custom?.let {
+            Shader { fragment ->
+                it.shade(fragment)
+                fragment.setColor(fragment.red, fragment.green, fragment.blue)
+            }
+        }
+        return material.withAlphaMode(AlphaMode.OPAQUE).withShader(shader)
     }
 }
 

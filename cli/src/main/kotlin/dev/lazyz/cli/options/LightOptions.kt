@@ -19,7 +19,8 @@ internal class LightOptions : OptionGroup("Light") {
 
     private val intensity by option(
         "--light-intensity",
-        help = "Multiply all light, 0..1000; default: 1, or up to 3 for models with dark materials and no lights",
+        help = "Multiply all light, 0..1000; default: the scene file's, or 1, or up to 3 for " +
+            "models with dark materials and no lights",
     ).number("FACTOR", 0.0..1000.0, "")
 
     private val hasOcclusion by option(

@@ -10,7 +10,7 @@ import dev.lazyz.cli.input.LineWork
 import dev.lazyz.cli.input.PictureStyle
 import dev.lazyz.drawing.FeatureEdges
 import dev.lazyz.drawing.HiddenLines
-import dev.lazyz.world.Points
+import dev.lazyz.world.surface.Points
 
 /** Options of line drawings and of section planes. */
 internal class LineOptions : OptionGroup("Lines and sections") {

@@ -22,15 +22,15 @@ import dev.lazyz.cli.input.View
 import dev.lazyz.cli.strategies.Choices
 import dev.lazyz.filter.PixelFilter
 import dev.lazyz.filter.ShadingRate
+import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
-import dev.lazyz.world.MipFilter
-import dev.lazyz.world.Points
 import dev.lazyz.world.Projection
-import dev.lazyz.world.Shading
-import dev.lazyz.world.UpAxis
+import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.surface.Points
 import java.nio.file.Path
 
 /** The help text of INPUT. */

@@ -4,7 +4,7 @@ package dev.lazyz.cli.output
 internal object ExitCode {
     const val DONE = 0
 
-    /** The pictures of strategies differ, a strategy failed, or a strategy does not conform. */
+    /** Pictures differ, a strategy failed, or a strategy does not conform. */
     const val DIFFERENT = 1
 
     /** A mistake of the user, or a bad file. */

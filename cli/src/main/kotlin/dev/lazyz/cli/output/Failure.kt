@@ -56,7 +56,7 @@ internal object Failure {
         appendLine("zcli ${Version.text}")
         appendLine("Java ${System.getProperty("java.version")}, ${System.getProperty("java.vm.name")}")
         appendLine("${System.getProperty("os.name")} ${System.getProperty("os.arch")}")
-        appendLine("zcli ${args.joinToString(" ") { if (' ' in it || it.isEmpty()) "'$it'" else it }}")
+        appendLine(CommandLine.of(args.asList()))
         append(failure.stackTraceToString())
     }
 

@@ -40,8 +40,11 @@ internal class Statistics(
         "pixelHash" to tally.hash(),
     )
 
-    /** Returns a JSON object in one line. */
-    fun toJson(): String = Json.of(JsonObject(entries.mapValues { Json.primitive(it.value) }))
+    /** Returns a JSON object in one line, with the [comparison] with a reference, if there is one. */
+    fun toJson(comparison: JsonObject? = null): String {
+        val values = entries.mapValues { Json.primitive(it.value) }
+        return Json.of(JsonObject(if (comparison == null) values else values + ("reference" to comparison)))
+    }
 
     companion object {
         /** Returns the entries that derive from [counters], for [picture] with [aa] x [aa] samples a pixel. */

@@ -6,8 +6,8 @@ import dev.lazyz.cli.input.Input
 import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputClosed
+import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.Streams
-import dev.lazyz.cli.output.Tally
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.ImageFiles
 import dev.lazyz.scenes.writers.PngSink
@@ -15,45 +15,51 @@ import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** The outputs of a rendering: a picture, to a file or to standard output, and optionally a file of its depth. */
+/**
+ * The outputs of a rendering: a picture, to a file or to standard output, and optionally a file of its depth. A picture
+ * that is compared with a reference is only written if the user names a file.
+ */
 internal class Outputs(private val request: RenderRequest, input: Input, private val streams: Streams) {
-    /** The file of the picture, or null for standard output. */
+    private val isStandardOutput = request.output == STANDARD_OUTPUT
+
+    /** The file of the picture, or null. */
     private val picture: Path? = when (val output = request.output) {
-        null -> defaultPath(input)
+        null -> if (request.reference == null) defaultPath(input) else null
         STANDARD_OUTPUT -> null
         else -> Path.of(output)
     }
 
     init {
         if (picture != null) {
-            requireEnding(picture, "-o", PICTURE_ENDINGS)
-            requirePlace(picture)
-        } else if (streams.isOutputTerminal) {
+            OutputFile.check(picture, "-o", ".png", ".ppm")
+        } else if (isStandardOutput && streams.isOutputTerminal) {
             throw Mistake("cannot write a picture to a terminal; redirect standard output, or use -o FILE.png")
         }
-        request.depthOutput?.let {
-            requireEnding(it, "--depth-out", DEPTH_ENDINGS)
-            requirePlace(it)
+        request.depthOutput?.let { OutputFile.check(it, "--depth-out", ".pfm") }
+        request.reference?.let {
+            it.diff?.let { diff -> OutputFile.check(diff, "--diff", ".png") }
+            OutputFile.requireDistinct(mapOf("--ref" to it.file, "-o" to picture, "--diff" to it.diff))
         }
     }
 
     /**
-     * Calls [render] with a sink that writes the rows of [shot] to all outputs and to [tally]. The files exist after
+     * Calls [render] with a sink that writes the rows of [shot] to all outputs and to [others]. The files exist after
      * this method has returned; if it throws, they are not created.
      */
-    fun <T> write(shot: Shot, tally: Tally, render: (RowSink) -> T): T = try {
+    fun <T> write(shot: Shot, others: List<RowSink>, render: (RowSink) -> T): T = try {
         // The outermost file is finished last: the file of depth appears only after the picture is complete
         writeDepth(shot.pixels) { depth ->
-            writePicture(shot) { picture -> render(FanOut(listOfNotNull(picture, depth, tally))) }
+            writePicture(shot) { picture -> render(FanOut(listOfNotNull(picture, depth) + others)) }
         }
     } catch (closed: OutputClosed) {
         val file = request.depthOutput ?: throw closed
         throw Mistake("standard output was closed before the end, and $file was not written")
     }
 
-    private fun <T> writePicture(shot: Shot, render: (RowSink) -> T): T {
+    private fun <T> writePicture(shot: Shot, render: (RowSink?) -> T): T {
         val alpha = if (shot.isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
         if (picture != null) return writeFile(picture, shot.pixels, alpha, render)
+        if (!isStandardOutput) return render(null)
         return PngSink(streams.output, shot.pixels.width, shot.pixels.height, alpha).use(render)
     }
 
@@ -81,25 +87,8 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
         return path
     }
 
-    private fun requireEnding(path: Path, option: String, endings: List<String>) {
-        val name = path.fileName?.toString().orEmpty()
-        if (endings.none { name.endsWith(it, ignoreCase = true) && name.length > it.length }) {
-            val other = if (option == "-o") ", or be - for standard output" else ""
-            throw Mistake("$option must end in ${endings.joinToString(" or ")}$other: $path")
-        }
-    }
-
-    private fun requirePlace(path: Path) {
-        if (Files.isDirectory(path)) throw Mistake("cannot write $path: it is a folder")
-        val folder = path.toAbsolutePath().parent
-        if (!Files.isDirectory(folder)) throw Mistake("cannot write $path: there is no folder $folder")
-        if (!Files.isWritable(folder)) throw Mistake("cannot write $path: no permission to write in $folder")
-    }
-
     companion object {
         const val STANDARD_OUTPUT = "-"
-        private val PICTURE_ENDINGS = listOf(".png", ".ppm")
-        private val DEPTH_ENDINGS = listOf(".pfm")
     }
 }
 

@@ -1,20 +1,25 @@
 package dev.lazyz.cli.render
 
+import dev.lazyz.cli.diff.DifferenceText
 import dev.lazyz.cli.input.FrameSource
+import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Statistics
 import dev.lazyz.cli.output.StatisticsTable
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.Tally
 import dev.lazyz.cli.strategies.MemoryNeed
 import dev.lazyz.cli.strategies.StrategyChoice
+import kotlinx.serialization.json.JsonObject
 
-/** One run of `zcli render`: reads, sets up, chooses a strategy, renders to all sinks at once, prints statistics. */
+/** One run of `zcli render`: reads, sets up, chooses a strategy, renders to all sinks at once, compares, reports. */
 internal class RenderJob(private val request: RenderRequest, private val streams: Streams) {
-    fun run() {
+    /** Returns the exit code. */
+    fun run(): Int {
         // Report mistakes in the options before anything is read
         val source = FrameSource(request.subject, streams)
         val choice = StrategyChoice(request.strategy, request.choices)
         val outputs = Outputs(request, source.input, streams)
+        val reference = request.reference?.let { ReferenceCheck(it) }
 
         // Read, set up, and choose a strategy that supports the frame
         val loaded = source.load()
@@ -23,28 +28,34 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         val frame = shot.frame
         val strategy = choice.strategyFor(frame)
         if (request.isExplained) streams.note(choice.explain(strategy, frame))
-        MemoryNeed.check(strategy, frame.region, aa = shot.factor)
+        MemoryNeed.check(strategy, frame.region, kept = reference?.bytesPerPixel ?: 0, aa = shot.factor)
 
         // Render to all outputs at once
         streams.progress("rendering ${frame.primitives.size} primitives with ${strategy.id} ...")
         val tally = Tally(shot.pixels.width, request.stats != null)
-        val counters = outputs.write(shot, tally) { sink -> shot.render(strategy, sink) }
+        val colors = reference?.let { ColorRows(shot.pixels) }
+        val counters = outputs.write(shot, listOfNotNull(tally, colors)) { sink -> shot.render(strategy, sink) }
         val nanoseconds = System.nanoTime() - start
 
         // Report
         if (tally.visible == 0L) streams.nothingIsVisible()
         outputs.describe(shot.pixels)
-        val form = request.stats ?: return
         val name = source.input.name
-        val warnings = loaded.warnings.size
-        val statistics =
-            Statistics(name, strategy, shot.pixels, shot.factor, counters, tally, warnings, nanoseconds)
-        printStatistics(form, statistics)
+        val difference = colors?.let { reference.compare(it) }
+        val comparison = difference?.let { DifferenceText("${request.reference?.file}", name, it) }
+        if (difference?.isMatch == false) streams.note(comparison?.lines.orEmpty())
+        if (request.stats != null) {
+            val warnings = loaded.warnings.size
+            val statistics =
+                Statistics(name, strategy, shot.pixels, shot.factor, counters, tally, warnings, nanoseconds)
+            printStatistics(request.stats, statistics, comparison?.toJson())
+        }
+        return if (difference?.isMatch == false) ExitCode.DIFFERENT else ExitCode.DONE
     }
 
     /** Prints [statistics] to standard output, or to standard error if standard output contains the picture. */
-    private fun printStatistics(form: StatsForm, statistics: Statistics) {
-        val text = if (form == StatsForm.JSON) statistics.toJson() + "\n" else StatisticsTable.of(statistics)
+    private fun printStatistics(form: StatsForm, statistics: Statistics, comparison: JsonObject?) {
+        val text = if (form == StatsForm.JSON) statistics.toJson(comparison) + "\n" else StatisticsTable.of(statistics)
         if (request.output == Outputs.STANDARD_OUTPUT) streams.messages.print(text) else streams.print(text)
     }
 }

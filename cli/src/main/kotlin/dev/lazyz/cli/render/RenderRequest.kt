@@ -16,4 +16,5 @@ internal class RenderRequest(
     val choices: Choices,
     val isExplained: Boolean,
     val stats: StatsForm?,
+    val reference: ReferenceRequest?,
 )

@@ -1,6 +1,7 @@
 package dev.lazyz.cli.input
 
 import dev.lazyz.cli.output.Mistake
+import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.NamedCamera
 import dev.lazyz.world.Camera
@@ -8,9 +9,8 @@ import dev.lazyz.world.Fit
 import dev.lazyz.world.FittedViewpoint
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Sphere
-import dev.lazyz.world.UpAxis
 import dev.lazyz.world.Viewpoint
+import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertSame

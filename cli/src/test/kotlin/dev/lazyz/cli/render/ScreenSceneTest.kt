@@ -11,10 +11,10 @@ import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.scenefile.SceneFile
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Material
-import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Vertex
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Vertex
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals

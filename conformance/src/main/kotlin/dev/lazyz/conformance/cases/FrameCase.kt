@@ -4,11 +4,11 @@ import dev.lazyz.Frame
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.scenefile.SceneFile
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.Points
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Surface
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Surface
 
 /**
  * A frame for testing a renderer. Its text is the Kotlin code that creates it.
@@ -17,7 +17,8 @@ import dev.lazyz.world.Surface
  *
  * @property frame the frame to render
  * @property code a Kotlin expression whose value is a frame equal to [frame], with imports of `dev.lazyz.*`,
- *   `dev.lazyz.conformance.cases.*`, `dev.lazyz.conformance.frames.*`, `dev.lazyz.world.*` and `org.joml.Vector3d`
+ *   `dev.lazyz.conformance.cases.*`, `dev.lazyz.conformance.frames.*`, `dev.lazyz.world.*`,
+ *   `dev.lazyz.world.material.*`, `dev.lazyz.world.surface.*` and `org.joml.Vector3d`
  */
 public class FrameCase(public val frame: Frame, public val code: String) {
     /** The scene from which [frame], or the whole frame of which it is a region, is set up; null if there is none. */
@@ -36,6 +37,7 @@ public class FrameCase(public val frame: Frame, public val code: String) {
     public fun sceneFile(): String? {
         val raster = frame.raster
         val scene = scene?.withBackground(raster.background) ?: return null
+        if (scene.ambientVisibility != null) return null
         return SceneFile.format(scene, ImageSize(raster.width, raster.height), DepthRules.of(raster))
     }
 

@@ -2,10 +2,10 @@ package dev.lazyz.conformance.cases
 
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
-import dev.lazyz.world.AlphaMode
-import dev.lazyz.world.Material
-import dev.lazyz.world.Polygon
-import dev.lazyz.world.Surface
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Surface
 
 /**
  * A translucent version of [whole]: unchanged except that the alpha of its colours is used (contract rule 5.5).

@@ -86,6 +86,12 @@ public enum class FrameTrait(internal val words: String) {
     /** The scene has a light that decreases with the distance. */
     FALLOFF("light that falls off"),
 
+    /** The scene has an intensity of light other than 1. */
+    LIGHT_INTENSITY("an intensity of light"),
+
+    /** The scene has a visibility of ambient light. */
+    AMBIENT_VISIBILITY("a visibility of ambient light"),
+
     /** The scene has an exposure other than 0 or a tone curve. */
     TONE_MAPPING("exposure or a tone curve"),
 

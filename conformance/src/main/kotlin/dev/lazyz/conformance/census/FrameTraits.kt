@@ -6,23 +6,23 @@ import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.Rasters
-import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
 import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.MipFilter
-import dev.lazyz.world.Points
-import dev.lazyz.world.Polygon
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Sphere
-import dev.lazyz.world.Surface
 import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Surface
 import java.util.EnumSet
 import org.joml.Vector3d
 
@@ -47,7 +47,7 @@ internal fun rasterTraits(raster: Raster): EnumSet<FrameTrait> {
 /** Adds the traits that a scene gives to its frames; scenes in screen space have none. */
 internal fun addSceneTraits(scene: Scene, traits: MutableSet<FrameTrait>) {
     val camera = scene.viewpoint as? Camera ?: return
-    if (camera.projection == Projection.Screen) return
+    if (scene.isOnScreen) return
     addLightTraits(scene, traits)
     for (surface in scene.surfaces) {
         val material = when (surface) {
@@ -78,6 +78,8 @@ private fun addLightTraits(scene: Scene, traits: MutableSet<FrameTrait>) {
     if (scene.lights.any { it is Light.Spot }) traits.add(FrameTrait.SPOT)
     val falloffs = scene.lights.map { (it as? Light.Point)?.falloff ?: (it as? Light.Spot)?.falloff ?: Falloff.NONE }
     if (falloffs.any { it != Falloff.NONE }) traits.add(FrameTrait.FALLOFF)
+    if (scene.lightIntensity != 1f) traits.add(FrameTrait.LIGHT_INTENSITY)
+    if (scene.ambientVisibility != null) traits.add(FrameTrait.AMBIENT_VISIBILITY)
     if (scene.effectiveToneMapping != ToneMapping.NONE) traits.add(FrameTrait.TONE_MAPPING)
 }
 

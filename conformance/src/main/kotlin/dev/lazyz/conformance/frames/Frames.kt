@@ -89,7 +89,7 @@ public object Frames {
      * Returns frames of 3D scenes: polygons with and without holes, meshes of one to dozens of triangles, spheres,
      * points and lines, in front of the camera, behind it, and across its near and far planes, with and without
      * perspective. Vertices may have normals, one or two sets of texture coordinates, tangents and colours. Materials
-     * have every [dev.lazyz.world.Shading], highlights, emission, masks, one side or two; some are of the
+     * have every [dev.lazyz.world.material.Shading], highlights, emission, masks, one side or two; some are of the
      * metallic-roughness model. Textures and other maps have every filter, transformed coordinates and any encoding.
      * Lights are of every kind, with and without falloff. Some scenes have an environment or tone mapping. No primitive
      * is translucent.
@@ -104,8 +104,9 @@ public object Frames {
         WorldFrames.cases(WorldFrames.rasters(maxSide), maxSurfaces).withoutEdgeCases()
 
     /**
-     * Returns frames of 3D scenes like [world], in which most materials blend ([dev.lazyz.world.AlphaMode.BLEND]), with
-     * the alpha of the material, its texture or vertex colours. Renderers that do not blend reject most of them.
+     * Returns frames of 3D scenes like [world], in which most materials blend
+     * ([dev.lazyz.world.material.AlphaMode.BLEND]), with the alpha of the material, its texture or vertex colours.
+     * Renderers that do not blend reject most of them.
      */
     @JvmStatic
     @JvmOverloads

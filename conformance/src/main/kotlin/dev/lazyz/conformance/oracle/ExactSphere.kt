@@ -3,11 +3,11 @@ package dev.lazyz.conformance.oracle
 import dev.lazyz.Depth
 import dev.lazyz.DepthConvention
 import dev.lazyz.Raster
-import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
-import dev.lazyz.world.Sides
-import dev.lazyz.world.Sphere
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.surface.Sphere
 import java.math.BigDecimal
 import java.math.MathContext
 

@@ -86,7 +86,7 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
         /** The imports of a frame's code, see [FrameCase.code]. */
         val IMPORTS = listOf(
             "dev.lazyz.*", "dev.lazyz.conformance.cases.*", "dev.lazyz.conformance.frames.*", "dev.lazyz.world.*",
-            "org.joml.Vector3d",
+            "dev.lazyz.world.material.*", "dev.lazyz.world.surface.*", "org.joml.Vector3d",
         )
 
         val ENDINGS = listOf(".kt", ".json", "-expected.png", "-actual.png", "-difference.png") +

@@ -12,9 +12,6 @@ import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.Violation
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.rules.Symptom
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
-import dev.lazyz.world.Scene
 import java.util.EnumSet
 
 /** Determines the [Symptom]s of a failure from its frame and its pictures. */
@@ -64,7 +61,7 @@ internal object Symptoms {
         if (frame.region != raster.region) symptoms.add(Symptom.REGION)
         if (frame.hasTranslucency) symptoms.add(Symptom.TRANSLUCENT)
         if (frame.primitives.any { it is Confetti }) symptoms.add(Symptom.OWN_PRIMITIVE)
-        if (isInSpace(case.scene)) symptoms.add(Symptom.IN_SPACE)
+        if (case.scene?.isOnScreen == false) symptoms.add(Symptom.IN_SPACE)
         if (frame.primitives.isEmpty()) symptoms.add(Symptom.NO_PRIMITIVES)
         if (frame.primitives.size > MANY) symptoms.add(Symptom.MANY_PRIMITIVES)
         if (frame.primitives.asSequence().take(MANY).any { it.rowStart >= it.rowEnd || it is NothingThere }) {
@@ -72,9 +69,6 @@ internal object Symptoms {
         }
         if (raster.width == 1 || raster.height == 1) symptoms.add(Symptom.NARROW)
     }
-
-    private fun isInSpace(scene: Scene?): Boolean =
-        (scene?.viewpoint as? Camera)?.let { it.projection != Projection.Screen } ?: false
 
     /** Adds the symptoms that the first differing sample shows. */
     private fun ofSample(frame: Frame, difference: Difference, symptoms: MutableSet<Symptom>) {

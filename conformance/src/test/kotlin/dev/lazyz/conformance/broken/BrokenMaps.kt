@@ -6,9 +6,9 @@ import dev.lazyz.Primitive
 import dev.lazyz.Shader
 import dev.lazyz.ShadingCursor
 import dev.lazyz.strategies.lazy.LazyZBuffer
-import dev.lazyz.world.MipFilter
+import dev.lazyz.world.material.MipFilter
 
-/** Renderers that are correct except for maps, metallic-roughness materials, spots, falloff and tone mapping. */
+/** Renderers that are correct except for maps, metallic-roughness materials and tone mapping. */
 object BrokenMaps {
     fun oneSetOfCoordinates() = BrokenShading.wrong("one-set-of-coordinates", MapMistakes::readFirstCoordinates)
 
@@ -119,13 +119,7 @@ object BrokenMaps {
 
     fun metalsArePlastic() = BrokenShading.wrong("metals-are-plastic", MapMistakes::loseMetalness)
 
-    fun environmentLost() = BrokenShading.wrong("environment-lost", MapMistakes::loseEnvironment)
-
     fun spheresNotToned() = BrokenShading.wrong("spheres-not-toned", MapMistakes::loseToneMappingOfSpheres)
-
-    fun conesLost() = BrokenShading.wrong("cones-lost", MapMistakes::loseCones)
-
-    fun falloffLost() = BrokenShading.wrong("falloff-lost", MapMistakes::loseFalloff)
 
     private fun reshading(id: String, change: (Shader, Inside) -> Shader) = BrokenShading.wrong(id) { inside, changes ->
         inside.reshade(changes) { change(it, inside) }

@@ -7,8 +7,8 @@ import dev.lazyz.Rgba
 import dev.lazyz.Shader
 import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.zbuffer.ZBuffer
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureWrap
 
 /** Renderers that are correct except for normals, light, textures, masks and blending. */
 object BrokenShading {

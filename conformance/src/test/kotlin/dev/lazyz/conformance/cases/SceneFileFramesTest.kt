@@ -25,12 +25,12 @@ import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.scenes.scenefile.SceneFile
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FrameBuilder
-import dev.lazyz.world.Material
-import dev.lazyz.world.MetallicRoughness
-import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Sphere
-import dev.lazyz.world.Vertex
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MetallicRoughness
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary

@@ -7,31 +7,32 @@ import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Rgba
+import dev.lazyz.conformance.cases.Hollows
 import dev.lazyz.conformance.cases.Rasters
 import dev.lazyz.conformance.cases.changed.Cutting
 import dev.lazyz.conformance.frames.Plate
 import dev.lazyz.conformance.frames.screen.screenCase
-import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Falloff
 import dev.lazyz.world.FrameBuilder
 import dev.lazyz.world.Light
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.MetallicRoughness
-import dev.lazyz.world.MipFilter
-import dev.lazyz.world.NormalMap
-import dev.lazyz.world.Points
-import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Sphere
-import dev.lazyz.world.Surface
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureMap
 import dev.lazyz.world.ToneMapping
-import dev.lazyz.world.Vertex
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MetallicRoughness
+import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.NormalMap
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureMap
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Surface
+import dev.lazyz.world.surface.Vertex
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -126,6 +127,10 @@ class CensusTest {
         assertEquals(setOf(FrameTrait.LIT, FrameTrait.SPOT), of(Light.Spot(up, up, Rgba.WHITE)))
         val exposed = Scene(emptyList(), viewpoint = camera).withToneMapping(ToneMapping(exposure = 1.0))
         assertEquals(setOf(FrameTrait.TONE_MAPPING), ofScene(exposed))
+        val dark = Scene(emptyList(), viewpoint = camera).withLightIntensity(0.5f)
+        assertEquals(setOf(FrameTrait.LIGHT_INTENSITY), ofScene(dark))
+        val hollow = Scene(emptyList(), viewpoint = camera).withAmbientVisibility(Hollows(0))
+        assertEquals(setOf(FrameTrait.AMBIENT_VISIBILITY), ofScene(hollow))
     }
 
     @Test

@@ -1,5 +1,6 @@
 package dev.lazyz.conformance.census
 
+import dev.lazyz.conformance.census.FrameTrait.AMBIENT_VISIBILITY
 import dev.lazyz.conformance.census.FrameTrait.CROSSING
 import dev.lazyz.conformance.census.FrameTrait.DEEP
 import dev.lazyz.conformance.census.FrameTrait.ENVIRONMENT
@@ -11,6 +12,7 @@ import dev.lazyz.conformance.census.FrameTrait.HIDDEN
 import dev.lazyz.conformance.census.FrameTrait.LARGER_IS_NEARER
 import dev.lazyz.conformance.census.FrameTrait.LESS
 import dev.lazyz.conformance.census.FrameTrait.LESS_OR_EQUAL
+import dev.lazyz.conformance.census.FrameTrait.LIGHT_INTENSITY
 import dev.lazyz.conformance.census.FrameTrait.LINES
 import dev.lazyz.conformance.census.FrameTrait.LIT
 import dev.lazyz.conformance.census.FrameTrait.MANY_SPANS
@@ -59,8 +61,8 @@ internal object PairsOfTraits {
     )
 
     private val ofScenes = setOf(
-        MESH, SPHERE, POINTS, LINES, SPOT, FALLOFF, TONE_MAPPING, TEXTURED, MIP_FILTER, SECOND_UVS, NORMAL_MAP,
-        PHYSICAL, ENVIRONMENT, MASKED, NEAR_PLANE,
+        MESH, SPHERE, POINTS, LINES, SPOT, FALLOFF, LIGHT_INTENSITY, AMBIENT_VISIBILITY, TONE_MAPPING, TEXTURED,
+        MIP_FILTER, SECOND_UVS, NORMAL_MAP, PHYSICAL, ENVIRONMENT, MASKED, NEAR_PLANE,
     )
 
     /**

@@ -95,6 +95,7 @@ class FramesTest {
             assertTrue(cases.count { word in it.code } > cases.size / 10) { word }
         }
         val seldom = listOf("Points(", "Lines(", "Spot(", "Falloff.inverse", "withEnvironment", "ToneCurve.ACES") +
+            listOf("withLightIntensity", "withAmbientVisibility") +
             listOf("uvs2", "tangents", "MipFilter.TRILINEAR", "MipFilter.ANISOTROPIC", "TextureEncoding.LINEAR") +
             listOf("UvTransform", "MetallicRoughness", "NormalMap", "OcclusionMap", "withEmissionMap")
         for (word in seldom) {

@@ -6,7 +6,7 @@ import dev.lazyz.Spans
 import dev.lazyz.conformance.broken.coversAnything
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.oracle.ReferenceRenderer
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.surface.Mesh
 import java.util.Random
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Example
@@ -17,9 +17,9 @@ class WorldFramesTest {
     @Example
     fun scenesAreWorthTheEffort() {
         for ((name, cases) in listOf("world" to WorldCases(), "long" to LongRowCases(), "blended" to BlendedCases())) {
-            val worth = Worth(some(cases.get(), 250).map { it.frame.asOpaque() })
+            val worth = Worth(some(cases.get(), 500).map { it.frame.asOpaque() })
             assertTrue(worth.blank < 0.07) { "$name: $worth" }
-            assertTrue(worth.nothing < 0.2) { "$name: $worth" }
+            assertTrue(worth.nothing < 0.22) { "$name: $worth" }
             assertTrue(worth.layers >= 1.5) { "$name: $worth" }
             assertTrue(worth.colorful > 0.6) { "$name: $worth" }
         }

@@ -1,26 +1,31 @@
 package dev.lazyz.conformance.oracle
 
 import dev.lazyz.Rgba
+import dev.lazyz.world.AmbientVisibility
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
-import dev.lazyz.world.Material
 import dev.lazyz.world.Projection
-import dev.lazyz.world.Shading
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * Light as contract rules 6.5 and 6.8 define it, in double precision: an oracle for the library's own light. It does
- * not know ambient light and the environment on metallic-roughness materials.
+ * Light as contract rules 6.5, 6.8 and 6.13 define it, in double precision: an oracle for the library's own light. It
+ * does not know ambient light and the environment on metallic-roughness materials.
  *
  * @param classical the lights of other materials
  * @param physical the lights of metallic-roughness materials
+ * @param intensity factor of all lights
+ * @param visibility which part of ambient light reaches a point, or null
  */
 internal class ExactLight(
     private val camera: Camera,
     private val classical: List<Light>,
     private val physical: List<Light>,
+    private val intensity: Double,
+    private val visibility: AmbientVisibility?,
 ) {
     private val isPerspective = camera.projection is Projection.Perspective
 
@@ -57,9 +62,10 @@ internal class ExactLight(
         val n = unitNormal(place.normal, v) ?: return null
         val factor = DoubleArray(3)
         val summand = emission.copyOf()
+        val open = occlusion * visible(place.point, n)
         for (light in classical) {
             if (light is Light.Ambient) {
-                for (k in 0 until 3) factor[k] += parts(light.color)[k] * occlusion
+                for (k in 0 until 3) factor[k] += parts(light.color)[k] * intensity * open
                 continue
             }
             val beam = beam(light, place.point) ?: return null
@@ -123,6 +129,13 @@ internal class ExactLight(
     private fun smith(cosine: Double, alpha: Double) =
         cosine + Math.sqrt(alpha * alpha + (1 - alpha * alpha) * cosine * cosine)
 
+    /** The visibility at a point with the unit normal [n]. It is a function of numbers in single precision. */
+    private fun visible(point: Vector3dc, n: Vector3d): Double {
+        val (x, y, z) = listOf(point.x(), point.y(), point.z()).map { it.toFloat() }
+        val open = visibility?.at(x, y, z, n.x.toFloat(), n.y.toFloat(), n.z.toFloat()) ?: 1f
+        return open.toDouble()
+    }
+
     private fun unitNormal(normal: Vector3dc, v: Vector3d): Vector3d? = when (val length = normal.length()) {
         0.0 -> v
         else -> if (length < LEAST) null else Vector3d(normal).div(length)
@@ -131,7 +144,7 @@ internal class ExactLight(
     /** Null where rounding decides: at the light. */
     private fun beam(light: Light, point: Vector3dc): Beam? {
         val (position, falloff) = when (light) {
-            is Light.Directional -> return Beam(parts(light.color), Vector3d(light.direction).negate())
+            is Light.Directional -> return beam(light, 1.0, Vector3d(light.direction).negate())
             is Light.Point -> light.position to light.falloff
             is Light.Spot -> light.position to light.falloff
             is Light.Ambient -> error("ambient light comes from no direction")
@@ -142,8 +155,11 @@ internal class ExactLight(
         to.div(distance)
         var strength = decrease(falloff, distance)
         if (light is Light.Spot) strength *= edge(light, -to.dot(light.direction))
-        return Beam(DoubleArray(3) { parts(light.color)[it] * strength }, to)
+        return beam(light, strength, to)
     }
+
+    private fun beam(light: Light, strength: Double, direction: Vector3d) =
+        Beam(DoubleArray(3) { parts(light.color)[it] * strength * intensity }, direction)
 
     private fun decrease(falloff: Falloff, distance: Double): Double {
         if (falloff == Falloff.NONE) return 1.0

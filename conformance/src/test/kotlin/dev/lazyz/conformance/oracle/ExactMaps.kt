@@ -1,7 +1,7 @@
 package dev.lazyz.conformance.oracle
 
-import dev.lazyz.world.Material
-import dev.lazyz.world.TextureMap
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.TextureMap
 import org.joml.Vector3d
 
 /**

@@ -3,7 +3,7 @@ package dev.lazyz.conformance.oracle
 import dev.lazyz.Raster
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
-import dev.lazyz.world.Sphere
+import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d
 
 /** The ray through a sample: contract rule 2.6 in world space and double precision. */

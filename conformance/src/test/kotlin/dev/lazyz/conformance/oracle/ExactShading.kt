@@ -1,17 +1,17 @@
 package dev.lazyz.conformance.oracle
 
 import dev.lazyz.Raster
-import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Sides
-import dev.lazyz.world.Sphere
-import dev.lazyz.world.Surface
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Surface
 import org.joml.Vector3d
 
 /** The colours that the contract permits at a sample. */
@@ -24,8 +24,8 @@ internal fun interface ExactColor {
 }
 
 /**
- * The colours of a scene's primitives from contract rules 3.6, 5.5, 6.5, 6.6, 6.8, 6.9 and 6.11 alone, in double
- * precision.
+ * The colours of a scene's primitives from contract rules 3.6, 5.5, 6.5, 6.6, 6.8, 6.9, 6.11 and 6.13 alone, in
+ * double precision.
  *
  * It uses nothing of set-up: it projects, clips, interpolates, lights and reads textures itself. Where the last bits
  * decide, the result is undefined or has several correct values: normals across the face, grazing light, borders of
@@ -34,7 +34,13 @@ internal fun interface ExactColor {
  */
 internal class ExactShading(scene: Scene, private val raster: Raster) {
     private val camera: Camera = scene.camera(raster.width, raster.height)
-    private val light = ExactLight(camera, scene.lights.ifEmpty { Light.studio(camera) }, scene.lights)
+    private val light = ExactLight(
+        camera,
+        scene.lights.ifEmpty { Light.studio(camera) },
+        scene.lights,
+        scene.lightIntensity.toDouble(),
+        scene.ambientVisibility,
+    )
     private val toneMapping = ExactToneMapping(scene.effectiveToneMapping)
 
     /** The colours of each primitive. */
@@ -59,7 +65,7 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         return Corner(n)
     }
 
-    private fun corner(vertex: dev.lazyz.world.Vertex): Corner {
+    private fun corner(vertex: dev.lazyz.world.surface.Vertex): Corner {
         val color = vertex.color
         val n = DoubleArray(Corner.SIZE)
         doubleArrayOf(vertex.x, vertex.y, vertex.z).copyInto(n, Corner.WORLD)

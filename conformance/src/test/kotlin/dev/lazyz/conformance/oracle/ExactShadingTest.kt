@@ -6,14 +6,15 @@ import dev.lazyz.Spans
 import dev.lazyz.conformance.broken.BrokenShading
 import dev.lazyz.conformance.broken.Changes
 import dev.lazyz.conformance.broken.Inside
+import dev.lazyz.conformance.broken.LightMistakes
 import dev.lazyz.conformance.broken.MapMistakes
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.frames.world.WorldFrames
 import dev.lazyz.world.Environment
 import dev.lazyz.world.Light
-import dev.lazyz.world.Lines
-import dev.lazyz.world.MipFilter
-import dev.lazyz.world.Points
+import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Points
 import java.util.Random
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Example
@@ -49,8 +50,8 @@ class ExactShadingTest {
             "normals" to Inside.Companion::turnNormals,
             "filter" to Inside.Companion::readNearest,
             "perspective" to Inside.Companion::interpolateOnScreen,
-            "cones" to MapMistakes::loseCones,
-            "falloff" to MapMistakes::loseFalloff,
+            "cones" to LightMistakes::loseCones,
+            "falloff" to LightMistakes::loseFalloff,
             "tone mapping" to MapMistakes::loseToneMappingOfSpheres,
             "metalness" to MapMistakes::loseMetalness,
             "occlusion" to MapMistakes::loseOcclusion,
@@ -58,6 +59,9 @@ class ExactShadingTest {
             "second coordinates" to MapMistakes::readFirstCoordinates,
             "transforms" to MapMistakes::loseTransforms,
             "tangents" to MapMistakes::turnTangentsBack,
+            "visibility" to LightMistakes::loseVisibility,
+            "visibility from behind" to LightMistakes::turnVisibility,
+            "stronger light" to LightMistakes::dimLights,
         )
         for ((name, mistake) in mistakes) {
             val fault = cases.firstNotNullOfOrNull { case ->

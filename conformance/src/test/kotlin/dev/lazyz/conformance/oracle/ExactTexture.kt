@@ -1,9 +1,9 @@
 package dev.lazyz.conformance.oracle
 
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureEncoding
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureEncoding
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureWrap
 
 /** Reads a texture as contract rule 6.6 defines without a mip filter, in double precision. */
 internal class ExactTexture(private val texture: Texture) {

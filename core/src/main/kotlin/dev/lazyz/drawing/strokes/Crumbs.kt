@@ -1,6 +1,8 @@
 package dev.lazyz.drawing.strokes
 
 import dev.lazyz.geometry.DistinctTriples
+import kotlin.math.ceil
+import kotlin.math.floor
 
 /**
  * Removes crumbs from [pieces]: short parts of silhouettes that are visible between hidden parts, far from other lines.
@@ -54,14 +56,14 @@ internal class Crumbs(
         val cells = DistinctTriples()
         val pieceIn = ArrayList<Int>()
         for (i in 0 until pieces.count) {
-            val steps = StrictMath.ceil(length(i) / near).toInt()
+            val steps = ceil(length(i) / near).toInt()
             for (step in 0..steps) {
                 val t = if (steps == 0) 0.0 else step.toDouble() / steps
                 val x = pieces.x(i, 0) + t * (pieces.x(i, 1) - pieces.x(i, 0))
                 val y = pieces.y(i, 0) + t * (pieces.y(i, 1) - pieces.y(i, 0))
                 for (corner in 0 until 4) {
-                    val column = StrictMath.floor(x / near + (corner % 2) - 0.5).toInt()
-                    val row = StrictMath.floor(y / near + (corner / 2) - 0.5).toInt()
+                    val column = floor(x / near + (corner % 2) - 0.5).toInt()
+                    val row = floor(y / near + (corner / 2) - 0.5).toInt()
                     val cell = cells.add(column, row, 0)
                     if (cell == pieceIn.size) pieceIn += i else parent[root(i)] = root(pieceIn[cell])
                 }

@@ -1,5 +1,7 @@
 package dev.lazyz.drawing.strokes
 
+import kotlin.math.round
+
 /**
  * Divides polylines into dashes of about the same length. A polyline begins and ends with a dash, so that corners of
  * dashed lines are closed. Immutable.
@@ -11,7 +13,7 @@ internal class Dashes(private val dash: Double, private val gap: Double) {
     /** Calls [action] with the points of each dash of [line], x and y in turn. */
     fun forEach(line: DoubleArray, action: (DoubleArray) -> Unit) {
         val length = (2 until line.size step 2).sumOf { step(line, it) }
-        val gaps = StrictMath.rint((length - dash) / (dash + gap))
+        val gaps = round((length - dash) / (dash + gap))
         if (gaps < 1.0) return action(line)
 
         // Stretch or shrink the pattern, so that it fits

@@ -6,6 +6,8 @@ import dev.lazyz.Primitive
 import dev.lazyz.Spans
 import dev.lazyz.raster.RowHull
 import dev.lazyz.raster.ScreenGrid
+import kotlin.math.ceil
+import kotlin.math.floor
 
 /**
  * A straight line with round ends on the raster, in front of all surfaces: a quad around its snapped ends, and a disc
@@ -59,7 +61,7 @@ internal class Stroke(
     }
 
     private fun outward(size: Double): Int =
-        if (size < 0.0) StrictMath.floor(size).toInt() else StrictMath.ceil(size).toInt()
+        if (size < 0.0) floor(size).toInt() else ceil(size).toInt()
 
     private fun addDisc(row: RowHull, y: Int, centerX: Int, centerY: Int) {
         val down = y * ScreenGrid.STEPS + ScreenGrid.CENTER - centerY

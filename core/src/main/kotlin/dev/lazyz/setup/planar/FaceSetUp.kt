@@ -9,11 +9,11 @@ import dev.lazyz.setup.VertexStage
 import dev.lazyz.shading.MaskedPrimitive
 import dev.lazyz.shading.MaterialShader
 import dev.lazyz.shading.Vertices
-import dev.lazyz.world.AlphaMode
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Sides
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.surface.Mesh
 import kotlin.math.sqrt
 
 /** Sets up the faces of one surface. Used by one thread. */

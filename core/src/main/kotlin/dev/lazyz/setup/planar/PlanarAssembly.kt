@@ -12,6 +12,7 @@ import dev.lazyz.raster.ReferenceTriangle
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.shading.AttributedPrimitive
 import dev.lazyz.shading.Vertices
+import kotlin.math.round
 
 /**
  * The last step of set-up: converts snapped vertices to a primitive (contract rules 2 to 4).
@@ -90,7 +91,7 @@ internal class PlanarAssembly(
             depths
         } else {
             IntArray(xs.size) {
-                StrictMath.rint(reference.valueAt(xs[it], ys[it], depths[a], depths[b], depths[c])).toInt()
+                round(reference.valueAt(xs[it], ys[it], depths[a], depths[b], depths[c])).toInt()
             }
         }
 

@@ -1,7 +1,7 @@
 package dev.lazyz.setup.planar
 
 import dev.lazyz.setup.VertexStage
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.surface.Mesh
 
 /** The vertices of [mesh], snapped to the grid. */
 internal class SnappedVertices(private val stage: VertexStage, private val mesh: Mesh) {

@@ -3,9 +3,9 @@ package dev.lazyz.setup.planar
 import dev.lazyz.FrameContent
 import dev.lazyz.Primitive
 import dev.lazyz.PrimitiveBatch
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.Shading
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.surface.Mesh
 
 /**
  * The opaque triangles of a mesh, set up for one raster and camera: arrays of snapped vertices, and no object for each

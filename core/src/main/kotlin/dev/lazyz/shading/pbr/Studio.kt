@@ -43,6 +43,7 @@ internal object Studio {
         irradiance(x, y, z, out, at)
         val wall = walls[0] + walls[1] * (1f - alpha / 3f) * y + walls[2] * (1f - 0.75f * alpha) * (y * y - THIRD)
         for (channel in 0 until 3) out[at + channel] = alpha * out[at + channel] + (1f - alpha) * wall
+        if (alpha == 1f) return
         val blur = EDGE + alpha * NARROW / (1f + 2.6f * alpha)
         for (box in boxes) {
             val part = (1f - alpha) * box.coverage(x, y, z, blur)

@@ -33,8 +33,8 @@ import java.util.concurrent.atomic.AtomicReference
  * depth is expensive.
  *
  * It is by far the fastest if the JVM was started with `--add-modules jdk.incubator.vector` and opaque surfaces are
- * [dev.lazyz.world.Mesh]es in a [dev.lazyz.world.Scene]: no objects are created for their triangles. Custom shaders are
- * faster as [dev.lazyz.BatchShader]s.
+ * [dev.lazyz.world.surface.Mesh]es in a [dev.lazyz.world.Scene]: no objects are created for their triangles. Custom
+ * shaders are faster as [dev.lazyz.BatchShader]s.
  *
  * Memory:
  *

@@ -4,10 +4,10 @@ import dev.lazyz.EmptyPrimitive
 import dev.lazyz.SampleScenes
 import dev.lazyz.shading.Vertices
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Sides
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.surface.Mesh
 import java.util.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals

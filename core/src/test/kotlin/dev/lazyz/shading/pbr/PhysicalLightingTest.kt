@@ -8,12 +8,12 @@ import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
 import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
-import dev.lazyz.world.Material
-import dev.lazyz.world.MetallicRoughness
 import dev.lazyz.world.SceneLight
-import dev.lazyz.world.SetUp
-import dev.lazyz.world.Shading
 import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MetallicRoughness
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.surface.SetUp
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -15,9 +15,9 @@ import dev.lazyz.RowSink
 import dev.lazyz.pipeline.Pane
 import dev.lazyz.render
 import dev.lazyz.strategies.zbuffer.ZBuffer
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Scene
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
 import java.util.Random
 import kotlinx.coroutines.flow.Flow
 import kotlinx.coroutines.flow.asFlow

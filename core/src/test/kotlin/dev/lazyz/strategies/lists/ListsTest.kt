@@ -14,12 +14,12 @@ import dev.lazyz.RowSink
 import dev.lazyz.Selector
 import dev.lazyz.pipeline.Pane
 import dev.lazyz.strategies.zbuffer.ZBuffer
-import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Sphere
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Sphere
 import java.util.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals

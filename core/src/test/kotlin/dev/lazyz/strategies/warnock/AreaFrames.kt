@@ -15,9 +15,9 @@ import dev.lazyz.Shader
 import dev.lazyz.Spans
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FrameBuilder
-import dev.lazyz.world.Material
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Sphere
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Sphere
 import kotlin.random.Random
 import org.joml.Vector3d
 

@@ -5,11 +5,11 @@ import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FrameBuilder
-import dev.lazyz.world.Material
-import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Vertex
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Vertex
 
 /** The order in which layers are submitted. */
 internal enum class Submission {

@@ -1,6 +1,6 @@
 package dev.lazyz.jmh.workload;
 
-import dev.lazyz.world.Mesh;
+import dev.lazyz.world.surface.Mesh;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

@@ -2,12 +2,12 @@ package dev.lazyz.jmh.workload;
 
 import dev.lazyz.Rgba;
 import dev.lazyz.world.Camera;
-import dev.lazyz.world.Material;
-import dev.lazyz.world.Mesh;
 import dev.lazyz.world.Projection;
 import dev.lazyz.world.Scene;
-import dev.lazyz.world.Shading;
 import dev.lazyz.world.Viewpoint;
+import dev.lazyz.world.material.Material;
+import dev.lazyz.world.material.Shading;
+import dev.lazyz.world.surface.Mesh;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

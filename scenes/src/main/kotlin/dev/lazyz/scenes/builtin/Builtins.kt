@@ -5,7 +5,7 @@ import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Surface
+import dev.lazyz.world.surface.Surface
 
 /** The list of built-in scenes, and their creation for scene files. */
 internal object Builtins {

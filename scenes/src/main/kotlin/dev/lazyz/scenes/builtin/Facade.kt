@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.builtin
 
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureWrap
 
 /** Textures of walls with windows: four by four windows, in pale colours that the house tints. */
 internal object Facade {

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.builtin
 
 import dev.lazyz.Rgba
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
 
 /** Collects quads with texture coordinates and colours, and builds one mesh from them. */
 internal class MeshBuilder {

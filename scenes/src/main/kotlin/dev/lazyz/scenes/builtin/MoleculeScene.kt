@@ -3,10 +3,10 @@ package dev.lazyz.scenes.builtin
 import dev.lazyz.Rgba
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
-import dev.lazyz.world.Material
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Sphere
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d
 
 /**

@@ -3,15 +3,15 @@ package dev.lazyz.scenes.builtin
 import dev.lazyz.Rgba
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
-import dev.lazyz.world.Material
-import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Sphere
-import dev.lazyz.world.Surface
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureWrap
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Surface
 import org.joml.Vector3d
 
 /** A chequered plane of two triangles, with some objects on it. */

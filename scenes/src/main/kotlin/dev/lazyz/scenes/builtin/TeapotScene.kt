@@ -4,10 +4,10 @@ import dev.lazyz.Rgba
 import dev.lazyz.scenes.teapot.Teapot
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.surface.Mesh
 import org.joml.Vector3d
 
 /** The Utah teapot in glazed pottery. */

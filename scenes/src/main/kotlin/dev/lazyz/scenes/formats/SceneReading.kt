@@ -16,7 +16,7 @@ import dev.lazyz.scenes.ply.PlyParser
 import dev.lazyz.scenes.scenefile.SceneFileReader
 import dev.lazyz.scenes.stl.StlParser
 import dev.lazyz.scenes.threemf.ThreeMfParser
-import dev.lazyz.world.Texture
+import dev.lazyz.world.material.Texture
 import java.io.IOException
 import java.io.InputStream
 import java.nio.file.AccessDeniedException

@@ -1,8 +1,11 @@
 package dev.lazyz.scenes.gltf
 
-import de.javagl.jgltf.impl.v2.GlTFProperty
+import dev.lazyz.scenes.gltf.document.GltfCompressedViews
+import dev.lazyz.scenes.gltf.document.GltfDocument
+import dev.lazyz.scenes.gltf.geometry.GltfVertices
+import dev.lazyz.scenes.gltf.materials.GltfTextures
 
-/** The supported extensions (section 3.12), and access to extensions' values, which jgltf stores as nested maps. */
+/** The supported extensions (section 3.12). */
 internal object GltfExtensions {
     /** The extension for lights, see [GltfLights]. */
     const val LIGHTS: String = "KHR_lights_punctual"
@@ -45,18 +48,4 @@ internal object GltfExtensions {
         val shown = unknown.take(MOST_SHOWN).joinToString() + if (unknown.size > MOST_SHOWN) " and others" else ""
         document.warn("extensions that are not known are passed over, ${unknown.size} in all: $shown")
     }
-
-    /** Returns the object of the extension [name] on [property], or null. */
-    fun of(property: GlTFProperty?, name: String): Map<*, *>? = property?.extensions?.get(name) as? Map<*, *>
-
-    /** Returns a number in an extension's object, or [missing] if there is no finite number. */
-    fun number(extension: Map<*, *>, name: String, missing: Double): Double =
-        (extension[name] as? Number)?.toDouble()?.takeIf { it.isFinite() } ?: missing
-
-    /** Returns a pair of numbers in an extension's object. [missing] replaces each that is not a finite number. */
-    fun pair(extension: Map<*, *>, name: String, missing: Double): List<Double> =
-        List(2) {
-            ((extension[name] as? List<*>)?.getOrNull(it) as? Number)?.toDouble()?.takeIf { n -> n.isFinite() }
-                ?: missing
-        }
 }

@@ -2,6 +2,9 @@ package dev.lazyz.scenes.gltf
 
 import dev.lazyz.Rgba
 import dev.lazyz.geometry.Box
+import dev.lazyz.scenes.gltf.document.ExtensionValues
+import dev.lazyz.scenes.gltf.document.GltfDocument
+import dev.lazyz.scenes.gltf.geometry.PlacedNode
 import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
 import org.joml.Vector3d
@@ -19,13 +22,13 @@ import org.joml.Vector3d
  */
 internal class GltfLights(private val document: GltfDocument) {
     private val lights: List<*> by lazy {
-        GltfExtensions.of(document.json, GltfExtensions.LIGHTS)?.get("lights") as? List<*> ?: emptyList<Any>()
+        ExtensionValues.of(document.json, GltfExtensions.LIGHTS)?.get("lights") as? List<*> ?: emptyList<Any>()
     }
 
     /** Returns the lights of [nodes] for a scene with [bounds]. */
     fun of(nodes: List<PlacedNode>, bounds: Box?): List<Light> {
         val own = nodes.mapNotNull { node ->
-            val reference = GltfExtensions.of(node.node, GltfExtensions.LIGHTS) ?: return@mapNotNull null
+            val reference = ExtensionValues.of(node.node, GltfExtensions.LIGHTS) ?: return@mapNotNull null
             val where = "nodes[${node.index}].extensions.${GltfExtensions.LIGHTS}.light"
             val index = (reference["light"] as? Number)?.toInt()
             val json = document.element(lights, index, "lights", where) as? Map<*, *>
@@ -46,7 +49,7 @@ internal class GltfLights(private val document: GltfDocument) {
         val toWorld = node.toWorld
         val color = (json["color"] as? List<*>)?.map { (it as? Number)?.toDouble() ?: 1.0 } ?: listOf(1.0, 1.0, 1.0)
         require(color.size == 3 && color.all { it >= 0.0 && it.isFinite() }) { "its color must be three numbers" }
-        val intensity = GltfExtensions.number(json, "intensity", 1.0)
+        val intensity = ExtensionValues.number(json, "intensity", 1.0)
         require(intensity >= 0.0) { "its intensity is negative" }
         val strength = intensity / StrictMath.PI
         val rgba = Rgba(
@@ -58,14 +61,14 @@ internal class GltfLights(private val document: GltfDocument) {
         // A light shines along its -z axis
         val position = Vector3d(toWorld.m30(), toWorld.m31(), toWorld.m32())
         val direction = Vector3d(-toWorld.m20(), -toWorld.m21(), -toWorld.m22())
-        val falloff = Falloff.inverseSquare(GltfExtensions.number(json, "range", Double.POSITIVE_INFINITY))
+        val falloff = Falloff.inverseSquare(ExtensionValues.number(json, "range", Double.POSITIVE_INFINITY))
         return when (val type = json["type"]) {
             "directional" -> Light.Directional(direction, rgba)
             "point" -> Light.Point(position, rgba, falloff)
             "spot" -> {
                 val cone = json["spot"] as? Map<*, *> ?: emptyMap<Any, Any>()
-                val outer = GltfExtensions.number(cone, "outerConeAngle", StrictMath.PI / 4)
-                val inner = GltfExtensions.number(cone, "innerConeAngle", 0.0)
+                val outer = ExtensionValues.number(cone, "outerConeAngle", StrictMath.PI / 4)
+                val inner = ExtensionValues.number(cone, "innerConeAngle", 0.0)
                 Light.Spot(position, direction, rgba, degrees(inner), degrees(outer), falloff)
             }
             else -> throw IllegalArgumentException("its type $type is unknown")

@@ -1,5 +1,13 @@
 package dev.lazyz.scenes.gltf
 
+import dev.lazyz.scenes.gltf.animation.GltfAnimation
+import dev.lazyz.scenes.gltf.document.GltfAccessors
+import dev.lazyz.scenes.gltf.document.GltfContainer
+import dev.lazyz.scenes.gltf.geometry.GltfMeshes
+import dev.lazyz.scenes.gltf.geometry.GltfNodes
+import dev.lazyz.scenes.gltf.geometry.GltfPoses
+import dev.lazyz.scenes.gltf.geometry.GltfSkins
+import dev.lazyz.scenes.gltf.materials.GltfMaterials
 import dev.lazyz.scenes.loading.SceneParser
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Environment

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.images
 
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureEncoding
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureEncoding
 
 /**
  * Combines images that files keep apart to one texture. The larger image determines the size; see [at] for the other.

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.images
 
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureEncoding
-import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureEncoding
+import dev.lazyz.world.material.TextureWrap
 import kotlin.math.sqrt
 
 /**

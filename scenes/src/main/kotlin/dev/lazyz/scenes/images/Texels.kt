@@ -5,51 +5,89 @@ import java.awt.image.IndexColorModel
 import java.awt.image.Raster
 
 /**
- * Converts images to `0xAARRGGBB` texels, directly from the numbers that the file stores.
+ * Converts images to pixels, directly from the numbers that the file stores.
  *
  * There is no colour management: codes are taken as sRGB, whatever profile or gamma the file states.
  * `BufferedImage.getRGB` is not suitable, because it treats grey as linear light, which turns 128 into 188, and
  * converts from profiles in floating point.
  */
 internal object Texels {
-    /** Returns the texels of [image] in rows from the top. */
+    private const val BYTE = 0xFF
+    private const val WORD = 0xFFFF
+
+    /** Returns the pixels of [image] in rows from the top, 8 bits a channel, `0xAARRGGBB`. */
     fun of(image: BufferedImage): IntArray {
+        val argb = IntArray(image.width * image.height)
+        read(image, BYTE) { at, alpha, red, green, blue ->
+            argb[at] = alpha shl 24 or (red shl 16) or (green shl 8) or blue
+        }
+        return argb
+    }
+
+    /** Returns the pixels of [image] in rows from the top, 16 bits a channel, `0xAAAARRRRGGGGBBBB`. */
+    fun wide(image: BufferedImage): LongArray {
+        val argb = LongArray(image.width * image.height)
+        read(image, WORD) { at, alpha, red, green, blue ->
+            argb[at] = alpha.toLong() shl 48 or (red.toLong() shl 32) or (green.toLong() shl 16) or blue.toLong()
+        }
+        return argb
+    }
+
+    /** Returns whether a channel of [image] has more than 8 bits, so that [of] would round it. */
+    fun isWide(image: BufferedImage): Boolean =
+        image.colorModel !is IndexColorModel && image.raster.sampleModel.sampleSize.any { it > 8 }
+
+    /** Calls [pixel] for each pixel of [image] with its index and its channels, scaled to 0..[most]. */
+    private inline fun read(
+        image: BufferedImage,
+        most: Int,
+        pixel: (at: Int, alpha: Int, red: Int, green: Int, blue: Int) -> Unit,
+    ) {
         val palette = image.colorModel as? IndexColorModel
         val raster = image.raster
         val bits = raster.sampleModel.sampleSize
         val bands = raster.numBands
         val row = IntArray(image.width * bands)
-        val argb = IntArray(image.width * image.height)
         for (y in 0 until image.height) {
             readRow(raster, y, row)
             for (x in 0 until image.width) {
-                val at = x * bands
-                argb[y * image.width + x] = when {
-                    palette != null -> palette.getRGB(row[at])
-                    bands <= 2 -> grey(byte(row[at], bits[0]), if (bands == 2) byte(row[at + 1], bits[1]) else 0xFF)
-                    else -> {
-                        val alpha = if (bands == 4) byte(row[at + 3], bits[3]) else 0xFF
-                        argb(alpha, byte(row[at], bits[0]), byte(row[at + 1], bits[1]), byte(row[at + 2], bits[2]))
+                val from = x * bands
+                val to = y * image.width + x
+                when {
+                    palette != null -> {
+                        val argb = palette.getRGB(row[from])
+                        val (red, green, blue) = listOf(argb ushr 16, argb ushr 8, argb)
+                        pixel(to, code(argb ushr 24, most), code(red, most), code(green, most), code(blue, most))
                     }
+
+                    bands <= 2 -> {
+                        val level = scaled(row[from], bits[0], most)
+                        pixel(to, if (bands == 2) scaled(row[from + 1], bits[1], most) else most, level, level, level)
+                    }
+
+                    else -> pixel(
+                        to,
+                        if (bands == 4) scaled(row[from + 3], bits[3], most) else most,
+                        scaled(row[from], bits[0], most),
+                        scaled(row[from + 1], bits[1], most),
+                        scaled(row[from + 2], bits[2], most),
+                    )
                 }
             }
         }
-        return argb
     }
 
     private fun readRow(raster: Raster, y: Int, row: IntArray) {
         raster.getPixels(raster.minX, raster.minY + y, raster.width, 1, row)
     }
 
-    /** Scales a sample of any bit depth to 0..255, rounded to the nearest. */
-    private fun byte(sample: Int, bits: Int): Int {
-        if (bits == 8) return sample
-        val most = (1L shl bits) - 1
-        return ((sample.toLong() * 255 + most / 2) / most).toInt()
+    /** Scales the last 8 bits of [argb] to 0..[most]. */
+    private fun code(argb: Int, most: Int): Int = scaled(argb and BYTE, 8, most)
+
+    /** Scales a sample of any bit depth to 0..[most], rounded to the nearest. */
+    private fun scaled(sample: Int, bits: Int, most: Int): Int {
+        val mostOfBits = (1L shl bits) - 1
+        if (mostOfBits == most.toLong()) return sample
+        return ((sample.toLong() * most + mostOfBits / 2) / mostOfBits).toInt()
     }
-
-    private fun grey(level: Int, alpha: Int): Int = argb(alpha, level, level, level)
-
-    private fun argb(alpha: Int, red: Int, green: Int, blue: Int): Int =
-        alpha shl 24 or (red shl 16) or (green shl 8) or blue
 }

@@ -3,8 +3,8 @@ package dev.lazyz.scenes.loading
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.Scenes
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.Texture
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.surface.Mesh
 import java.nio.file.Path
 
 /**

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.loading
 
 import dev.lazyz.Rgba
-import dev.lazyz.world.Material
+import dev.lazyz.world.material.Material
 
 /** Appearance of points and lines of model files, which state neither their size nor, in most cases, their colour. */
 internal object PixelDefaults {

@@ -3,8 +3,8 @@ package dev.lazyz.scenes.meshes
 import dev.lazyz.geometry.DistinctTriples
 import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
 
 /**
  * Triangles whose corners can have their own colour and texture coordinates instead of those of their vertex. Corners

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.meshes
 
 import dev.lazyz.scenes.collections.Ints
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.surface.Mesh
 
 /**
  * Splits a mesh into groups of triangles, each with the vertices that it uses. Not thread safe.

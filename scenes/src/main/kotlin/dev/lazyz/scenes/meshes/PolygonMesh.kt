@@ -2,8 +2,8 @@ package dev.lazyz.scenes.meshes
 
 import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
 
 /** Triangulates [polygons] and builds a mesh from the triangles. Not thread safe. */
 internal class PolygonMesh(

@@ -4,7 +4,8 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * The vertices of a file, as arrays for [dev.lazyz.world.Mesh]; null for attributes that the file does not have.
+ * The vertices of a file, as arrays for [dev.lazyz.world.surface.Mesh]; null for attributes that the file does not
+ * have.
  *
  * @property positions x, y, z of each vertex
  * @property normals x, y, z of each vertex

@@ -6,7 +6,7 @@ import dev.lazyz.scenes.loading.FileReferences
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.text.TextEncoding
 import dev.lazyz.scenes.text.TextLines
-import dev.lazyz.world.Material
+import dev.lazyz.world.material.Material
 import java.io.IOException
 import java.nio.file.Path
 

@@ -6,10 +6,10 @@ import dev.lazyz.Rgba
 import dev.lazyz.scenes.images.HeightNormals
 import dev.lazyz.scenes.images.SrgbDecoding
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.world.AlphaMode
-import dev.lazyz.world.Material
-import dev.lazyz.world.MetallicRoughness
-import dev.lazyz.world.Shading
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MetallicRoughness
+import dev.lazyz.world.material.Shading
 import java.nio.file.Path
 
 /**

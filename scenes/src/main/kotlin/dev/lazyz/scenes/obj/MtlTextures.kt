@@ -4,13 +4,13 @@ import dev.lazyz.scenes.images.ChannelPacking
 import dev.lazyz.scenes.images.HeightNormals
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.world.NormalMap
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureEncoding
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureMap
-import dev.lazyz.world.TextureWrap
-import dev.lazyz.world.UvTransform
+import dev.lazyz.world.material.NormalMap
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureEncoding
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureMap
+import dev.lazyz.world.material.TextureWrap
+import dev.lazyz.world.material.UvTransform
 import java.nio.file.Path
 
 /**

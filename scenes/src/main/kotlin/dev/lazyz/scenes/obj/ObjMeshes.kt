@@ -4,7 +4,7 @@ import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.MeshParts
 import dev.lazyz.scenes.meshes.Triangulation
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.surface.Mesh
 
 /**
  * Builds meshes from faces. Each object, in the order of the file, becomes one mesh for each material and kind of

@@ -3,10 +3,10 @@ package dev.lazyz.scenes.obj
 import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.PixelDefaults
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Material
-import dev.lazyz.world.Points
-import dev.lazyz.world.Surface
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Surface
 
 /**
  * Points and lines of an OBJ file, by material, in the order of the file. Texture coordinates are not kept. Not thread

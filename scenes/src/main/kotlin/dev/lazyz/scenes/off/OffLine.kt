@@ -4,6 +4,7 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.text.Decimal
 import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.scenes.text.TextNumbers
+import kotlin.math.round
 
 /**
  * Reads the numbers of the file line by line. Empty lines and comments, from a `#` to the end of the line, are skipped.
@@ -75,7 +76,7 @@ internal class OffLine(private val source: Source) {
     fun whole(index: Int, what: String, most: Int = Int.MAX_VALUE): Int {
         val number = numbers[index]
         if (number >= 0.0 && number <= most && number == number.toInt().toDouble()) return number.toInt()
-        val shown = if (number == StrictMath.rint(number)) number.toLong().toString() else number.toString()
+        val shown = if (number == round(number)) number.toLong().toString() else number.toString()
         fail("$what must be a whole number in 0..$most: $shown")
     }
 

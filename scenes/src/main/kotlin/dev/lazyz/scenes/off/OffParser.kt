@@ -5,8 +5,8 @@ import dev.lazyz.scenes.loading.FarOrigin
 import dev.lazyz.scenes.loading.SceneParser
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.PolygonMesh
-import dev.lazyz.world.Material
 import dev.lazyz.world.Scene
+import dev.lazyz.world.material.Material
 
 /**
  * Reads the Object File Format in its ASCII form (M. Phillips, S. Levy and T. Munzner, "Geomview Manual", version 1.9,

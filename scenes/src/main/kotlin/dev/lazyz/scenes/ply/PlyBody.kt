@@ -2,6 +2,7 @@ package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.loading.Source
 import java.nio.ByteOrder
+import kotlin.math.round
 
 /** Reads the rows of the body in order, up to the end of the file. Not thread safe. */
 internal abstract class PlyBody(protected val source: Source, private val header: PlyHeader) {
@@ -67,7 +68,7 @@ internal abstract class PlyBody(protected val source: Source, private val header
      */
     fun vertexNumber(number: Double, count: Int, part: String): Int {
         if (number >= 0.0 && number < count && number == number.toInt().toDouble()) return number.toInt()
-        val shown = if (number == StrictMath.rint(number)) number.toLong().toString() else number.toString()
+        val shown = if (number == round(number)) number.toLong().toString() else number.toString()
         source.fail(
             location,
             "vertex number $shown is not one of the $count vertices, which count from 0",

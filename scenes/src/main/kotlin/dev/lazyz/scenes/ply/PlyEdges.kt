@@ -4,7 +4,7 @@ import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.PixelDefaults
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.VertexArrays
-import dev.lazyz.world.Lines
+import dev.lazyz.world.surface.Lines
 
 /**
  * The edges of a file, each between two vertices. They are stored until the vertices are known, because the vertices

@@ -7,9 +7,9 @@ import dev.lazyz.scenes.meshes.MeshParts
 import dev.lazyz.scenes.meshes.PolygonMesh
 import dev.lazyz.scenes.meshes.Polygons
 import dev.lazyz.scenes.meshes.VertexArrays
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.Texture
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.surface.Mesh
 
 /**
  * Builds meshes from [polygons]: one, or one for each texture.

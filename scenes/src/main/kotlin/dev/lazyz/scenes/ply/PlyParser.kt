@@ -6,8 +6,8 @@ import dev.lazyz.scenes.loading.PixelDefaults
 import dev.lazyz.scenes.loading.SceneParser
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.VertexArrays
-import dev.lazyz.world.Points
 import dev.lazyz.world.Scene
+import dev.lazyz.world.surface.Points
 
 /**
  * Reads the Polygon File Format (Greg Turk, "The PLY Polygon File Format", Stanford University, 1994) in its ASCII form

@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.Rgba
+import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.json.JsonMembers
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
-import dev.lazyz.world.UpAxis
 import dev.lazyz.world.Viewpoint
 import org.joml.Vector3d
 

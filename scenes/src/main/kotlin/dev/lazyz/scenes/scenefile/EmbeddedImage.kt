@@ -4,9 +4,9 @@ import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.writers.PngSink
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureWrap
 import java.io.ByteArrayOutputStream
 import java.util.Base64
 

@@ -1,6 +1,8 @@
 package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.Rgba
+import dev.lazyz.geometry.UpAxis
+import dev.lazyz.lighting.LightRig
 import dev.lazyz.scenes.json.JsonMembers
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.world.Environment
@@ -8,11 +10,13 @@ import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
 import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.ToneMapping
-import dev.lazyz.world.UpAxis
 import org.joml.Vector3d
 
 /** Reads the lights, the environment and the tone mapping of a scene file. */
 internal class LightReader(private val up: UpAxis) {
+    /** Returns the rig that [node] names, or null if it lists lights. */
+    fun rig(node: JsonNode): LightRig? = if (node.isText) node.choice(SceneFileNames.lightRigs) else null
+
     fun light(node: JsonNode): Light {
         val kinds = arrayOf("ambient", "directional", "point", "spot")
         val (kind, value) = node.members(*kinds).one(*kinds)
@@ -58,6 +62,12 @@ internal class LightReader(private val up: UpAxis) {
     fun environment(node: JsonNode): Environment {
         val members = node.members("studio")
         return node.checked { Environment.studio(members.required("studio").float()) }
+    }
+
+    fun intensity(node: JsonNode): Float {
+        val factor = node.float()
+        if (!(factor >= 0f && factor.isFinite())) node.fail("must be 0 or more, and finite: $factor")
+        return factor
     }
 
     fun toneMapping(node: JsonNode): ToneMapping {

@@ -3,11 +3,11 @@ package dev.lazyz.scenes.scenefile
 import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.world.Material
-import dev.lazyz.world.MetallicRoughness
-import dev.lazyz.world.NormalMap
-import dev.lazyz.world.OcclusionMap
-import dev.lazyz.world.TextureEncoding
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MetallicRoughness
+import dev.lazyz.world.material.NormalMap
+import dev.lazyz.world.material.OcclusionMap
+import dev.lazyz.world.material.TextureEncoding
 
 /** Reads materials and their maps. */
 internal class MaterialReader(source: Source) {

@@ -3,8 +3,8 @@ package dev.lazyz.scenes.scenefile
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.json.JsonWriter
-import dev.lazyz.world.Material
-import dev.lazyz.world.TextureEncoding
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.TextureEncoding
 
 /** Assigns a name to every material of a scene, and writes the materials. */
 internal class MaterialWriter(materials: Iterable<Material>) {

@@ -3,8 +3,8 @@ package dev.lazyz.scenes.scenefile
 import dev.lazyz.scenes.json.JsonMembers
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Points
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Points
 
 /** Reads points and lines that are inline in a scene file. */
 internal class PointReader(private val source: Source) {

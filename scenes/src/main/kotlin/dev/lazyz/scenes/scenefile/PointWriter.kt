@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.scenes.json.JsonWriter
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Points
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Points
 
 /** Writes points and lines inline, as numbers. */
 internal object PointWriter {

@@ -14,12 +14,12 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.writers.AtomicFile
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FittedViewpoint
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.Points
-import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Sphere
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Sphere
 import java.io.IOException
 import java.nio.channels.Channels
 import java.nio.file.Path
@@ -77,8 +77,8 @@ public object SceneFile {
      * @param size the size of the image, or null to let the reader of the file choose it
      * @param depth the depth rules
      * @throws IllegalArgumentException if a surface is not a [Mesh], [Polygon], [Sphere], [Points] or [Lines], the
-     *   viewpoint is not a [Camera] or [FittedViewpoint], or a material has a shader other than [Tint]: the format
-     *   cannot represent those
+     *   viewpoint is not a [Camera] or [FittedViewpoint], a material has a shader other than [Tint], or the scene has
+     *   a visibility of ambient light: the format cannot represent those
      * @throws IOException if the file cannot be written; the message states which file, why, and what to do
      */
     @JvmStatic

@@ -3,16 +3,17 @@ package dev.lazyz.scenes.scenefile
 import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.FillRule
-import dev.lazyz.world.AlphaMode
+import dev.lazyz.geometry.UpAxis
+import dev.lazyz.lighting.LightRig
 import dev.lazyz.world.Fit
-import dev.lazyz.world.MipFilter
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Sides
-import dev.lazyz.world.TextureEncoding
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureWrap
 import dev.lazyz.world.ToneCurve
-import dev.lazyz.world.UpAxis
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.TextureEncoding
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureWrap
 
 /** The names of the library's enum constants in scene files: lower case, with hyphens. */
 internal object SceneFileNames {
@@ -25,6 +26,7 @@ internal object SceneFileNames {
     val wraps: Map<String, TextureWrap> = names(TextureWrap.entries)
     val encodings: Map<String, TextureEncoding> = names(TextureEncoding.entries)
     val toneCurves: Map<String, ToneCurve> = names(ToneCurve.entries)
+    val lightRigs: Map<String, LightRig> = names(LightRig.entries)
     val fillRules: Map<String, FillRule> = names(FillRule.entries)
 
     val conventions: Map<String, DepthConvention> = names(DepthConvention.entries)

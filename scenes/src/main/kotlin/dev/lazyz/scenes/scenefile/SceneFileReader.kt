@@ -2,6 +2,8 @@ package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.DepthConvention
 import dev.lazyz.Rgba
+import dev.lazyz.geometry.UpAxis
+import dev.lazyz.lighting.LightRig
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
@@ -10,7 +12,6 @@ import dev.lazyz.scenes.json.JsonText
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
-import dev.lazyz.world.UpAxis
 import kotlinx.serialization.json.JsonObject
 
 /** Reads a whole scene file; docs/scene-file.md describes the format. */
@@ -24,8 +25,8 @@ internal class SceneFileReader(private val source: Source) {
         if (element is JsonObject) version(root.named().getValue("lazyz"))
         val members =
             root.members(
-                "lazyz", "size", "up", "background", "depth", "camera", "lights", "environment", "toneMapping",
-                "materials", "surfaces",
+                "lazyz", "size", "up", "background", "depth", "camera", "lights", "environment",
+                "lightIntensity", "toneMapping", "materials", "surfaces",
             )
 
         // Read what surfaces and lights depend on first
@@ -35,15 +36,25 @@ internal class SceneFileReader(private val source: Source) {
         val materials = MaterialReader(source)
         members["materials"]?.let(materials::readNamed)
         val surfaces = SurfaceReader(source, materials, up)
+        val rig = members["lights"]?.let(lights::rig)
         val scene = Scene(
             surfaces = members["surfaces"]?.items().orEmpty().flatMap(surfaces::read),
-            lights = members["lights"]?.items().orEmpty().map(lights::light),
+            lights = if (rig == null) members["lights"]?.items().orEmpty().map(lights::light) else emptyList(),
             viewpoint = members["camera"]?.let(cameras::viewpoint) ?: Camera.fit(),
             background = members["background"]?.let(ColorReader::read) ?: Rgba.WHITE,
-        ).withEnvironment(members["environment"]?.let(lights::environment))
+        )
+        val size = members["size"]?.let(::size)
+        val lit = if (rig == null) scene else rigged(members.required("lights"), scene, rig, size)
+        val whole = lit.withEnvironment(members["environment"]?.let(lights::environment) ?: lit.environment)
+            .withLightIntensity(members["lightIntensity"]?.let(lights::intensity) ?: 1f)
             .withToneMapping(members["toneMapping"]?.let(lights::toneMapping))
         val depth = members["depth"]?.let(::depth) ?: DepthRules()
-        return LoadedScene(scene, source.warnings.toList(), members["size"]?.let(::size), depth)
+        return LoadedScene(whole, source.warnings.toList(), size, depth, lightRig = rig)
+    }
+
+    /** Returns [scene] in the light of [rig] for its camera, whose direction does not depend on the [size]. */
+    private fun rigged(node: JsonNode, scene: Scene, rig: LightRig, size: ImageSize?): Scene = node.checked {
+        rig.on(scene, scene.camera(size?.width ?: 1, size?.height ?: 1))
     }
 
     private fun missingVersion(root: JsonNode, element: JsonObject): Nothing {

@@ -8,16 +8,16 @@ import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.json.JsonWriter
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FittedViewpoint
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.Points
-import dev.lazyz.world.Polygon
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Sphere
-import dev.lazyz.world.Surface
-import dev.lazyz.world.Vertex
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Surface
+import dev.lazyz.world.surface.Vertex
 
 /** Writes a whole scene file. */
 internal class SceneFileWriter(private val out: Appendable) {
@@ -31,6 +31,7 @@ internal class SceneFileWriter(private val out: Appendable) {
             viewpoint(key("camera"), scene)
             if (scene.lights.isNotEmpty()) key("lights").items(scene.lights) { LightWriter.write(this, it) }
             scene.environment?.let { key("environment").members { key("studio").float(it.intensity) } }
+            if (scene.lightIntensity != 1f) key("lightIntensity").float(scene.lightIntensity)
             scene.toneMapping?.let { LightWriter.write(key("toneMapping"), it) }
             if (!materials.isEmpty) materials.write(key("materials"))
             key("surfaces").items(scene.surfaces) { surface(this, it, materials.name(materialOf(it))) }
@@ -126,6 +127,9 @@ internal class SceneFileWriter(private val out: Appendable) {
             require(viewpoint is Camera || viewpoint is FittedViewpoint) {
                 "a scene file holds a Camera or Camera.fit(), not $viewpoint: " +
                     "write scene.withViewpoint(scene.camera(width, height)) instead"
+            }
+            require(scene.ambientVisibility == null) {
+                "a scene file holds no visibility of ambient light: write scene.withAmbientVisibility(null) instead"
             }
             scene.surfaces.forEachIndexed { index, surface ->
                 val material = requireNotNull(materialOrNull(surface)) {

@@ -3,13 +3,13 @@ package dev.lazyz.scenes.scenefile
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.world.MipFilter
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureEncoding
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureMap
-import dev.lazyz.world.TextureWrap
-import dev.lazyz.world.UvTransform
+import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureEncoding
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureMap
+import dev.lazyz.world.material.TextureWrap
+import dev.lazyz.world.material.UvTransform
 
 /** Reads textures and how they are laid on surfaces. An image that several of them use is read once. */
 internal class TextureMapReader(private val source: Source) {

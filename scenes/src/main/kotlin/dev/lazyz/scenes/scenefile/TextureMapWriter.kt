@@ -1,12 +1,12 @@
 package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.scenes.json.JsonWriter
-import dev.lazyz.world.MipFilter
-import dev.lazyz.world.TextureEncoding
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureMap
-import dev.lazyz.world.TextureWrap
-import dev.lazyz.world.UvTransform
+import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.TextureEncoding
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureMap
+import dev.lazyz.world.material.TextureWrap
+import dev.lazyz.world.material.UvTransform
 
 /** Writes textures and how they are laid on surfaces. */
 internal object TextureMapWriter {

@@ -6,8 +6,8 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.CornerMesh
 import dev.lazyz.scenes.meshes.Palette
 import dev.lazyz.scenes.meshes.VertexArrays
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
 import org.joml.Vector3d
 import org.joml.Vector3dc
 

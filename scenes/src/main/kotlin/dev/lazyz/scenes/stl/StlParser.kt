@@ -4,8 +4,8 @@ import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.loading.FarOrigin
 import dev.lazyz.scenes.loading.SceneParser
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Scene
+import dev.lazyz.world.surface.Mesh
 
 /**
  * Reads stereolithography files, ASCII and binary (3D Systems, "Stereolithography Interface Specification", 1989).

@@ -4,7 +4,7 @@ import dev.lazyz.geometry.Transforms
 import dev.lazyz.scenes.collections.KindCounts
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.surface.Mesh
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
 

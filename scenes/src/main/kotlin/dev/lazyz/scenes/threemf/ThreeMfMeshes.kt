@@ -5,9 +5,9 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.CornerMesh
 import dev.lazyz.scenes.meshes.MeshParts
 import dev.lazyz.scenes.meshes.VertexArrays
-import dev.lazyz.world.AlphaMode
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
 
 /** The look of triangles without their own: a group and an index in it. The group is -1 if there is no such look. */
 internal data class DefaultLook(val group: Int, val index: Int)

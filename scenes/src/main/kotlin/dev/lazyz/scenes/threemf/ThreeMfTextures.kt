@@ -2,9 +2,9 @@ package dev.lazyz.scenes.threemf
 
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureWrap
 
 /** The textures of a package, each decoded once. Not thread safe. */
 internal class ThreeMfTextures(private val source: Source, private val archive: ThreeMfPackage) {

@@ -4,11 +4,11 @@ import dev.lazyz.scenes.Builtin
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.scenefile.SceneFile
 import dev.lazyz.strategies.zbuffer.ZBuffer
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Sides
-import dev.lazyz.world.Sphere
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse

@@ -9,10 +9,10 @@ import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.corners
 import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
 import java.nio.file.Files
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertArrayEquals

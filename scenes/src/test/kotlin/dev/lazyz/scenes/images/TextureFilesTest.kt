@@ -4,7 +4,7 @@ import com.sun.management.ThreadMXBean
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.images.PngFile.bytes
 import dev.lazyz.scenes.loading.TestSources
-import dev.lazyz.world.Texture
+import dev.lazyz.world.material.Texture
 import java.awt.color.ColorSpace
 import java.awt.color.ICC_Profile
 import java.awt.image.BufferedImage

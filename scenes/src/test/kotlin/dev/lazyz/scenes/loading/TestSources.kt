@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.loading
 
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Scene
+import dev.lazyz.world.surface.Mesh
 import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.meshes
 
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
 
 /**
  * A lumpy ball with the defects that real meshes have: T-junctions, slivers, triangles without area, faces that are

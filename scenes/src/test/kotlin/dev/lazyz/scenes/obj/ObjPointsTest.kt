@@ -2,10 +2,10 @@ package dev.lazyz.scenes.obj
 
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.loading.TestSources
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.Points
-import dev.lazyz.world.Surface
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Surface
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals

@@ -10,7 +10,7 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.corners
 import dev.lazyz.scenes.loading.meshes
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.surface.Mesh
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull

@@ -10,7 +10,7 @@ import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.corners
 import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.scenes.meshes.AwkwardMesh
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.surface.Mesh
 import java.nio.file.Files
 import java.nio.file.Path
 import org.joml.Vector3d

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.world.Material
-import dev.lazyz.world.TextureMap
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.TextureMap
 
 /** All that a material is made of, to compare. */
 internal object MaterialFields {

@@ -6,36 +6,36 @@ import dev.lazyz.FillRule
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.Tint
-import dev.lazyz.world.AlphaMode
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
 import dev.lazyz.world.Falloff
 import dev.lazyz.world.Fit
 import dev.lazyz.world.Light
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.MetallicRoughness
-import dev.lazyz.world.MipFilter
-import dev.lazyz.world.NormalMap
-import dev.lazyz.world.OcclusionMap
-import dev.lazyz.world.Points
-import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Sides
-import dev.lazyz.world.Sphere
-import dev.lazyz.world.Surface
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureEncoding
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureMap
-import dev.lazyz.world.TextureWrap
 import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.ToneMapping
-import dev.lazyz.world.UvTransform
-import dev.lazyz.world.Vertex
 import dev.lazyz.world.Viewpoint
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MetallicRoughness
+import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.NormalMap
+import dev.lazyz.world.material.OcclusionMap
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureEncoding
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureMap
+import dev.lazyz.world.material.TextureWrap
+import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Surface
+import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import org.joml.Vector3d
 
@@ -49,7 +49,7 @@ internal class RandomScenes(seed: Long) {
         lights = List(random.nextInt(4)) { light() },
         viewpoint = viewpoint(),
         background = color(),
-    ).withEnvironment(environment()).withToneMapping(toneMapping())
+    ).withEnvironment(environment()).withToneMapping(toneMapping()).withLightIntensity(pick(listOf(1f, 0f, 2.5f)))
 
     fun depth(): DepthRules {
         val convention = pick(DepthConvention.entries)

@@ -91,6 +91,13 @@ class SceneFileErrorsTest {
                 file(""""lights": [{"directional": {"direction": [0, 0, 0]}}]"""),
                 "lights[0].directional", "must be finite and not zero",
             ),
+            arguments(file(""""lights": "sunny""""), "lights", "\"sunny\" is not known here; write one of \"studio\""),
+            arguments(file(""""lights": ["sun"]"""), "lights[0]", "must be an object with ambient, directional"),
+            arguments(file(""""lights": {"sun": {}}"""), "lights", "must be a list, not an object"),
+            arguments(file(""""lightIntensity": -1"""), "lightIntensity", "must be 0 or more, and finite: -1.0"),
+            arguments(file(""""lightIntensity": "NaN""""), "lightIntensity", "must be 0 or more, and finite: NaN"),
+            arguments(file(""""lightIntensity": "Infinity""""), "lightIntensity", "0 or more, and finite: Infinity"),
+            arguments(file(""""lightIntensity": "2""""), "lightIntensity", "must be a number, not the text \"2\""),
             arguments(
                 file(""""materials": {"red": {"shininess": 5000}}"""),
                 "materials.red", "shininess must be in 1..1024: 5000",

@@ -51,7 +51,8 @@ class SceneFilePageTest {
     fun theKeysOfTheReaderAreOnThePage() {
         assertTrue(examples.size >= 4, "${examples.size} examples")
         val names = SceneFileNames.run {
-            listOf(projections, shadings, alphaModes, sides, filters, wraps, fillRules, conventions, depthTests)
+            listOf(projections, shadings, alphaModes, sides, filters, wraps, fillRules, conventions, depthTests) +
+                listOf(lightRigs)
         }
         for (word in names.flatMap { it.keys }) assertTrue("`\"$word\"`" in page, "\"$word\" is not on the page")
     }

@@ -3,14 +3,14 @@ package dev.lazyz.scenes.scenefile
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
-import dev.lazyz.world.Lines
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.Points
-import dev.lazyz.world.Polygon
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Sphere
-import dev.lazyz.world.Surface
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Surface
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -41,8 +41,8 @@ class SceneFileProperties {
 
     /** All that a scene is made of, as numbers' bits and as text, independent of the writer. */
     private fun fields(scene: Scene): List<Any?> =
-        listOf(scene.background, scene.environment, scene.toneMapping) + viewpoint(scene) + scene.lights.map(::light) +
-            scene.surfaces.map(::surface)
+        listOf(scene.background, scene.environment, scene.toneMapping, scene.lightIntensity.toBits()) +
+            viewpoint(scene) + scene.lights.map(::light) + scene.surfaces.map(::surface)
 
     private fun surface(surface: Surface): List<Any?> =
         when (surface) {

@@ -3,19 +3,21 @@ package dev.lazyz.scenes.scenefile
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.world.Camera
+import dev.lazyz.world.Environment
 import dev.lazyz.world.Light
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Sphere
-import dev.lazyz.world.Texture
-import dev.lazyz.world.TextureWrap
 import dev.lazyz.world.Viewpoint
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureWrap
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Sphere
 import java.nio.file.Files
 import java.nio.file.Path
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -101,6 +103,33 @@ class SceneFileTest {
     }
 
     @Test
+    fun aNameMeansAnArrangementOfLights() {
+        fun read(members: String) =
+            SceneFile.parse("""{"lazyz": 1, $members, "surfaces": [{"sphere": {"center": [1, 2, 3], "radius": 1}}]}""")
+        for ((word, rig) in SceneFileNames.lightRigs) {
+            for (view in listOf("", """, "up": "z", "camera": {"fit": {"azimuth": 200, "elevation": -40}}""")) {
+                val loaded = read(""""lights": "$word"$view""")
+                val scene = loaded.scene
+                assertEquals(rig, loaded.lightRig)
+                assertEquals(rig.environment, scene.environment)
+                val expected = rig.lights(scene.camera(64, 9))
+                assertEquals(expected.map { it.color }, scene.lights.map { it.color })
+                for ((one, other) in expected.zip(scene.lights)) {
+                    if (one is Light.Directional) {
+                        assertTrue(one.direction.distance((other as Light.Directional).direction) < 1e-9)
+                    }
+                }
+                assertEquals(rig, loaded.withScene(scene).lightRig)
+            }
+        }
+
+        // An environment of the file replaces that of the rig
+        val lit = read(""""lights": "sun", "environment": {"studio": 2}""")
+        assertEquals(Environment.studio(2f), lit.scene.environment)
+        assertNull(read(""""lights": []""").lightRig)
+    }
+
+    @Test
     fun whatCannotBeWrittenIsRefusedBeforeAFileIsTouched() {
         val path = folder.resolve("a.json")
         Files.writeString(path, "old")
@@ -108,6 +137,7 @@ class SceneFileTest {
         val odd = listOf(
             Scene(listOf(Sphere(Vector3d(), 1.0, shader))) to "surfaces[0] has one of its own",
             Scene(emptyList(), viewpoint = Viewpoint { _, _ -> error("") }) to "withViewpoint",
+            Scene(emptyList()).withAmbientVisibility { _, _, _, _, _, _ -> 1f } to "withAmbientVisibility(null)",
         )
         for ((scene, message) in odd) {
             val error = assertThrows(IllegalArgumentException::class.java) { SceneFile.write(scene, path) }

@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.world.Sphere
+import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d
 import org.joml.Vector3dc
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -4,7 +4,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.corners
 import dev.lazyz.scenes.loading.meshes
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.surface.Mesh
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import org.junit.jupiter.api.Assertions.assertEquals

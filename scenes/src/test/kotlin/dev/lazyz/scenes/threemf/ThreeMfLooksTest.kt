@@ -5,10 +5,10 @@ import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.scenes.threemf.ThreeMfFiles.model
-import dev.lazyz.world.AlphaMode
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.TextureFilter
-import dev.lazyz.world.TextureWrap
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureWrap
+import dev.lazyz.world.surface.Mesh
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Test

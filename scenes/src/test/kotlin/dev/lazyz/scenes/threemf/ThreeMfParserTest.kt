@@ -7,7 +7,7 @@ import dev.lazyz.scenes.loading.corners
 import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.scenes.threemf.ThreeMfFiles.TRIANGLE
 import dev.lazyz.scenes.threemf.ThreeMfFiles.model
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.surface.Mesh
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 

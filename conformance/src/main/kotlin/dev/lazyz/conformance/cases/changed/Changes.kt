@@ -6,7 +6,7 @@ import dev.lazyz.Region
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.NothingThere
 import dev.lazyz.conformance.cases.code
-import dev.lazyz.world.Polygon
+import dev.lazyz.world.surface.Polygon
 import java.util.Random
 
 /** Returns the same primitives on [raster], which must have the same size. */

@@ -9,11 +9,11 @@ import dev.lazyz.conformance.cases.code
 import dev.lazyz.scenes.Tint
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FrameBuilder
-import dev.lazyz.world.Material
-import dev.lazyz.world.Polygon
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Surface
-import dev.lazyz.world.Vertex
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Surface
+import dev.lazyz.world.surface.Vertex
 
 /** A primitive in screen space, before it has an index. */
 internal sealed interface Piece {

@@ -61,9 +61,9 @@ internal class WorldAttributes(
                 }
         }
 
-        /** Generates second texture coordinates and tangents, each for two of five meshes. */
+        /** Generates second texture coordinates for half of the meshes, and tangents for two of five. */
         private fun seldom(): Arbitrary<Pair<Maybe, Maybe>> =
-            Combinators.combine(maybe(3, 2, uvs()), maybe(3, 2, tangents())).`as`(::Pair)
+            Combinators.combine(maybe(1, 1, uvs()), maybe(3, 2, tangents())).`as`(::Pair)
 
         /**
          * Generates normals of any direction, including opposite and zero ones, or normals that point away from or

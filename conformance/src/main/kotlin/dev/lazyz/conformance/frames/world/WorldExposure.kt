@@ -1,7 +1,9 @@
 package dev.lazyz.conformance.frames.world
 
 import dev.lazyz.conformance.cases.Coded
+import dev.lazyz.conformance.cases.Hollows
 import dev.lazyz.conformance.cases.code
+import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.mixed
 import dev.lazyz.conformance.cases.oneOf
 import dev.lazyz.world.Environment
@@ -15,14 +17,23 @@ import net.jqwik.api.Combinators
 /** A change of a scene. Its code is a call of member functions of the scene, or empty. */
 internal typealias SceneChange = Coded<(Scene) -> Scene>
 
-/** Generates what scenes have besides surfaces, lights and a camera: the environment, exposure and tone curves. */
+/**
+ * Generates what scenes have besides surfaces, lights and a camera: the environment, the intensity of all light, the
+ * visibility of ambient light, exposure and tone curves.
+ */
 internal object WorldExposure {
     private val same = SceneChange({ it }, "")
 
     /** Mostly without tone mapping, so that most colours are finished when light has been added up. */
-    fun any(): Arbitrary<SceneChange> = Combinators.combine(environments(), toneMappings()).`as` { first, second ->
-        SceneChange({ second.value(first.value(it)) }, first.code + second.code)
-    }
+    fun any(): Arbitrary<SceneChange> =
+        Combinators.combine(environments(), toneMappings(), intensities(), visibilities())
+            .`as` { first, second, third, fourth ->
+                val all = listOf(first, second, third, fourth)
+                SceneChange(
+                    { scene -> all.fold(scene) { changed, change -> change.value(changed) } },
+                    all.joinToString("") { it.code },
+                )
+            }
 
     private fun environments(): Arbitrary<SceneChange> =
         mixed(3 to Arbitraries.just(same), 1 to oneOf(1f, 0.25f, 0f).map(::studio))
@@ -30,6 +41,22 @@ internal object WorldExposure {
     private fun studio(intensity: Float) = SceneChange(
         { it.withEnvironment(Environment.studio(intensity)) },
         "\n    .withEnvironment(Environment.studio(${code(intensity)}))",
+    )
+
+    /** Generates intensities that are mostly 1. Others are both weaker and stronger. */
+    private fun intensities(): Arbitrary<SceneChange> = mixed(
+        3 to Arbitraries.just(same),
+        1 to oneOf(2f, 0.5f, 3f).map { intensity ->
+            SceneChange({ it.withLightIntensity(intensity) }, "\n    .withLightIntensity(${code(intensity)})")
+        },
+    )
+
+    private fun visibilities(): Arbitrary<SceneChange> = mixed(
+        3 to Arbitraries.just(same),
+        1 to ints(0, 63).map { seed ->
+            val hollows = Hollows(seed)
+            SceneChange({ it.withAmbientVisibility(hollows) }, "\n    .withAmbientVisibility($hollows)")
+        },
     )
 
     private fun toneMappings(): Arbitrary<SceneChange> {

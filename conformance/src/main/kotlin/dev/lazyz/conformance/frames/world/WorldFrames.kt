@@ -9,7 +9,7 @@ import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.mixed
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Surface
+import dev.lazyz.world.surface.Surface
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
@@ -17,7 +17,7 @@ import net.jqwik.api.RandomDistribution
 
 /**
  * Generates frames of 3D scenes: shapes within a few units of the origin, lights, a camera among or in front of them,
- * and sometimes an environment or tone mapping.
+ * and sometimes an environment, tone mapping, a visibility of ambient light, or more or less light.
  */
 internal object WorldFrames {
     private val shapes = WorldShapes(WorldMaterials.opaque())

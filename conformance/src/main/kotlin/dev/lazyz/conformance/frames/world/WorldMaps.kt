@@ -5,10 +5,10 @@ import dev.lazyz.conformance.cases.Coded
 import dev.lazyz.conformance.cases.code
 import dev.lazyz.conformance.cases.mixed
 import dev.lazyz.conformance.cases.oneOf
-import dev.lazyz.world.Material
-import dev.lazyz.world.MetallicRoughness
-import dev.lazyz.world.NormalMap
-import dev.lazyz.world.OcclusionMap
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MetallicRoughness
+import dev.lazyz.world.material.NormalMap
+import dev.lazyz.world.material.OcclusionMap
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators

@@ -6,10 +6,10 @@ import dev.lazyz.conformance.cases.code
 import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.mixed
 import dev.lazyz.conformance.cases.oneOf
-import dev.lazyz.world.AlphaMode
-import dev.lazyz.world.Material
-import dev.lazyz.world.Shading
-import dev.lazyz.world.Sides
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Sides
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators

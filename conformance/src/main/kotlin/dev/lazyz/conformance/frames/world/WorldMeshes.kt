@@ -5,9 +5,9 @@ import dev.lazyz.conformance.cases.code
 import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.mixed
 import dev.lazyz.conformance.cases.oneOf
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.Surface
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Surface
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 import org.joml.Vector3d

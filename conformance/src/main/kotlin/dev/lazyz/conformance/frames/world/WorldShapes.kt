@@ -7,11 +7,11 @@ import dev.lazyz.conformance.cases.code
 import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.mixed
 import dev.lazyz.conformance.cases.oneOf
-import dev.lazyz.world.Material
-import dev.lazyz.world.Polygon
-import dev.lazyz.world.Sphere
-import dev.lazyz.world.Surface
-import dev.lazyz.world.Vertex
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Surface
+import dev.lazyz.world.surface.Vertex
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators

@@ -1,5 +1,6 @@
 package dev.lazyz.conformance.broken.gallery
 
+import dev.lazyz.conformance.broken.BrokenLight
 import dev.lazyz.conformance.broken.BrokenMaps
 import dev.lazyz.conformance.broken.BrokenShading
 import dev.lazyz.conformance.broken.gallery.RuleNames.blended
@@ -29,7 +30,7 @@ internal object ShadingGallery {
             "does not draw translucent faces that are seen from behind",
             blended,
         ),
-    ) + maps()
+    ) + maps() + light()
 
     private fun maps() = listOf(
         Mutant(BrokenMaps::oneSetOfCoordinates, "reads all maps at the first texture coordinates", lit, scenes),
@@ -59,9 +60,24 @@ internal object ShadingGallery {
         Mutant(BrokenMaps::occlusionLost, "ignores occlusion maps", lit),
         Mutant(BrokenMaps::emissionMapLost, "ignores emission maps", lit, scenes),
         Mutant(BrokenMaps::metalsArePlastic, "all metals are plastic", lit, scenes),
-        Mutant(BrokenMaps::environmentLost, "metals do not reflect the environment", lit, scenes),
         Mutant(BrokenMaps::spheresNotToned, "tone mapping is left out for spheres", lit, scenes),
-        Mutant(BrokenMaps::conesLost, "spots shine in all directions", lit, scenes),
-        Mutant(BrokenMaps::falloffLost, "light is equally strong at any distance", lit, scenes),
+    )
+
+    private fun light() = listOf(
+        Mutant(BrokenLight::environmentLost, "metals do not reflect the environment", lit, scenes),
+        Mutant(BrokenLight::conesLost, "spots shine in all directions", lit, scenes),
+        Mutant(BrokenLight::falloffLost, "light is equally strong at any distance", lit, scenes),
+        Mutant(BrokenLight::visibilityLost, "ignores the visibility of ambient light", lit, scenes),
+        Mutant(
+            BrokenLight::visibilityLostOnMetals,
+            "ignores the visibility of ambient light on metallic-roughness materials",
+            lit, scenes,
+        ),
+        Mutant(
+            BrokenLight::visibilityOfTheLastPoint,
+            "uses the visibility of the point that was lit before",
+            lit, scenes,
+        ),
+        Mutant(BrokenLight::studioAtMostOne, "the environment is never brighter than 1", lit, scenes),
     )
 }

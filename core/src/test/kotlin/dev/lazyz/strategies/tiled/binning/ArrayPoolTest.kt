@@ -5,8 +5,8 @@ import dev.lazyz.Coherence
 import dev.lazyz.RowSink
 import dev.lazyz.SampleScenes
 import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.world.Material
 import dev.lazyz.world.Scene
+import dev.lazyz.world.material.Material
 import java.lang.management.ManagementFactory
 import java.util.Random
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -4,9 +4,9 @@ import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.setup.planar.triangleBatch
 import dev.lazyz.strategies.tiled.Kernels
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Scene
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
 import java.util.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals

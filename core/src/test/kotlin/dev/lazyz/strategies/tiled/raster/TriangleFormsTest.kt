@@ -8,9 +8,9 @@ import dev.lazyz.samples
 import dev.lazyz.setup.planar.PlanarPrimitive
 import dev.lazyz.setup.planar.triangleBatch
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
 import dev.lazyz.world.Scene
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
 import java.util.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals

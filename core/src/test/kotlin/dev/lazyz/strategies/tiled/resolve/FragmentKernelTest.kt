@@ -13,11 +13,11 @@ import dev.lazyz.shading.Vertices
 import dev.lazyz.strategies.tiled.Kernels
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Material
-import dev.lazyz.world.Mesh
-import dev.lazyz.world.MipFilter
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Texture
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.surface.Mesh
 import java.util.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.gltf.animation
 
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.surface.Mesh
 import kotlin.math.sqrt
 
 /**

@@ -11,7 +11,7 @@ import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.meshes
-import dev.lazyz.world.Mesh
+import dev.lazyz.world.surface.Mesh
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

@@ -1,0 +1,53 @@
+package dev.lazyz.cli.output
+
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** Checks of a file before it is written, so that a mistake is reported before the work begins. */
+internal object OutputFile {
+    /**
+     * Checks that [path], which is the value of [option], ends in one of [endings], and can be written.
+     *
+     * @throws Mistake otherwise
+     */
+    fun check(path: Path, option: String, vararg endings: String) {
+        requireEnding(path, option, endings.asList())
+        requirePlace(path)
+    }
+
+    /**
+     * Checks that no file of the command line would be replaced by another.
+     *
+     * @param files the files by their options
+     * @throws Mistake if two of them are the same
+     */
+    fun requireDistinct(files: Map<String, Path?>) {
+        val named = files.mapNotNull { (option, path) -> path?.let { option to it } }
+        for ((i, first) in named.withIndex()) {
+            val second = named.drop(i + 1).firstOrNull { isSame(it.second, first.second) } ?: continue
+            throw Mistake("${first.first} and ${second.first} must be different files: ${second.second}")
+        }
+    }
+
+    private fun isSame(first: Path, second: Path): Boolean =
+        if (Files.exists(first) && Files.exists(second)) {
+            Files.isSameFile(first, second)
+        } else {
+            first.toAbsolutePath().normalize() == second.toAbsolutePath().normalize()
+        }
+
+    private fun requireEnding(path: Path, option: String, endings: List<String>) {
+        val name = path.fileName?.toString().orEmpty()
+        if (endings.none { name.endsWith(it, ignoreCase = true) && name.length > it.length }) {
+            val other = if (option == "-o") ", or be - for standard output" else ""
+            throw Mistake("$option must end in ${endings.joinToString(" or ")}$other: $path")
+        }
+    }
+
+    private fun requirePlace(path: Path) {
+        if (Files.isDirectory(path)) throw Mistake("cannot write $path: it is a folder")
+        val folder = path.toAbsolutePath().parent
+        if (!Files.isDirectory(folder)) throw Mistake("cannot write $path: there is no folder $folder")
+        if (!Files.isWritable(folder)) throw Mistake("cannot write $path: no permission to write in $folder")
+    }
+}

@@ -1,0 +1,49 @@
+package dev.lazyz.cli.render
+
+import dev.lazyz.Region
+import dev.lazyz.RowSink
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.scenes.pictures.Picture
+import dev.lazyz.scenes.pictures.PictureDifference
+import dev.lazyz.scenes.writers.writePng
+import java.nio.file.Files
+
+/**
+ * Compares a picture with the reference of [request], which is read at once.
+ *
+ * @throws Mistake if there is no reference; the message has the command that creates it
+ */
+internal class ReferenceCheck(private val request: ReferenceRequest) {
+    private val reference = if (Files.exists(request.file)) {
+        Picture.read(request.file)
+    } else {
+        throw Mistake("there is no reference ${request.file}; create it with\n${request.creation}")
+    }
+
+    /** Memory for a pixel of the picture that is compared, and of the picture of the differences. */
+    val bytesPerPixel: Long = if (request.diff == null) BYTES else BYTES + DIFF_BYTES
+
+    /** Compares [colors], after all rows have arrived, and writes the picture of the differences. */
+    fun compare(colors: ColorRows): PictureDifference {
+        val difference = PictureDifference.between(reference, colors.toPicture(), request.threshold)
+        request.diff?.let { difference.toImage().writePng(it) }
+        return difference
+    }
+
+    private companion object {
+        const val BYTES = 4L
+        const val DIFF_BYTES = 12L
+    }
+}
+
+/** Keeps the colours of the pixels of [region]. */
+internal class ColorRows(private val region: Region) : RowSink {
+    private val argb = IntArray(Math.toIntExact(region.size))
+
+    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        argb.copyInto(this.argb, (y - region.rowStart) * region.width, 0, region.width)
+    }
+
+    /** Returns the colours, without copying them. */
+    fun toPicture(): Picture = Picture.ofArgb(region.width, region.height, argb)
+}

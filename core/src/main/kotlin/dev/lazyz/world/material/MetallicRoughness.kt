@@ -1,0 +1,30 @@
+package dev.lazyz.world.material
+
+/**
+ * How a physically based material reflects light: the metallic-roughness model of glTF 2.0 (contract rule 6.8).
+ * Immutable and thread safe.
+ *
+ * @property metallic 0 for a dielectric such as plastic, 1 for a metal; between them, a mixture
+ * @property roughness 0 for a mirror, 1 for a matt surface. It is the perceptual roughness; its square is the width of
+ *   the distribution of microfacets
+ * @property map multiplies [roughness] by its green and [metallic] by its blue component; or null. Its texture should
+ *   have [TextureEncoding.LINEAR]
+ * @throws IllegalArgumentException if [metallic] or [roughness] is not in 0..1
+ */
+public class MetallicRoughness @JvmOverloads constructor(
+    public val metallic: Float = 1f,
+    public val roughness: Float = 1f,
+    public val map: TextureMap? = null,
+) {
+    init {
+        require(metallic in 0f..1f) { "metallic must be in 0..1: $metallic" }
+        require(roughness in 0f..1f) { "roughness must be in 0..1: $roughness" }
+    }
+
+    override fun equals(other: Any?): Boolean = other is MetallicRoughness && metallic == other.metallic &&
+        roughness == other.roughness && map == other.map
+
+    override fun hashCode(): Int = (metallic.hashCode() * 31 + roughness.hashCode()) * 31 + map.hashCode()
+
+    override fun toString(): String = "MetallicRoughness($metallic, $roughness, $map)"
+}

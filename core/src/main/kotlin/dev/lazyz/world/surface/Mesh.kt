@@ -1,0 +1,163 @@
+package dev.lazyz.world.surface
+
+import dev.lazyz.Primitive
+import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.PointBlocks
+import dev.lazyz.geometry.UpAxis
+import dev.lazyz.geometry.Vectors
+import dev.lazyz.geometry.VertexTransforms
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.NormalMap
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.UvTransform
+import java.util.function.UnaryOperator
+import org.joml.Matrix4dc
+import org.joml.Vector3d
+import org.joml.Vector3dc
+
+/**
+ * Triangles that share vertices and have one material.
+ *
+ * [positions], [normals], [uvs], [colors], [uvs2] and [tangents] are indexed by vertex. [triangles] has three vertex
+ * numbers for each triangle, counter-clockwise seen from outside. Positions can be NaN or infinite: a triangle with
+ * such a vertex covers nothing. The arrays are not copied; do not change them. Thread safe.
+ *
+ * @property positions x, y, z for each vertex, world space, relative to [origin]
+ * @property triangles three vertex numbers for each triangle; the order of triangles is the submission order
+ * @property material the appearance
+ * @property normals x, y, z for each vertex, pointing outward, of any length; null means the normal of each triangle
+ * @property uvs u, v for each vertex, see [Texture]; null means none
+ * @property colors red, green, blue, alpha for each vertex, linear light; null means white
+ * @param origin added to all positions; must be finite. It keeps the details of a mesh that is far from the world's
+ *   origin, for example in map coordinates, where 32-bit positions are too coarse
+ * @property uvs2 a second set of [uvs], for shaders that read textures with different coordinates; null means none
+ * @property tangents x, y, z, w for each vertex, as in glTF: the direction in which u increases, of any length, and the
+ *   sign, 1 or -1, of the bitangent, cross(normal, tangent) times w. Null means none
+ * @throws IllegalArgumentException if an array has the wrong length, a vertex number is out of range, or [origin] is
+ *   not finite
+ */
+public class Mesh @JvmOverloads constructor(
+    public val positions: FloatArray,
+    public val triangles: IntArray,
+    public val material: Material = Material(),
+    public val normals: FloatArray? = null,
+    public val uvs: FloatArray? = null,
+    public val colors: FloatArray? = null,
+    origin: Vector3dc = Vectors.ZERO,
+    public val uvs2: FloatArray? = null,
+    public val tangents: FloatArray? = null,
+) : Surface {
+    /** The origin of [positions], world space: it is added to each of them. */
+    public val origin: Vector3dc = if (origin === Vectors.ZERO) origin else Vector3d(origin)
+
+    /** Number of vertices. */
+    public val vertexCount: Int = positions.size / 3
+
+    /** Number of triangles. */
+    public val triangleCount: Int = triangles.size / 3
+
+    init {
+        require(Vectors.isFinite(origin)) { "origin must be finite: $origin" }
+        require(positions.size % 3 == 0) { "positions must be triples: ${positions.size} numbers" }
+        require(triangles.size % 3 == 0) { "triangles must be triples: ${triangles.size} vertex numbers" }
+        require(normals == null || normals.size == 3 * vertexCount) {
+            "normals must be one triple a vertex: ${normals?.size} numbers for $vertexCount vertices"
+        }
+        require(uvs == null || uvs.size == 2 * vertexCount) {
+            "uvs must be one pair a vertex: ${uvs?.size} numbers for $vertexCount vertices"
+        }
+        require(colors == null || colors.size == 4 * vertexCount) {
+            "colors must be four numbers a vertex: ${colors?.size} numbers for $vertexCount vertices"
+        }
+        require(uvs2 == null || uvs2.size == 2 * vertexCount) {
+            "uvs2 must be one pair a vertex: ${uvs2?.size} numbers for $vertexCount vertices"
+        }
+        require(tangents == null || tangents.size == 4 * vertexCount) {
+            "tangents must be four numbers a vertex: ${tangents?.size} numbers for $vertexCount vertices"
+        }
+        for (vertex in triangles) {
+            require(vertex in 0 until vertexCount) { "vertex number must be in 0..${vertexCount - 1}: $vertex" }
+        }
+    }
+
+    private val blocks by lazy { PointBlocks(positions, triangles) }
+
+    /** A box around the vertices that triangles use, or null if there is none. */
+    override val bounds: Box? by lazy { blocks.bounds?.moved(this.origin) }
+
+    override fun farthest(direction: Vector3dc): Vector3d? = blocks.farthest(direction)?.add(origin)
+
+    override fun primitives(setUp: SetUp): Sequence<Primitive> = setUp.mesh(this)
+
+    override fun withMaterials(change: UnaryOperator<Material>): Mesh =
+        Mesh(positions, triangles, change.apply(material), normals, uvs, colors, origin, uvs2, tangents)
+
+    override fun withUpAxis(up: UpAxis): Mesh = Mesh(
+        up.toWorld(positions), triangles, material,
+        normals?.let {
+            up.toWorld(it)
+        },
+        uvs, colors, up.toWorld(origin), uvs2,
+        tangents?.let { up.toWorld(it, 4) },
+    )
+
+    /** Returns the same mesh with positions relative to [origin]. */
+    internal fun relativeTo(origin: Vector3dc): Mesh = if (origin == this.origin) {
+        this
+    } else {
+        val moved = VertexTransforms.relativeTo(origin, positions, this.origin)
+        Mesh(moved, triangles, material, normals, uvs, colors, origin, uvs2, tangents)
+    }
+
+    /**
+     * Returns this mesh transformed by an affine [transform]. Normals are transformed by the inverse transpose,
+     * tangents like directions. A reflection also reverses the vertex order of every triangle, so that outside stays
+     * outside, and the handedness of tangents. If the result is far
+     * from the world's origin compared with its size, it gets an [origin] at its centre. Cost: linear in the size of
+     * the mesh.
+     */
+    public fun transformed(transform: Matrix4dc): Mesh {
+        val corners = triangles.copyOf()
+        if (VertexTransforms.isMirror(transform)) {
+            for (i in corners.indices step 3) {
+                corners[i + 1] = triangles[i + 2]
+                corners[i + 2] = triangles[i + 1]
+            }
+        }
+        val moved = VertexTransforms.origin(bounds, transform)
+        val positions = VertexTransforms.positions(positions, origin, transform, moved)
+        val normals = normals?.let { VertexTransforms.normals(it, transform) }
+        val tangents = tangents?.let { VertexTransforms.tangents(it, transform) }
+        return Mesh(positions, corners, material, normals, uvs, colors, moved, uvs2, tangents)
+    }
+
+    /**
+     * Returns this mesh with normals computed from its triangles. The normal at a vertex is the mean, weighted by area,
+     * of the normals of the triangles around it that differ by less than [creaseAngle] degrees. Vertices at the same
+     * position count as one vertex. A vertex on a crease is split, so that edges sharper than the angle stay sharp. If
+     * more than 1024 corners of triangles are at one position, all of them are averaged. Cost: linear in the size of
+     * the mesh.
+     *
+     * @throws IllegalArgumentException if [creaseAngle] is not in 0..180
+     */
+    @JvmOverloads
+    public fun withSmoothNormals(creaseAngle: Double = 45.0): Mesh = SmoothNormals(this, creaseAngle).mesh()
+
+    /**
+     * Returns this mesh with tangents computed from its texture coordinates, for a normal map at these coordinates; see
+     * [NormalMap]. A vertex at the seam of a mirrored texture is split. Vertices without an area in the texture get the
+     * tangent (0, 0, 0), so a normal map does not change their normals. Cost: linear in the size of the mesh.
+     *
+     * @param uvSet which texture coordinates: 0 for [uvs], 1 for [uvs2]
+     * @param transform the transform of the normal map
+     * @throws IllegalArgumentException if the mesh has no such texture coordinates
+     */
+    @JvmOverloads
+    public fun withTangents(uvSet: Int = 0, transform: UvTransform = UvTransform.IDENTITY): Mesh {
+        require(uvSet in 0..1) { "uvSet must be 0 or 1: $uvSet" }
+        val places = if (uvSet == 0) uvs else uvs2
+        return VertexTangents(this, requireNotNull(places) { "the mesh has no texture coordinates" }, transform).mesh()
+    }
+
+    override fun toString(): String = "Mesh($vertexCount vertices, $triangleCount triangles, $material)"
+}

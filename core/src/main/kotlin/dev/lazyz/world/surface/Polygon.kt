@@ -1,0 +1,119 @@
+package dev.lazyz.world.surface
+
+import dev.lazyz.FillRule
+import dev.lazyz.Primitive
+import dev.lazyz.Rgba
+import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.UpAxis
+import dev.lazyz.geometry.Vectors
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Texture
+import java.util.function.UnaryOperator
+import org.joml.Matrix4dc
+import org.joml.Vector3d
+import org.joml.Vector3dc
+
+/**
+ * A flat polygon with any number of contours: convex, concave, with holes, or self-intersecting.
+ *
+ * Each contour is closed. Depth and attributes are those of the plane through a reference triangle of the polygon's
+ * vertices (contract rule 3.5), so all vertices should be in one plane; if they are not, that plane is drawn. Immutable
+ * and thread safe if the lists of vertices are not changed.
+ *
+ * @property contours lists of vertices, world space; the outer contour is counter-clockwise seen from the front
+ * @property material the appearance
+ * @property fillRule which samples are inside
+ */
+public class Polygon @JvmOverloads constructor(
+    public val contours: List<List<Vertex>>,
+    public val material: Material = Material(),
+    public val fillRule: FillRule = FillRule.EVEN_ODD,
+) : Surface {
+    override val bounds: Box? by lazy {
+        val all = contours.flatten()
+        Box.around(all.size) { vertex, axis -> all[vertex].position(axis) }
+    }
+
+    override fun farthest(direction: Vector3dc): Vector3d? {
+        var farthest: Vertex? = null
+        var most = Double.NEGATIVE_INFINITY
+        for (contour in contours) {
+            for (vertex in contour) {
+                val product = direction.x() * vertex.x + direction.y() * vertex.y + direction.z() * vertex.z
+                if (product > most && vertex.isFinite) {
+                    most = product
+                    farthest = vertex
+                }
+            }
+        }
+        return farthest?.let { Vector3d(it.x, it.y, it.z) }
+    }
+
+    override fun primitives(setUp: SetUp): Sequence<Primitive> = sequenceOf(this).map { setUp.polygon(it) }
+
+    override fun withMaterials(change: UnaryOperator<Material>): Polygon =
+        Polygon(contours, change.apply(material), fillRule)
+
+    override fun withUpAxis(up: UpAxis): Polygon =
+        Polygon(contours.map { contour -> contour.map { it.withUpAxis(up) } }, material, fillRule)
+
+    /** Returns this polygon transformed by an affine [transform]. */
+    public fun transformed(transform: Matrix4dc): Polygon =
+        Polygon(contours.map { contour -> contour.map { it.transformed(transform) } }, material, fillRule)
+
+    /** Returns this polygon relative to [origin]. */
+    internal fun relativeTo(origin: Vector3dc): Polygon = if (Vectors.isZero(origin)) {
+        this
+    } else {
+        Polygon(contours.map { contour -> contour.map { it.relativeTo(origin) } }, material, fillRule)
+    }
+
+    override fun toString(): String = "Polygon(${contours.map { it.size }} vertices, $fillRule, $material)"
+}
+
+/**
+ * A vertex of a [Polygon]. Immutable.
+ *
+ * @property x position, world space
+ * @property y see [x]
+ * @property z see [x]
+ * @property u texture coordinate to the right, see [Texture]
+ * @property v texture coordinate downward, see [Texture]
+ * @property color vertex colour; multiplies the colour of the material
+ */
+public class Vertex @JvmOverloads constructor(
+    public val x: Double,
+    public val y: Double,
+    public val z: Double,
+    public val u: Float = 0f,
+    public val v: Float = 0f,
+    public val color: Rgba = Rgba.WHITE,
+) {
+    /** Whether the position counts for bounds. */
+    internal val isFinite: Boolean get() = (0 until 3).all { StrictMath.abs(position(it)) < Box.LARGEST }
+
+    internal fun position(axis: Int): Double = when (axis) {
+        0 -> x
+        1 -> y
+        else -> z
+    }
+
+    internal fun transformed(m: Matrix4dc): Vertex = Vertex(
+        m.m00() * x + m.m10() * y + m.m20() * z + m.m30(),
+        m.m01() * x + m.m11() * y + m.m21() * z + m.m31(),
+        m.m02() * x + m.m12() * y + m.m22() * z + m.m32(),
+        u,
+        v,
+        color,
+    )
+
+    internal fun withUpAxis(up: UpAxis): Vertex {
+        val turned = up.toWorld(Vector3d(x, y, z))
+        return Vertex(turned.x, turned.y, turned.z, u, v, color)
+    }
+
+    internal fun relativeTo(origin: Vector3dc): Vertex =
+        Vertex(x - origin.x(), y - origin.y(), z - origin.z(), u, v, color)
+
+    override fun toString(): String = "Vertex($x, $y, $z)"
+}

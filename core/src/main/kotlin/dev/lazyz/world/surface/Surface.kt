@@ -1,0 +1,56 @@
+package dev.lazyz.world.surface
+
+import dev.lazyz.Primitive
+import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.UpAxis
+import dev.lazyz.world.material.Material
+import java.util.function.UnaryOperator
+import org.joml.Vector3d
+import org.joml.Vector3dc
+
+/**
+ * A visible object in world space: a [Mesh], a [Polygon], a [Sphere], [Points], [Lines], or a custom surface.
+ *
+ * A custom surface converts its shape to primitives with the functions of [SetUp], or returns custom [Primitive]s.
+ * Implementations must be immutable and thread safe.
+ */
+public interface Surface {
+    /** A box around the surface, or null if it is empty. */
+    public val bounds: Box?
+
+    /**
+     * Returns the point of the surface that is farthest along [direction]: the one whose dot product with it is
+     * greatest; one of them if there are several, or null if the surface is empty. World space; a new vector for each
+     * call. [direction] has any length above 0.
+     *
+     * A fitted camera calls it some 30 times, see `Camera.fit`. A surface that does not override this function is
+     * fitted by its [bounds], so it can look smaller than it could.
+     */
+    public fun farthest(direction: Vector3dc): Vector3d? = bounds?.farthest(direction)
+
+    /**
+     * Returns the primitives of the surface in submission order, set up for one raster and camera.
+     *
+     * A degenerate or invisible part must yield a primitive that covers nothing rather than no primitive, so that
+     * submission indices do not depend on the camera. The sequence can be iterated more than once.
+     */
+    public fun primitives(setUp: SetUp): Sequence<Primitive>
+
+    /**
+     * Returns this surface with its materials replaced by the results of [change]; this surface itself if it has no
+     * materials.
+     */
+    public fun withMaterials(change: UnaryOperator<Material>): Surface = this
+
+    /**
+     * Returns this surface rotated so that the axis [up] becomes y, see `Scene.withUpAxis`.
+     *
+     * @throws UnsupportedOperationException if this kind of surface cannot be rotated: a custom surface that does not
+     *   override this function
+     */
+    public fun withUpAxis(up: UpAxis): Surface = if (up == UpAxis.Y) {
+        this
+    } else {
+        throw UnsupportedOperationException("a surface of class ${javaClass.name} cannot be rotated")
+    }
+}

@@ -1,0 +1,218 @@
+package dev.lazyz.world.material
+
+import dev.lazyz.Fragment
+import dev.lazyz.Primitive
+import dev.lazyz.Rgba
+import dev.lazyz.Srgb
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Scene
+import dev.lazyz.world.scene
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Surface
+import java.util.Random
+import kotlin.math.abs
+import kotlin.math.hypot
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Contract rule 6.6: footprints of samples, and textures that are read with them. */
+class MipFilterTest {
+    private val stripes = texture(64, 64) { x, _ -> if (x % 2 == 0) WHITE else BLACK }
+
+    private fun texture(width: Int, height: Int, texel: (Int, Int) -> Int): Texture =
+        Texture(width, height, IntArray(width * height) { texel(it % width, it / width) })
+
+    private fun read(texture: Texture, u: Double, v: Double, footprint: List<Double>): FloatArray =
+        FloatArray(4).also {
+            val (dudx, dvdx, dudy, dvdy) = footprint.map(Double::toFloat)
+            texture.sample(u.toFloat(), v.toFloat(), dudx, dvdx, dudy, dvdy, it)
+        }
+
+    private fun plain(texture: Texture, u: Double, v: Double): FloatArray =
+        FloatArray(4).also { texture.sample(u.toFloat(), v.toFloat(), it) }
+
+    @Test
+    fun rule_6_6_aSmallFootprintReadsTheTextureItself() {
+        val random = Random(1)
+        for (filter in MipFilter.entries) {
+            val texture = stripes.withMipFilter(filter)
+            repeat(200) {
+                val (u, v) = List(2) { random.nextDouble() * 3 - 1 }
+                val angle = random.nextDouble() * 7
+                val across = random.nextDouble() / 64
+                val footprint = listOf(
+                    across * Math.cos(angle), across * Math.sin(angle), -across * Math.sin(angle),
+                    across * Math.cos(angle),
+                )
+                assertArrayEquals(plain(texture, u, v), read(texture, u, v, footprint))
+                assertArrayEquals(plain(texture, u, v), read(texture, u, v, List(4) { Double.NaN }))
+            }
+        }
+    }
+
+    @Test
+    fun rule_6_6_alongStripesTheAnisotropicFilterIsSharpAndAcrossThemNone() {
+        val along = listOf(0.0, 8.0 / 64, 1.0 / 64, 0.0)
+        val across = listOf(8.0 / 64, 0.0, 0.0, 1.0 / 64)
+        val white = 0.5 / 64
+        val anisotropic = stripes.withMipFilter(MipFilter.ANISOTROPIC)
+        assertEquals(1f, read(anisotropic, white, 0.3, along)[0], 1e-6f)
+        assertEquals(0f, read(anisotropic, white + 1.0 / 64, 0.3, along)[0], 1e-6f)
+        val trilinear = stripes.withMipFilter(MipFilter.TRILINEAR)
+        val grey = Srgb.decode(Srgb.encode(0.5f))
+        assertEquals(grey, read(trilinear, white, 0.3, along)[0], 1e-6f)
+        for (texture in listOf(trilinear, anisotropic)) assertEquals(grey, read(texture, 0.3, 0.3, across)[0], 0.02f)
+    }
+
+    /** The mean of the ellipse, by brute force, beside what the filter returns, for a texture of noise. */
+    @Test
+    fun rule_6_6_theResultIsNearTheMeanOfTheFootprint() {
+        val random = Random(5)
+        val noise = texture(256, 256) { _, _ -> Rgba(random.nextFloat(), 0f, 0f).toArgb() }
+        val errors = MipFilter.entries.associateWith { filter ->
+            var sum = 0.0
+            val places = Random(7)
+            repeat(200) {
+                val (u, v) = List(2) { places.nextDouble() }
+                val long = (1.0 + places.nextDouble() * 15) / 256
+                val short = (1.0 + places.nextDouble()) / 256
+                val angle = places.nextDouble() * 7
+                val footprint = listOf(
+                    long * Math.cos(angle), long * Math.sin(angle), -short * Math.sin(angle), short * Math.cos(angle),
+                )
+                val error = read(noise.withMipFilter(filter), u, v, footprint)[0] - mean(noise, u, v, footprint)
+                sum += error * error
+            }
+            Math.sqrt(sum / 200)
+        }
+        val text = "$errors"
+        assertTrue(errors.getValue(MipFilter.ANISOTROPIC) < 0.4 * errors.getValue(MipFilter.TRILINEAR)) { text }
+        assertTrue(errors.getValue(MipFilter.ANISOTROPIC) < 0.2 * errors.getValue(MipFilter.NONE)) { text }
+        assertTrue(errors.getValue(MipFilter.TRILINEAR) < 0.6 * errors.getValue(MipFilter.NONE)) { text }
+    }
+
+    private fun mean(texture: Texture, u: Double, v: Double, footprint: List<Double>): Double {
+        var sum = 0.0
+        var count = 0
+        for (i in -16..16) {
+            for (j in -16..16) {
+                val (a, b) = listOf(i / 32.0, j / 32.0)
+                if (a * a + b * b > 0.25) continue
+                sum +=
+                    plain(texture, u + a * footprint[0] + b * footprint[2], v + a * footprint[1] + b * footprint[3])[0]
+                count++
+            }
+        }
+        return sum / count
+    }
+
+    @Test
+    fun rule_6_6_levelsAreMeansInLinearLightWeightedByAlpha() {
+        val image = texture(2, 2) { x, y -> if (x == y) 0xFFFF0000.toInt() else 0x00FFFFFF }
+        val all = read(image.withMipFilter(MipFilter.TRILINEAR), 0.4, 0.7, listOf(9.0, 0.0, 0.0, 9.0))
+        assertArrayEquals(floatArrayOf(1f, 0f, 0f, 128 / 255f), all, 1e-6f)
+        val codes = texture(2, 1) { x, _ -> if (x == 0) WHITE else BLACK }.withMipFilter(MipFilter.TRILINEAR)
+        val far = listOf(9.0, 0.0, 0.0, 9.0)
+        assertEquals(0.5f, read(codes, 0.4, 0.7, far)[0], 0.005f)
+        assertEquals(128 / 255f, read(codes.withEncoding(TextureEncoding.LINEAR), 0.4, 0.7, far)[0], 1e-6f)
+    }
+
+    /** No level of an image of any size is darker or lighter than the image. */
+    @Test
+    fun rule_6_6_levelsKeepTheMean() {
+        for ((width, height) in listOf(5 to 3, 1 to 7, 64 to 1, 33 to 17)) {
+            val random = Random(width.toLong())
+            val image = texture(width, height) { _, _ ->
+                Rgba(random.nextFloat(), random.nextFloat(), random.nextFloat()).toArgb()
+            }
+            var mean = 0.0
+            for (y in 0 until height) for (x in 0 until width) mean += Rgba.ofArgb(image.texel(x, y)).green
+            mean /= width * height
+            val far = listOf(4e5, 0.0, 0.0, 4e5)
+            assertEquals(mean, read(image.withMipFilter(MipFilter.TRILINEAR), 0.1, 0.9, far)[1].toDouble(), 0.02)
+        }
+    }
+
+    @Test
+    fun rule_6_6_strangeFootprintsGiveColours() {
+        val strange = listOf(0.0, 1e-30, 1.0, 1e9, 1e30, Double.POSITIVE_INFINITY, Double.NaN, -3.0)
+        val random = Random(3)
+        for (filter in MipFilter.entries) {
+            for (texture in listOf(stripes, texture(3, 1) { _, _ -> WHITE })) {
+                repeat(500) {
+                    val footprint = List(4) { strange[random.nextInt(strange.size)] }
+                    val result = read(texture.withMipFilter(filter), random.nextDouble(), 0.5, footprint)
+                    assertTrue(result.all { it in 0f..1.000001f }) { "$footprint: ${result.toList()}" }
+                }
+            }
+        }
+    }
+
+    private val minified = Material(texture = stripes.withMipFilter(MipFilter.ANISOTROPIC))
+
+    private val camera = Camera.perspective(
+        Vector3d(0.3, 0.4, 5.0), Vector3d(0.0, 0.1, 0.0), Vector3d(0.0, 1.0, 0.0), 40.0, 1.0, 20.0,
+    )
+
+    /** Compared with differences between the middles of a fine and of a finer raster. */
+    @Test
+    fun rule_6_6_derivativesAreThoseOfTheCoordinates() {
+        val positions = floatArrayOf(-2f, -2f, 2f, 2f, -1.5f, -2f, 0f, 2f, 0.5f)
+        val uvs = floatArrayOf(0f, 0f, 1f, 0.1f, 0.3f, 1f)
+        val mesh = Mesh(
+            positions, intArrayOf(0, 1, 2), minified, uvs = uvs, uvs2 = FloatArray(6) { 2f * uvs[it] - 1f },
+        )
+        assertDerivatives(mesh, 20 to 40)
+        assertDerivatives(Sphere(Vector3d(0.1, 0.2, 0.3), 1.2, minified), 20 to 40)
+    }
+
+    /** The coordinates [fine] times as close to each other give differences that tend to the derivatives. */
+    private fun assertDerivatives(surface: Surface, range: Pair<Int, Int>) {
+        val fine = 1024
+        for (viewpoint in listOf(camera, orthographic)) {
+            val scene = Scene(listOf(surface), emptyList(), viewpoint)
+            val coarse = scene.frame(SIDE, SIDE).primitives.single()
+            val finer = scene.frame(SIDE * fine, SIDE * fine).primitives.single()
+            for (y in range.first..range.second step 5) {
+                for (x in range.first..range.second step 5) {
+                    val at = at(coarse, x, y)
+                    val middle = at(finer, x * fine + fine / 2, y * fine + fine / 2)
+                    val right = at(finer, x * fine + fine / 2 + STEP, y * fine + fine / 2)
+                    val below = at(finer, x * fine + fine / 2, y * fine + fine / 2 + STEP)
+                    val scale = fine.toFloat() / STEP
+                    val expected = listOf(
+                        (right.u - middle.u) * scale, (right.v - middle.v) * scale,
+                        (below.u - middle.u) * scale, (below.v - middle.v) * scale,
+                    )
+                    val actual = listOf(at.dudx, at.dvdx, at.dudy, at.dvdy)
+                    val size = hypot(expected[0], expected[1]) + hypot(expected[2], expected[3])
+                    for (k in 0 until 4) {
+                        val off = abs(expected[k] - actual[k])
+                        assertTrue(off < 0.05f * size) { "$surface at $x, $y: $actual, not $expected" }
+                    }
+                }
+            }
+        }
+    }
+
+    private val orthographic =
+        Camera.orthographic(Vector3d(1.0, 0.4, 5.0), Vector3d(0.0, 0.1, 0.0), Vector3d(0.0, 1.0, 0.0), 4.0, 1.0, 20.0)
+
+    private fun at(primitive: Primitive, x: Int, y: Int): Fragment = Fragment().also {
+        it.moveTo(x, y)
+        primitive.shade(it)
+    }
+
+    private companion object {
+        const val SIDE = 64
+
+        /** Samples of the finer raster between which differences are taken, so that rounding does not matter. */
+        const val STEP = 64
+        val WHITE = 0xFFFFFFFF.toInt()
+        val BLACK = 0xFF000000.toInt()
+    }
+}

@@ -1,0 +1,153 @@
+package dev.lazyz.world.material
+
+import dev.lazyz.Rgba
+import java.util.Random
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Contract rule 6.6: texture sampling. */
+class TextureTest {
+    /** The texels of a texture with [width] columns. The red code of texel (x, y) is 16 y + x. */
+    private fun numbered(width: Int, height: Int): IntArray =
+        IntArray(width * height) { (255 - it) shl 24 or ((16 * (it / width) + it % width) shl 16) }
+
+    private fun read(texture: Texture, u: Float, v: Float): FloatArray = FloatArray(4).also { texture.sample(u, v, it) }
+
+    private fun linear(texture: Texture, x: Int, y: Int): Rgba = Rgba.ofArgb(texture.texel(x, y))
+
+    @Test
+    fun rule_6_6_nearestIsTheTexelAround() {
+        val texture = Texture(3, 2, numbered(3, 2), TextureFilter.NEAREST, TextureWrap.CLAMP, TextureWrap.CLAMP)
+        for (y in 0 until 2) {
+            for (x in 0 until 3) {
+                for (inside in listOf(0.01f, 0.5f, 0.99f)) {
+                    val texel = linear(texture, x, y)
+                    val expected = floatArrayOf(texel.red, texel.green, texel.blue, texel.alpha)
+                    assertArrayEquals(expected, read(texture, (x + inside) / 3, (y + inside) / 2))
+                }
+            }
+        }
+    }
+
+    @Test
+    fun rule_6_6_repeatingComesBackAndClampingStays() {
+        val repeated = Texture(4, 2, numbered(4, 2), TextureFilter.NEAREST)
+        val clamped = repeated.withSampling(TextureFilter.NEAREST, TextureWrap.CLAMP, TextureWrap.CLAMP)
+        for (turn in -3..3) {
+            for (x in 0 until 4) {
+                val u = turn + (x + 0.5f) / 4
+                assertEquals(linear(repeated, x, 1).red, read(repeated, u, 0.75f)[0])
+                val stays = if (turn < 0) {
+                    0
+                } else if (turn > 0) {
+                    3
+                } else {
+                    x
+                }
+                assertEquals(linear(clamped, stays, 1).red, read(clamped, u, 0.75f + 100f)[0])
+            }
+        }
+        assertEquals(linear(repeated, 0, 0).red, read(repeated, 1f, 0f)[0])
+        assertEquals(linear(clamped, 3, 0).red, read(clamped, 1f, 0f)[0])
+    }
+
+    @Test
+    fun rule_6_6_bilinearMixesFourTexelsInLinearLight() {
+        val random = Random(3)
+        for ((wrap, width, height) in listOf(
+            Triple(TextureWrap.REPEAT, 5, 3), Triple(TextureWrap.CLAMP, 5, 3),
+            Triple(TextureWrap.REPEAT, 1, 1), Triple(TextureWrap.CLAMP, 1, 2),
+            Triple(TextureWrap.MIRROR, 5, 3), Triple(TextureWrap.MIRROR, 1, 2),
+        )) {
+            val texels = IntArray(width * height) { random.nextInt() }
+            val texture = Texture(width, height, texels, wrapU = wrap, wrapV = wrap)
+            repeat(500) {
+                val u = random.nextFloat() * 4 - 2
+                val v = random.nextFloat() * 4 - 2
+                assertArrayEquals(plain(texture, wrap, u, v), read(texture, u, v), 1e-6f) { "$u, $v of $texture" }
+            }
+        }
+    }
+
+    @Test
+    fun rule_6_6_everyOtherCopyIsMirrored() {
+        val texture = Texture(4, 1, numbered(4, 1), TextureFilter.NEAREST, TextureWrap.MIRROR, TextureWrap.MIRROR)
+        val columns = listOf(0, 1, 2, 3, 3, 2, 1, 0)
+        for (i in -16 until 16) {
+            val expected = linear(texture, columns[Math.floorMod(i, 8)], 0).red
+            for (u in listOf(i / 4f, i / 4f + 0.125f)) assertEquals(expected, read(texture, u, 0f)[0], "$u")
+        }
+    }
+
+    /** The sum of all texels of all copies around the point, with tent weights, in double precision. */
+    private fun plain(texture: Texture, wrap: TextureWrap, u: Float, v: Float): FloatArray {
+        val x = if (wrap == TextureWrap.CLAMP) u.coerceIn(0f, 1f) else u
+        val y = if (wrap == TextureWrap.CLAMP) v.coerceIn(0f, 1f) else v
+        val sums = DoubleArray(4)
+        for (j in -3 * texture.height..3 * texture.height) {
+            for (i in -3 * texture.width..3 * texture.width) {
+                val column = tent(x.toDouble() * texture.width - i - 0.5)
+                val weight = column * tent(y.toDouble() * texture.height - j - 0.5)
+                if (weight == 0.0) continue
+                val texel = linear(texture, index(i, texture.width, wrap), index(j, texture.height, wrap))
+                sums[0] += weight * texel.red
+                sums[1] += weight * texel.green
+                sums[2] += weight * texel.blue
+                sums[3] += weight * texel.alpha
+            }
+        }
+        return FloatArray(4) { sums[it].toFloat() }
+    }
+
+    private fun index(i: Int, size: Int, wrap: TextureWrap): Int = when (wrap) {
+        TextureWrap.REPEAT -> Math.floorMod(i, size)
+        TextureWrap.CLAMP -> i.coerceIn(0, size - 1)
+        TextureWrap.MIRROR -> Math.floorMod(i, 2 * size).let { if (it < size) it else 2 * size - 1 - it }
+    }
+
+    private fun tent(distance: Double): Double = maxOf(0.0, 1 - Math.abs(distance))
+
+    @Test
+    fun rule_6_6_noCoordinateIsTooStrange() {
+        val strange = listOf(
+            Float.NaN, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.MAX_VALUE, -Float.MAX_VALUE,
+            -1e-30f, Float.MIN_VALUE, Math.nextDown(1f), 1e10f, -0f,
+        )
+        for (filter in TextureFilter.entries) {
+            for (wrap in TextureWrap.entries) {
+                val texture = Texture(3, 3, numbered(3, 3), filter, wrap, wrap)
+                for (u in strange) for (v in strange) assertTrue(read(texture, u, v).all { it in 0f..1f })
+                if (filter == TextureFilter.NEAREST) {
+                    assertArrayEquals(read(texture, 0f, 0f), read(texture, Float.NaN, Float.POSITIVE_INFINITY))
+                }
+            }
+        }
+    }
+
+    @Test
+    fun rule_6_6_theGreatestCoordinateIsAtTheEnd() {
+        val clamped = Texture(3, 3, numbered(3, 3), TextureFilter.NEAREST, TextureWrap.CLAMP, TextureWrap.CLAMP)
+        for (far in listOf(Float.MAX_VALUE, -Float.MAX_VALUE)) {
+            assertArrayEquals(read(clamped, Math.signum(far), 0f), read(clamped, far, 0f))
+        }
+    }
+
+    @Test
+    fun opacityIsFound() {
+        assertEquals(false, Texture(1, 2, intArrayOf(-1, 0xFF000000.toInt())).hasAlpha)
+        assertEquals(true, Texture(1, 2, intArrayOf(-1, 0x7F000000)).hasAlpha)
+    }
+
+    @Test
+    fun wrongSizesAreRefused() {
+        fun message(width: Int, height: Int, texels: Int): String? =
+            assertThrows(IllegalArgumentException::class.java) { Texture(width, height, IntArray(texels)) }.message
+        assertEquals("texture must have at least one texel: 0 x 1", message(0, 1, 0))
+        assertEquals("texture must have at least one texel: 1 x 0", message(1, 0, 0))
+        assertEquals("texture of 2 x 3 needs 6 texels: 5", message(2, 3, 5))
+        assertThrows(IllegalArgumentException::class.java) { Texture(65536, 65536, IntArray(0)) }
+    }
+}

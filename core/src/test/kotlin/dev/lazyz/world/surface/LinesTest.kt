@@ -1,0 +1,267 @@
+package dev.lazyz.world.surface
+
+import dev.lazyz.Depth
+import dev.lazyz.Fraction
+import dev.lazyz.Fragment
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Rgba
+import dev.lazyz.SampleScenes
+import dev.lazyz.SampleSet
+import dev.lazyz.samples
+import dev.lazyz.samplesByCursor
+import dev.lazyz.world.Camera
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
+import java.util.Random
+import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.ForAll
+import net.jqwik.api.Property
+import org.joml.Matrix4d
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertSame
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Contract rule 2.10: lines. */
+class LinesTest {
+    private val raster = Raster(24, 18)
+    private val onScreen = SetUp(raster, Camera.screen(), emptyList())
+
+    private fun line(
+        from: Vector3d,
+        to: Vector3d,
+        width: Double,
+        material: Material = Material(),
+        setUp: SetUp = onScreen,
+    ): Primitive {
+        val positions = listOf(from, to).flatMap { listOf(it.x.toFloat(), it.y.toFloat(), it.z.toFloat()) }
+        return setUp.lines(Lines(positions.toFloatArray(), intArrayOf(0, 1), width, material)).single()
+    }
+
+    /** A segment on the 1/256 pixel grid, and its coverage by rule 2.10 in integers and fractions. */
+    private class Grid(val x0: Long, val y0: Long, val x1: Long, val y1: Long, width: Double) {
+        private val half = maxOf(StrictMath.floor(128 * width + 0.5).toLong(), 128L)
+        private val square = (x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0)
+        private val ux = if (square == 0L) half else share(x1 - x0)
+        private val uy = if (square == 0L) 0L else share(y1 - y0)
+
+        private fun share(run: Long): Long {
+            val size = StrictMath.ceil((half * Math.abs(run)).toDouble() / StrictMath.sqrt(square.toDouble())).toLong()
+            return if (run < 0) -size else size
+        }
+
+        private val corners = listOf(
+            Pair(x0 - ux - uy, y0 - uy + ux), Pair(x1 + ux - uy, y1 + uy + ux),
+            Pair(x1 + ux + uy, y1 + uy - ux), Pair(x0 - ux + uy, y0 - uy - ux),
+        )
+
+        /** Whether the quad or the ends cover the sample: by the windings at or left of it. */
+        private fun has(column: Int, row: Int): Boolean {
+            val x = 256L * column + 128
+            val y = 256L * row + 128
+            for (end in listOf(Pair(x0, y0), Pair(x1, y1))) {
+                if (x - end.first in -128..127 && y - end.second in -128..127) return true
+            }
+            var windings = 0
+            for (i in 0 until 4) {
+                val a = corners[i]
+                val b = corners[(i + 1) % 4]
+                val (upper, lower) = if (a.second < b.second) Pair(a, b) else Pair(b, a)
+                if (y < upper.second || y >= lower.second) continue
+                val left = (x - upper.first) * (lower.second - upper.second)
+                val right = (y - upper.second) * (lower.first - upper.first)
+                if (left >= right) windings += if (a === upper) 1 else -1
+            }
+            return windings != 0
+        }
+
+        fun samples(raster: Raster): SampleSet {
+            // One span a row, from its first to its last sample, clipped to the raster
+            val margin = 16
+            return SampleSet.where(raster.width, raster.height) { x, y ->
+                (-margin..x).any { has(it, y) } && (x..raster.width + margin).any { has(it, y) }
+            }
+        }
+
+        fun along(column: Int, row: Int): Fraction {
+            val product = (x1 - x0) * (256L * column + 128 - x0) + (y1 - y0) * (256L * row + 128 - y0)
+            return when {
+                product <= 0 -> Fraction.ZERO
+                product >= square -> Fraction(1)
+                else -> Fraction(product) / Fraction(square)
+            }
+        }
+    }
+
+    @Property(seed = "1995", tries = 800, edgeCases = EdgeCasesMode.NONE)
+    fun rule_2_10_aLineIsAQuadAndItsEnds(@ForAll random: Random) {
+        val reach = listOf(2, 40, 300, 3000, 6000)[random.nextInt(5)]
+        val x0 = random.nextInt(26 * 256) - 256
+        val y0 = random.nextInt(20 * 256) - 256
+        val x1 = x0 + random.nextInt(2 * reach) - reach
+        val y1 = y0 + random.nextInt(2 * reach) - reach
+        val width = listOf(0.01, 1.0, 1.0, 1.3, 2.0, 3.7, 9.0)[random.nextInt(7)]
+        val depths = List(2) { random.nextInt(17) / 16.0 }
+        val primitive = line(
+            Vector3d(x0 / 256.0, y0 / 256.0, depths[0]), Vector3d(x1 / 256.0, y1 / 256.0, depths[1]), width,
+        )
+        val grid = Grid(x0.toLong(), y0.toLong(), x1.toLong(), y1.toLong(), width)
+        val expected = grid.samples(raster)
+        assertEquals(expected, primitive.samples(raster))
+        assertEquals(expected, primitive.samplesByCursor(raster, 0))
+        val (z0, z1) = depths.map { Depth.ofUnit(it).toLong() }
+        for (y in 0 until raster.height) {
+            for (x in 0 until raster.width) {
+                if (!expected[x, y]) continue
+                val exact = Fraction(z0) + grid.along(x, y) * Fraction(z1 - z0)
+                val depth = primitive.depth(x, y)
+                assertTrue((exact - Fraction(depth.toLong())).abs() <= Fraction(1)) { "$x, $y: $depth, not $exact" }
+                assertTrue(depth in primitive.leastDepth..primitive.greatestDepth)
+                primitive.depthForm?.let { assertEquals(depth, (it.at(x, y) shr 32).toInt()) }
+            }
+        }
+    }
+
+    @Property(seed = "1995", tries = 300, edgeCases = EdgeCasesMode.NONE)
+    fun rule_2_10_aLineOfAPixelHasNoGaps(@ForAll random: Random) {
+        // Not on the border of two pixels, which belongs to the pixel above or to the left
+        val (x0, x1) = List(2) { random.nextInt(24) + (1 + random.nextInt(255)) / 256.0 }
+        val (y0, y1) = List(2) { random.nextInt(18) + (1 + random.nextInt(255)) / 256.0 }
+        val samples = line(Vector3d(x0, y0, 0.5), Vector3d(x1, y1, 0.5), 0.5).samples(raster)
+        assertTrue(samples[x0.toInt(), y0.toInt()] && samples[x1.toInt(), y1.toInt()]) { "$x0 $y0 $x1 $y1 $samples" }
+        val isFlat = Math.abs(x1 - x0) > Math.abs(y1 - y0)
+        if (isFlat) {
+            for (x in minOf(x0, x1).toInt()..maxOf(x0, x1).toInt()) {
+                assertTrue((0 until 18).count { samples[x, it] } in 1..2) { "$x: $samples" }
+            }
+        } else {
+            for (y in minOf(y0, y1).toInt()..maxOf(y0, y1).toInt()) {
+                assertTrue((0 until 24).count { samples[it, y] } in 1..2) { "$y: $samples" }
+            }
+        }
+    }
+
+    @Test
+    fun rule_2_10_aLineWithoutLengthIsAPoint() {
+        val at = Vector3d(5.3, 7.9, 0.5)
+        for (width in listOf(0.5, 1.0, 2.5, 4.0)) {
+            val point = onScreen.points(Points(floatArrayOf(5.3f, 7.9f, 0.5f), width)).single()
+            assertEquals(point.samples(raster), line(at, at, width).samples(raster))
+        }
+    }
+
+    @Test
+    fun rule_2_10_aTurnedLineIsTheSameLine() {
+        val random = Random(7)
+        repeat(200) {
+            val (a, b) = List(2) { Vector3d(random.nextDouble() * 24, random.nextDouble() * 18, random.nextDouble()) }
+            val width = 0.5 + 4 * random.nextDouble()
+            assertEquals(line(a, b, width).samples(raster), line(b, a, width).samples(raster))
+        }
+    }
+
+    @Test
+    fun rule_9_7_aLineIsCutAtThePlanesBeforeItIsWidened() {
+        // From z = -1 to 1 in screen space: half of it is in front of the near plane, and the cut is at its centre
+        val cut = line(Vector3d(4.5, 9.5, -1.0), Vector3d(20.5, 9.5, 1.0), 1.0)
+        assertEquals(SampleSet.where(24, 18) { x, y -> y == 9 && x in 12..20 }, cut.samples(raster))
+        assertEquals(Depth.NEAR, cut.depth(12, 9))
+        assertEquals(0, line(Vector3d(4.5, 9.5, -1.0), Vector3d(20.5, 9.5, -0.5), 1.0).samples(raster).size)
+        assertEquals(0, line(Vector3d(4.5, 9.5, 2.0), Vector3d(20.5, 9.5, 1.5), 1.0).samples(raster).size)
+        assertEquals(0, line(Vector3d(4.5, 9.5, Double.NaN), Vector3d(20.5, 9.5, 0.5), 1.0).samples(raster).size)
+
+        // Starts far outside the guard band
+        val long = line(Vector3d(-1e9, 9.5, 0.5), Vector3d(1e9, 9.5, 0.5), 3.0)
+        assertEquals(SampleSet.where(24, 18) { _, y -> y in 8..10 }, long.samples(raster))
+    }
+
+    @Test
+    fun rule_3_6_attributesAreThoseOfTheSegmentInSpace() {
+        // Along the line of sight; its centre in space is far from its centre on the screen; clipped at the near plane
+        val camera = Camera.perspective(Vector3d(), Vector3d(0.0, 0.0, -1.0), Vector3d(0.0, 1.0, 0.0), 90.0, 1.0, 100.0)
+        val place = Material(shader = { it.setColor(it.worldX, it.worldZ, it.vertexRed, it.vertexAlpha) })
+        val ends = floatArrayOf(-0.5f, 0f, 0.5f, 2f, 0f, -9f)
+        val colors = floatArrayOf(0f, 0f, 0f, 0.5f, 1f, 0f, 0f, 0.5f)
+        val setUp = SetUp(Raster(100, 100), camera, emptyList())
+        val line = setUp.lines(Lines(ends, intArrayOf(0, 1), 1.0, place, colors)).single()
+        val samples = line.samples(Raster(100, 100))
+        val fragment = Fragment()
+        for (x in 45 until 61) {
+            fragment.moveTo(x, (0 until 100).first { samples[x, it] })
+            line.shade(fragment)
+
+            // The point where the ray through the column meets the segment, which is at x = -0.5 + 2.5 s, z = 0.5 - 9.5
+            // s
+            val tangent = (x + 0.5) / 50 - 1
+            val s = (0.5 - 0.5 * tangent) / (2.5 - 9.5 * tangent)
+            assertEquals(-0.5 + 2.5 * s, fragment.red.toDouble(), 0.01 + 0.05 * s)
+            assertEquals(0.5 - 9.5 * s, fragment.green.toDouble(), 0.01 + 0.05 * s)
+            assertEquals(s, fragment.blue.toDouble(), 0.01)
+            assertEquals(0.5f, fragment.alpha)
+        }
+    }
+
+    @Test
+    fun rule_6_7_aLineShowsItsOwnColour() {
+        val material =
+            Material(Rgba(0.5f, 1f, 1f), SampleScenes.checks, Shading.PHONG, Rgba.WHITE, emission = Rgba(0f, 0f, 0.25f))
+        val line = line(Vector3d(2.5, 3.5, 0.5), Vector3d(20.5, 3.5, 0.5), 1.0, material)
+        val fragment = Fragment().also { it.moveTo(5, 3) }
+        line.shade(fragment)
+        assertEquals(listOf(0.5f, 1f, 1.25f, 1f), listOf(fragment.red, fragment.green, fragment.blue, fragment.alpha))
+    }
+
+    @Test
+    fun rule_2_7_aMaskCutsALine() {
+        val material = Material(alphaMode = AlphaMode.MASK, alphaCutoff = 0.5f)
+        val lines = Lines(
+            floatArrayOf(0.5f, 3.5f, 0.5f, 20.5f, 3.5f, 0.5f), intArrayOf(0, 1), 1.0, material,
+            floatArrayOf(1f, 1f, 1f, 0f, 1f, 1f, 1f, 1f),
+        )
+        val samples = onScreen.lines(lines).single().samples(raster)
+        assertEquals(SampleSet.where(24, 18) { x, y -> y == 3 && x in 10..20 }, samples)
+    }
+
+    @Test
+    fun rule_5_6_aLineSaysWhetherItIsTranslucent() {
+        val ends = floatArrayOf(0.5f, 3.5f, 0.5f, 20.5f, 3.5f, 0.5f, 9f, 9f, 0.5f)
+        val colors = FloatArray(12) { if (it == 11) 0.5f else 1f }
+        fun translucent(material: Material) =
+            onScreen.lines(Lines(ends, intArrayOf(0, 1, 1, 2), 1.0, material, colors)).map { it.isTranslucent }.toList()
+        assertEquals(listOf(false, false), translucent(Material()))
+        assertEquals(listOf(false, true), translucent(Material(alphaMode = AlphaMode.BLEND)))
+        assertEquals(listOf(true, true), translucent(Material(Rgba(1f, 1f, 1f, 0.5f), alphaMode = AlphaMode.BLEND)))
+    }
+
+    @Test
+    fun linesMove() {
+        val lines = Lines(floatArrayOf(1f, 2f, 3f, 0f, 0f, 0f), intArrayOf(0, 1), 2.0)
+        val moved = lines.transformed(Matrix4d().translate(1.0, 0.0, 0.0).scale(2.0))
+        assertArrayEquals(floatArrayOf(3f, 4f, 6f, 1f, 0f, 0f), moved.positions)
+        assertEquals(2.0, moved.width)
+        assertEquals(5.0, moved.withWidth(5.0).width)
+        assertSame(moved.segments, moved.withWidth(5.0).segments)
+        val other = Material(name = "other")
+        assertSame(other, lines.withMaterials { other }.material)
+        assertEquals(Vector3d(0.5, 1.0, 1.5), lines.bounds!!.center)
+    }
+
+    @Test
+    fun wrongLinesAreRefused() {
+        fun refused(message: String, make: () -> Lines) {
+            val thrown = assertThrows(IllegalArgumentException::class.java) { make() }
+            assertTrue(thrown.message!!.contains(message)) { thrown.message }
+        }
+        refused("triples") { Lines(FloatArray(4), IntArray(0)) }
+        refused("pairs") { Lines(FloatArray(3), IntArray(1)) }
+        refused("width") { Lines(FloatArray(3), IntArray(0), 0.0) }
+        refused("width") { Lines(FloatArray(3), IntArray(0), Double.POSITIVE_INFINITY) }
+        refused("colors") { Lines(FloatArray(3), IntArray(0), colors = FloatArray(3)) }
+        refused("0..0: 1") { Lines(FloatArray(3), intArrayOf(0, 1)) }
+    }
+}

@@ -1,0 +1,187 @@
+package dev.lazyz.world.surface
+
+import dev.lazyz.SampleScenes
+import dev.lazyz.geometry.Box
+import dev.lazyz.world.material.Material
+import java.util.Random
+import org.joml.Matrix4d
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class MeshTest {
+    private fun point(array: FloatArray, i: Int) =
+        Vector3d(array[3 * i].toDouble(), array[3 * i + 1].toDouble(), array[3 * i + 2].toDouble())
+
+    private fun faceNormal(mesh: Mesh, triangle: Int): Vector3d {
+        val (a, b, c) = List(3) { point(mesh.positions, mesh.triangles[3 * triangle + it]) }
+        return b.sub(a).cross(c.sub(a)).normalize()
+    }
+
+    /** A cube of 12 triangles around the origin; 8 shared vertices. */
+    private fun cube(): Mesh {
+        val positions = FloatArray(24) { i -> if ((i / 3) shr (i % 3) and 1 == 0) -1f else 1f }
+        val quads = listOf(
+            listOf(0, 2, 3, 1), listOf(4, 5, 7, 6), listOf(0, 1, 5, 4),
+            listOf(2, 6, 7, 3), listOf(0, 4, 6, 2), listOf(1, 3, 7, 5),
+        )
+        return Mesh(positions, quads.flatMap { listOf(it[0], it[1], it[2], it[0], it[2], it[3]) }.toIntArray())
+    }
+
+    /**
+     * A sphere of [rings] rings from pole to pole, with twice as many faces around; vertices at poles and seam are
+     * duplicated.
+     */
+    private fun globe(rings: Int): Mesh {
+        val positions = ArrayList<Float>()
+        for (i in 0..rings) {
+            for (j in 0..2 * rings) {
+                val polar = StrictMath.PI * i / rings
+                val around = StrictMath.PI * (j % (2 * rings)) / rings
+                val radius = if (i == 0 || i == rings) 0.0 else StrictMath.sin(polar)
+                positions += (radius * StrictMath.sin(around)).toFloat()
+                positions += StrictMath.cos(polar).toFloat()
+                positions += (radius * StrictMath.cos(around)).toFloat()
+            }
+        }
+        val triangles = ArrayList<Int>()
+        val row = 2 * rings + 1
+        for (i in 0 until rings) {
+            for (j in 0 until 2 * rings) {
+                val a = i * row + j
+                triangles += listOf(a, a + row, a + row + 1, a, a + row + 1, a + 1)
+            }
+        }
+        return Mesh(positions.toFloatArray(), triangles.toIntArray())
+    }
+
+    @Test
+    fun facesOfTheTestCubePointOutward() {
+        for (i in 0 until 12) {
+            val center = List(3) { point(cube().positions, cube().triangles[3 * i + it]) }.reduce { a, b -> a.add(b) }
+            assertTrue(faceNormal(cube(), i).dot(center) > 0)
+        }
+    }
+
+    @Test
+    fun smoothNormalsKeepACubesCreases() {
+        val smooth = cube().withSmoothNormals()
+        assertEquals(24, smooth.vertexCount)
+        assertEquals(12, smooth.triangleCount)
+        for (corner in smooth.triangles.indices) {
+            val normal = point(smooth.normals!!, smooth.triangles[corner])
+            assertEquals(0.0, normal.distance(faceNormal(cube(), corner / 3)), 1e-6)
+            assertEquals(
+                point(cube().positions, cube().triangles[corner]), point(smooth.positions, smooth.triangles[corner]),
+            )
+        }
+    }
+
+    @Test
+    fun smoothNormalsOfAWideAngleAreShared() {
+        val smooth = cube().withSmoothNormals(100.0)
+        assertEquals(8, smooth.vertexCount)
+        for (i in 0 until 8) {
+            val normal = point(smooth.normals!!, i)
+            assertEquals(1.0, normal.length(), 1e-6)
+            assertTrue(normal.dot(point(smooth.positions, i)) > 1)
+        }
+    }
+
+    @Test
+    fun smoothNormalsOfAGlobeAreRadial() {
+        val smooth = globe(24).withSmoothNormals()
+        for (i in 0 until smooth.vertexCount) {
+            val normal = point(smooth.normals!!, i)
+            if (normal.length() == 0.0) continue
+            val cosine = normal.dot(point(smooth.positions, i).normalize())
+            val degrees = Math.toDegrees(StrictMath.acos(minOf(1.0, cosine)))
+            assertTrue(degrees < 3) { "vertex $i is off by $degrees degrees" }
+        }
+    }
+
+    @Test
+    fun smoothNormalsKeepAttributes() {
+        val random = Random(2)
+        val mesh = SampleScenes.soup(random, 5, Material())
+        val smooth = mesh.withSmoothNormals()
+        for (corner in mesh.triangles.indices) {
+            val from = mesh.triangles[corner]
+            val to = smooth.triangles[corner]
+            for (k in 0 until 2) assertEquals(mesh.uvs!![2 * from + k], smooth.uvs!![2 * to + k])
+            for (k in 0 until 4) assertEquals(mesh.colors!![4 * from + k], smooth.colors!![4 * to + k])
+        }
+        assertThrows(IllegalArgumentException::class.java) { mesh.withSmoothNormals(-1.0) }
+        assertThrows(IllegalArgumentException::class.java) { mesh.withSmoothNormals(Double.NaN) }
+    }
+
+    @Test
+    fun transformsMoveNormalsWithTheirFaces() {
+        val random = Random(3)
+        repeat(100) {
+            val matrix = Matrix4d()
+            for (column in 0 until 4) for (row in 0 until 3) matrix.set(column, row, random.nextDouble() * 4 - 2)
+            if (Math.abs(matrix.determinant()) < 0.1) return@repeat
+            val moved = cube().withSmoothNormals().transformed(matrix)
+            for (i in 0 until 12) {
+                val face = faceNormal(moved, i)
+                for (k in 0 until 3) {
+                    val normal = point(moved.normals!!, moved.triangles[3 * i + k])
+                    assertEquals(0.0, face.distance(normal), 1e-4) { "$matrix" }
+                }
+                val center = matrix.transformPosition(Vector3d())
+                val corner = point(moved.positions, moved.triangles[3 * i])
+                assertTrue(face.dot(corner.sub(center)) > 0) { "outside is not outside after $matrix" }
+            }
+        }
+    }
+
+    @Test
+    fun wrongArraysAreRefused() {
+        val p = FloatArray(9)
+        val t = intArrayOf(0, 1, 2)
+        fun refused(block: () -> Unit) = assertThrows(IllegalArgumentException::class.java, block)
+        refused { Mesh(FloatArray(8), t) }
+        refused { Mesh(p, intArrayOf(0, 1)) }
+        refused { Mesh(p, intArrayOf(0, 1, 3)) }
+        refused { Mesh(p, intArrayOf(0, -1, 2)) }
+        refused { Mesh(p, t, normals = FloatArray(8)) }
+        refused { Mesh(p, t, uvs = FloatArray(9)) }
+        refused { Mesh(p, t, colors = FloatArray(9)) }
+        Mesh(FloatArray(0), IntArray(0))
+    }
+
+    @Test
+    fun spheresScaleAlikeOnly() {
+        val sphere = Sphere(Vector3d(1.0, 2.0, 3.0), 2.0)
+        val matrix = Matrix4d().translate(1.0, 0.0, 0.0).rotateY(0.3).scale(-3.0)
+        val moved = sphere.transformed(matrix)
+        assertEquals(6.0, moved.radius, 1e-12)
+        val center = matrix.transformPosition(Vector3d(1.0, 2.0, 3.0))
+        assertEquals(0.0, center.distance(moved.center), 1e-12)
+        assertThrows(IllegalArgumentException::class.java) { sphere.transformed(Matrix4d().scale(1.0, 1.0, 1.01)) }
+        assertThrows(IllegalArgumentException::class.java) { Sphere(Vector3d(), -1.0) }
+    }
+
+    @Test
+    fun boundsPassOverWhatIsNotFinite() {
+        val positions = floatArrayOf(0f, 1f, 2f, Float.NaN, 9f, 9f, 3f, -1f, 5f, 9f, Float.POSITIVE_INFINITY, 9f)
+        val mesh = Mesh(positions, intArrayOf(0, 1, 2, 3, 0, 1))
+        assertEquals(Box(0.0, -1.0, 2.0, 3.0, 1.0, 5.0).toString(), mesh.bounds.toString())
+        assertEquals(null, Mesh(FloatArray(0), IntArray(0)).bounds)
+        assertEquals(null, Sphere(Vector3d(Double.NaN), 1.0).bounds)
+        assertEquals(null, Polygon(emptyList()).bounds)
+    }
+
+    @Test
+    fun boundsOfPolygonsAreAsPreciseAsTheirVertices() {
+        val vertices = listOf(Vertex(1e8 + 0.25, 0.1, 1e-60), Vertex(1e8 + 2.75, 0.2, 0.0), Vertex(1e8, 0.3, 0.0))
+        val box = Polygon(listOf(vertices)).bounds!!
+        for (v in vertices) {
+            val isInside = v.x in box.minX..box.maxX && v.y in box.minY..box.maxY && v.z in box.minZ..box.maxZ
+            assertTrue(isInside) { "$v in $box" }
+        }
+    }
+}

@@ -1,0 +1,11 @@
+import static dev.lazyz.testing.GoldenAssertions.assertThat;
+
+import dev.lazyz.scenes.Scenes;
+import org.junit.jupiter.api.Test;
+
+class TeapotTest {
+    @Test
+    void looksAsBefore() {
+        assertThat(Scenes.teapot()).at(512, 512).matches("golden/teapot.png");
+    }
+}

@@ -1,0 +1,85 @@
+package dev.lazyz.testing
+
+import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.pictures.Picture
+import dev.lazyz.scenes.pictures.PictureDifference
+import dev.lazyz.scenes.writers.toPng
+import java.nio.file.Files
+import java.nio.file.Path
+import org.opentest4j.AssertionFailedError
+import org.opentest4j.FileInfo
+
+/** The golden files of a project: compares pictures with them, or writes them. Thread safe. */
+internal class Goldens(private val settings: GoldenSettings) {
+    /**
+     * Compares [actual] with the file [golden], as [PictureAssertion.matches] describes it.
+     *
+     * @param threshold the greatest difference of a channel that is accepted, 0..255
+     */
+    fun check(golden: String, actual: ActualPicture, threshold: Double) {
+        val file = settings.root.resolve(golden).normalize()
+        val test = CallingTest.name()
+        val report = TestReport(settings, test)
+        report.begin()
+        if (settings.isUpdate && updates(file, actual, threshold)) return
+        val expected = if (Files.exists(file)) Files.readAllBytes(file) else null
+        val difference = expected?.let { difference(file, it, actual, threshold) }
+        if (difference?.isMatch == true) return
+
+        // Write what helps to understand it
+        val problem = when {
+            difference != null -> "the picture differs from the golden file\n${difference.summary}"
+            expected != null -> "the golden file is no image that can be decoded"
+            else -> "there is no golden file"
+        }
+        val failure = GoldenFailure(golden, problem, expected, actual, difference?.toImage()?.toPng())
+        val files = report.add(failure)
+        val message = message(file, problem, files, test)
+        settings.workspace?.let { settings.print(Annotation.of(it, file, message)) }
+        throw AssertionFailedError(
+            message,
+            FileInfo("$file", expected ?: ByteArray(0)),
+            FileInfo("${files.actual}", actual.png),
+        )
+    }
+
+    /** Returns the difference from the file, or null if it cannot be decoded. */
+    private fun difference(file: Path, bytes: ByteArray, actual: ActualPicture, threshold: Double) = try {
+        PictureDifference.between(Picture.decode(bytes, "$file"), actual.picture, threshold)
+    } catch (_: SceneFormatException) {
+        null
+    }
+
+    private fun message(file: Path, problem: String, files: TestReport.Written, test: String): String = buildString {
+        appendLine(problem)
+        appendLine("  expected    $file")
+        appendLine("  actual      ${files.actual}")
+        if (files.difference != null) appendLine("  difference  ${files.difference}")
+        appendLine("  side by side in ${files.page}")
+        append("If the actual picture is right, make it the golden file: ${settings.updateCommand(test)}")
+    }
+
+    /**
+     * Writes [file] unless it matches. Returns false if this process has already accepted or written it, for another
+     * picture: both must be the same, so the file is compared as usual.
+     */
+    private fun updates(file: Path, actual: ActualPicture, threshold: Double): Boolean = synchronized(accepted) {
+        if (!accepted.add(file)) return false
+        val isThere = Files.exists(file)
+        val matches = isThere && difference(file, Files.readAllBytes(file), actual, threshold)?.isMatch == true
+        if (!matches) {
+            WholeFile.write(file, actual.png)
+            val size = "${actual.picture.width}x${actual.picture.height}"
+            settings.print("lazyz: ${if (isThere) "replaced" else "wrote"} golden file $file, $size")
+        }
+        return true
+    }
+
+    companion object {
+        /** The golden files that this process has written, or left as they are, in update mode. */
+        private val accepted = HashSet<Path>()
+
+        /** Returns the golden files of the project whose tests run in this process. */
+        fun current(): Goldens = Goldens(GoldenSettings.current())
+    }
+}

@@ -1,0 +1,111 @@
+package dev.lazyz.testing
+
+import java.io.IOException
+import java.io.UncheckedIOException
+import java.nio.channels.FileChannel
+import java.nio.channels.FileLock
+import java.nio.channels.OverlappingFileLockException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption.CREATE
+import java.nio.file.StandardOpenOption.WRITE
+import java.security.MessageDigest
+import java.util.concurrent.ConcurrentHashMap
+import kotlin.io.path.ExperimentalPathApi
+import kotlin.io.path.deleteRecursively
+import kotlin.io.path.extension
+import kotlin.streams.asSequence
+
+/**
+ * The failures of one test class: its folder in the output folder, and its part of the page that shows all of them.
+ *
+ * A part of the page is kept as a file for each failure, so that several processes can run tests at the same time, and
+ * each can write the whole page. A class begins anew in each process, like its file of Surefire; so the page shows the
+ * last run of each class. Thread safe; processes wait for each other.
+ *
+ * @param test full name of the class
+ */
+internal class TestReport(private val settings: GoldenSettings, private val test: String) {
+    private val folder: Path = settings.output.resolve(test)
+    private val page: Path = settings.output.resolve("index.html")
+
+    /** What was written for a failure. */
+    class Written(val actual: Path, val difference: Path?, val page: Path)
+
+    /** Deletes what earlier runs of the test have left. Does this only when it is called first in a process. */
+    fun begin() {
+        if (!begun.add(folder) || !Files.exists(folder)) return
+        exclusively {
+            @OptIn(ExperimentalPathApi::class)
+            folder.deleteRecursively()
+            writePage()
+        }
+    }
+
+    /**
+     * Writes the pictures of [failure], and adds it to the page. The same picture for the same golden file is there
+     * only once.
+     */
+    fun add(failure: GoldenFailure): Written {
+        val name = fileName(failure)
+        val actual = folder.resolve("$name.actual.png")
+        val difference = failure.difference?.let { folder.resolve("$name.difference.png") }
+        val part = ReportPage.part(test, failure).toByteArray()
+        exclusively {
+            WholeFile.write(actual, failure.actual.png)
+            if (difference != null) WholeFile.write(difference, failure.difference)
+            WholeFile.write(folder.resolve("$name.part"), part)
+            writePage()
+        }
+        return Written(actual, difference, page)
+    }
+
+    /** The name of the golden file, and the beginning of a hash of the picture and of the whole path. */
+    private fun fileName(failure: GoldenFailure): String {
+        val sha = MessageDigest.getInstance("SHA-256")
+        sha.update(failure.golden.toByteArray())
+        val hash = sha.digest(failure.actual.png).take(4).joinToString("") { "%02x".format(it) }
+        return failure.golden.substringAfterLast('/').substringAfterLast('\\').removeSuffix(".png") + "-$hash"
+    }
+
+    private fun writePage() {
+        val parts = Files.walk(settings.output).use { paths ->
+            paths.asSequence().filter { it.extension == "part" }.sorted().map { Files.readString(it) }.toList()
+        }
+        if (parts.isEmpty()) {
+            Files.deleteIfExists(page)
+        } else {
+            WholeFile.write(page, ReportPage.of(parts).toByteArray())
+        }
+    }
+
+    /** Runs [action] while no other thread or process writes to the output folder. */
+    private fun exclusively(action: () -> Unit) = synchronized(begun) {
+        try {
+            Files.createDirectories(settings.output)
+            FileChannel.open(settings.output.resolve(".lock"), CREATE, WRITE).use { channel ->
+                lock(channel).use { action() }
+            }
+        } catch (failure: IOException) {
+            throw UncheckedIOException("cannot write to ${settings.output}: ${failure.message}", failure)
+        }
+    }
+
+    /** Waits for the lock, also if this class is loaded twice in the process, for which Java's locks do not wait. */
+    private fun lock(channel: FileChannel): FileLock {
+        while (true) {
+            try {
+                return channel.lock()
+            } catch (_: OverlappingFileLockException) {
+                Thread.sleep(PAUSE_MILLIS)
+            }
+        }
+    }
+
+    private companion object {
+        const val PAUSE_MILLIS = 10L
+
+        /** The folders of the classes that have begun in this process. */
+        val begun: MutableSet<Path> = ConcurrentHashMap.newKeySet()
+    }
+}

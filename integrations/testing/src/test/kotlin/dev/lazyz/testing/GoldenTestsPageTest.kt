@@ -1,0 +1,37 @@
+package dev.lazyz.testing
+
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.readText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** `docs/golden-tests.md` says what is so. */
+class GoldenTestsPageTest {
+    private val root = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
+        .first { it.resolve("settings.gradle.kts").exists() && it.resolve("pom.xml").exists() }
+    private val page = root.resolve("docs/golden-tests.md").readText()
+
+    @Test
+    fun theFirstLinesAreThoseOfTheExample() {
+        val code = page.substringAfter("```java\n").substringBefore("```")
+        assertEquals(root.resolve("examples/golden-tests/src/test/java/TeapotTest.java").readText(), code)
+        assertTrue(code.lines().count { it.isNotBlank() } <= 10, code)
+    }
+
+    @Test
+    fun theTableHasAllProperties() {
+        val told = Regex("""\| `(lazyz\.[a-z.]+)` \|""").findAll(page).map { it.groupValues[1] }.toList()
+        assertEquals(listOf(GoldenSettings.UPDATE, GoldenSettings.ROOT, GoldenSettings.OUTPUT), told)
+    }
+
+    @Test
+    fun theMethodsExist() {
+        val types = listOf(SceneAssertion::class, RenderingAssertion::class, PictureAssertion::class)
+        val methods = types.flatMap { type -> type.java.methods.map { it.name } }
+        val told = Regex("""`(with\w+)""").findAll(page).map { it.groupValues[1] }.toSet()
+        assertTrue(told.size >= 4, "$told")
+        assertEquals(emptyList<String>(), told.filter { it !in methods })
+    }
+}

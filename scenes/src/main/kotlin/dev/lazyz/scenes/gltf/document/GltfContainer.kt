@@ -1,0 +1,74 @@
+package dev.lazyz.scenes.gltf.document
+
+import dev.lazyz.scenes.loading.Source
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+
+/**
+ * Opens a glTF file in JSON or binary form and finds the JSON text and the binary chunk (section 4). The chunks are
+ * read here because jgltf's reader does not terminate on a chunk of negative length.
+ */
+internal object GltfContainer {
+    private const val MAGIC = 0x46546C67
+    private const val JSON_CHUNK = 0x4E4F534A
+    private const val BINARY_CHUNK = 0x004E4942
+    private const val HEADER = 12
+    private const val CHUNK_HEADER = 8
+    private const val COPY_AGAIN = "export or copy the model again"
+
+    fun open(source: Source): GltfDocument {
+        val buffer = ByteBuffer.wrap(source.bytes).order(ByteOrder.LITTLE_ENDIAN)
+        val isBinary = source.bytes.size >= 4 && buffer.getInt(0) == MAGIC
+        if (!isBinary) return GltfDocument(source, GltfJson.read(source, 0, source.bytes.size), null)
+
+        // The header: magic number, version, total length
+        if (source.bytes.size < HEADER) {
+            source.fail("byte ${source.bytes.size}", "the file ends within its header of $HEADER bytes", COPY_AGAIN)
+        }
+        val version = buffer.getInt(4)
+        if (version != 1 && version != 2) {
+            source.fail("byte 4", "the version is $version, not 2", "export the model as glTF 2.0")
+        }
+        val length = buffer.getInt(8).toLong() and 0xFFFFFFFFL
+        if (length > source.bytes.size) {
+            val end = source.bytes.size
+            source.fail("byte $end", "the file ends before the $length bytes that byte 8 announces", COPY_AGAIN)
+        }
+        if (version == 1) return version1(source, buffer, length.toInt())
+        val text = chunk(source, buffer, HEADER)
+        if (text.type != JSON_CHUNK) source.fail("byte $HEADER", "the first chunk is not JSON", COPY_AGAIN)
+        val gltf = GltfJson.read(source, text.start, text.length)
+
+        // Chunks after the second belong to extensions and are ignored
+        val next = text.start + text.length
+        if (next + CHUNK_HEADER > length) return GltfDocument(source, gltf, null)
+        val binary = chunk(source, buffer, next).takeIf { it.type == BINARY_CHUNK }
+        return GltfDocument(source, gltf, binary?.let { buffer.slice(it.start, it.length) })
+    }
+
+    /**
+     * Reads a binary file of glTF 1.0. Its header has two more words, the length and the format of the JSON; the data
+     * follows the JSON.
+     */
+    private fun version1(source: Source, buffer: ByteBuffer, length: Int): GltfDocument {
+        val start = HEADER + CHUNK_HEADER
+        val end = if (length < start) -1L else start + (buffer.getInt(HEADER).toLong() and 0xFFFFFFFFL)
+        if (end !in start..length) {
+            source.fail("byte $HEADER", "the JSON ends beyond the file of $length bytes", COPY_AGAIN)
+        }
+        val gltf = GltfJson.read(source, start, end.toInt() - start, GltfJson.Container.VERSION_1)
+        return GltfDocument(source, gltf, buffer.slice(end.toInt(), length - end.toInt()))
+    }
+
+    private class Chunk(val type: Int, val start: Int, val length: Int)
+
+    private fun chunk(source: Source, buffer: ByteBuffer, at: Int): Chunk {
+        val start = at + CHUNK_HEADER
+        if (start > buffer.capacity()) source.fail("byte $at", "the file ends within the header of a chunk", COPY_AGAIN)
+        val length = buffer.getInt(at).toLong() and 0xFFFFFFFFL
+        if (start + length > buffer.capacity()) {
+            source.fail("byte $at", "the file ends within this chunk of $length bytes", COPY_AGAIN)
+        }
+        return Chunk(buffer.getInt(at + 4), start, length.toInt())
+    }
+}

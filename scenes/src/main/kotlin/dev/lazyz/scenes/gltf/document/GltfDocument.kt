@@ -1,0 +1,125 @@
+package dev.lazyz.scenes.gltf.document
+
+import de.javagl.jgltf.impl.v2.GlTF
+import dev.lazyz.scenes.loading.FileReferences
+import dev.lazyz.scenes.loading.Source
+import java.net.URLDecoder
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.util.Base64
+
+/**
+ * An opened glTF file: its JSON, and the bytes that the JSON refers to. Not thread safe.
+ *
+ * @property source the file, for warnings, errors and the folder of referenced files
+ * @property json the JSON as jgltf's classes; any value in it may be missing
+ */
+internal class GltfDocument(val source: Source, val json: GlTF, private val binary: ByteBuffer?) {
+    private val buffers = HashMap<Int, ByteBuffer>()
+    private val compressed = GltfCompressedViews(this)
+    private val warned = HashSet<String>()
+    private val counts = LinkedHashMap<String, Int>()
+
+    /**
+     * Returns `list[index]`, or fails if it does not exist. [where] is the place that refers to it, and [name] the name
+     * of the list.
+     */
+    fun <T : Any> element(list: List<T?>?, index: Int?, name: String, where: String): T {
+        val count = list?.size ?: 0
+        if (index == null || index !in 0 until count) {
+            fail(where, if (index == null) "it is missing" else "$name[$index] does not exist; there are $count")
+        }
+        return list?.get(index) ?: fail("$name[$index]", "it is null")
+    }
+
+    /** Returns the bytes of a buffer view, little endian. [where] is the place that refers to it. */
+    fun view(index: Int?, where: String): ByteBuffer {
+        val view = element(json.bufferViews, index, "bufferViews", where)
+        compressed.view(view, checkNotNull(index))?.let { return it }
+        val here = "bufferViews[$index]"
+        val length = view.byteLength ?: fail("$here.byteLength", "it is missing")
+        return bytes(view.buffer, view.byteOffset ?: 0, length, here)
+    }
+
+    /** Returns bytes of a buffer, little endian. [here] is the place that refers to them. */
+    fun bytes(index: Int?, offset: Int, length: Int, here: String): ByteBuffer {
+        val buffer = buffer(index, "$here.buffer")
+        if (offset < 0 || length < 0 || offset.toLong() + length > buffer.capacity()) {
+            val end = offset.toLong() + length
+            fail(here, "bytes $offset until $end are not within the buffer of ${buffer.capacity()}")
+        }
+        return buffer.slice(offset, length).order(ByteOrder.LITTLE_ENDIAN)
+    }
+
+    private fun buffer(index: Int?, where: String): ByteBuffer {
+        val buffer = element(json.buffers, index, "buffers", where)
+        return buffers.getOrPut(checkNotNull(index)) {
+            val here = "buffers[$index]"
+            val uri = buffer.uri
+            val bytes = when {
+                uri != null -> ByteBuffer.wrap(resolve(uri, "$here.uri"))
+                index == 0 && binary != null -> binary
+                else -> fail("$here.uri", "it is missing, and there is no binary chunk")
+            }
+            val length = buffer.byteLength ?: bytes.capacity()
+            if (length !in 0..bytes.capacity()) {
+                fail("$here.byteLength", "it announces $length bytes, but there are ${bytes.capacity()}")
+            }
+            bytes.slice(0, length)
+        }
+    }
+
+    private fun resolve(uri: String, where: String): ByteArray {
+        if (isData(uri)) return data(uri) ?: fail(where, "the data URI is not in Base64")
+        val found = find(uri)
+        val file = found.file ?: source.fail(where, "the file $uri ${found.problem}", found.remedy)
+        val bytes = FileReferences.read(file) ?: source.fail(where, "the file $uri cannot be read", "check permissions")
+        source.loading.read(bytes.size)
+        return bytes
+    }
+
+    /** Returns the file that [uri] refers to. Percent escapes such as `%20` are decoded. */
+    fun find(uri: String): FileReferences.Found {
+        val found = source.references.find(decoded(uri))
+        return if (found.file != null) found else source.references.find(uri)
+    }
+
+    private fun decoded(uri: String): String = try {
+        URLDecoder.decode(uri.replace("+", "%2B"), Charsets.UTF_8)
+    } catch (_: IllegalArgumentException) {
+        uri
+    }
+
+    /** Whether [uri] is a data URI, which contains its data. */
+    fun isData(uri: String): Boolean = uri.startsWith("data:", ignoreCase = true)
+
+    /** Returns the bytes of a data URI, or null if they are not in Base64. */
+    fun data(uri: String): ByteArray? {
+        val start = uri.indexOf(BASE64)
+        if (start < 0) return null
+        return try {
+            Base64.getDecoder().decode(uri.substring(start + BASE64.length))
+        } catch (_: IllegalArgumentException) {
+            null
+        }
+    }
+
+    /** Reports a warning, once for each [sentence]. */
+    fun warn(sentence: String) {
+        if (warned.add(sentence)) source.warn(sentence)
+    }
+
+    /** Adds [more] to the count of [sentence]. [warnOfCounts] reports the totals. */
+    fun count(sentence: String, more: Int = 1) {
+        if (more > 0) counts.merge(sentence, more, Int::plus)
+    }
+
+    /** Reports one warning for each sentence that was counted. */
+    fun warnOfCounts() = counts.forEach { (sentence, count) -> warn("$sentence: $count") }
+
+    fun fail(where: String, problem: String): Nothing = source.fail(where, problem, "export the model again")
+
+    private companion object {
+        const val BASE64 = ";base64,"
+    }
+}

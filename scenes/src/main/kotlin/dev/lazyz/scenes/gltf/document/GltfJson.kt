@@ -1,0 +1,113 @@
+package dev.lazyz.scenes.gltf.document
+
+import com.fasterxml.jackson.core.JsonFactory
+import com.fasterxml.jackson.core.JsonProcessingException
+import com.fasterxml.jackson.core.StreamReadConstraints
+import com.fasterxml.jackson.core.exc.StreamConstraintsException
+import com.fasterxml.jackson.databind.JsonMappingException
+import com.fasterxml.jackson.databind.JsonNode
+import com.fasterxml.jackson.databind.ObjectMapper
+import de.javagl.jgltf.impl.v2.GlTF
+import de.javagl.jgltf.model.io.JacksonUtils
+import de.javagl.jgltf.model.io.JsonError
+import dev.lazyz.scenes.gltf.version1.Version1Json
+import dev.lazyz.scenes.loading.Loading
+import dev.lazyz.scenes.loading.Source
+import java.io.IOException
+
+/**
+ * Reads the JSON of a glTF file into jgltf's classes.
+ *
+ * A value of the wrong type is an error. A value of the right type that the specification does not allow, such as a
+ * factor above 1 or an empty list, is ignored with a warning, because many files contain such values. Unknown
+ * properties are allowed.
+ */
+internal object GltfJson {
+    /** Created once, because it analyses jgltf's classes and caches the results. */
+    private val mapper: ObjectMapper by lazy {
+        JacksonUtils.createObjectMapper { error -> reading.get()?.let { report(it, error) } }
+    }
+
+    /** The source that the current thread is reading. */
+    private val reading = ThreadLocal<Source>()
+
+    private const val REMEDY = "correct it or export the model again"
+
+    /** The kind of file that contains the JSON. */
+    enum class Container {
+        /** A separate JSON file, or a binary file of version 2. */
+        USUAL,
+
+        /** A binary file of version 1. */
+        VERSION_1,
+    }
+
+    fun read(source: Source, start: Int, length: Int, container: Container = Container.USUAL): GlTF {
+        val found = tree(source, start, length)
+        val tree = if (Version1Json.isVersion1(found)) version2(source, found, container) else found
+        val version = tree.path("asset").path("version").asText("")
+        if (!version.startsWith("2.")) {
+            source.fail("asset.version", "the version is \"$version\", not 2.0", "export the model as glTF 2.0")
+        }
+        try {
+            reading.set(source)
+            return mapper.treeToValue(tree, GlTF::class.java)
+        } catch (e: JsonMappingException) {
+            source.fail(place(e), "the type of the value is not allowed here: ${brief(e.originalMessage)}", REMEDY, e)
+        } catch (e: IOException) {
+            source.fail(null, "the JSON is not glTF: ${brief(e.message)}", REMEDY, e)
+        } finally {
+            reading.remove()
+        }
+    }
+
+    private fun version2(source: Source, tree: JsonNode, container: Container): JsonNode {
+        source.warn("the file is glTF 1.0; its shaders, skins and animations are passed over: convert it to glTF 2.0")
+        if (container == Container.VERSION_1) Version1Json.referToData(tree)
+        return Version1Json.convert(tree) { where, problem -> source.fail(where, problem, REMEDY) }
+    }
+
+    private fun tree(source: Source, start: Int, length: Int): JsonNode {
+        val nesting = source.loading.limits.nesting
+        val constraints =
+            StreamReadConstraints.builder().maxNestingDepth(nesting).maxStringLength(Int.MAX_VALUE).build()
+        val factory = JsonFactory.builder().streamReadConstraints(constraints).build()
+        val tree: JsonNode? = try {
+            factory.createParser(source.bytes, start, length).use { mapper.readTree(it) }
+        } catch (e: JsonProcessingException) {
+            if (e is StreamConstraintsException && "nesting depth" in e.originalMessage) {
+                val most = source.loading.limits.nesting
+                source.fail(null, "the JSON is nested more than $most deep", Loading.NESTING_REMEDY, e)
+            }
+            val place = e.location?.let { "line ${it.lineNr}, column ${it.columnNr}" }
+            source.fail(place, "this is no JSON: ${brief(e.originalMessage)}", REMEDY, e)
+        } catch (e: IOException) {
+            source.fail(null, "this is no JSON: ${brief(e.message)}", REMEDY, e)
+        }
+        if (tree?.isObject != true) source.fail(null, "the file holds no JSON object", "check what kind of file it is")
+        return tree
+    }
+
+    /**
+     * Handles an error that jgltf reports: an unknown property, a value that a setter rejects, or a value of the wrong
+     * type.
+     */
+    private fun report(source: Source, error: JsonError) {
+        val cause = error.throwable ?: return
+        if (cause.cause !is IllegalArgumentException) throw cause
+        val place = error.jsonPath.filter { it.isNotEmpty() }.joinToString(".")
+        source.warn("$place is passed over: ${brief(cause.cause?.message)}")
+    }
+
+    /** Returns the path to the value, for example `meshes[0].primitives[1].mode`. */
+    private fun place(e: JsonMappingException): String =
+        e.path.joinToString("") { if (it.fieldName == null) "[${it.index}]" else ".${it.fieldName}" }.removePrefix(".")
+
+    /** Shortens one of Jackson's messages, which may quote much of the file and end in references in brackets. */
+    private fun brief(message: String?): String {
+        val line = message.orEmpty().trim().lineSequence().first()
+        return line.substringBefore(" (start marker").substringBefore(" (for ").take(MAX_MESSAGE)
+    }
+
+    private const val MAX_MESSAGE = 200
+}

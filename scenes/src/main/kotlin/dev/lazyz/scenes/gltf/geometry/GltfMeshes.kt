@@ -1,0 +1,130 @@
+package dev.lazyz.scenes.gltf.geometry
+
+import de.javagl.jgltf.impl.v2.MeshPrimitive
+import de.javagl.jgltf.model.ElementType
+import dev.lazyz.scenes.gltf.document.GltfAccessors
+import dev.lazyz.scenes.gltf.document.GltfDocument
+import dev.lazyz.scenes.gltf.materials.GltfMaterials
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Surface
+
+/**
+ * Reads meshes (section 3.7). Each primitive becomes a [Mesh], [Points] or [Lines]. A mesh without texture coordinates
+ * has no texture.
+ */
+internal class GltfMeshes(
+    private val document: GltfDocument,
+    private val accessors: GltfAccessors,
+    private val poses: GltfPoses,
+) {
+    private val materials = GltfMaterials(document)
+    private val meshes = HashMap<Int, List<GltfPart>>()
+
+    /** Returns the surfaces of a node, in world space. */
+    fun of(placed: PlacedNode): List<Surface> {
+        val index = placed.node.mesh ?: return emptyList()
+        val mesh = document.element(document.json.meshes, index, "meshes", "nodes[${placed.index}].mesh")
+        val own = meshes.getOrPut(index) {
+            val primitives: List<MeshPrimitive?> = mesh.primitives.orEmpty()
+            primitives.indices.mapNotNull { i ->
+                val where = "meshes[$index].primitives[$i]"
+                val primitive = document.element(primitives, i, "meshes[$index].primitives", where)
+                val vertices = GltfVertices(document, accessors, primitive, where)
+                primitive(primitive, vertices, where)?.let { GltfPart(it, primitive, vertices, where) }
+            }
+        }
+        return own.map { withTangents(poses.posed(it, mesh, placed)) }
+    }
+
+    private fun primitive(primitive: MeshPrimitive, vertices: GltfVertices, where: String): Surface? {
+        val mode = primitive.mode ?: GltfTriangles.TRIANGLES
+        if (mode !in GltfPoints.POINTS..GltfTriangles.FAN) document.fail("$where.mode", "there is no mode $mode")
+        val positions = vertices.floats("POSITION", ElementType.VEC3)
+        if (positions == null) {
+            document.warn("$where: there are no positions, so nothing of it is drawn")
+            return null
+        }
+        val here = "$where.attributes"
+        val count = positions.size / 3
+        document.source.loading.vertices(document.source, count.toLong())
+        val normals = vertices.floats("NORMAL", ElementType.VEC3)
+        val material = materials.material(primitive.material, "$where.material")
+        val sets = material.texCoordSets.map { "TEXCOORD_$it" }
+        val uvs = sets.map { vertices.floats(it, ElementType.VEC2) }
+        vertices.countUnused(sets)
+        val colors = vertices.floats("COLOR_0", ElementType.VEC3, ElementType.VEC4)?.let { opaque(it, count) }
+        vertices.checkCount(normals, 3, count, "$here.NORMAL")
+        for ((set, numbers) in sets.zip(uvs)) vertices.checkCount(numbers, 2, count, "$here.$set")
+        vertices.checkCount(colors, 4, count, "$here.COLOR_0")
+        val indices = indices(vertices, count, where)
+        if (mode < GltfTriangles.TRIANGLES) {
+            val own = if (primitive.material == null) null else material.material
+            if (mode == GltfPoints.POINTS) {
+                document.source.loading.vertices(document.source, indices.size.toLong())
+            } else {
+                document.source.loading.segments(document.source, indices.size.toLong())
+            }
+            return GltfPoints.of(mode, indices, positions, own, normals, colors)
+        }
+        return Mesh(
+            positions,
+            triangles(mode, indices, where),
+            material.material.withMapsOf { uvs.getOrNull(it) != null },
+            normals,
+            uvs.getOrNull(0),
+            colors,
+            uvs2 = uvs.getOrNull(1),
+            tangents = if (normals == null ||
+                material.material.normalMap == null
+            ) {
+                null
+            } else {
+                tangents(vertices, count, here)
+            },
+        )
+    }
+
+    private fun tangents(vertices: GltfVertices, count: Int, here: String): FloatArray? {
+        val tangents = vertices.floats("TANGENT", ElementType.VEC4)
+        vertices.checkCount(tangents, 4, count, "$here.TANGENT")
+        return tangents
+    }
+
+    /**
+     * Returns [surface] with the tangents that its normal map needs. If the file has none, or has no normals that they
+     * would belong to (section 3.7.2.1), they are computed now, because this may split vertices.
+     */
+    private fun withTangents(surface: Surface): Surface {
+        val normals = (surface as? Mesh)?.material?.normalMap ?: return surface
+        return if (surface.tangents != null) surface else surface.withTangents(normals.map.uvSet, normals.map.transform)
+    }
+
+    /** Returns RGBA colours. RGB colours get an alpha of 1. */
+    private fun opaque(numbers: FloatArray, count: Int): FloatArray {
+        if (numbers.size != 3 * count) return numbers
+        return FloatArray(4 * count) { if (it % 4 == 3) 1f else numbers[it / 4 * 3 + it % 4] }
+    }
+
+    private fun indices(vertices: GltfVertices, count: Int, where: String): IntArray {
+        val indices = vertices.indices() ?: IntArray(count) { it }
+        for (i in indices.indices) {
+            val vertex = indices[i]
+            if (vertex !in 0 until count) {
+                val shown = if (vertex < 0) "beyond 31 bits" else vertex.toString()
+                document.fail("$where.indices", "element $i is $shown, but there are $count vertices, counted from 0")
+            }
+        }
+        return indices
+    }
+
+    private fun triangles(mode: Int, indices: IntArray, where: String): IntArray {
+        if (mode == GltfTriangles.TRIANGLES && indices.size % 3 != 0) {
+            document.warn("$where: vertex numbers are not triples; the last ${indices.size % 3} are left out")
+        }
+        val triangles = if (mode == GltfTriangles.TRIANGLES) indices.size / 3 else maxOf(indices.size - 2, 0)
+        document.source.loading.triangles(document.source, triangles.toLong())
+        return GltfTriangles.of(mode, indices)
+    }
+}

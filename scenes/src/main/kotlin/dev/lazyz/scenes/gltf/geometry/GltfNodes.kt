@@ -1,0 +1,87 @@
+package dev.lazyz.scenes.gltf.geometry
+
+import de.javagl.jgltf.impl.v2.Node
+import dev.lazyz.geometry.Transforms
+import dev.lazyz.scenes.gltf.animation.NodePose
+import dev.lazyz.scenes.gltf.document.GltfDocument
+import org.joml.Matrix4d
+import org.joml.Matrix4dc
+
+/**
+ * A node with its position in the world.
+ *
+ * @property node the node as stored in the file
+ * @property index its number
+ * @property toWorld transform from the node's space to world space; affine
+ */
+internal class PlacedNode(val node: Node, val index: Int, val toWorld: Matrix4dc)
+
+/** Walks the nodes of the default scene (section 3.5). */
+internal class GltfNodes(private val document: GltfDocument, private val poses: Map<Int, NodePose>) {
+    private val nodes: List<Node?> = document.json.nodes.orEmpty()
+    private val toWorld = HashMap<Int, Matrix4d>()
+    private val parents: Map<Int, Int> by lazy {
+        nodes.withIndex().flatMap { (i, node) -> children(node).filterNotNull().map { it to i } }.toMap()
+    }
+
+    /**
+     * Returns the nodes of the default scene, each before its children. If the file has no default scene, returns all
+     * nodes: the roots are those that are not a child of another node. Fails if a node is reached twice, because nodes
+     * must form trees (3.5.2).
+     */
+    fun walk(): List<PlacedNode> {
+        class Pending(val index: Int, val where: String, val toParent: Matrix4dc)
+
+        // An explicit stack, because a chain of nodes may be deeper than the call stack allows
+        val pending = ArrayDeque<Pending>()
+        val identity = Matrix4d()
+        for ((index, where) in roots().asReversed()) pending.addLast(Pending(index, where, identity))
+        val seen = HashSet<Int>()
+        val placed = ArrayList<PlacedNode>()
+        while (pending.isNotEmpty()) {
+            val next = pending.removeLast()
+            val node = document.element(nodes, next.index, "nodes", next.where)
+            if (!seen.add(next.index)) document.fail(next.where, "node ${next.index} has two parents or holds itself")
+            val toWorld = Transforms.product(next.toParent, NodeTransforms.of(node, poses[next.index]))
+            this.toWorld[next.index] = toWorld
+            placed.add(PlacedNode(node, next.index, toWorld))
+            for ((i, child) in children(node).withIndex().reversed()) {
+                pending.addLast(Pending(child ?: -1, "nodes[${next.index}].children[$i]", toWorld))
+            }
+        }
+        return placed
+    }
+
+    /**
+     * Returns the transform from a node's space to world space, also for a node that is not part of the scene. [where]
+     * is the place that refers to the node. Fails if a node is its own ancestor.
+     */
+    fun toWorld(index: Int, where: String): Matrix4d {
+        // Climb to the first ancestor whose transform is known, then come back down
+        val unknown = LinkedHashSet<Int>()
+        var next: Int? = index
+        while (next != null && next !in toWorld) {
+            document.element(nodes, next, "nodes", where)
+            if (!unknown.add(next)) document.fail(where, "node $next holds itself")
+            next = parents[next]
+        }
+        for (node in unknown.reversed()) {
+            val toParent = NodeTransforms.of(checkNotNull(nodes[node]), poses[node])
+            toWorld[node] = parents[node]?.let { Transforms.product(toWorld.getValue(it), toParent) } ?: toParent
+        }
+        return toWorld.getValue(index)
+    }
+
+    private fun roots(): List<Pair<Int, String>> {
+        val index = document.json.scene
+        if (index != null) {
+            val scene = document.element(document.json.scenes, index, "scenes", "scene")
+            val numbers: List<Int?> = scene.nodes.orEmpty()
+            return numbers.mapIndexed { i, node -> Pair(node ?: -1, "scenes[$index].nodes[$i]") }
+        }
+        val isChild = nodes.flatMapTo(HashSet()) { children(it) }
+        return nodes.indices.filter { it !in isChild }.map { Pair(it, "nodes[$it]") }
+    }
+
+    private fun children(node: Node?): List<Int?> = node?.children.orEmpty()
+}

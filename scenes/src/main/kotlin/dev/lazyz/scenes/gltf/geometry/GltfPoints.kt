@@ -1,0 +1,51 @@
+package dev.lazyz.scenes.gltf.geometry
+
+import dev.lazyz.scenes.loading.PixelDefaults
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Surface
+
+/** Points, and the three modes that join vertices to lines (section 3.7.2.1). */
+internal object GltfPoints {
+    const val POINTS = 0
+    private const val LINES = 1
+    private const val LOOP = 2
+
+    /**
+     * Returns the points or lines that the vertex numbers [indices] describe. An incomplete last line segment is
+     * dropped.
+     *
+     * @param material null if the file gives none
+     */
+    fun of(
+        mode: Int,
+        indices: IntArray,
+        positions: FloatArray,
+        material: Material?,
+        normals: FloatArray?,
+        colors: FloatArray?,
+    ): Surface {
+        val isLit = mode == POINTS && normals != null
+        val paint = material ?: PixelDefaults.material(isLit, colors != null)
+        if (mode != POINTS) return Lines(positions, segments(mode, indices), PixelDefaults.LINE_WIDTH, paint, colors)
+        return Points(
+            gather(positions, indices, 3),
+            PixelDefaults.POINT_SIZE,
+            paint,
+            normals?.let { gather(it, indices, 3) },
+            colors?.let { gather(it, indices, 4) },
+        )
+    }
+
+    /** Returns vertex numbers, two for each segment. */
+    fun segments(mode: Int, indices: IntArray): IntArray {
+        if (mode == LINES) return indices.copyOf(indices.size / 2 * 2)
+        val isClosed = mode == LOOP && indices.size > 1
+        val count = maxOf(indices.size - 1, 0) + (if (isClosed) 1 else 0)
+        return IntArray(2 * count) { indices[(it / 2 + it % 2) % indices.size] }
+    }
+
+    private fun gather(numbers: FloatArray, indices: IntArray, width: Int): FloatArray =
+        FloatArray(width * indices.size) { numbers[width * indices[it / width] + it % width] }
+}

@@ -1,0 +1,133 @@
+package dev.lazyz.scenes.gltf.materials
+
+import de.javagl.jgltf.impl.v2.Material as MaterialJson
+import dev.lazyz.Rgba
+import dev.lazyz.scenes.gltf.document.ExtensionValues
+import dev.lazyz.scenes.gltf.document.GltfDocument
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MetallicRoughness
+import dev.lazyz.world.material.NormalMap
+import dev.lazyz.world.material.OcclusionMap
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.TextureEncoding
+import kotlin.math.round
+
+/**
+ * A material and the sets of texture coordinates of its maps.
+ *
+ * @property texCoordSets numbers of at most two sets, as in `TEXCOORD_0`; the maps of the [material] refer to the first
+ *   as 0 and to the second as 1
+ */
+internal class GltfMaterial(val material: Material, val texCoordSets: List<Int>)
+
+/**
+ * Converts materials (section 3.9): to metallic-roughness materials, or with `KHR_materials_unlit` to
+ * [Shading.CONSTANT]. Factors are already linear.
+ *
+ * A classical look is added, for callers who remove the metallic-roughness model to see another shading:
+ *
+ * - The base colour is the diffuse colour, also of metals.
+ * - The highlight has the exponent `n = 2 / roughness^4 - 2` (B. Walter et al., "Microfacet Models for Refraction",
+ *   2007, section 5.2), clamped to 1..1024, and the colour `F0 (n + 2) / 8 (1 - roughness)`, at most 1. F0 is the
+ *   reflectance at normal incidence: 0.04, or the base colour of an untextured metal. `(n + 2) / 8` is the peak of a
+ *   lobe of that width (N. Hoffman, "Crafting Physically Motivated Shading Models for Game Development", SIGGRAPH
+ *   2010). `1 - roughness` fades the highlight out where the lobe is as wide as diffuse reflection.
+ */
+internal class GltfMaterials(private val document: GltfDocument) {
+    private val textures = GltfTextures(document)
+    private val materials = HashMap<Int?, GltfMaterial>()
+
+    /**
+     * Returns the material with number [index], or the specification's default material if it is null. [where] is the
+     * place that refers to it.
+     */
+    fun material(index: Int?, where: String): GltfMaterial {
+        if (index == null) return materials.getOrPut(null) { read(MaterialJson(), "") }
+        val json = document.element(document.json.materials, index, "materials", where)
+        return materials.getOrPut(index) { read(json, "materials[$index]") }
+    }
+
+    private fun read(json: MaterialJson, where: String): GltfMaterial {
+        val pbr = json.pbrMetallicRoughness
+        val maps = GltfMaps(document, textures)
+        val here = "$where.pbrMetallicRoughness"
+        val base = color(pbr?.baseColorFactor, Rgba.WHITE)
+        val baseMap = maps.map(pbr?.baseColorTexture, TextureEncoding.SRGB, "$here.baseColorTexture")
+        val roughness = fraction(pbr?.roughnessFactor, 1f)
+        val metallic = fraction(pbr?.metallicFactor, 1f)
+        val shininess = shininess(roughness)
+        val isUnlit = ExtensionValues.of(json, "KHR_materials_unlit") != null
+        val plain = Material(
+            baseColor = base,
+            shading = if (isUnlit) Shading.CONSTANT else Shading.BLINN_PHONG,
+            specular = specular(base, if (baseMap == null) metallic else 0f, roughness, shininess),
+            shininess = shininess,
+            alphaMode = alphaMode(json, where),
+            alphaCutoff = fraction(json.alphaCutoff, 0.5f),
+            sides = if (json.isDoubleSided == true) Sides.BOTH else Sides.FRONT,
+            name = json.name ?: "",
+        ).withTextureMap(baseMap)
+        if (isUnlit) return GltfMaterial(plain, maps.texCoordSets)
+
+        val modelMap = maps.map(pbr?.metallicRoughnessTexture, TextureEncoding.LINEAR, "$here.metallicRoughnessTexture")
+        val normalMap = maps.map(json.normalTexture, TextureEncoding.LINEAR, "$where.normalTexture")
+        val normalScale = json.normalTexture?.scale?.takeIf { it.isFinite() } ?: 1f
+        val occlusionMap = maps.map(json.occlusionTexture, TextureEncoding.LINEAR, "$where.occlusionTexture")
+        val occlusionStrength = fraction(json.occlusionTexture?.strength, 1f)
+        val emissionMap = maps.map(json.emissiveTexture, TextureEncoding.SRGB, "$where.emissiveTexture")
+        val material = plain
+            .withMetallicRoughness(MetallicRoughness(metallic, roughness, modelMap))
+            .withNormalMap(normalMap?.let { NormalMap(it, normalScale) })
+            .withOcclusionMap(occlusionMap?.let { OcclusionMap(it, occlusionStrength) })
+            .withEmission(emission(json))
+            .withEmissionMap(emissionMap)
+        return GltfMaterial(material, maps.texCoordSets)
+    }
+
+    private fun shininess(roughness: Float): Int {
+        val square = roughness.toDouble() * roughness
+        val exponent = 2.0 / (square * square) - 2.0
+        return if (exponent < 1024.0) round(exponent).toInt().coerceAtLeast(1) else 1024
+    }
+
+    private fun specular(base: Rgba, metallic: Float, roughness: Float, shininess: Int): Rgba {
+        val reflectance = listOf(base.red, base.green, base.blue).map { DIELECTRIC * (1f - metallic) + it * metallic }
+        val strength = (shininess + 2) / 8f * (1f - roughness)
+        val most = 1f / maxOf(reflectance.max(), DIELECTRIC)
+        return Rgba(reflectance[0], reflectance[1], reflectance[2]).scaled(minOf(strength, most))
+    }
+
+    private fun emission(json: MaterialJson): Rgba {
+        val color = color(json.emissiveFactor, Rgba.BLACK)
+        val strength = ExtensionValues.of(json, "KHR_materials_emissive_strength") ?: return color
+        return color.scaled(ExtensionValues.number(strength, "emissiveStrength", 1.0).toFloat())
+    }
+
+    private fun alphaMode(json: MaterialJson, where: String): AlphaMode = when (json.alphaMode) {
+        null, "OPAQUE" -> AlphaMode.OPAQUE
+        "MASK" -> AlphaMode.MASK
+        "BLEND" -> AlphaMode.BLEND
+        else -> AlphaMode.OPAQUE.also {
+            document.warn("$where.alphaMode ${json.alphaMode} is unknown and taken as OPAQUE")
+        }
+    }
+
+    private fun color(factors: FloatArray?, missing: Rgba): Rgba =
+        if (factors == null ||
+            factors.size < 3
+        ) {
+            missing
+        } else {
+            Rgba(factors[0], factors[1], factors[2], factors.getOrElse(3) { 1f })
+        }
+
+    private fun fraction(number: Float?, missing: Float): Float =
+        number?.takeIf { it.isFinite() }?.coerceIn(0f, 1f) ?: missing
+
+    private companion object {
+        /** Reflectance of dielectrics such as glass and plastic, appendix B.2. */
+        const val DIELECTRIC = 0.04f
+    }
+}

@@ -1,0 +1,118 @@
+package dev.lazyz.scenes.gltf.materials
+
+import de.javagl.jgltf.impl.v2.Image
+import de.javagl.jgltf.impl.v2.Texture as TextureJson
+import de.javagl.jgltf.model.GltfConstants
+import dev.lazyz.scenes.gltf.document.ExtensionValues
+import dev.lazyz.scenes.gltf.document.GltfDocument
+import dev.lazyz.scenes.images.TextureFiles
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureEncoding
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureWrap
+
+/**
+ * Textures (section 3.8): images in buffer views, data URIs and files, with their samplers. Each image is decoded once.
+ *
+ * The sampler's magnification filter is used; its minification filter is not, because all textures have mip levels. An
+ * image that is missing or cannot be decoded gives a warning and no texture.
+ */
+internal class GltfTextures(private val document: GltfDocument) {
+    /**
+     * Decoded images by the location of their bytes, which several images may share: the number of a buffer view, or a
+     * URI.
+     */
+    private val images = HashMap<Any, Texture?>()
+    private val undecoded = HashSet<Int>()
+    private val textures = HashMap<Pair<Int?, TextureEncoding>, Texture?>()
+
+    /**
+     * Returns the texture with number [index], whose codes mean what [encoding] says. [where] is the place that refers
+     * to it.
+     */
+    fun texture(index: Int?, encoding: TextureEncoding, where: String): Texture? =
+        textures.getOrPut(index to encoding) { read(index, where)?.withEncoding(encoding) }
+
+    private fun read(index: Int?, where: String): Texture? {
+        val texture = document.element(document.json.textures, index, "textures", where)
+        val source = texture.source ?: return withoutImage(texture, checkNotNull(index))
+        val image = document.element(document.json.images, source, "images", "textures[$index].source")
+        val decoded = images.getOrPut(image.bufferView ?: image.uri ?: image) { decode(image, source) } ?: return null
+        if (texture.sampler == null) return decoded
+        val sampler = document.element(document.json.samplers, texture.sampler, "samplers", "textures[$index].sampler")
+        val isNearest = sampler.magFilter == GltfConstants.GL_NEAREST
+        return decoded.withSampling(
+            if (isNearest) TextureFilter.NEAREST else TextureFilter.BILINEAR,
+            wrap(sampler.wrapS),
+            wrap(sampler.wrapT),
+        )
+    }
+
+    /**
+     * Reports a texture without an image that can be decoded. An extension may give the only image, in an unsupported
+     * format.
+     */
+    private fun withoutImage(texture: TextureJson, index: Int): Texture? {
+        val extension = formats.keys.firstOrNull { ExtensionValues.of(texture, it) != null }
+        when {
+            extension == null -> document.warn("textures[$index] has no image of a known kind and is left out")
+            undecoded.add(index) ->
+                document.count(
+                    "textures whose only image is of the extension $extension (${formats[extension]}) are left out; " +
+                        "save them as PNG or JPEG",
+                )
+        }
+        return null
+    }
+
+    private fun wrap(wrap: Int?): TextureWrap = when (wrap) {
+        GltfConstants.GL_CLAMP_TO_EDGE -> TextureWrap.CLAMP
+        GltfConstants.GL_MIRRORED_REPEAT -> TextureWrap.MIRROR
+        else -> TextureWrap.REPEAT
+    }
+
+    private fun decode(image: Image, index: Int): Texture? {
+        val uri = image.uri?.takeIf { image.bufferView == null && !document.isData(it) }
+        val label = listOfNotNull("images[$index]", (uri ?: image.name)?.let { "($it)" }).joinToString(" ")
+        if (uri != null) return file(uri, label)
+        val bytes = bytes(image, index)
+        if (bytes == null) {
+            document.warn("$label is missing and is left out")
+            return null
+        }
+        val texture = TextureFiles.decode(document.source, bytes, image.name ?: "images[$index]")
+        if (texture == null) document.warn("$label ${TextureFiles.NOT_DECODED}")
+        return texture
+    }
+
+    private fun file(uri: String, label: String): Texture? {
+        val found = document.find(uri)
+        if (found.file == null) {
+            document.warn("$label ${found.warning}")
+            return null
+        }
+        val texture = TextureFiles.ofFile(document.source, found.file)
+        if (texture == null) document.warn("$label ${TextureFiles.NOT_DECODED}")
+        return texture
+    }
+
+    /** Returns the bytes of an image that is stored in the model itself. */
+    private fun bytes(image: Image, index: Int): ByteArray? {
+        if (image.bufferView == null) return image.uri?.let { document.data(it) }
+        val view = document.view(image.bufferView, "images[$index].bufferView")
+        return ByteArray(view.capacity()).also { view.get(it) }
+    }
+
+    companion object {
+        /**
+         * Extensions that refer to images in other formats, and the names of these formats. If a texture also has an
+         * image in a usual format, that one is used.
+         */
+        val formats = mapOf(
+            "KHR_texture_basisu" to "KTX2",
+            "EXT_texture_webp" to "WebP",
+            "EXT_texture_avif" to "AVIF",
+            "MSFT_texture_dds" to "DDS",
+        )
+    }
+}

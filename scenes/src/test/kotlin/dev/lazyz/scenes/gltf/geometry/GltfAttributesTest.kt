@@ -1,0 +1,103 @@
+package dev.lazyz.scenes.gltf.geometry
+
+import dev.lazyz.scenes.gltf.GltfFiles
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.BYTE
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.ONE_NODE
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.SHORT
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.UBYTE
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.UINT
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.USHORT
+import dev.lazyz.scenes.gltf.GltfParser
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.loading.meshes
+import dev.lazyz.world.surface.Mesh
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class GltfAttributesTest {
+    private val triangle = listOf(0, 0, 0, 1, 0, 0, 0, 1, 0)
+
+    private fun mesh(files: GltfFiles, attributes: String, more: String = ""): Mesh {
+        val material = if ("material" in more) ",\"material\":0" else ""
+        val json = files.json("""$ONE_NODE,"meshes":[{"primitives":[{"attributes":{$attributes}$material}]}]$more""")
+        return GltfParser.parse(TestSources.of(json)).meshes.single()
+    }
+
+    @Test
+    fun coloursAreLinearAndOfAnyType() {
+        val expected = listOf(1f, 0f, 0.2f, 1f)
+        val types = mapOf(FLOAT to listOf(1, 0, 0.2f), UBYTE to listOf(255, 0, 51), USHORT to listOf(65535, 0, 13107))
+        for ((type, colour) in types) {
+            for (hasAlpha in listOf(false, true)) {
+                val files = GltfFiles()
+                files.accessor("VEC3", FLOAT, triangle)
+                val row = if (hasAlpha) colour + colour[0] else colour
+                files.accessor(if (hasAlpha) "VEC4" else "VEC3", type, row + row + row, ",\"normalized\":true")
+                val colors = mesh(files, "\"POSITION\":0,\"COLOR_0\":1").colors!!.toList()
+                for (i in 0 until 12) assertEquals(expected[i % 4], colors[i], 1e-6f, "type $type, $hasAlpha")
+            }
+        }
+    }
+
+    @Test
+    fun signedFractionsEndAtMinusOne() {
+        val files = GltfFiles()
+        files.accessor("VEC3", BYTE, listOf(-128, -127, 127, 0, 0, 0, 0, 0, 0), ",\"normalized\":true")
+        assertEquals(listOf(-1f, -1f, 1f), mesh(files, "\"POSITION\":0").positions.take(3))
+        val shorts = GltfFiles()
+        shorts.accessor("VEC3", SHORT, listOf(-32768, 5, 32767, 0, 0, 0, 0, 0, 0))
+        assertEquals(listOf(-32768f, 5f, 32767f), mesh(shorts, "\"POSITION\":0").positions.take(3))
+    }
+
+    @Test
+    fun interleavedRowsAreTakenApart() {
+        val files = GltfFiles()
+        val rows = (0 until 3).flatMap { triangle.slice(3 * it until 3 * it + 3) + listOf(10 + it, 20 + it) }
+        val view = files.view(files.encode(FLOAT, rows), ",\"byteStride\":20")
+        files.accessor("""{"bufferView":$view,"componentType":$FLOAT,"count":3,"type":"VEC3"}""")
+        files.accessor("""{"bufferView":$view,"byteOffset":12,"componentType":$FLOAT,"count":3,"type":"VEC2"}""")
+        val mesh = mesh(files, "\"POSITION\":0,\"TEXCOORD_0\":1")
+        assertEquals(triangle.map { it.toFloat() }, mesh.positions.toList())
+        assertEquals(listOf(10f, 20f, 11f, 21f, 12f, 22f), mesh.uvs!!.toList())
+    }
+
+    @Test
+    fun sparseValuesReplaceSomeOfTheBase() {
+        for (base in listOf("offset", "zeros")) {
+            val files = GltfFiles()
+            val numbers = files.view(files.encode(FLOAT, listOf(99, 99, 99) + List(9) { it + 1 }))
+            val places = files.view(files.encode(USHORT, listOf(0, 2)))
+            val values = files.view(files.encode(FLOAT, listOf(-1, -2, -3, -4, -5, -6)))
+            val dense = if (base == "offset") "\"bufferView\":$numbers,\"byteOffset\":12," else ""
+            files.accessor(
+                """{$dense"componentType":$FLOAT,"count":3,"type":"VEC3","sparse":{"count":2,
+                "indices":{"bufferView":$places,"componentType":$USHORT},"values":{"bufferView":$values}}}""",
+            )
+            val middle = if (base == "offset") listOf(4f, 5f, 6f) else listOf(0f, 0f, 0f)
+            val expected = listOf(-1f, -2f, -3f) + middle + listOf(-4f, -5f, -6f)
+            assertEquals(expected, mesh(files, "\"POSITION\":0").positions.toList(), base)
+        }
+    }
+
+    @Test
+    fun textureDecidesWhichCoordinatesAreUsed() {
+        val files = GltfFiles()
+        files.accessor("VEC3", FLOAT, triangle)
+        files.accessor("VEC2", FLOAT, listOf(0, 0, 1, 0, 0, 1))
+        files.accessor("VEC2", UBYTE, listOf(255, 51, 0, 0, 0, 0), ",\"normalized\":true")
+        val attributes = "\"POSITION\":0,\"TEXCOORD_0\":1,\"TEXCOORD_1\":2"
+        assertEquals(listOf(0f, 0f, 1f), mesh(files, attributes).uvs!!.take(3))
+        val pbr = """{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":1}}}"""
+        val second = ""","textures":[{}],"materials":[$pbr]"""
+        assertEquals(listOf(1f, 0.2f, 0f), mesh(files, attributes, second).uvs!!.take(3))
+    }
+
+    @Test
+    fun notANumberIsKept() {
+        val files = GltfFiles()
+        files.accessor("VEC3", FLOAT, listOf(Float.NaN, Float.POSITIVE_INFINITY, 0f, 1, 0, 0, 0, 1, 0))
+        assertTrue(mesh(files, "\"POSITION\":0").positions[0].isNaN())
+    }
+}

@@ -1,0 +1,249 @@
+package dev.lazyz.scenes.gltf.materials
+
+import dev.lazyz.Rgba
+import dev.lazyz.scenes.gltf.GltfFiles
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
+import dev.lazyz.scenes.gltf.GltfFiles.Companion.ONE_NODE
+import dev.lazyz.scenes.gltf.GltfParser
+import dev.lazyz.scenes.images.PngFile
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.scenes.loading.meshes
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MetallicRoughness
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.TextureEncoding
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureWrap
+import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.surface.Mesh
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.Base64
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+class GltfMaterialsTest {
+    private val png = PngFile.of(2, 1, 8, PngFile.GREY, listOf(PngFile.bytes(9, 200)))
+
+    private fun read(material: String, more: String = "", folder: Path? = null): Pair<Material, Source> {
+        val files = GltfFiles()
+        files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
+        files.accessor("VEC2", FLOAT, List(6) { 0 })
+        files.view(png)
+        val mesh = """"meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0}]}]"""
+        val source = TestSources.of(files.json("""$ONE_NODE,$mesh,"materials":[$material]$more"""), folder)
+        return GltfParser.parse(source).meshes.single().material to source
+    }
+
+    private fun material(json: String, more: String = "") = read(json, more).first
+
+    private fun pbr(json: String) = material("""{"pbrMetallicRoughness":{$json}}""")
+
+    @Test
+    fun factorsAreLinear() {
+        val pbr = """"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,0,0.75]}"""
+        val material = material("""{"name":"a",$pbr,"emissiveFactor":[0,0.5,1]}""")
+        assertEquals(Rgba(0.5f, 0.25f, 0f, 0.75f), material.baseColor)
+        assertEquals(Rgba(0f, 0.5f, 1f), material.emission)
+        assertEquals("a", material.name)
+        assertEquals(Shading.BLINN_PHONG, material.shading)
+    }
+
+    @Test
+    fun alphaModesAndSidesAreKept() {
+        assertEquals(AlphaMode.OPAQUE to Sides.FRONT, material("{}").let { it.alphaMode to it.sides })
+        val masked = material("""{"alphaMode":"MASK","alphaCutoff":0.25,"doubleSided":true}""")
+        assertEquals(AlphaMode.MASK to Sides.BOTH, masked.alphaMode to masked.sides)
+        assertEquals(0.25f, masked.alphaCutoff)
+        assertEquals(AlphaMode.BLEND, material("""{"alphaMode":"BLEND"}""").alphaMode)
+        val (unknown, source) = read("""{"alphaMode":"MAGIC"}""")
+        assertEquals(AlphaMode.OPAQUE, unknown.alphaMode)
+        assertEquals(1, source.warnings.size)
+    }
+
+    @Test
+    fun roughnessWidensTheHighlight() {
+        fun rough(roughness: String) = pbr(""""metallicFactor":0,"roughnessFactor":$roughness""")
+        val shininess = listOf("0", "0.1", "0.5", "0.8", "1").map { rough(it).shininess }
+        assertEquals(listOf(1024, 1024, 30, 3, 1), shininess)
+        for ((roughness, peak) in listOf("0" to 1f, "0.5" to 0.08f, "0.8" to 0.005f, "1" to 0f)) {
+            assertEquals(peak, rough(roughness).specular.red, 1e-6f, roughness)
+        }
+    }
+
+    @Test
+    fun metalsReflectTheirColour() {
+        val gold = pbr(""""baseColorFactor":[1,0.8,0.2,1],"roughnessFactor":0.3""")
+        assertEquals(Rgba(1f, 0.8f, 0.2f), gold.specular)
+        assertEquals(Rgba(1f, 0.8f, 0.2f), gold.baseColor)
+        val plastic = pbr(""""baseColorFactor":[1,0.8,0.2,1],"roughnessFactor":0.5,"metallicFactor":0""")
+        assertEquals(plastic.specular.red, plastic.specular.blue)
+    }
+
+    @Test
+    fun defaultMaterialIsTheSpecifications() {
+        val files = GltfFiles()
+        files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
+        val json = files.json("""$ONE_NODE,"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]""")
+        val material = GltfParser.parse(TestSources.of(json)).meshes.single().material
+        assertEquals(Rgba.WHITE, material.baseColor)
+        assertEquals(AlphaMode.OPAQUE to Sides.FRONT, material.alphaMode to material.sides)
+    }
+
+    @Test
+    fun extensionsChangeLight() {
+        assertEquals(Shading.CONSTANT, material("""{"extensions":{"KHR_materials_unlit":{}}}""").shading)
+        val strength = """"KHR_materials_emissive_strength":{"emissiveStrength":4}"""
+        val strong = material("""{"emissiveFactor":[1,0.5,0],"extensions":{$strength}}""")
+        assertEquals(Rgba(4f, 2f, 0f), strong.emission)
+    }
+
+    private val image = ""","textures":[{"source":0}],"images":[{"bufferView":2}]"""
+
+    @Test
+    fun metallicRoughnessIsTheModel() {
+        val model = pbr(""""metallicFactor":0.25,"roughnessFactor":0.75""")
+        assertEquals(MetallicRoughness(0.25f, 0.75f), model.metallicRoughness)
+        assertEquals(MetallicRoughness(1f, 1f), material("{}").metallicRoughness)
+        assertNull(material("""{"extensions":{"KHR_materials_unlit":{}}}""").metallicRoughness)
+    }
+
+    @Test
+    fun mapsHaveTheirEncodings() {
+        val pbr = """"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicRoughnessTexture":{"index":0}}"""
+        val normal = """"normalTexture":{"index":0,"scale":0.5}"""
+        val rest = """"occlusionTexture":{"index":0,"strength":0.25},"emissiveTexture":{"index":0}"""
+        val (material, source) = read("""{$pbr,$normal,$rest,"emissiveFactor":[1,0.5,0]}""", image)
+        assertEquals(emptyList<String>(), source.warnings)
+        assertEquals(TextureEncoding.SRGB, material.texture?.encoding)
+        assertEquals(TextureEncoding.LINEAR, material.metallicRoughness?.map?.texture?.encoding)
+        assertEquals(TextureEncoding.LINEAR, material.normalMap?.map?.texture?.encoding)
+        assertEquals(TextureEncoding.LINEAR, material.occlusionMap?.map?.texture?.encoding)
+        assertEquals(TextureEncoding.SRGB, material.emissionMap?.texture?.encoding)
+        assertEquals(0.5f to 0.25f, material.normalMap?.scale to material.occlusionMap?.strength)
+        assertEquals(Rgba(1f, 0.5f, 0f), material.emission)
+    }
+
+    @Test
+    fun eachMapHasItsOwnTransformAndSet() {
+        val transform = """"KHR_texture_transform":{"scale":[2,3],"offset":[0.5,0.25],"rotation":1.5707963267948966}"""
+        val moved = """{"index":0,"extensions":{$transform}}"""
+        val pbr = """"pbrMetallicRoughness":{"baseColorTexture":$moved}"""
+        val material = material("""{$pbr,"emissiveTexture":{"index":0}}""", image)
+        assertEquals(UvTransform.IDENTITY, material.emissionMap?.transform)
+        val map = checkNotNull(material.textureMap)
+        val places = listOf(0f to 0f, 1f to 0f, 0f to 1f)
+        for ((from, to) in places.zip(listOf(0.5f to 0.25f, 0.5f to -1.75f, 3.5f to 0.25f))) {
+            assertEquals(to.first, map.transform.u(from.first, from.second), 1e-6f)
+            assertEquals(to.second, map.transform.v(from.first, from.second), 1e-6f)
+        }
+    }
+
+    @Test
+    fun setsOfCoordinatesAreNumberedByUse() {
+        val files = GltfFiles()
+        files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
+        files.accessor("VEC2", FLOAT, listOf(0, 0, 1, 0, 0, 1))
+        files.accessor("VEC2", FLOAT, listOf(5, 5, 6, 5, 5, 6))
+        files.view(png)
+        val attributes = """"POSITION":0,"TEXCOORD_0":1,"TEXCOORD_3":2"""
+        val override = """"extensions":{"KHR_texture_transform":{"texCoord":3}}"""
+        val json = files.json(
+            """$ONE_NODE,"meshes":[{"primitives":[{"attributes":{$attributes},"material":0}]}],
+            "textures":[{"source":0}],"images":[{"bufferView":3}],"materials":[{"pbrMetallicRoughness":{
+            "baseColorTexture":{"index":0,$override}},"emissiveTexture":{"index":0}}]""",
+        )
+        val mesh = GltfParser.parse(TestSources.of(json)).meshes.single()
+        assertEquals(0 to 1, mesh.material.textureMap?.uvSet to mesh.material.emissionMap?.uvSet)
+        assertEquals(listOf(5f, 5f), mesh.uvs?.take(2))
+        assertEquals(listOf(0f, 0f), mesh.uvs2?.take(2))
+    }
+
+    @Test
+    fun tangentsAreReadOrComputed() {
+        fun mesh(normals: Boolean, tangents: Boolean): Mesh {
+            val files = GltfFiles()
+            files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
+            files.accessor("VEC2", FLOAT, listOf(0, 1, 1, 1, 0, 0))
+            files.accessor("VEC3", FLOAT, listOf(0, 0, 1, 0, 0, 1, 0, 0, 1))
+            files.accessor("VEC4", FLOAT, List(3) { listOf(0, 1, 0, -1) }.flatten())
+            files.view(png)
+            val more = (if (normals) ",\"NORMAL\":2" else "") + (if (tangents) ",\"TANGENT\":3" else "")
+            val json = files.json(
+                """$ONE_NODE,"meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1$more},"material":0}]}],
+                "textures":[{"source":0}],"images":[{"bufferView":4}],"materials":[{"normalTexture":{"index":0}}]""",
+            )
+            return GltfParser.parse(TestSources.of(json)).meshes.single()
+        }
+        assertEquals(listOf(0f, 1f, 0f, -1f), mesh(normals = true, tangents = true).tangents?.take(4))
+        for ((normals, tangents) in listOf(true to false, false to true, false to false)) {
+            assertEquals(listOf(1f, 0f, 0f, 1f), mesh(normals, tangents).tangents?.take(4)?.map { it + 0f })
+        }
+    }
+
+    @Test
+    fun imagesMayBeEmbeddedOrFiles(@TempDir folder: Path) {
+        Files.write(folder.resolve("dark oak.png"), png)
+        val textured = """{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}"""
+        val images = listOf(
+            """{"bufferView":2,"mimeType":"image/png"}""",
+            """{"uri":"data:image/png;base64,${Base64.getEncoder().encodeToString(png)}"}""",
+            """{"uri":"dark%20oak.png"}""",
+            """{"uri":"dark oak.png"}""",
+        )
+        for (image in images) {
+            val (material, source) = read(textured, ""","textures":[{"source":0}],"images":[$image]""", folder)
+            assertEquals(0xFFC8C8C8.toInt(), material.texture?.texel(1, 0), image)
+            assertEquals(emptyList<String>(), source.warnings)
+        }
+        for (uri in listOf("none.png", "data:image/png;base64,AAAA", "data:image/png;base64,*", "data:,x", null)) {
+            val image = if (uri == null) "{}" else """{"uri":"$uri"}"""
+            val (material, source) = read(textured, ""","textures":[{"source":0}],"images":[$image]""", folder)
+            assertNull(material.texture, image)
+            assertEquals(1, source.warnings.size, image)
+        }
+    }
+
+    @Test
+    fun textureWithoutCoordinatesIsLeftOut() {
+        val files = GltfFiles()
+        files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
+        files.view(png)
+        val json = files.json(
+            """$ONE_NODE,"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],
+            "textures":[{"source":0}],"images":[{"bufferView":1}],
+            "materials":[{"name":"a","pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}]""",
+        )
+        val material = GltfParser.parse(TestSources.of(json)).meshes.single().material
+        assertNull(material.texture)
+        assertEquals("a", material.name)
+    }
+
+    @Test
+    fun samplersDecideFilterAndWrap() {
+        fun sampled(sampler: String): List<Any> {
+            val more = ""","textures":[{"source":0,"sampler":0}],"images":[{"bufferView":2}],"samplers":[$sampler]"""
+            val texture = material("""{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}""", more).texture
+            assertNotNull(texture)
+            return listOf(texture!!.filter, texture.wrapU, texture.wrapV)
+        }
+        assertEquals(listOf(TextureFilter.BILINEAR, TextureWrap.REPEAT, TextureWrap.REPEAT), sampled("{}"))
+        val nearest = sampled("""{"magFilter":9728,"wrapS":33071}""")
+        assertEquals(listOf(TextureFilter.NEAREST, TextureWrap.CLAMP, TextureWrap.REPEAT), nearest)
+        val mirrored = sampled("""{"magFilter":9729,"wrapS":33648,"wrapT":33071}""")
+        assertEquals(listOf(TextureFilter.BILINEAR, TextureWrap.MIRROR, TextureWrap.CLAMP), mirrored)
+    }
+
+    @Test
+    fun requiredExtensionsAreTakenSeriously() {
+        val (_, source) = read("{}", ""","extensionsRequired":["KHR_materials_sheen","KHR_materials_unlit"]""")
+        assertTrue("1 in all: KHR_materials_sheen" in source.warnings.single(), source.warnings.toString())
+    }
+}
