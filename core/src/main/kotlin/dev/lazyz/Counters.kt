@@ -17,7 +17,8 @@ package dev.lazyz
  * @property longestChain the largest number of incremental steps before a single shading call
  * @property peakSuspensions the largest number of shading calls that were pending at the same time
  * @property peakBytes peak working memory of the renderer, in bytes: the size of its arrays, without the frame and
- *   without the memory of the row sink
+ *   without the memory of the row sink; with several threads it may differ from run to run, as the threads share the
+ *   work in another way each time
  */
 public class Counters private constructor(
     public val primitives: Long,
