@@ -4,6 +4,8 @@ import dev.lazyz.BatchShader
 import dev.lazyz.Fragment
 import dev.lazyz.FragmentBatch
 import dev.lazyz.Rgba
+import dev.lazyz.shading.light.LightVectors
+import dev.lazyz.shading.pbr.BatchPhysicalLighting
 import dev.lazyz.shading.pbr.PhysicalSurface
 import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
@@ -45,8 +47,7 @@ internal class MaterialShader(
     private val isSimple = texture == null && isFinished && !isLit
 
     /** Whether the light of many fragments can be computed together. */
-    private val isLitTogether = isLit && model == null && emissionMap == null
-    private val hasMaps = texture != null || normalMap != null || occlusionMap != null
+    private val hasMaps = texture != null || normalMap != null || occlusionMap != null || modelMap != null
 
     override fun shade(fragment: Fragment) {
         // Base colour x vertex colour x texture
@@ -149,34 +150,43 @@ internal class MaterialShader(
             if (material.alphaMode == AlphaMode.BLEND) scale(batch.vertexAlpha, base.alpha, 0f, batch.alpha, count)
             return
         }
-        if (!isLitTogether || count < BatchLighting.FEWEST || !shadeTogether(batch)) batch.shadeEach(this)
+        if (!isLit || count < BatchLighting.FEWEST || !shadeTogether(batch)) batch.shadeEach(this)
     }
 
     /** Shades the fragments of [batch] together. Returns false if that cannot give the same bits as one by one. */
     private fun shadeTogether(batch: FragmentBatch): Boolean {
         val count = batch.size
-        val scratch = batch.scratch(BatchLighting.ARRAYS)
-        batch.normalX.copyInto(scratch[BatchLighting.NORMAL], 0, 0, count)
-        batch.normalY.copyInto(scratch[BatchLighting.NORMAL + 1], 0, 0, count)
-        batch.normalZ.copyInto(scratch[BatchLighting.NORMAL + 2], 0, 0, count)
-        scratch[BatchLighting.OCCLUSION].fill(1f, 0, count)
+        val scratch = batch.scratch(if (model == null) BatchLighting.ARRAYS else ARRAYS)
+        batch.normalX.copyInto(scratch[LightVectors.NORMAL], 0, 0, count)
+        batch.normalY.copyInto(scratch[LightVectors.NORMAL + 1], 0, 0, count)
+        batch.normalZ.copyInto(scratch[LightVectors.NORMAL + 2], 0, 0, count)
+        scratch[LightVectors.OCCLUSION].fill(1f, 0, count)
+        if (model != null) {
+            scratch[BatchPhysicalLighting.ROUGHNESS].fill(model.roughness, 0, count)
+            scratch[METALLIC].fill(model.metallic, 0, count)
+        }
         scale(batch.vertexRed, base.red, batch.red, count)
         scale(batch.vertexGreen, base.green, batch.green, count)
         scale(batch.vertexBlue, base.blue, batch.blue, count)
         if (material.alphaMode == AlphaMode.BLEND) scale(batch.vertexAlpha, base.alpha, batch.alpha, count)
         if (hasMaps) readMaps(batch, scratch)
-        if (!lighting.ofBatches.illuminate(batch, material, emission)) return false
-        if (!lighting.ofBatches.apply(batch)) return false
+        if (model == null) {
+            if (!lighting.ofBatches.illuminate(batch, material, emission)) return false
+        } else {
+            setSurfaces(batch, scratch)
+            if (!lighting.physical.ofBatches.illuminate(batch)) return false
+        }
+        if (emissionMap != null) addEmission(batch, emissionMap)
         if (toneMapper != null) mapTones(batch, toneMapper)
         return true
     }
 
     /** Reads the maps at each fragment: multiplies colours by the texture, changes normals, and stores occlusion. */
     private fun readMaps(batch: FragmentBatch, scratch: Array<FloatArray>) {
-        val normalX = scratch[BatchLighting.NORMAL]
-        val normalY = scratch[BatchLighting.NORMAL + 1]
-        val normalZ = scratch[BatchLighting.NORMAL + 2]
-        val occlusion = scratch[BatchLighting.OCCLUSION]
+        val normalX = scratch[LightVectors.NORMAL]
+        val normalY = scratch[LightVectors.NORMAL + 1]
+        val normalZ = scratch[LightVectors.NORMAL + 2]
+        val occlusion = scratch[LightVectors.OCCLUSION]
         val blends = material.alphaMode == AlphaMode.BLEND
         batch.forEach { fragment, i ->
             if (texture != null) {
@@ -193,7 +203,41 @@ internal class MaterialShader(
                 normalZ[i] = fragment.normalZ
             }
             if (occlusionMap != null) occlusion[i] = occlusion(fragment, occlusionMap)
+            if (modelMap != null) {
+                val texel = modelMap.read(fragment)
+                scratch[BatchPhysicalLighting.ROUGHNESS][i] *= texel[1]
+                scratch[METALLIC][i] *= texel[2]
+            }
         }
+    }
+
+    /** Stores the materials of the fragments, and replaces their colours by the emission. */
+    private fun setSurfaces(batch: FragmentBatch, scratch: Array<FloatArray>) {
+        setSurfaces(batch.red, emission.red, scratch, 0, batch.size)
+        setSurfaces(batch.green, emission.green, scratch, 1, batch.size)
+        setSurfaces(batch.blue, emission.blue, scratch, 2, batch.size)
+    }
+
+    private fun setSurfaces(
+        color: FloatArray,
+        emission: Float,
+        scratch: Array<FloatArray>,
+        channel: Int,
+        count: Int,
+    ) {
+        val metallic = scratch[METALLIC]
+        val diffuse = scratch[BatchPhysicalLighting.DIFFUSE + channel]
+        val reflectance = scratch[BatchPhysicalLighting.REFLECTANCE + channel]
+        for (i in 0 until count) diffuse[i] = PhysicalSurface.diffuse(color[i], metallic[i])
+        for (i in 0 until count) reflectance[i] = PhysicalSurface.reflectance(color[i], metallic[i])
+        color.fill(emission, 0, count)
+    }
+
+    private fun addEmission(batch: FragmentBatch, map: MapReader) = batch.forEach { fragment, i ->
+        val texel = map.read(fragment)
+        batch.red[i] += material.emission.red * texel[0]
+        batch.green[i] += material.emission.green * texel[1]
+        batch.blue[i] += material.emission.blue * texel[2]
     }
 
     private fun mapTones(batch: FragmentBatch, toneMapper: ToneMapper) {
@@ -259,5 +303,10 @@ internal class MaterialShader(
         0 -> base.red
         1 -> base.green
         else -> base.blue
+    }
+    private companion object {
+        /** Scratch memory of a batch for metallicness, after that of [BatchPhysicalLighting]. */
+        const val METALLIC = BatchPhysicalLighting.ARRAYS
+        const val ARRAYS = METALLIC + 1
     }
 }

@@ -9,7 +9,7 @@ package dev.lazyz.shading.pbr
  * P. Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001.
  */
 internal object Studio {
-    private val boxes = arrayOf(
+    val boxes: Array<SoftBox> = arrayOf(
         // Key light at the upper left, fill light at the right, above, and behind at the left and at the right; and a
         // dim light at the camera, which is what black glossy surfaces show where they face it
         SoftBox(doubleArrayOf(-0.75, 0.70, 0.75), 0.55f, 0.50f, 3.1f, 3.0f, 2.9f),
@@ -24,7 +24,7 @@ internal object Studio {
     private val walls = floatArrayOf(0.30f, 0.12f, 0.04f)
 
     /** Nine coefficients of the irradiance for red, green and blue. */
-    private val harmonics = Array(3) { FloatArray(9) }
+    val harmonics: Array<FloatArray> = Array(3) { FloatArray(9) }
 
     init {
         integrate()
@@ -41,10 +41,10 @@ internal object Studio {
      */
     fun radiance(x: Float, y: Float, z: Float, alpha: Float, out: FloatArray, at: Int) {
         irradiance(x, y, z, out, at)
-        val wall = walls[0] + walls[1] * (1f - alpha / 3f) * y + walls[2] * (1f - 0.75f * alpha) * (y * y - THIRD)
+        val wall = wall(y, alpha)
         for (channel in 0 until 3) out[at + channel] = alpha * out[at + channel] + (1f - alpha) * wall
         if (alpha == 1f) return
-        val blur = EDGE + alpha * NARROW / (1f + 2.6f * alpha)
+        val blur = blur(alpha)
         for (box in boxes) {
             val part = (1f - alpha) * box.coverage(x, y, z, blur)
             out[at] += part * box.red
@@ -56,12 +56,22 @@ internal object Studio {
     /** Stores the mean light that a matt surface with the unit normal (x, y, z) receives in [out]. */
     fun irradiance(x: Float, y: Float, z: Float, out: FloatArray, at: Int) {
         for (channel in 0 until 3) {
-            val h = harmonics[channel]
-            val sum = h[0] + h[1] * y + h[2] * z + h[3] * x + h[4] * (x * y) + h[5] * (y * z) +
-                h[6] * (3f * z * z - 1f) + h[7] * (x * z) + h[8] * (x * x - y * y)
+            val sum = sum(harmonics[channel], x, y, z)
             out[at + channel] = if (sum > 0f) sum else 0f
         }
     }
+
+    /** Returns the light of the walls around a direction, blurred by microfacets of the width [alpha]. */
+    fun wall(y: Float, alpha: Float): Float =
+        walls[0] + walls[1] * (1f - alpha / 3f) * y + walls[2] * (1f - 0.75f * alpha) * (y * y - THIRD)
+
+    /** Returns the width by which the light of a box is blurred. */
+    fun blur(alpha: Float): Float = EDGE + alpha * NARROW / (1f + 2.6f * alpha)
+
+    /** Returns the sum of the nine spherical harmonics with the coefficients [h] in the direction (x, y, z). */
+    fun sum(h: FloatArray, x: Float, y: Float, z: Float): Float =
+        h[0] + h[1] * y + h[2] * z + h[3] * x + h[4] * (x * y) + h[5] * (y * z) +
+            h[6] * (3f * z * z - 1f) + h[7] * (x * z) + h[8] * (x * x - y * y)
 
     private fun integrate() {
         val sums = Array(3) { DoubleArray(9) }
