@@ -81,7 +81,18 @@ internal class BatchStudio(private val view: StudioView) {
     }
 
     private fun irradiance(h: FloatArray, x: FloatArray, y: FloatArray, z: FloatArray, out: FloatArray, count: Int) {
-        for (i in 0 until count) out[i] = maxOf(Studio.sum(h, x[i], y[i], z[i]), 0f)
+        val h0 = h[0]
+        val h1 = h[1]
+        val h2 = h[2]
+        val h3 = h[3]
+        val h4 = h[4]
+        val h5 = h[5]
+        val h6 = h[6]
+        val h7 = h[7]
+        val h8 = h[8]
+        for (i in 0 until count) {
+            out[i] = maxOf(Studio.sum(h0, h1, h2, h3, h4, h5, h6, h7, h8, x[i], y[i], z[i]), 0f)
+        }
     }
 
     private fun walls(y: FloatArray, alpha: FloatArray, out: FloatArray, count: Int) {
