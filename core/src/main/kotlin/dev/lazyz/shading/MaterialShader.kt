@@ -72,7 +72,7 @@ internal class MaterialShader(
         // Light
         if (isLit) {
             normalMap?.apply(fragment)
-            val occlusion = if (occlusionMap == null) 1f else occlusion(fragment, occlusionMap)
+            val occlusion = if (occlusionMap == null) 1f else occlusion(occlusionMap.read(fragment))
             val light = fragment.light
             if (model != null) {
                 reflect(fragment, red, green, blue, occlusion)
@@ -137,8 +137,7 @@ internal class MaterialShader(
         )
     }
 
-    private fun occlusion(fragment: Fragment, map: MapReader): Float =
-        1f + occlusionStrength * (map.read(fragment)[0] - 1f)
+    private fun occlusion(texel: FloatArray): Float = 1f + occlusionStrength * (texel[0] - 1f)
 
     override fun shade(batch: FragmentBatch) {
         val count = batch.size
@@ -183,28 +182,32 @@ internal class MaterialShader(
 
     /** Reads the maps at each fragment: multiplies colours by the texture, changes normals, and stores occlusion. */
     private fun readMaps(batch: FragmentBatch, scratch: Array<FloatArray>) {
-        val normalX = scratch[LightVectors.NORMAL]
-        val normalY = scratch[LightVectors.NORMAL + 1]
-        val normalZ = scratch[LightVectors.NORMAL + 2]
-        val occlusion = scratch[LightVectors.OCCLUSION]
-        val blends = material.alphaMode == AlphaMode.BLEND
-        batch.forEach { fragment, i ->
-            if (texture != null) {
-                val texel = texture.read(fragment)
+        val texel = batch.texel
+        if (texture != null) {
+            val blends = material.alphaMode == AlphaMode.BLEND
+            for (i in 0 until batch.size) {
+                texture.read(batch, i, texel)
                 batch.red[i] *= texel[0]
                 batch.green[i] *= texel[1]
                 batch.blue[i] *= texel[2]
                 if (blends) batch.alpha[i] *= texel[3]
             }
-            if (normalMap != null) {
-                normalMap.apply(fragment)
-                normalX[i] = fragment.normalX
-                normalY[i] = fragment.normalY
-                normalZ[i] = fragment.normalZ
+        }
+        if (normalMap != null) {
+            val x = scratch[LightVectors.NORMAL]
+            val y = scratch[LightVectors.NORMAL + 1]
+            val z = scratch[LightVectors.NORMAL + 2]
+            for (i in 0 until batch.size) normalMap.apply(batch, i, x, y, z, texel)
+        }
+        if (occlusionMap != null) {
+            for (i in 0 until batch.size) {
+                occlusionMap.read(batch, i, texel)
+                scratch[LightVectors.OCCLUSION][i] = occlusion(texel)
             }
-            if (occlusionMap != null) occlusion[i] = occlusion(fragment, occlusionMap)
-            if (modelMap != null) {
-                val texel = modelMap.read(fragment)
+        }
+        if (modelMap != null) {
+            for (i in 0 until batch.size) {
+                modelMap.read(batch, i, texel)
                 scratch[BatchPhysicalLighting.ROUGHNESS][i] *= texel[1]
                 scratch[METALLIC][i] *= texel[2]
             }
@@ -233,15 +236,18 @@ internal class MaterialShader(
         color.fill(emission, 0, count)
     }
 
-    private fun addEmission(batch: FragmentBatch, map: MapReader) = batch.forEach { fragment, i ->
-        val texel = map.read(fragment)
-        batch.red[i] += material.emission.red * texel[0]
-        batch.green[i] += material.emission.green * texel[1]
-        batch.blue[i] += material.emission.blue * texel[2]
+    private fun addEmission(batch: FragmentBatch, map: MapReader) {
+        val texel = batch.texel
+        for (i in 0 until batch.size) {
+            map.read(batch, i, texel)
+            batch.red[i] += material.emission.red * texel[0]
+            batch.green[i] += material.emission.green * texel[1]
+            batch.blue[i] += material.emission.blue * texel[2]
+        }
     }
 
     private fun mapTones(batch: FragmentBatch, toneMapper: ToneMapper) {
-        val color = FloatArray(3)
+        val color = batch.texel
         for (i in 0 until batch.size) {
             color[0] = batch.red[i]
             color[1] = batch.green[i]
