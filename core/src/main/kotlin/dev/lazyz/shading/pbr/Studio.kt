@@ -73,7 +73,8 @@ internal object Studio {
 
     /**
      * Returns the sum of the nine spherical harmonics with the coefficients [h0] to [h8] in the direction (x, y, z).
-     * These are no array, because loops over arrays are vectorised only if nothing but the loop's own array changes.
+     * They are not passed as an array: a loop that writes to one array and reads numbers from a fixed place in another
+     * is not vectorised, because both could be the same.
      */
     fun sum(
         h0: Float,
