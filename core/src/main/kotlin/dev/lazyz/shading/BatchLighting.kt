@@ -29,7 +29,7 @@ internal class BatchLighting(viewer: Viewer, private val sources: LightSources, 
     fun illuminate(batch: FragmentBatch, material: Material, emission: Rgba): Boolean {
         val count = batch.size
         val scratch = batch.scratch(ARRAYS)
-        if (!vectors.normalize(scratch, count)) return false
+        if (!vectors.toUnitNormals(scratch, count)) return false
         val occlusion = scratch[LightVectors.OCCLUSION]
         vectors.occlude(batch, scratch, occlusion)
         for (channel in 0 until 3) {

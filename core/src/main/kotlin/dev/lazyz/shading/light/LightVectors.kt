@@ -15,7 +15,7 @@ internal class LightVectors(
     private val visibility: AmbientVisibility?,
 ) {
     /** Gives the normals length 1. Returns false if one has no length. */
-    fun normalize(scratch: Array<FloatArray>, count: Int): Boolean {
+    fun toUnitNormals(scratch: Array<FloatArray>, count: Int): Boolean {
         val length = scratch[LENGTH]
         Loops.lengths(scratch, NORMAL, length, count)
         for (i in 0 until count) if (!(length[i] > 0f)) return false
@@ -41,7 +41,7 @@ internal class LightVectors(
             Loops.towards(viewer.eyeX, batch.worldX, scratch[VIEW], count)
             Loops.towards(viewer.eyeY, batch.worldY, scratch[VIEW + 1], count)
             Loops.towards(viewer.eyeZ, batch.worldZ, scratch[VIEW + 2], count)
-            Loops.normalize(scratch, VIEW, scratch[LENGTH], count)
+            Loops.toUnit(scratch, VIEW, scratch[LENGTH], count)
         } else {
             scratch[VIEW].fill(viewer.backX, 0, count)
             scratch[VIEW + 1].fill(viewer.backY, 0, count)
@@ -61,7 +61,7 @@ internal class LightVectors(
                 Loops.towards(numbers[at], batch.worldX, scratch[LIGHT], count)
                 Loops.towards(numbers[at + 1], batch.worldY, scratch[LIGHT + 1], count)
                 Loops.towards(numbers[at + 2], batch.worldZ, scratch[LIGHT + 2], count)
-                Loops.normalize(scratch, LIGHT, scratch[LENGTH], count)
+                Loops.toUnit(scratch, LIGHT, scratch[LENGTH], count)
             }
             else -> {
                 scratch[STRENGTH].fill(1f, 0, count)

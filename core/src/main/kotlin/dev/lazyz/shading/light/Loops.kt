@@ -50,7 +50,7 @@ internal object Loops {
     }
 
     /** Divides the vectors at [at] by their [lengths]. */
-    fun normalize(vectors: Array<FloatArray>, at: Int, lengths: FloatArray, count: Int) {
+    fun toUnit(vectors: Array<FloatArray>, at: Int, lengths: FloatArray, count: Int) {
         lengths(vectors, at, lengths, count)
         for (axis in 0 until 3) divide(vectors[at + axis], lengths, count)
     }

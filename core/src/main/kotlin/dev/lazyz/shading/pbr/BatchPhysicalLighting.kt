@@ -35,7 +35,7 @@ internal class BatchPhysicalLighting(
     fun illuminate(batch: FragmentBatch): Boolean {
         val count = batch.size
         val scratch = batch.scratch(ARRAYS)
-        if (!vectors.normalize(scratch, count)) return false
+        if (!vectors.toUnitNormals(scratch, count)) return false
         vectors.view(batch, scratch)
         Loops.dot(scratch, LightVectors.NORMAL, LightVectors.VIEW, scratch[ALONG], count)
         direct(batch, scratch)
@@ -72,7 +72,7 @@ internal class BatchPhysicalLighting(
             val to = scratch[HALFWAY + axis]
             Loops.sum(scratch[LightVectors.LIGHT + axis], scratch[LightVectors.VIEW + axis], to, count)
         }
-        Loops.normalize(scratch, HALFWAY, scratch[LightVectors.LENGTH], count)
+        Loops.toUnit(scratch, HALFWAY, scratch[LightVectors.LENGTH], count)
     }
 
     private fun grazing(scratch: Array<FloatArray>, count: Int) {
