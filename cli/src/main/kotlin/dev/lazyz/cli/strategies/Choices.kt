@@ -6,13 +6,18 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.Selector
 
-/** The [RenderOptions] that the user chose; null if the user did not give the option. */
+/**
+ * The [RenderOptions] that the user chose; null if the user did not give the option.
+ *
+ * @param share the number of threads for a picture that is rendered next to others; no strategy needs to support it
+ */
 internal class Choices(
     private val memoryBudget: Long?,
     private val coherence: Coherence?,
     private val threads: Int?,
     private val tileSize: Int?,
     private val selector: Selector? = null,
+    private val share: Int? = null,
 ) {
     /** The flags that the user gave, each with the capability that a strategy must have to support it. */
     val needs: Map<String, Capability> = listOfNotNull(
@@ -25,7 +30,10 @@ internal class Choices(
 
     /** Returns [renderer] with those of these choices that it supports, or unchanged if there are none. */
     fun applyTo(renderer: Renderer): Renderer =
-        if (needs.isEmpty()) renderer else renderer.configured(options().supportedBy(renderer))
+        if (needs.isEmpty() && share == null) renderer else renderer.configured(options().supportedBy(renderer))
+
+    /** Returns these choices for a picture that is rendered by [share] threads, next to others. */
+    fun sharing(share: Int) = Choices(memoryBudget, coherence, threads, tileSize, selector, share)
 
     /** Returns these choices as options, with the defaults where the user chose nothing. */
     fun options(): RenderOptions {
@@ -33,7 +41,7 @@ internal class Choices(
         return RenderOptions(
             coherence ?: usual.coherence,
             memoryBudget,
-            threads ?: usual.threads,
+            share ?: threads ?: usual.threads,
             tileSize ?: usual.tileSize,
             selector,
         )
