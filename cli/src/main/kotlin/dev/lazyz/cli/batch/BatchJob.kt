@@ -6,6 +6,7 @@ import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.Progress
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.render.StatsForm
@@ -30,7 +31,8 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
     /** Returns the exit code. */
     fun run(): Int {
         // Report mistakes in the options before anything is read
-        StrategyChoice(request.strategy, request.choices)
+        val threads = request.choices.options().threads
+        StrategyChoice(request.strategy, request.choices.sharing(threads))
         request.inputs.firstOrNull()?.let { request.subject(it) }
         val sheet = if (plan.kind == Kind.SHEET) sheet() else null
         val total = Runtime.getRuntime().maxMemory().let { it - it / FREE_PART }
@@ -38,7 +40,6 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
         if (left < total / 2) throw Mistake(tooLarge(checkNotNull(sheet), total))
 
         // Render
-        val threads = request.choices.options().threads
         val progress = Progress(streams, plan.inputs.size * plan.perInput, "pictures")
         val shares = Shares(MemoryShare(left), ThreadShare(threads), progress, sheet)
         val pool = Executors.newFixedThreadPool(minOf(threads, plan.inputs.size))
@@ -53,6 +54,7 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
 
         // Write the sheet, also if some of its pictures are missing
         if (sheet != null && !sheet.isEmpty) {
+            OutputFile.createFolder(plan.sheet)
             sheet.write(plan.sheet)
             streams.remark("wrote ${plan.sheet}, ${sheet.width}x${sheet.height}")
         }

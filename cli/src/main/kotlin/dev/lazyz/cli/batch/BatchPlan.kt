@@ -55,7 +55,9 @@ internal class BatchPlan(private val request: BatchRequest) {
     init {
         requireSense()
         inputs = request.inputs.mapIndexed { number, input -> plan(number, input) }
-        if (kind == Kind.SHEET) OutputFile.check(sheet, "-o", ".png") else check()
+        requireDistinct()
+        val files = inputs.flatMap { input -> input.views.flatMap { it.files } }
+        (if (kind == Kind.SHEET) listOf(sheet) else files).forEach { check(it) }
     }
 
     /** Whether the animations are GIF files, which are in memory until they are complete. */
@@ -135,7 +137,7 @@ internal class BatchPlan(private val request: BatchRequest) {
     /** Returns the number from 1, with leading zeros, so that names sort in its order. */
     private fun numbered(number: Int, of: Int): String = "${number + 1}".padStart("$of".length, '0')
 
-    private fun check() {
+    private fun requireDistinct() {
         val users = HashMap<Path, String>()
         for (input in inputs) {
             for (view in input.views) {
@@ -146,12 +148,13 @@ internal class BatchPlan(private val request: BatchRequest) {
                 }
             }
         }
-        for (file in inputs.flatMap { input -> input.views.flatMap { it.files } }) {
-            OutputFile.requireEnding(file, "-o", endings())
-            OutputFile.requireFolderOrPlaceForIt(file)
-            if (request.output == null && Files.exists(file)) {
-                throw Mistake("$file exists; to replace it, use -o '${template.text}'")
-            }
+    }
+
+    private fun check(file: Path) {
+        OutputFile.requireEnding(file, "-o", endings)
+        OutputFile.requireFolderOrPlaceForIt(file)
+        if (request.output == null && Files.exists(file)) {
+            throw Mistake("$file exists; to replace it, use -o '${template.text}'")
         }
     }
 
@@ -164,10 +167,12 @@ internal class BatchPlan(private val request: BatchRequest) {
         return "two pictures would be written to $file: of $first and of $second; add ${missing.word} to -o"
     }
 
-    private fun endings(): List<String> = when (kind) {
-        Kind.ANIMATIONS -> listOf(".png", ".apng", ".gif")
-        else -> listOf(".png", ".ppm")
-    }
+    private val endings: List<String>
+        get() = when (kind) {
+            Kind.STILLS -> listOf(".png", ".ppm")
+            Kind.ANIMATIONS -> listOf(".png", ".apng", ".gif")
+            Kind.SHEET -> listOf(".png")
+        }
 
     private companion object {
         /** The colour, and the number of the palette in the image that is written. */

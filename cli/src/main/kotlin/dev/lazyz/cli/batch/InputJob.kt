@@ -39,7 +39,7 @@ internal class InputJob(
     /** Renders the pictures, and reports what happened. Failures are reported, not thrown. */
     fun run(): InputReport {
         try {
-            val usual = StrategyChoice(request.strategy, request.choices).usual
+            val usual = StrategyChoice(request.strategy, request.choices.sharing(1)).usual
             val memory = InputMemory(subject, usual, plan, shares.memory.total)
             for (step in memory.steps()) {
                 val report = shares.memory.hold(step.bytes) {

@@ -76,10 +76,11 @@ internal class InputMemory(
         MemoryNeed.check(strategy, shot.frame.region, available = total, aa = shot.factor)
         val collected = plan.collected(shot.pixels.size)
         if (collected > total) {
+            val need = Bytes.readable(collected)
             throw Mistake(
-                "${plan.frames} frames of ${shot.pixels.width}x${shot.pixels.height} need " +
-                    "${Bytes.readable(collected)} of memory as a GIF, and there are ${Bytes.readable(total)}; choose a " +
-                    "smaller --size, fewer steps of --turntable, or -o with .png",
+                "a GIF of ${plan.frames} frames of ${shot.pixels.width}x${shot.pixels.height} needs $need of memory, " +
+                    "and there are ${Bytes.readable(total)}; choose a smaller --size, fewer steps of --turntable, or " +
+                    "-o with .png",
             )
         }
     }

@@ -7,6 +7,7 @@ import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.input.Turn
 import dev.lazyz.cli.input.Turntable
+import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.Statistics
 import dev.lazyz.cli.output.StatisticsTable
 import dev.lazyz.cli.output.Streams
@@ -20,7 +21,6 @@ import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.writers.animation.Animation
 import dev.lazyz.scenes.writers.animation.AnimationFiles
-import java.nio.file.Files
 import java.nio.file.Path
 
 /**
@@ -43,7 +43,7 @@ internal class InputPictures(
 
     /** Renders the pictures of [view]; appends their statistics, and the files that are complete. */
     fun render(view: ViewPlan, statistics: StringBuilder, files: MutableList<Path>) {
-        for (file in view.files) file.toAbsolutePath().parent?.let { Files.createDirectories(it) }
+        view.files.forEach { OutputFile.createFolder(it) }
         val pictures = Pictures(view, statistics)
         when (plan.kind) {
             Kind.STILLS -> for ((frame, file) in view.files.withIndex()) {

@@ -1,13 +1,16 @@
 package dev.lazyz.cli.batch
 
 import java.util.ArrayDeque
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
 
 /**
  * Shares [total] bytes of memory among the inputs that are rendered at the same time. Who asks first is served first, so
  * that a large input is not overtaken without end by small ones. Thread safe.
  */
 internal class MemoryShare(val total: Long) {
-    private val lock = Object()
+    private val lock = ReentrantLock()
+    private val changed = lock.newCondition()
     private val waiting = ArrayDeque<Any>()
     private var held = 0L
 
@@ -21,23 +24,23 @@ internal class MemoryShare(val total: Long) {
         try {
             return use()
         } finally {
-            synchronized(lock) {
+            lock.withLock {
                 held -= own
-                lock.notifyAll()
+                changed.signalAll()
             }
         }
     }
 
     private fun take(bytes: Long) {
         val ticket = Any()
-        synchronized(lock) {
+        lock.withLock {
             waiting.add(ticket)
             try {
-                while (waiting.peek() !== ticket || held + bytes > total) lock.wait()
+                while (waiting.peek() !== ticket || held + bytes > total) changed.await()
                 held += bytes
             } finally {
                 waiting.remove(ticket)
-                lock.notifyAll()
+                changed.signalAll()
             }
         }
     }

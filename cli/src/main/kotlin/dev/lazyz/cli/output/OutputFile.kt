@@ -49,6 +49,11 @@ internal object OutputFile {
         }
     }
 
+    /** Creates the folder of [path] if there is none. */
+    fun createFolder(path: Path) {
+        path.toAbsolutePath().parent?.let { Files.createDirectories(it) }
+    }
+
     /**
      * Checks that [path] can be written, if necessary after its folder is created.
      *

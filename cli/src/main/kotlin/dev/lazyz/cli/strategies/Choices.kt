@@ -9,7 +9,8 @@ import dev.lazyz.Selector
 /**
  * The [RenderOptions] that the user chose; null if the user did not give the option.
  *
- * @param share the number of threads for a picture that is rendered next to others; no strategy needs to support it
+ * @param share the number of threads for a picture that is rendered next to others; then --threads is for all of them,
+ *   and no strategy needs to support it
  */
 internal class Choices(
     private val memoryBudget: Long?,
@@ -23,7 +24,7 @@ internal class Choices(
     val needs: Map<String, Capability> = listOfNotNull(
         memoryBudget?.let { "--memory-budget" to Capability.MEMORY_BUDGET },
         coherence?.let { "--coherence" to Capability.COHERENCE },
-        threads?.let { "--threads" to Capability.PARALLEL },
+        threads?.takeIf { share == null }?.let { "--threads" to Capability.PARALLEL },
         tileSize?.let { "--tile-size" to Capability.PARALLEL },
         selector?.let { "--select" to Capability.SELECTION },
     ).toMap()
