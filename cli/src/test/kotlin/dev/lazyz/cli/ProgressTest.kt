@@ -24,7 +24,7 @@ class ProgressTest {
                 isTerminal
         }
 
-    private val shown get() = errors.toString().split('\r').map { it.trim() }.filter { it.isNotEmpty() }
+    private val shown get() = errors.toString().split(Regex("[\r\n]")).map { it.trim() }.filter { it.isNotEmpty() }
 
     @Test
     fun partsRateAndTimeLeftAreShown() {

@@ -20,8 +20,8 @@ import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 
 /**
- * One run of `zcli render` with several pictures: several inputs at the same time, on all threads together. Reports come
- * in the order of the inputs. An input that fails does not stop the others.
+ * One run of `zcli render` with several pictures: several inputs at the same time, on all threads together. Reports
+ * come in the order of the inputs. An input that fails does not stop the others.
  */
 internal class BatchJob(private val request: BatchRequest, private val streams: Streams) {
     private val plan = BatchPlan(request)

@@ -159,10 +159,11 @@ internal class BatchPlan(private val request: BatchRequest) {
     }
 
     private fun clash(file: Path, first: String, second: String): String {
+        val used = template.placeholders
         val missing = when {
-            views.size > 1 && Placeholder.VIEW !in template.placeholders -> Placeholder.VIEW
-            Placeholder.INDEX !in template.placeholders -> Placeholder.INDEX
-            else -> Placeholder.NAME
+            views.size > 1 && Placeholder.VIEW !in used -> Placeholder.VIEW
+            used.none { it == Placeholder.STEM || it == Placeholder.NAME } -> Placeholder.STEM
+            else -> Placeholder.INDEX
         }
         return "two pictures would be written to $file: of $first and of $second; add ${missing.word} to -o"
     }

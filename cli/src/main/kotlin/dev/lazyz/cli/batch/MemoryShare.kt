@@ -5,8 +5,8 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Shares [total] bytes of memory among the inputs that are rendered at the same time. Who asks first is served first, so
- * that a large input is not overtaken without end by small ones. Thread safe.
+ * Shares [total] bytes of memory among the inputs that are rendered at the same time. Who asks first is served first,
+ * so that a large input is not overtaken without end by small ones. Thread safe.
  */
 internal class MemoryShare(val total: Long) {
     private val lock = ReentrantLock()

@@ -34,7 +34,8 @@ internal class Progress(
         val rate = done / seconds
         val left = duration(((total - done) / rate).toLong())
         val speed = (if (rate < 10) "%.1f" else "%,.0f").format(null, rate)
-        return "%,d of %,d %s (%d %%), %s/s, %s left".format(null, done, total, parts, 100L * done / total, speed, left)
+        val share = "%,d of %,d %s (%d %%)".format(null, done, total, parts, 100L * done / total)
+        return "$share, $speed $parts/s, $left left"
     }
 
     private fun duration(seconds: Long): String = when {

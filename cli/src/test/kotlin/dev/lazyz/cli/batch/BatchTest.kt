@@ -7,6 +7,9 @@ import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.statIn
 import dev.lazyz.cli.wedge
 import dev.lazyz.cli.zcli
+import dev.lazyz.scenes.scenefile.SceneFile
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Scene
 import java.awt.image.BufferedImage
 import java.nio.file.Path
 import javax.imageio.ImageIO
@@ -31,7 +34,7 @@ class BatchTest {
         folder.resolve("models").createDirectory().also {
             it.wedge("a.obj")
             it.resolve("bad.obj").writeText("v 0 0\nf 1 2 3\n")
-            it.resolve("b.off").writeText("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+            it.resolve("b.off").writeText("OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
             it.resolve("notes.txt").writeText("not a model")
         }
     }
@@ -115,7 +118,7 @@ class BatchTest {
 
     @Test
     fun twoPicturesOfOneNameAreAMistakeBeforeAnythingIsRendered() {
-        render("teapot", "city", "-o", "$out/x.png").mistake("x.png", "teapot", "city", "{index}")
+        render("teapot", "city", "-o", "$out/x.png").mistake("x.png", "teapot", "city", "{stem}")
         render("teapot", "--views", "iso,top", "-o", "$out/{stem}.png").mistake("teapot, iso", "teapot, top", "{view}")
         render("teapot", "./teapot", "-o", "$out/{stem}.png").mistake("{index}")
         assertFalse(out.exists())
@@ -149,8 +152,10 @@ class BatchTest {
         render("teapot", "--contact-sheet", "-o", "$out/a.ppm").mistake("-o must end in .png")
         render("teapot", "--turntable", "1").mistake("2..3600")
         render("-", "teapot", "--format", "obj").mistake("standard input")
-        render("cycle", "--turntable", "3", "-o", "$out/a.png").mistake("--turntable", "screen")
-        assertFalse(out.exists())
+        val flat = folder.resolve("flat.json")
+        SceneFile.write(Scene(emptyList(), viewpoint = Camera.screen()), flat)
+        render(flat, "--turntable", "3", "-o", "$folder/a.png").mistake("--turntable", "screen")
+        assertFalse(out.exists() || folder.resolve("a.png").exists())
     }
 
     @Test

@@ -130,7 +130,7 @@ class AnimationFilesTest {
         assertTrue(mean < 600) { "$mean" }
     }
 
-    /** Each frame of an animated PNG, made a file of its own, has the pixels of the frame; PNG readers see the first. */
+    /** The data of each frame is that of a PNG file of the frame; programs that read PNG files see the first. */
     @Test
     fun framesOfAnAnimatedPngAreExact() {
         val path = folder.resolve("a.png")
