@@ -34,7 +34,8 @@ class BatchTest {
         folder.resolve("models").createDirectory().also {
             it.wedge("a.obj")
             it.resolve("bad.obj").writeText("v 0 0\nf 1 2 3\n")
-            it.resolve("b.off").writeText("OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
+            val faces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"
+            it.resolve("b.off").writeText("OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$faces")
             it.resolve("notes.txt").writeText("not a model")
         }
     }
