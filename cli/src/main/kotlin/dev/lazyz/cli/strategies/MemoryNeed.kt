@@ -46,6 +46,9 @@ internal object MemoryNeed {
         }
     }
 
+    /** Returns the bytes that [strategy] needs for [pixels] pixels, if each is a sample. */
+    fun bytes(strategy: Renderer, pixels: Long): Long = bytesPerPixel(strategy) * pixels
+
     /**
      * Returns the bytes that [strategy] keeps for each pixel: the growth of its peak when the height of an empty
      * picture doubles. Returns 0 if the strategy fails on these pictures; the rendering then reports the error.
