@@ -10,6 +10,7 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.optionalValue
 import dev.lazyz.Selector
+import dev.lazyz.cli.options.AovOptions
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.CostOptions
@@ -45,6 +46,7 @@ import java.nio.file.Path
 internal class RenderCommand(private val streams: Streams, private val args: List<String>) : Command("render") {
     private val input by argument("INPUT", help = INPUT_HELP)
     private val output by OutputOptions()
+    private val aovs by AovOptions()
     private val reference by ReferenceOptions()
     private val reading by ReadingOptions()
     private val picture by PictureOptions()
@@ -65,6 +67,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         "zcli render part.stl --view iso --projection orthographic -o part.png" to "a part from a CAD program",
         "zcli render model.glb --size 512x512 --background transparent -o model.png" to "a thumbnail for a web page",
         "zcli render city -o city.png --depth-out city.pfm --stats=json" to "also depth and statistics, for a script",
+        "zcli render city -o city.png --aov depth,normal,object=city.npz" to "data of each pixel, for NumPy",
         "zcli render city --size 8000x6000 --region 4000,2000,640x480 -o detail.png" to "a part of a large picture",
         "zcli render city --strategy auto --explain -o city.png" to "the fastest strategy for it, and why",
         "zcli render city --select count -o overdraw.png" to "the number of surfaces at each pixel",
@@ -86,6 +89,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
             ),
             output = output.picture,
             depthOutput = output.depth,
+            aovs = aovs.outputs,
             strategy = rendering.strategy,
             choices = cost.choices(selector),
             isExplained = rendering.isExplained,
