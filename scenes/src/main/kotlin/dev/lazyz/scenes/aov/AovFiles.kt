@@ -46,8 +46,8 @@ public object AovFiles {
             "cannot write $path: a .${format.id} file has one AOV, and these are ${images.size}; use .npz"
         }
         for (image in images) {
-            format.obstacle(image.aov)?.let { throw IllegalArgumentException("cannot write $path: $it") }
-            if (format == AovFormat.PNG) DeepPng.obstacle(image)?.let { throw IllegalArgumentException("cannot write $path: $it") }
+            val obstacle = format.obstacle(image.aov) ?: if (format == AovFormat.PNG) DeepPng.obstacle(image) else null
+            require(obstacle == null) { "cannot write $path: $obstacle" }
         }
         AtomicFile.write(path) { channel ->
             when (format) {

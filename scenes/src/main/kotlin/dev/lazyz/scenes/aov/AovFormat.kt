@@ -32,8 +32,10 @@ public enum class AovFormat(public val id: String) {
     ;
 
     /** Returns why [aov] cannot be written in this format, or null if it can. */
-    public fun obstacle(aov: Aov): String? =
-        if (this == PNG && aov == Aov.POSITION) "positions have no range that 16 bits could show; use .npy or .pfm" else null
+    public fun obstacle(aov: Aov): String? = when {
+        this != PNG || aov != Aov.POSITION -> null
+        else -> "positions have no range that 16 bits could show; use .npy or .pfm"
+    }
 
     public companion object {
         /** Returns the format for the file name extension of [path], or null. */

@@ -25,7 +25,10 @@ internal class AovPalette private constructor(
     fun argb(index: Int): Int = color(index)
 
     /** A scale of colours from 0 to 1, and the numbers at its ends. */
-    class Bar(val name: String, val least: String, val most: String, val argb: (Double) -> Int)
+    class Bar(name: String, least: String, val most: String, val argb: (Double) -> Int) {
+        /** What is written at the left end. */
+        val leastText: String = if (name.isEmpty()) least else "$name $least"
+    }
 
     /** A colour and its name. */
     class Swatch(val name: String, val argb: Int)

@@ -59,10 +59,8 @@ public object AovPicture {
     ) {
         private val margin = 4 * scale
         private val line = (BitmapFont.HEIGHT + 4) * scale
-        private val title = listOf(
-            palette.title,
-            palette.title.substringBefore(','),
-        ).firstOrNull { fits(it) } ?: aov.aov.id
+        private val title =
+            listOf(palette.title, palette.title.substringBefore(',')).firstOrNull { fits(it) } ?: aov.aov.id
 
         val height: Int = 2 * margin + line * (1 + palette.bars.size + (if (palette.swatches.isEmpty()) 0 else 1))
 
@@ -72,19 +70,18 @@ public object AovPicture {
             var y = top + margin
             canvas.text(title, margin, y, scale, INK)
             y += line
+            val start = margin + scale * ((palette.bars.maxOfOrNull { BitmapFont.width(it.leastText) } ?: 0) + 4)
+            val end = width - margin - scale * ((palette.bars.maxOfOrNull { BitmapFont.width(it.most) } ?: 0) + 4)
             for (bar in palette.bars) {
-                drawBar(canvas, bar, y)
+                drawBar(canvas, bar, y, start, end)
                 y += line
             }
             drawSwatches(canvas, y)
         }
 
-        /** Draws the number at the left end, the colours, and the number at the right end. */
-        private fun drawBar(canvas: Canvas, bar: AovPalette.Bar, y: Int) {
-            val least = (if (bar.name.isEmpty()) "" else "${bar.name} ") + bar.least
-            canvas.text(least, margin, y, scale, INK)
-            val start = margin + scale * (BitmapFont.width(least) + 4)
-            val end = width - margin - scale * (BitmapFont.width(bar.most) + 4)
+        /** Draws the number at the left end, the colours from [start] to [end], and the number at the right end. */
+        private fun drawBar(canvas: Canvas, bar: AovPalette.Bar, y: Int, start: Int, end: Int) {
+            canvas.text(bar.leastText, margin, y, scale, INK)
             canvas.text(bar.most, end + 4 * scale, y, scale, INK)
             for (x in start until end) {
                 val place = (x - start + 0.5) / (end - start)

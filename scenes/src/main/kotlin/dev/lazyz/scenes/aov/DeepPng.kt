@@ -19,8 +19,9 @@ internal object DeepPng {
     /** Returns why the numbers of [image] do not fit, or null if they do. */
     fun obstacle(image: AovImage): String? {
         if (!image.aov.isInteger) return null
-        val most = image.ints.max().toLong() - image.aov.background.toLong()
-        return if (most <= MOST) null else "'${image.aov.id}' reaches ${image.ints.max()}, which 16 bits cannot hold; use .npy"
+        val most = image.ints.max()
+        if (most.toLong() - image.aov.background.toLong() <= MOST) return null
+        return "'${image.aov.id}' reaches $most, which 16 bits cannot hold; use .npy"
     }
 
     /** Writes [image] to [output], without closing it. */
