@@ -16,7 +16,10 @@ public object Viridis {
     /** Returns the colour number [step], 0..7, of those that define the scale. */
     internal fun step(step: Int): Rgba = Rgba.ofRgb(colors[step])
 
-    /** Returns the colour at [position], `0xFFRRGGBB`. 0 is the dark end and 1 the light one; NaN and less count as 0. */
+    /**
+     * Returns the colour at [position], `0xFFRRGGBB`: 0 is the dark end, 1 the light one. Less, and NaN, count as 0; more
+     * counts as 1.
+     */
     @JvmStatic
     public fun argb(position: Double): Int {
         val place = (if (position > 0.0) minOf(position, 1.0) else 0.0) * (colors.size - 1)

@@ -77,8 +77,8 @@ public class AovImage private constructor(
     }
 
     /**
-     * Returns positions and normals in the coordinates of a model whose axis [up] points up, see [UpAxis.toModel]. Other
-     * AOVs are returned as they are.
+     * Returns positions and normals in the coordinates of a model whose axis [up] points up, see [UpAxis.toModel].
+     * Other AOVs are returned as they are.
      */
     public fun toModel(up: UpAxis): AovImage {
         if (up == UpAxis.Y || (aov != Aov.NORMAL && aov != Aov.POSITION)) return this

@@ -55,7 +55,11 @@ class AovStrategiesTest {
     @Test
     fun allRenderersThreadsAndRegionsGiveTheSameBits() {
         for (frame in frames()) {
-            val expected = AovFrame(frame, ofScene).render(ZBuffer().takeUnless { frame.frame.hasTranslucency } ?: Lists())
+            val expected = AovFrame(frame, ofScene).render(
+                ZBuffer().takeUnless {
+                    frame.frame.hasTranslucency
+                } ?: Lists()
+            )
             assertTrue(expected[Aov.OBJECT].ints.any { it >= 0 }) { "$frame" }
             for (renderer in renderers(frame)) {
                 for (threads in listOf(1, 3)) {
@@ -90,18 +94,20 @@ class AovStrategiesTest {
         val aovs = AovFrame(samples, ofScene).render(Tiled())
         val single = AovFrame(SuperSampling.NONE.of(samples.frame), ofScene).render(Tiled())
         val image = Tiled().render(samples.frame)
-        for (y in 0 until raster.height) for (x in 0 until raster.width) {
-            val own = (0 until factor * factor).map { Pair(x * factor + it % factor, y * factor + it / factor) }
-            val (column, row) = own.minBy { (i, j) -> DepthTest.LESS.key(image.depth(i, j), image.primitive(i, j)) }
-            for (expected in single.images.filter { it.aov.isOfPoint }) {
-                for (c in expected.aov.channels.indices) {
-                    assertEquals(expected.number(column, row, c), aovs[expected.aov].number(x, y, c)) { "$x, $y" }
+        for (y in 0 until raster.height) {
+            for (x in 0 until raster.width) {
+                val own = (0 until factor * factor).map { Pair(x * factor + it % factor, y * factor + it / factor) }
+                val (column, row) = own.minBy { (i, j) -> DepthTest.LESS.key(image.depth(i, j), image.primitive(i, j)) }
+                for (expected in single.images.filter { it.aov.isOfPoint }) {
+                    for (c in expected.aov.channels.indices) {
+                        assertEquals(expected.number(column, row, c), aovs[expected.aov].number(x, y, c)) { "$x, $y" }
+                    }
                 }
+                val covered = own.count { (i, j) -> image.primitive(i, j) != DepthTest.BACKGROUND }
+                assertEquals(covered / 16.0, aovs[Aov.COVERAGE].number(x, y, 0))
+                val fragments = own.sumOf { (i, j) -> single[Aov.OVERDRAW].number(i, j, 0) }
+                assertEquals(fragments, aovs[Aov.OVERDRAW].number(x, y, 0))
             }
-            val covered = own.count { (i, j) -> image.primitive(i, j) != DepthTest.BACKGROUND }
-            assertEquals(covered / 16.0, aovs[Aov.COVERAGE].number(x, y, 0))
-            val fragments = own.sumOf { (i, j) -> single[Aov.OVERDRAW].number(i, j, 0) }
-            assertEquals(fragments, aovs[Aov.OVERDRAW].number(x, y, 0))
         }
     }
 

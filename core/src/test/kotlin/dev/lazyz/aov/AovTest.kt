@@ -140,7 +140,8 @@ class AovTest {
         val bent = floatArrayOf(-1f, -1f, 0f, 1f, -1f, 1f, 0f, 1f, 0f)
         val vertexNormals = floatArrayOf(-1f, 0f, 1f, 1f, 0f, 1f, 0f, 0f, 1f)
         val all = Shading.entries.associateWith { shading ->
-            val mesh = Mesh(bent, intArrayOf(0, 1, 2), Material(shading = shading), vertexNormals, FloatArray(6) { 0.5f })
+            val mesh =
+                Mesh(bent, intArrayOf(0, 1, 2), Material(shading = shading), vertexNormals, FloatArray(6) { 0.5f })
             render(sampled(listOf(mesh)), Aov.POSITION, Aov.NORMAL, Aov.UV)
         }
         val phong = all.getValue(Shading.PHONG)
@@ -203,8 +204,9 @@ class AovTest {
 
     @Test
     fun polygonsOfTheScreenHavePositionsInPixels() {
-        val frame = FrameBuilder(raster).polygon(Rgba.BLACK, doubleArrayOf(0.0, 0.0, 0.5, 40.0, 0.0, 0.5, 0.0, 40.0, 0.5))
-        val aovs = render(SuperSampling.NONE.of(frame.build()), *Aov.entries.toTypedArray())
+        val triangle = doubleArrayOf(0.0, 0.0, 0.5, 40.0, 0.0, 0.5, 0.0, 40.0, 0.5)
+        val frame = FrameBuilder(raster).polygon(Rgba.BLACK, triangle).build()
+        val aovs = render(SuperSampling.NONE.of(frame), *Aov.entries.toTypedArray())
         assertEquals(3.5, aovs[Aov.POSITION].number(3, 7, 0), 1e-6)
         assertEquals(7.5, aovs[Aov.POSITION].number(3, 7, 1), 1e-6)
         assertEquals(0.5, aovs[Aov.DEPTH].number(3, 7, 0), 1e-6)

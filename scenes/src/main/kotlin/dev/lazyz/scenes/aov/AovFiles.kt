@@ -26,8 +26,8 @@ public object AovFiles {
      * Writes one AOV.
      *
      * @param format the file format; by default determined by the file name extension
-     * @throws IllegalArgumentException if [format] is omitted and the extension is unknown, or if the AOV, or one of its
-     *   numbers, does not fit into the format; the message says what to do
+     * @throws IllegalArgumentException if [format] is omitted and the extension is unknown, or if the AOV, or one of
+     *   its numbers, does not fit into the format; the message says what to do
      * @throws IOException if the file cannot be written; the message states which file, why, and what to do
      */
     @JvmStatic
@@ -36,8 +36,8 @@ public object AovFiles {
         write(path, listOf(image), format)
 
     /**
-     * Writes several AOVs to one file. Only [AovFormat.NPZ] has room for more or less than one. Otherwise like the other
-     * [write].
+     * Writes several AOVs to one file. Only [AovFormat.NPZ] has room for more or less than one. Otherwise like the
+     * other [write].
      */
     @JvmStatic
     @JvmOverloads

@@ -24,9 +24,9 @@ public enum class AovFormat(public val id: String) {
     /**
      * PNG with 16 bits a channel, one AOV; one channel (grey) or three (RGB; the third number of texture coordinates is
      * 0). Depth is linear: 0 at the near plane, 65534 at the far plane, which the text chunks `near` and `far` give in
-     * units of the scene, and 65535 where nothing is visible. Ids are increased by 1, so that 0 is the background; counts
-     * are as they are. Normals are -1..1, coverage and texture coordinates 0..1, for 0..65535. Positions cannot be
-     * written.
+     * units of the scene, and 65535 where nothing is visible. Ids are increased by 1, so that 0 is the background;
+     * counts are as they are. Normals are -1..1, coverage and texture coordinates 0..1, for 0..65535. Positions cannot
+     * be written.
      */
     PNG("png"),
     ;

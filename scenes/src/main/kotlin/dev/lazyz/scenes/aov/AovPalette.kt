@@ -116,7 +116,7 @@ internal class AovPalette private constructor(
             }
         }
 
-        /** Returns the least and the greatest number of a channel in pixels that are not background; 0 and 1 if none. */
+        /** Returns the least and the greatest number of a channel, without background pixels; 0 and 1 if none. */
         private fun range(image: AovImage, channel: Int): Pair<Double, Double> {
             var least = Double.POSITIVE_INFINITY
             var most = Double.NEGATIVE_INFINITY

@@ -57,7 +57,7 @@ internal object DeepPng {
     private fun text(chunks: PngChunks, keyword: String, value: String) =
         chunks.chunk("tEXt", "$keyword\u0000$value".toByteArray(Charsets.ISO_8859_1))
 
-    /** Returns row [y], filtered: the filter, then [all] channels for each pixel, of which the first [own] are known. */
+    /** Returns row [y]: the filter, then differences of [all] channels for each pixel, of which [own] are not 0. */
     private fun row(image: AovImage, y: Int, own: Int, all: Int): ByteArray {
         val bytes = ByteArray(1 + 2 * all * image.width)
         bytes[0] = SUB.toByte()

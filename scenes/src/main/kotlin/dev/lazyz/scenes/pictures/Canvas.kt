@@ -5,7 +5,8 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Image
 
 /**
- * A picture of [width] x [height] pixels, to draw rectangles and text on. Everything outside is cut off. Not thread safe.
+ * A picture of [width] x [height] pixels, to draw rectangles and text on. Everything outside is cut off. Not thread
+ * safe.
  *
  * @param background the initial colour, `0xAARRGGBB`
  */

@@ -113,7 +113,11 @@ class AovFilesTest {
     fun picturesOf16BitsAreScaledByFixedRanges() {
         assertEquals(listOf(0, 16384, 65534, 65535, 32767, 57342), png(written("d.png", depth)))
         val text = String(folder.resolve("d.png").readBytes(), Charsets.ISO_8859_1)
-        for (part in listOf("tEXtaov\u0000depth", "tEXtnear\u00002.0", "tEXtfar\u00004.0")) assertTrue(part in text) { part }
+        for (part in listOf("tEXtaov\u0000depth", "tEXtnear\u00002.0", "tEXtfar\u00004.0")) {
+            assertTrue(part in text) {
+                part
+            }
+        }
         val components = normal.floats.map { Math.rint((it + 1.0) / 2 * 65535).toInt() }
         assertEquals(components, png(written("n.png", normal)))
         val places = uv.floats.toList().chunked(2).flatMap { it + 0f }.map {
