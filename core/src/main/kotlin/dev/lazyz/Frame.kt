@@ -59,7 +59,10 @@ public class Frame internal constructor(
     public fun keeping(test: IntPredicate): Frame =
         Frame(
             raster,
-            FrameContent.of(primitives.mapIndexed { i, it -> if (test.test(i)) it else EmptyPrimitive }, content.view),
+            FrameContent.of(
+                primitives.mapIndexed { index, primitive -> if (test.test(index)) primitive else EmptyPrimitive },
+                content.view,
+            ),
             region,
         )
 

@@ -17,8 +17,8 @@ public object Viridis {
     internal fun step(step: Int): Rgba = Rgba.ofRgb(colors[step])
 
     /**
-     * Returns the colour at [position], `0xFFRRGGBB`: 0 is the dark end, 1 the light one. Less, and NaN, count as 0; more
-     * counts as 1.
+     * Returns the colour at [position], `0xFFRRGGBB`: 0 is the dark end, 1 the light one. Less, and NaN, count as 0;
+     * more counts as 1.
      */
     @JvmStatic
     public fun argb(position: Double): Int {

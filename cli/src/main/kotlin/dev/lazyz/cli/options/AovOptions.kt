@@ -18,20 +18,20 @@ internal class AovOptions : OptionGroup("Data of pixels (AOVs)") {
         help = "Write what is known of each pixel as data: ${names(ids)}; the extension of FILE chooses the format, " +
             ".pfm, .npy, .png (16 bits) or .npz, which takes several, AOV,AOV=FILE.npz, or all=FILE.npz; repeat for " +
             "more files",
-    ).output("AOV=FILE").multiple()
+    ).output().multiple()
 
     private val pictures by option(
         "--aov-picture",
         help = "Write a picture of the same data, with colours and a legend, a .png file; repeat for more",
-    ).output("AOV=FILE.png").multiple()
+    ).output().multiple()
 
     /** What the options ask for. */
     val outputs: AovOutputs get() = AovOutputs(data, pictures)
 
-    private fun RawOption.output(metavar: String) = convert(metavar) { text ->
+    private fun RawOption.output() = convert("AOV=FILE") { text ->
         val file = text.substringAfter('=', "")
         val words = text.substringBefore('=').lowercase()
-        if (file.isEmpty() || words.isEmpty()) fail("'$text' is not $metavar, such as depth=depth.png")
+        if (file.isEmpty() || words.isEmpty()) fail("'$text' is not AOV=FILE, such as depth=depth.png")
         val aovs = if (words == ALL) {
             Aov.entries
         } else {

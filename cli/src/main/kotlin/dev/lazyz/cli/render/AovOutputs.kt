@@ -1,6 +1,8 @@
 package dev.lazyz.cli.render
 
+import dev.lazyz.Image
 import dev.lazyz.aov.Aov
+import dev.lazyz.aov.AovImage
 import dev.lazyz.aov.AovImages
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputFile
@@ -54,7 +56,13 @@ internal class AovOutputs(private val data: List<AovOutput>, private val picture
                 throw Mistake(unfit.message.orEmpty())
             }
         }
-        for (output in pictures) AovPicture.of(images[output.aovs.single()]).writePng(output.path)
+        for (output in pictures) picture(images[output.aovs.single()]).writePng(output.path)
+    }
+
+    private fun picture(image: AovImage): Image = try {
+        AovPicture.of(image)
+    } catch (tooLarge: ArithmeticException) {
+        throw Mistake("$PICTURE: ${image.width}x${image.height} with a legend are too many pixels; use a --region")
     }
 
     private companion object {
