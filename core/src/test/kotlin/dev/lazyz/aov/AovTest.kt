@@ -215,6 +215,15 @@ class AovTest {
     }
 
     @Test
+    fun ofEqualSamplesTheFirstCounts() {
+        val triangle = doubleArrayOf(0.0, 0.0, 0.5, 40.0, 0.0, 0.5, 0.0, 40.0, 0.5)
+        val frame = FrameBuilder(raster).polygon(Rgba.BLACK, triangle).build()
+        val position = render(SuperSampling(2).of(frame), Aov.POSITION)[Aov.POSITION]
+        assertEquals(6.5, position.number(3, 7, 0), 1e-6)
+        assertEquals(14.5, position.number(3, 7, 1), 1e-6)
+    }
+
+    @Test
     fun customPrimitivesHaveTheAttributesThatTheySet() {
         class Band(private val isShaded: Boolean) : Primitive {
             override val rowStart = 2
