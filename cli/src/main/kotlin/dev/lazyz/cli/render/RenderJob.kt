@@ -36,8 +36,13 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         val tally = Tally(shot.pixels.width, request.stats != null)
         val colors = reference?.let { ColorRows(shot.pixels) }
         val sinks = listOfNotNull(tally, colors, ProgressSink.of(streams, shot.pixels.height))
+        val aovs = request.aovs.aovs
         val counters = outputs.write(shot, sinks) { sink ->
-            shot.render(strategy, sink, request.aovs.aovs).also { request.aovs.write(it) }.counters
+            if (aovs.isEmpty()) {
+                shot.render(strategy, sink)
+            } else {
+                shot.render(strategy, sink, aovs).also { request.aovs.write(it) }.counters
+            }
         }
         val nanoseconds = System.nanoTime() - start
 
