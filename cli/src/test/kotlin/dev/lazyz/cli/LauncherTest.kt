@@ -79,6 +79,10 @@ class LauncherTest {
         assertTrue(loaded in log.readText(), "loaded from the archive")
         assertEquals(before, Files.getLastModifiedTime(archives.single()))
 
+        // Such as a container image that is used elsewhere
+        render(mapOf("TZ" to "XXX-9", "LC_ALL" to "C.UTF-8"))
+        assertEquals(before, Files.getLastModifiedTime(archives.single()), "time zones do not matter")
+
         // A truncated archive is created again
         val size = archive.fileSize()
         archive.toFile().setWritable(true)
