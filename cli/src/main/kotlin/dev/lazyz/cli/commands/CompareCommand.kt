@@ -17,7 +17,7 @@ import dev.lazyz.cli.compare.CompareSeveralJob
 import dev.lazyz.cli.compare.ComparisonTable
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Subject
-import dev.lazyz.cli.input.View
+import dev.lazyz.world.View
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.CostOptions

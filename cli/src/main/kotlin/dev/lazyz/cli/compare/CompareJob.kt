@@ -7,7 +7,7 @@ import dev.lazyz.Image
 import dev.lazyz.Renderer
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Shot
-import dev.lazyz.cli.input.View
+import dev.lazyz.world.View
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.MemoryNeed

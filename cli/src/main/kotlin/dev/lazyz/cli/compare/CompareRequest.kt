@@ -1,6 +1,6 @@
 package dev.lazyz.cli.compare
 
-import dev.lazyz.cli.input.View
+import dev.lazyz.world.View
 import dev.lazyz.cli.strategies.Choices
 
 /**

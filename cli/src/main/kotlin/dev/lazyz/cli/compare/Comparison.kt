@@ -3,7 +3,7 @@ package dev.lazyz.cli.compare
 import dev.lazyz.Counters
 import dev.lazyz.Image
 import dev.lazyz.cli.input.Shot
-import dev.lazyz.cli.input.View
+import dev.lazyz.world.View
 import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.Statistics

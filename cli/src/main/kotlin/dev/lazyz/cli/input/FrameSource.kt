@@ -13,6 +13,7 @@ import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.View
 import dev.lazyz.world.material.Material
 
 /** Reads the input that [subject] names, and creates the frame that the options describe. */

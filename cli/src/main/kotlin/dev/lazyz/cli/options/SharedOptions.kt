@@ -18,7 +18,7 @@ import dev.lazyz.cli.input.Placement
 import dev.lazyz.cli.input.PointOfView
 import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.input.Translucency
-import dev.lazyz.cli.input.View
+import dev.lazyz.world.View
 import dev.lazyz.cli.strategies.Choices
 import dev.lazyz.filter.PixelFilter
 import dev.lazyz.filter.ShadingRate
