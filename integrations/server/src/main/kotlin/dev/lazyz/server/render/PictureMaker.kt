@@ -17,6 +17,7 @@ import dev.lazyz.scenes.writers.PngSink
 import dev.lazyz.strategies.PictureMemory
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.world.Scene
+import java.util.concurrent.ForkJoinPool
 
 /**
  * Reads models and renders pictures of them, each on the calling thread alone. Thread safe.
@@ -28,13 +29,14 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
     private val options = RenderOptions(threads = 1)
     private val renderer: Renderer = Renderers.builtIn.first().configured(options)
     private val bytesPerSample = PictureMemory.bytesPerSample(renderer)
+    private val pngBlocks = minOf(2 * ForkJoinPool.getCommonPoolParallelism() + 1, MOST_BLOCKS)
     private val mostDecoded = limits.decodedBytes ?: mostDecoded
 
     /** Returns the bytes of memory that a picture takes besides its model. */
     fun pictureNeed(request: PictureRequest): Long {
         val factor = request.factor ?: PictureRequest.USUAL_FACTOR
         return request.samples * bytesPerSample + request.pixels * BYTES_PER_PIXEL +
-            request.size.width.toLong() * factor * BYTES_PER_COLUMN + FIXED_BYTES
+            request.size.width.toLong() * factor * BYTES_PER_COLUMN + FIXED_BYTES + pngBlocks * BLOCK_BYTES
     }
 
     /** Returns the bytes of memory that a model of [size] bytes in this [format] takes, without these bytes. */
@@ -120,9 +122,13 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         private const val BYTES_PER_PIXEL = 8L
 
         /** Rows of tiles and of the filter. */
-        private const val BYTES_PER_COLUMN = 4096L
+        private const val BYTES_PER_COLUMN = 1024L
 
         /** What every rendering takes. */
-        private const val FIXED_BYTES = 2L shl 20
+        private const val FIXED_BYTES = 1L shl 20
+
+        /** A block of a PNG file while it is compressed, see [PngSink]. */
+        private const val BLOCK_BYTES = 1L shl 20
+        private const val MOST_BLOCKS = 17
     }
 }
