@@ -32,7 +32,9 @@ internal object CommandLine {
         Option("--queue", "N", "requests that wait for their rendering; default: 64") { c, v -> c.withQueue(int(v)) },
         Option("--connections", "N", "open connections; default: 1024") { c, v -> c.withConnections(int(v)) },
         Option("--memory", "SIZE", "heap for uploads and renderings: bytes, or with k, m, g; default: half of it") {
-                c, v ->
+                c,
+                v
+            ->
             c.withMemory(bytes(v))
         },
         Option("--max-body", "SIZE", "bytes of a model; default: 64m") { c, v -> c.withBody(bytes(v)) },

@@ -28,9 +28,9 @@ import io.netty.handler.stream.ChunkedStream
 import java.io.IOException
 import java.net.InetSocketAddress
 import java.time.Duration
+import java.util.concurrent.Future as Timer
 import java.util.concurrent.RejectedExecutionException
 import java.util.concurrent.TimeUnit
-import java.util.concurrent.Future as Timer
 
 /**
  * One connection: takes requests one after the other, and answers each. Everything happens on the event loop of the
@@ -84,12 +84,11 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
     }
 
     override fun channelInactive(context: ChannelHandlerContext) {
-        val last = state
         state = State.CLOSED
         timer?.cancel(false)
         service.connections.decrementAndGet()
         job?.let { service.queue.cancel(it, Problem(Problem.GONE, "the client is gone")) }
-        if (last == State.UPLOAD || last == State.WORK || last == State.ANSWER) end(Problem.GONE, 0, "the client is gone")
+        end(Problem.GONE, 0, "the client is gone")
     }
 
     override fun exceptionCaught(context: ChannelHandlerContext, cause: Throwable) {
@@ -158,7 +157,8 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
         try {
             if (content.decoderResult().isFailure) {
                 isLastRequest = true
-                throw Problem(Problem.BAD_REQUEST, "the body is not valid HTTP: ${content.decoderResult().cause().message}")
+                val cause = content.decoderResult().cause()
+                throw Problem(Problem.BAD_REQUEST, "the body is not valid HTTP: ${cause.message}")
             }
             val bytes = content.content()
             val count = bytes.readableBytes()
@@ -233,7 +233,8 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
         val size = answer.picture?.size ?: answer.text.toByteArray().size
         val headers = answer.headers
         if (answer.status != HttpResponseStatus.NOT_MODIFIED) headers.set(HttpHeaderNames.CONTENT_LENGTH, size)
-        headers.set(HttpHeaderNames.CONNECTION, if (isLastRequest) HttpHeaderValues.CLOSE else HttpHeaderValues.KEEP_ALIVE)
+        val connection = if (isLastRequest) HttpHeaderValues.CLOSE else HttpHeaderValues.KEEP_ALIVE
+        headers.set(HttpHeaderNames.CONNECTION, connection)
         val written = if (answer.picture != null) {
             context.write(DefaultHttpResponse(HttpVersion.HTTP_1_1, answer.status, headers))
             context.writeAndFlush(HttpChunkedInput(ChunkedStream(answer.picture.open(), CHUNK)))

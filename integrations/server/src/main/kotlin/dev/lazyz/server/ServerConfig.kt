@@ -67,7 +67,9 @@ public class ServerConfig @JvmOverloads constructor(
             "downloadTime" to downloadTime, "drainTime" to drainTime,
         )
         for ((name, time) in times) {
-            require(!time.isNegative && !time.isZero && time <= LONGEST) { "$name must be above 0, at most a day: $time" }
+            require(!time.isNegative && !time.isZero && time <= LONGEST) {
+                "$name must be above 0, at most a day: $time"
+            }
         }
     }
 

@@ -10,7 +10,7 @@ class OverloadTest {
     private val config = ServerConfig(port = 0, renders = 1, queue = 1, log = {})
 
     private fun Client.begin(path: String) =
-        open("POST $path HTTP/1.1\r\nHost: x\r\nContent-Length: ${Client.MODEL.size}\r\n\r\n${Client.MODEL.decodeToString()}")
+        Client.MODEL.decodeToString().let { open("POST $path HTTP/1.1\r\nContent-Length: ${it.length}\r\n\r\n$it") }
 
     @Test
     fun aFullQueueRefusesFurtherRequests() = RenderServer(config).start().use { server ->

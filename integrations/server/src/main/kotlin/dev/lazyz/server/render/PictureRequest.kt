@@ -82,7 +82,8 @@ internal class PictureRequest(
             range: ClosedRange<Double>,
         ): Double? {
             val text = given[parameter] ?: return null
-            val number = if (DECIMAL.matches(text)) text.toDouble() else fail("${parameter.id}: '$text' is not a number")
+            if (!DECIMAL.matches(text)) fail("${parameter.id}: '$text' is not a number")
+            val number = text.toDouble()
             if (number !in range) fail("${parameter.id} must be in ${range.start}..${range.endInclusive}: $text")
             return number
         }
