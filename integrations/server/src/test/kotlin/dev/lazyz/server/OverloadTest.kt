@@ -67,7 +67,7 @@ class OverloadTest {
 
     @Test
     fun requestsDoNotWaitForever() {
-        val short = config.withQueueTime(Duration.ofMillis(50))
+        val short = config.withQueueTime(Duration.ofSeconds(1))
         RenderServer(short).start().use { server ->
             val client = Client(server)
             client.begin(Client.LONG).use {
