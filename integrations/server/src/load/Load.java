@@ -24,10 +24,10 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 
 /**
- * Load JAR [SECONDS [CLIENTS]]: starts lazyz-server with a heap of 256 MB, and sends it requests for a while, by clients
- * of which half want pictures, and the others are slow, wrong, or gone before the answer. Prints what became of the
- * requests, and the heap after a collection at the start and at the end. Exits with 1 if a request for a picture was
- * lost, or a picture had wrong bits. A refused request (429, 503) is not lost: it is sent again.
+ * Load JAR [SECONDS [CLIENTS]]: starts lazyz-server with a heap of 256 MB, and sends it requests for a while, by
+ * clients of which half want pictures, and the others are slow, wrong, or gone before the answer. Prints what became of
+ * the requests, and the heap after a collection at the start and at the end. Exits with 1 if a request for a picture
+ * was lost, or a picture had wrong bits. A refused request (429, 503) is not lost: it is sent again.
  */
 public class Load {
     private static final HttpClient HTTP =
