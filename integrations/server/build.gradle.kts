@@ -4,6 +4,9 @@ kotlin {
     explicitApi()
 }
 
+// The licences of libraries whose jars do not contain them, as in zcli.jar
+sourceSets["main"].resources.srcDir(rootProject.file("cli/src/main/resources")).include("META-INF/licenses/*")
+
 dependencies {
     api(project(":core"))
     api(project(":scenes"))

@@ -43,7 +43,8 @@ public class Load {
         int seconds = args.length > 1 ? Integer.parseInt(args[1]) : 60;
         int clients = args.length > 2 ? Integer.parseInt(args[2]) : 64;
         Process server = new ProcessBuilder(
-                        program("java"), "-Xmx256m", "-jar", args[0], "--port", "0", "--upload-time", "10", "--queue", "32")
+                        program("java"), "-Xmx256m", "-jar", args[0], //
+                        "--port", "0", "--upload-time", "10", "--queue", "32")
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
         try {
@@ -168,7 +169,8 @@ public class Load {
         byte[] model = obj(60);
         try (Socket socket = new Socket("127.0.0.1", port)) {
             OutputStream out = socket.getOutputStream();
-            out.write(ascii("POST /render?size=2048&aa=8 HTTP/1.1\r\nHost: x\r\nContent-Length: " + model.length + "\r\n\r\n"));
+            out.write(ascii("POST /render?size=2048&aa=8 HTTP/1.1\r\nHost: x\r\n"));
+            out.write(ascii("Content-Length: " + model.length + "\r\n\r\n"));
             out.write(model);
             out.flush();
             Thread.sleep(random.nextInt(300));
@@ -204,7 +206,8 @@ public class Load {
             for (int j = 1; j <= side; j++) {
                 int a = i * (side + 1) + j;
                 int b = a + side + 1;
-                text.append("f ").append(a).append(' ').append(a + 1).append(' ').append(b + 1).append(' ').append(b).append('\n');
+                text.append("f ").append(a).append(' ').append(a + 1);
+                text.append(' ').append(b + 1).append(' ').append(b).append('\n');
             }
         }
         return ascii(text.toString());
@@ -256,7 +259,8 @@ public class Load {
         HttpRequest request =
                 HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + port + "/metrics")).build();
         Map<String, Double> metrics = new TreeMap<>();
-        HTTP.send(request, HttpResponse.BodyHandlers.ofString()).body().lines().filter(it -> !it.startsWith("#")).forEach(it -> {
+        String page = HTTP.send(request, HttpResponse.BodyHandlers.ofString()).body();
+        page.lines().filter(it -> !it.startsWith("#")).forEach(it -> {
             int space = it.lastIndexOf(' ');
             metrics.put(it.substring(0, space), Double.parseDouble(it.substring(space + 1)));
         });
@@ -285,10 +289,12 @@ public class Load {
         System.out.printf(
                 "pictures: median %d ms, 99 %% below %d ms, with repetitions%n",
                 times.get(times.size() / 2) / 1_000_000, times.get(times.size() * 99 / 100) / 1_000_000);
-        System.out.printf("heap after a collection: %.1f MiB at the start, %.1f MiB at the end%n", before / 1048576.0, after / 1048576.0);
+        System.out.printf(
+                "heap after a collection: %.1f MiB at the start, %.1f MiB at the end%n",
+                before / 1048576.0, after / 1048576.0);
         Map<String, Double> metrics = metrics();
-        for (String gauge : List.of("lazyz_upload_memory_bytes", "lazyz_render_memory_bytes", "lazyz_renders_waiting")) {
-            System.out.printf("%s %.0f%n", gauge, metrics.get(gauge));
+        for (String name : List.of("upload_memory_bytes", "render_memory_bytes", "renders_waiting")) {
+            System.out.printf("lazyz_%s %.0f%n", name, metrics.get("lazyz_" + name));
         }
         System.out.println(LOST.get() + " lost or wrong");
     }
