@@ -17,7 +17,6 @@ import dev.lazyz.cli.compare.CompareSeveralJob
 import dev.lazyz.cli.compare.ComparisonTable
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Subject
-import dev.lazyz.world.View
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.CostOptions
@@ -38,6 +37,7 @@ import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.StrategyPath
+import dev.lazyz.world.View
 
 /**
  * `zcli compare`: declares the options. [CompareJob] and [CompareSeveralJob] do the work.

@@ -18,7 +18,6 @@ import dev.lazyz.cli.input.Placement
 import dev.lazyz.cli.input.PointOfView
 import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.input.Translucency
-import dev.lazyz.world.View
 import dev.lazyz.cli.strategies.Choices
 import dev.lazyz.filter.PixelFilter
 import dev.lazyz.filter.ShadingRate
@@ -28,6 +27,7 @@ import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
 import dev.lazyz.world.Projection
+import dev.lazyz.world.View
 import dev.lazyz.world.material.MipFilter
 import dev.lazyz.world.material.Shading
 import dev.lazyz.world.surface.Points
