@@ -16,5 +16,6 @@ module dev.lazyz.scenes {
     exports dev.lazyz.scenes.scenefile;
     exports dev.lazyz.scenes.text;
     exports dev.lazyz.scenes.writers;
+    exports dev.lazyz.scenes.writers.animation;
     exports dev.lazyz.scenes;
 }

@@ -157,6 +157,9 @@ public class FragmentBatch internal constructor(capacity: Int) {
     /** Bytes of the arrays. */
     internal val bytes: Long get() = (32L + scratch.size) * Int.SIZE_BYTES * x.size
 
+    /** Scratch memory of 4 numbers for a shader while it runs. */
+    internal val texel: FloatArray get() = each.texel
+
     /** Returns [count] arrays as long as those of the attributes, with any contents, for a shader while it runs. */
     internal fun scratch(count: Int): Array<FloatArray> {
         if (scratch.size < count) scratch = Array(count) { FloatArray(x.size) }
@@ -197,21 +200,14 @@ public class FragmentBatch internal constructor(capacity: Int) {
 
     /** Calls [shader] for each fragment. */
     internal fun shadeEach(shader: Shader) {
-        forEach { fragment, i ->
+        val fragment = each
+        for (i in 0 until size) {
+            moveTo(fragment, i)
             shader.shade(fragment)
             red[i] = fragment.red
             green[i] = fragment.green
             blue[i] = fragment.blue
             alpha[i] = fragment.alpha
-        }
-    }
-
-    /** Passes each fragment with its number to [use]; always the same object, with other attributes. */
-    internal inline fun forEach(use: (Fragment, Int) -> Unit) {
-        val fragment = each
-        for (i in 0 until size) {
-            moveTo(fragment, i)
-            use(fragment, i)
         }
     }
 

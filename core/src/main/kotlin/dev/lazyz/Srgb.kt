@@ -7,7 +7,8 @@ package dev.lazyz
  * [StrictMath], so that no call depends on a library's `pow` (contract rule 6.3).
  */
 internal object Srgb {
-    private val linearOfCode = FloatArray(256) { decode(it / 255.0).toFloat() }
+    /** The linear values of the 256 codes; not to be changed. */
+    val linearOfCode: FloatArray = FloatArray(256) { decode(it / 255.0).toFloat() }
 
     /** `threshold[k]` is the smallest linear value whose code is at least k. */
     private val threshold = FloatArray(257) {

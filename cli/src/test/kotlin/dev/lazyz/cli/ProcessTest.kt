@@ -151,6 +151,32 @@ class ProcessTest {
         assertTrue(!folder.resolve("x.png").exists())
     }
 
+    /** Each picture takes 69 MiB, and any two of them are more than the heap. */
+    @Test
+    fun picturesThatDoNotFitTogetherAreRenderedOneAfterTheOther() {
+        val inputs = listOf("teapot", "city", "cycle", "molecule")
+        val options = listOf("--size", "600x600", "--strategy", "zbuffer", "--threads", "4", "-o", "{stem}.png")
+        val process = start(listOf("render") + inputs + options, listOf("-Xmx112m")) {}
+        assertEquals(0, process.code(), errors)
+        assertEquals("", errors)
+        for (input in inputs) assertTrue(folder.resolve("$input.png").exists(), input)
+    }
+
+    @Test
+    fun aTerminatedBatchLeavesNoPartialFile() {
+        val words = listOf("render", "plane", "city", "--turntable", "100", "--size", "2000x2000", "-o", "{stem}.png")
+        val process = start(words, listOf("-Xmx2g")) {}
+        val deadline = System.nanoTime() + 60_000_000_000
+        while (folder.listDirectoryEntries(".*.png.*").size < minOf(2, Runtime.getRuntime().availableProcessors())) {
+            assertTrue(process.isAlive, errors)
+            assertTrue(System.nanoTime() < deadline, "no temporary file")
+            Thread.sleep(10)
+        }
+        process.destroy()
+        assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
+        assertEquals(listOf("errors.txt"), folder.listDirectoryEntries().map { it.name })
+    }
+
     /** A picture of 137 MiB, in a heap of 32 MiB: strategies that promise constant memory can render it. */
     @TestFactory
     fun picturesLargerThanTheHeapAreStreamed(): List<DynamicTest> =

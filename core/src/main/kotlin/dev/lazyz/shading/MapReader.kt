@@ -1,6 +1,7 @@
 package dev.lazyz.shading
 
 import dev.lazyz.Fragment
+import dev.lazyz.FragmentBatch
 import dev.lazyz.world.material.TextureMap
 
 /** Reads a map at the coordinates of a fragment. Immutable and thread safe. */
@@ -21,6 +22,13 @@ internal class MapReader private constructor(map: TextureMap) {
             read(fragment.u, fragment.v, fragment.dudx, fragment.dvdx, fragment.dudy, fragment.dvdy, fragment.texel)
         }
         return fragment.texel
+    }
+
+    /** Stores the components at fragment [i] of [batch] in [out]. */
+    fun read(batch: FragmentBatch, i: Int, out: FloatArray) = if (isSecond) {
+        read(batch.u2[i], batch.v2[i], batch.du2dx[i], batch.dv2dx[i], batch.du2dy[i], batch.dv2dy[i], out)
+    } else {
+        read(batch.u[i], batch.v[i], batch.dudx[i], batch.dvdx[i], batch.dudy[i], batch.dvdy[i], out)
     }
 
     private fun read(

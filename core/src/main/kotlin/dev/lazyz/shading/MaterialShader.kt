@@ -4,6 +4,8 @@ import dev.lazyz.BatchShader
 import dev.lazyz.Fragment
 import dev.lazyz.FragmentBatch
 import dev.lazyz.Rgba
+import dev.lazyz.shading.light.LightVectors
+import dev.lazyz.shading.pbr.BatchPhysicalLighting
 import dev.lazyz.shading.pbr.PhysicalSurface
 import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
@@ -45,8 +47,7 @@ internal class MaterialShader(
     private val isSimple = texture == null && isFinished && !isLit
 
     /** Whether the light of many fragments can be computed together. */
-    private val isLitTogether = isLit && model == null && emissionMap == null
-    private val hasMaps = texture != null || normalMap != null || occlusionMap != null
+    private val hasMaps = texture != null || normalMap != null || occlusionMap != null || modelMap != null
 
     override fun shade(fragment: Fragment) {
         // Base colour x vertex colour x texture
@@ -71,7 +72,7 @@ internal class MaterialShader(
         // Light
         if (isLit) {
             normalMap?.apply(fragment)
-            val occlusion = if (occlusionMap == null) 1f else occlusion(fragment, occlusionMap)
+            val occlusion = if (occlusionMap == null) 1f else occlusion(occlusionMap.read(fragment))
             val light = fragment.light
             if (model != null) {
                 reflect(fragment, red, green, blue, occlusion)
@@ -136,8 +137,7 @@ internal class MaterialShader(
         )
     }
 
-    private fun occlusion(fragment: Fragment, map: MapReader): Float =
-        1f + occlusionStrength * (map.read(fragment)[0] - 1f)
+    private fun occlusion(texel: FloatArray): Float = 1f + occlusionStrength * (texel[0] - 1f)
 
     override fun shade(batch: FragmentBatch) {
         val count = batch.size
@@ -149,55 +149,105 @@ internal class MaterialShader(
             if (material.alphaMode == AlphaMode.BLEND) scale(batch.vertexAlpha, base.alpha, 0f, batch.alpha, count)
             return
         }
-        if (!isLitTogether || count < BatchLighting.FEWEST || !shadeTogether(batch)) batch.shadeEach(this)
+        if (!isLit || count < BatchLighting.FEWEST || !shadeTogether(batch)) batch.shadeEach(this)
     }
 
     /** Shades the fragments of [batch] together. Returns false if that cannot give the same bits as one by one. */
     private fun shadeTogether(batch: FragmentBatch): Boolean {
         val count = batch.size
-        val scratch = batch.scratch(BatchLighting.ARRAYS)
-        batch.normalX.copyInto(scratch[BatchLighting.NORMAL], 0, 0, count)
-        batch.normalY.copyInto(scratch[BatchLighting.NORMAL + 1], 0, 0, count)
-        batch.normalZ.copyInto(scratch[BatchLighting.NORMAL + 2], 0, 0, count)
-        scratch[BatchLighting.OCCLUSION].fill(1f, 0, count)
+        val scratch = batch.scratch(if (model == null) BatchLighting.ARRAYS else ARRAYS)
+        batch.normalX.copyInto(scratch[LightVectors.NORMAL], 0, 0, count)
+        batch.normalY.copyInto(scratch[LightVectors.NORMAL + 1], 0, 0, count)
+        batch.normalZ.copyInto(scratch[LightVectors.NORMAL + 2], 0, 0, count)
+        scratch[LightVectors.OCCLUSION].fill(1f, 0, count)
+        if (model != null) {
+            scratch[BatchPhysicalLighting.ROUGHNESS].fill(model.roughness, 0, count)
+            scratch[METALLIC].fill(model.metallic, 0, count)
+        }
         scale(batch.vertexRed, base.red, batch.red, count)
         scale(batch.vertexGreen, base.green, batch.green, count)
         scale(batch.vertexBlue, base.blue, batch.blue, count)
         if (material.alphaMode == AlphaMode.BLEND) scale(batch.vertexAlpha, base.alpha, batch.alpha, count)
         if (hasMaps) readMaps(batch, scratch)
-        if (!lighting.ofBatches.illuminate(batch, material, emission)) return false
-        if (!lighting.ofBatches.apply(batch)) return false
+        if (model == null) {
+            if (!lighting.ofBatches.illuminate(batch, material, emission)) return false
+        } else {
+            setSurfaces(batch, scratch)
+            if (!lighting.physical.ofBatches.illuminate(batch)) return false
+        }
+        if (emissionMap != null) addEmission(batch, emissionMap)
         if (toneMapper != null) mapTones(batch, toneMapper)
         return true
     }
 
     /** Reads the maps at each fragment: multiplies colours by the texture, changes normals, and stores occlusion. */
     private fun readMaps(batch: FragmentBatch, scratch: Array<FloatArray>) {
-        val normalX = scratch[BatchLighting.NORMAL]
-        val normalY = scratch[BatchLighting.NORMAL + 1]
-        val normalZ = scratch[BatchLighting.NORMAL + 2]
-        val occlusion = scratch[BatchLighting.OCCLUSION]
-        val blends = material.alphaMode == AlphaMode.BLEND
-        batch.forEach { fragment, i ->
-            if (texture != null) {
-                val texel = texture.read(fragment)
+        val texel = batch.texel
+        if (texture != null) {
+            val blends = material.alphaMode == AlphaMode.BLEND
+            for (i in 0 until batch.size) {
+                texture.read(batch, i, texel)
                 batch.red[i] *= texel[0]
                 batch.green[i] *= texel[1]
                 batch.blue[i] *= texel[2]
                 if (blends) batch.alpha[i] *= texel[3]
             }
-            if (normalMap != null) {
-                normalMap.apply(fragment)
-                normalX[i] = fragment.normalX
-                normalY[i] = fragment.normalY
-                normalZ[i] = fragment.normalZ
+        }
+        if (normalMap != null) {
+            val x = scratch[LightVectors.NORMAL]
+            val y = scratch[LightVectors.NORMAL + 1]
+            val z = scratch[LightVectors.NORMAL + 2]
+            for (i in 0 until batch.size) normalMap.apply(batch, i, x, y, z, texel)
+        }
+        if (occlusionMap != null) {
+            for (i in 0 until batch.size) {
+                occlusionMap.read(batch, i, texel)
+                scratch[LightVectors.OCCLUSION][i] = occlusion(texel)
             }
-            if (occlusionMap != null) occlusion[i] = occlusion(fragment, occlusionMap)
+        }
+        if (modelMap != null) {
+            for (i in 0 until batch.size) {
+                modelMap.read(batch, i, texel)
+                scratch[BatchPhysicalLighting.ROUGHNESS][i] *= texel[1]
+                scratch[METALLIC][i] *= texel[2]
+            }
+        }
+    }
+
+    /** Stores the materials of the fragments, and replaces their colours by the emission. */
+    private fun setSurfaces(batch: FragmentBatch, scratch: Array<FloatArray>) {
+        setSurfaces(batch.red, emission.red, scratch, 0, batch.size)
+        setSurfaces(batch.green, emission.green, scratch, 1, batch.size)
+        setSurfaces(batch.blue, emission.blue, scratch, 2, batch.size)
+    }
+
+    private fun setSurfaces(
+        color: FloatArray,
+        emission: Float,
+        scratch: Array<FloatArray>,
+        channel: Int,
+        count: Int,
+    ) {
+        val metallic = scratch[METALLIC]
+        val diffuse = scratch[BatchPhysicalLighting.DIFFUSE + channel]
+        val reflectance = scratch[BatchPhysicalLighting.REFLECTANCE + channel]
+        for (i in 0 until count) diffuse[i] = PhysicalSurface.diffuse(color[i], metallic[i])
+        for (i in 0 until count) reflectance[i] = PhysicalSurface.reflectance(color[i], metallic[i])
+        color.fill(emission, 0, count)
+    }
+
+    private fun addEmission(batch: FragmentBatch, map: MapReader) {
+        val texel = batch.texel
+        for (i in 0 until batch.size) {
+            map.read(batch, i, texel)
+            batch.red[i] += material.emission.red * texel[0]
+            batch.green[i] += material.emission.green * texel[1]
+            batch.blue[i] += material.emission.blue * texel[2]
         }
     }
 
     private fun mapTones(batch: FragmentBatch, toneMapper: ToneMapper) {
-        val color = FloatArray(3)
+        val color = batch.texel
         for (i in 0 until batch.size) {
             color[0] = batch.red[i]
             color[1] = batch.green[i]
@@ -259,5 +309,10 @@ internal class MaterialShader(
         0 -> base.red
         1 -> base.green
         else -> base.blue
+    }
+    private companion object {
+        /** Scratch memory of a batch for metallicness, after that of [BatchPhysicalLighting]. */
+        const val METALLIC = BatchPhysicalLighting.ARRAYS
+        const val ARRAYS = METALLIC + 1
     }
 }

@@ -3,6 +3,8 @@ package dev.lazyz.shading
 import dev.lazyz.Fragment
 import dev.lazyz.FragmentBatch
 import dev.lazyz.Rgba
+import dev.lazyz.shading.light.LightVectors
+import dev.lazyz.shading.pbr.BatchPhysicalLighting
 import dev.lazyz.world.AmbientVisibility
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
@@ -13,6 +15,7 @@ import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.OcclusionMap
 import dev.lazyz.world.material.Shading
@@ -62,12 +65,24 @@ class BatchLightingTest {
         if (random.nextBoolean()) material = material.withTextureMap(map)
         if (random.nextInt(3) == 0) material = material.withNormalMap(NormalMap(map, 0.7f))
         if (random.nextInt(3) == 0) material = material.withOcclusionMap(OcclusionMap(map, 0.6f))
+        if (random.nextInt(3) == 0) material = material.withEmissionMap(map)
         return material
     }
 
-    private fun sceneLight(lights: List<Light>, curve: ToneCurve?, visibility: AmbientVisibility?): SceneLight {
+    private fun model() = MetallicRoughness(
+        random.nextInt(3) * 0.5f,
+        if (random.nextInt(4) == 0) random.nextInt(2).toFloat() else random.nextFloat(),
+        if (random.nextBoolean()) map else null,
+    )
+
+    private fun sceneLight(
+        lights: List<Light>,
+        curve: ToneCurve?,
+        visibility: AmbientVisibility?,
+        environment: Environment = Environment.NONE,
+    ): SceneLight {
         val tones = if (curve == null) ToneMapping.NONE else ToneMapping(curve, 0.5)
-        return SceneLight(lights, lights, Environment.NONE, tones, visibility)
+        return SceneLight(lights, lights, environment, tones, visibility)
     }
 
     /** A batch of [count] fragments with random attributes. */
@@ -102,23 +117,45 @@ class BatchLightingTest {
     @Test
     fun rule_6_5_randomFragmentsHaveTheSameBits() {
         for (trial in 0 until 600) {
-            val material = material(if (trial % 2 == 0) Shading.PHONG else Shading.BLINN_PHONG)
-            val lights = List(random.nextInt(4)) { light() }
-            val curve = (ToneCurve.entries + null)[random.nextInt(ToneCurve.entries.size + 1)]
-            val visibility =
-                if (random.nextInt(3) == 0) AmbientVisibility { x, _, _, nx, _, _ -> (x + nx) * 0.1f } else null
-            val light = Lighting(
-                sceneLight(lights, curve, visibility),
-                if (random.nextBoolean()) perspective else parallel,
+            randomFragmentsHaveTheSameBits(
+                material(if (trial % 2 == 0) Shading.PHONG else Shading.BLINN_PHONG),
+                Environment.NONE,
             )
-            val batch = batch(1 + random.nextInt(FragmentBatch.CAPACITY))
-            assertAsOneByOne(batch, MaterialShader(material, light, isPrelit = false)) { "$material, $lights, $curve" }
         }
+    }
+
+    @Test
+    fun rule_6_8_randomFragmentsHaveTheSameBits() {
+        for (trial in 0 until 600) {
+            val environment = if (trial % 3 == 0) Environment.NONE else Environment.studio(random.nextFloat())
+            randomFragmentsHaveTheSameBits(material(Shading.PHONG).withMetallicRoughness(model()), environment)
+        }
+    }
+
+    private fun randomFragmentsHaveTheSameBits(material: Material, environment: Environment) {
+        val lights = List(random.nextInt(4)) { light() }
+        val curve = (ToneCurve.entries + null)[random.nextInt(ToneCurve.entries.size + 1)]
+        val visibility =
+            if (random.nextInt(3) == 0) AmbientVisibility { x, _, _, nx, _, _ -> (x + nx) * 0.1f } else null
+        val light = Lighting(
+            sceneLight(lights, curve, visibility, environment),
+            if (random.nextBoolean()) perspective else parallel,
+        )
+        val batch = batch(1 + random.nextInt(FragmentBatch.CAPACITY))
+        assertAsOneByOne(batch, MaterialShader(material, light, isPrelit = false)) { "$material, $lights, $curve" }
     }
 
     /** The places where a cosine is 0, a vector has no length, or a light is infinite. */
     @Test
-    fun rule_6_5_edgesOfTheDomainHaveTheSameBits() {
+    fun rule_6_5_edgesOfTheDomainHaveTheSameBits() = edgesOfTheDomainHaveTheSameBits { it }
+
+    /** The same, and mirrors, surfaces without any gloss, and rays along the planes of the soft boxes. */
+    @Test
+    fun rule_6_8_edgesOfTheDomainHaveTheSameBits() = edgesOfTheDomainHaveTheSameBits {
+        it.withMetallicRoughness(MetallicRoughness(random.nextInt(2).toFloat(), random.nextInt(3) * 0.5f))
+    }
+
+    private fun edgesOfTheDomainHaveTheSameBits(change: (Material) -> Material) {
         val x = Vector3d(1.0, 0.0, 0.0)
         val huge = Rgba(Float.MAX_VALUE, 1f, 0f)
         val lights = listOf(
@@ -141,7 +178,8 @@ class BatchLightingTest {
             }
             val some = lights.filter { random.nextInt(if (trial % 4 == 0) 7 else 3) == 0 }
             val shading = if (random.nextBoolean()) Shading.PHONG else Shading.BLINN_PHONG
-            val material = Material(Rgba.WHITE, null, shading, Rgba.WHITE, 1 + random.nextInt(3))
+            val material = change(Material(Rgba.WHITE, null, shading, Rgba.WHITE, 1 + random.nextInt(3)))
+            val environment = if (random.nextBoolean()) Environment.studio() else Environment.NONE
             // An answer that is a number, even if the normal is not: without lights, nothing else depends on it
             val visibility =
                 if (random.nextBoolean()) {
@@ -158,7 +196,7 @@ class BatchLightingTest {
                     null
                 }
             val lighting = Lighting(
-                sceneLight(some, null, visibility),
+                sceneLight(some, null, visibility, environment),
                 if (random.nextBoolean()) perspective else parallel,
             )
             assertAsOneByOne(batch, MaterialShader(material, lighting, isPrelit = false)) { "$shading, $some" }
@@ -171,11 +209,24 @@ class BatchLightingTest {
         val batch = batch(100)
         val lights = listOf(Light.Ambient(Rgba.WHITE), Light.Directional(place(), Rgba.WHITE))
         val lighting = Lighting(SceneLight(lights), perspective).ofBatches
-        batch.normalX.copyInto(batch.scratch(BatchLighting.ARRAYS)[BatchLighting.NORMAL])
-        batch.scratch(BatchLighting.ARRAYS)[BatchLighting.OCCLUSION].fill(1f)
+        batch.normalX.copyInto(batch.scratch(BatchLighting.ARRAYS)[LightVectors.NORMAL])
+        batch.scratch(BatchLighting.ARRAYS)[LightVectors.OCCLUSION].fill(1f)
         for (array in listOf(batch.red, batch.green, batch.blue)) array.fill(0.5f)
         assertTrue(lighting.illuminate(batch, Material(specular = Rgba.WHITE), Rgba.BLACK))
-        assertTrue(lighting.apply(batch))
         assertTrue((0 until 100).any { batch.red[it] > 0.5f })
+    }
+
+    @Test
+    fun ordinaryMetalIsLitTogether() {
+        val batch = batch(100)
+        val lights = listOf(Light.Ambient(Rgba.WHITE), Light.Directional(place(), Rgba.WHITE))
+        val lighting = Lighting(sceneLight(lights, null, null, Environment.studio()), perspective).physical.ofBatches
+        val scratch = batch.scratch(BatchPhysicalLighting.ARRAYS)
+        batch.normalX.copyInto(scratch[LightVectors.NORMAL])
+        scratch[LightVectors.OCCLUSION].fill(1f)
+        for (channel in 0 until 3) scratch[BatchPhysicalLighting.REFLECTANCE + channel].fill(0.9f)
+        scratch[BatchPhysicalLighting.ROUGHNESS].fill(0.3f)
+        assertTrue(lighting.illuminate(batch))
+        assertTrue((0 until 100).all { batch.red[it] > 0.1f })
     }
 }

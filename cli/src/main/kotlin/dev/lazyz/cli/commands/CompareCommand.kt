@@ -10,12 +10,12 @@ import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
-import dev.lazyz.cli.compare.CompareInputs
 import dev.lazyz.cli.compare.CompareJob
 import dev.lazyz.cli.compare.CompareRequest
 import dev.lazyz.cli.compare.CompareSeveralJob
 import dev.lazyz.cli.compare.ComparisonTable
 import dev.lazyz.cli.input.FrameSource
+import dev.lazyz.cli.input.NamedInputs
 import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
@@ -81,7 +81,7 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
             throw Mistake("--views cannot be combined with ${directed[0]}")
         }
         val request = CompareRequest(comparing.strategies.distinct(), cost.choices(), comparing.repeat, views)
-        val named = CompareInputs(inputs, reading.format)
+        val named = NamedInputs(inputs, reading.format)
         if (named.isSingle && views.size < 2) return compareOne(request, inputs.single())
         return CompareSeveralJob(request, streams, ::subject, args).run(named.all, comparing.isJson)
     }

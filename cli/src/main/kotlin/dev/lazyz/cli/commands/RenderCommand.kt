@@ -3,6 +3,7 @@ package dev.lazyz.cli.commands
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.convert
@@ -10,6 +11,11 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.optionalValue
 import dev.lazyz.Selector
+import dev.lazyz.cli.batch.BatchJob
+import dev.lazyz.cli.batch.BatchRequest
+import dev.lazyz.cli.batch.OutputTemplate
+import dev.lazyz.cli.input.NamedInputs
+import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.CostOptions
@@ -20,6 +26,7 @@ import dev.lazyz.cli.options.LimitOptions
 import dev.lazyz.cli.options.LineOptions
 import dev.lazyz.cli.options.PictureOptions
 import dev.lazyz.cli.options.ReadingOptions
+import dev.lazyz.cli.options.SeriesOptions
 import dev.lazyz.cli.options.classPath
 import dev.lazyz.cli.options.number
 import dev.lazyz.cli.options.oneOf
@@ -35,16 +42,19 @@ import dev.lazyz.cli.render.RenderRequest
 import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.strategies.StrategyPath
 import dev.lazyz.filter.ShadingRate
+import dev.lazyz.scenes.ImageSize
 import java.nio.file.Path
 
 /**
- * `zcli render`: declares the options. [RenderJob] does the work.
+ * `zcli render`: declares the options. [RenderJob] renders one picture, and [BatchJob] several.
  *
- * @param args the words of the command line, for the command that creates a missing reference
+ * @param args the words of the command line, for the command that creates a missing reference, and for bug reports
  */
 internal class RenderCommand(private val streams: Streams, private val args: List<String>) : Command("render") {
-    private val input by argument("INPUT", help = INPUT_HELP)
+    private val inputs by argument("INPUT", help = "$INPUT_HELP; or a folder: all models and scene files in it")
+        .multiple(required = true)
     private val output by OutputOptions()
+    private val several by SeriesOptions()
     private val reference by ReferenceOptions()
     private val reading by ReadingOptions()
     private val picture by PictureOptions()
@@ -56,9 +66,9 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     private val limits by LimitOptions()
 
     override fun help(context: Context): String =
-        "Renders a model or a scene to a picture.\n\nBy default the camera shows the whole model from the front " +
+        "Renders models or scenes to pictures.\n\nBy default the camera shows the whole model from the front " +
             "right, slightly from above, and a model without lights gets default lights. Exit code 1: the picture " +
-            "differs from that of --ref."
+            "differs from that of --ref; 2: an input could not be rendered, the others were."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli render teapot -o teapot.png" to "a built-in scene, 640x480",
@@ -69,36 +79,82 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         "zcli render city --strategy auto --explain -o city.png" to "the fastest strategy for it, and why",
         "zcli render city --select count -o overdraw.png" to "the number of surfaces at each pixel",
         "zcli render city --ref city.png --diff where.png" to "is the picture still that of city.png? for tests",
+        "zcli render models/ a.stl -o 'out/{stem}_{view}.png' --views iso,front,top" to "many inputs and views",
+        "zcli render part.stl --turntable 36 -o part.gif" to "a turning model; .png is an animated PNG",
+        "zcli render models/ --contact-sheet -o sheet.png" to "all models of a folder in one picture",
         "cat model.obj | zcli render - --format obj -o - > model.png" to "in a pipe",
     )
 
     override fun run() {
-        val selector = rendering.selector
-        if (selector != null && picture.shadingRate == ShadingRate.PIXEL) {
+        if (rendering.selector != null && picture.shadingRate == ShadingRate.PIXEL) {
             throw Mistake("--shading-rate pixel cannot be combined with --select")
         }
 
-        // The colours of a count are names of numbers, which must not be mixed
-        val usualSamples = if (selector == Selector.count()) 1 else USUAL_SAMPLES
-        val request = RenderRequest(
-            subject = subject(
-                input, reading, limits, picture, light, camera, lines, usualSamples, isSelected = selector != null,
-            ),
-            output = output.picture,
-            depthOutput = output.depth,
-            strategy = rendering.strategy,
-            choices = cost.choices(selector),
-            isExplained = rendering.isExplained,
-            stats = output.stats,
-            reference = reference.request(args),
-        )
-        val code = StrategyPath.with(rendering.classPath) { RenderJob(request, streams).run() }
+        val named = NamedInputs(inputs, reading.format)
+        val series = several.series()
+        val isSingle = named.isSingle && several.views == null && series.turntable == null && !series.isSheet &&
+            series.columns == null && series.framesPerSecond == null && !OutputTemplate.isTemplate(output.picture)
+        val code = StrategyPath.with(rendering.classPath) {
+            if (isSingle) RenderJob(single(), streams).run() else BatchJob(several(named), streams).run()
+        }
         if (code != ExitCode.DONE) throw ProgramResult(code)
+    }
+
+    private fun single() = RenderRequest(
+        subject = subject(inputs.single(), null),
+        output = output.picture,
+        depthOutput = output.depth,
+        strategy = rendering.strategy,
+        choices = cost.choices(rendering.selector),
+        isExplained = rendering.isExplained,
+        stats = output.stats,
+        reference = reference.request(args),
+    )
+
+    private fun several(named: NamedInputs): BatchRequest {
+        val series = several.series()
+        val views = several.views.orEmpty()
+        val pointOfView = camera.pointOfView()
+        val alone = listOfNotNull(
+            output.depth?.let { "--depth-out" }, reference.request(args)?.let { "--ref" },
+            if (rendering.isExplained) "--explain" else null,
+        )
+        if (alone.isNotEmpty()) throw Mistake("${alone[0]} is for a single picture, and this renders several")
+        if (views.isNotEmpty() && pointOfView.directed.isNotEmpty()) {
+            throw Mistake("--views cannot be combined with ${pointOfView.directed[0]}")
+        }
+        if (series.turntable != null && pointOfView.placed.isNotEmpty()) {
+            throw Mistake("--turntable cannot be combined with ${pointOfView.placed[0]}")
+        }
+        return BatchRequest(
+            inputs = named.all.toList(),
+            subject = { subject(it, if (series.isSheet) CELL_SIZE else null) },
+            views = views,
+            viewName = camera.view?.name?.lowercase() ?: "default",
+            output = output.picture,
+            series = series,
+            strategy = rendering.strategy,
+            choices = cost.choices(rendering.selector),
+            stats = output.stats,
+            args = args,
+        )
+    }
+
+    private fun subject(input: String, usualSize: ImageSize?): Subject {
+        // The colours of a count are names of numbers, which must not be mixed
+        val usualSamples = if (rendering.selector == Selector.count()) 1 else USUAL_SAMPLES
+        return subject(
+            input, reading, limits, picture, light, camera, lines, usualSamples,
+            isSelected = rendering.selector != null, usualSize,
+        )
     }
 
     private companion object {
         /** Samples a pixel in each direction without --aa, see docs/anti-aliasing.md. */
         const val USUAL_SAMPLES = 4
+
+        /** The size of a picture of a contact sheet without --size. */
+        val CELL_SIZE = ImageSize(256, 256)
     }
 }
 
@@ -109,7 +165,8 @@ private class OutputOptions : OptionGroup("Output") {
         "--output",
         metavar = "OUT",
         help = "The file for the picture: .png or .ppm, or - for PNG to standard output; default: INPUT's name " +
-            "with .png in the current folder, if that file does not exist yet; none with --ref",
+            "with .png in the current folder, if that file does not exist yet; none with --ref. For several " +
+            "pictures, with {stem}, {name} or {ext} of INPUT, {view}, {index} or {frame}",
     )
 
     val depth by option(

@@ -22,9 +22,12 @@ internal class AntiAliasing(
     private val rate: ShadingRate?,
     private val usualRate: ShadingRate,
 ) {
+    /** Samples a pixel in each direction, unless that is not possible. */
+    val wanted: Int get() = factor ?: usual
+
     /** Sets up [scene] for the samples of the pixels of [raster]. */
     fun frame(scene: Scene, raster: Raster, options: RenderOptions): SampledFrame {
-        val wish = SuperSampling(factor ?: usual, filter)
+        val wish = SuperSampling(wanted, filter)
         val obstacle = wish.obstacle(scene, raster)
         if (obstacle != null && factor != null) throw Mistake("--aa $factor: $obstacle; use --aa 1")
         val sampling = if (obstacle == null) wish else SuperSampling(1, filter)

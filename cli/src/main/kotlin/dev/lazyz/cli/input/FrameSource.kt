@@ -7,6 +7,7 @@ import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.world.Camera
@@ -16,9 +17,17 @@ import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.View
 import dev.lazyz.world.material.Material
 
-/** Reads the input that [subject] names, and creates the frame that the options describe. */
-internal class FrameSource(private val subject: Subject, private val streams: Streams) {
-    val input = Input(subject.input, subject.format, subject.loading)
+/**
+ * Reads the input that [subject] names, and creates the frame that the options describe.
+ *
+ * @param loading how to read it
+ */
+internal class FrameSource(
+    private val subject: Subject,
+    private val streams: Streams,
+    loading: LoadOptions = subject.loading,
+) {
+    val input = Input(subject.input, subject.format, loading)
 
     /** Reads the input, and prints its warnings. */
     fun load(): LoadedScene {
@@ -37,14 +46,15 @@ internal class FrameSource(private val subject: Subject, private val streams: St
     }
 
     /**
-     * Returns the picture of [loaded], seen from [view] or, if that is null, from the side that the options choose. It
-     * is set up by the threads of [options].
+     * Returns the picture of [loaded], seen from [view] or, if that is null, from the side that the options choose, and
+     * then from the step [turn] of a turntable. It is set up by the threads of [options].
      */
-    fun frame(loaded: LoadedScene, options: RenderOptions, view: View? = null): Shot {
+    fun frame(loaded: LoadedScene, options: RenderOptions, view: View? = null, turn: Turn? = null): Shot {
         // Apply the options of sections, axis, camera, shading and lines
         val lineWork = subject.lineWork
         val up = subject.up ?: input.usualUp
-        val pointOfView = (if (view == null) subject.pointOfView else subject.pointOfView.from(view))
+        val side = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
+        val pointOfView = (if (turn == null) side else side.at(turn))
             .withDefaults(if (loaded.scene.isOnScreen) null else subject.style)
         val cut = loaded.withScene(lineWork.cut(loaded.scene) { streams.warning(it) })
         val upright = try {
@@ -117,8 +127,9 @@ internal class FrameSource(private val subject: Subject, private val streams: St
         throw Mistake("--region $text reaches beyond the whole picture, which is ${raster.width}x${raster.height}")
     }
 
-    private companion object {
+    companion object {
+        /** The size of a picture that neither the options nor the input choose. */
         val DEFAULT_SIZE = ImageSize(640, 480)
-        const val MAX_WARNINGS = 20
+        private const val MAX_WARNINGS = 20
     }
 }

@@ -16,6 +16,7 @@ import org.joml.Vector3dc
  * The camera options of the user; null means the value of the scene.
  *
  * @property isPrinted whether to print the camera
+ * @param turn the step of a turntable, or null
  */
 internal class PointOfView(
     private val choice: CameraChoice? = null,
@@ -28,6 +29,7 @@ internal class PointOfView(
     private val fieldOfView: Double? = null,
     private val placement: Placement = Placement(),
     val isPrinted: Boolean = false,
+    private val turn: Turn? = null,
 ) {
     /** The options that choose a side. */
     private val direction = listOfNotNull(
@@ -38,7 +40,10 @@ internal class PointOfView(
     private val fitting = direction + listOfNotNull(projection?.let { "--projection" }, margin?.let { "--margin" })
 
     /** The options that determine a direction, so that the picture cannot be seen from several sides. */
-    val directed: List<String> = direction + listOfNotNull(
+    val directed: List<String> get() = direction + placed
+
+    /** The options that place the camera, so that it cannot go around the scene. */
+    val placed: List<String> = listOfNotNull(
         if (choice == null || choice == CameraChoice.Fit) null else "--camera",
         placement.eye?.let { "--eye" },
         placement.target?.let { "--target" },
@@ -62,7 +67,7 @@ internal class PointOfView(
      */
     fun applyTo(loaded: LoadedScene, up: UpAxis): Scene {
         val scene = loaded.scene.withViewpoint(chosen(loaded)).withUpAxis(up)
-        val viewpoint = magnified(framed(scene.viewpoint))
+        val viewpoint = turned(magnified(framed(scene.viewpoint)))
         if (!placement.isGiven) return scene.withViewpoint(viewpoint)
         return scene.withViewpoint(PlacedViewpoint(viewpoint, placement.withUpAxis(up)))
     }
@@ -74,7 +79,7 @@ internal class PointOfView(
             choice, view, azimuth, elevation,
             projection ?: style.projection.takeIf { fieldOfView == null },
             margin ?: style.margin.takeIf { placement.eye == null },
-            zoom, fieldOfView, placement, isPrinted,
+            zoom, fieldOfView, placement, isPrinted, turn,
         )
     }
 
@@ -83,7 +88,12 @@ internal class PointOfView(
 
     /** Returns these options with the side [other]. */
     fun from(other: View): PointOfView =
-        PointOfView(choice, other, null, null, projection, margin, zoom, fieldOfView, placement, isPrinted)
+        PointOfView(choice, other, null, null, projection, margin, zoom, fieldOfView, placement, isPrinted, turn)
+
+    /** Returns these options for a step of a turntable, which begins at the side that they choose. */
+    fun at(step: Turn): PointOfView = PointOfView(
+        choice, view, azimuth, elevation, projection, margin, zoom, fieldOfView, placement, isPrinted, step,
+    )
 
     /** Returns the camera that `--camera` names. A model's own cameras are not used unless the user asks for them. */
     private fun chosen(loaded: LoadedScene): Viewpoint {
@@ -110,7 +120,8 @@ internal class PointOfView(
 
     /** Returns [viewpoint], or a fitted camera if an option needs it. */
     private fun framed(viewpoint: Viewpoint): Viewpoint {
-        if (fitting.isEmpty()) return viewpoint
+        val isOnScreen = (viewpoint as? Camera)?.projection == Projection.Screen
+        if (fitting.isEmpty() && (turn == null || isOnScreen)) return viewpoint
         val own = framing(viewpoint)
         return Camera.fit(
             azimuth ?: view?.azimuth ?: own.azimuth,
@@ -170,8 +181,11 @@ internal class PointOfView(
         }
     }
 
-    private fun narrowed(degrees: Double, zoom: Double): Double =
-        StrictMath.atan(StrictMath.tan(degrees * (StrictMath.PI / 360.0)) / zoom) * (360.0 / StrictMath.PI)
+    private fun turned(viewpoint: Viewpoint): Viewpoint {
+        if (turn == null) return viewpoint
+        if (viewpoint is FittedViewpoint) return TurntableViewpoint(viewpoint, turn)
+        throw Mistake("--turntable: a scene given on the screen has no camera that could go around it")
+    }
 
     private fun unmoved(camera: Camera): Camera {
         val option = listOfNotNull(zoom?.let { "--zoom" }, fieldOfView?.let { "--fov" }).firstOrNull()
@@ -190,6 +204,10 @@ internal class PointOfView(
     }
 
     companion object {
+        /** Returns the vertical field of view, in degrees, of a camera with this one that magnifies by [zoom]. */
+        fun narrowed(degrees: Double, zoom: Double): Double =
+            StrictMath.atan(StrictMath.tan(degrees * (StrictMath.PI / 360.0)) / zoom) * (360.0 / StrictMath.PI)
+
         /** Returns the options that give exactly [camera] for a model whose axis [up] points up. */
         fun words(camera: Camera, up: UpAxis): String {
             val (kind, size) = when (val projection = camera.projection) {

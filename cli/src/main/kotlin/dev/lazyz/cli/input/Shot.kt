@@ -7,6 +7,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.VerticalGradient
+import dev.lazyz.scenes.writers.AlphaChannel
 
 /**
  * A frame of samples, and how they become the pixels of a picture.
@@ -23,8 +24,12 @@ internal class Shot(private val sampled: SampledFrame, private val gradient: Ver
     /** The pixels of the picture. */
     val pixels: Region get() = sampled.pixels
 
-    /** Whether all pixels are opaque: with an opaque background, every sample is. */
-    val isOpaque: Boolean get() = gradient != null || frame.raster.background.alpha >= 1f
+    /** Whether files need alpha: with an opaque background, all pixels are opaque. */
+    val alpha: AlphaChannel
+        get() {
+            val isOpaque = gradient != null || frame.raster.background.alpha >= 1f
+            return if (isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
+        }
 
     /** Renders the frame with [strategy], and passes every row of pixels to [sink]. */
     fun render(strategy: Renderer, sink: RowSink): Counters {

@@ -22,6 +22,7 @@ import dev.lazyz.cli.strategies.Choices
 import dev.lazyz.filter.PixelFilter
 import dev.lazyz.filter.ShadingRate
 import dev.lazyz.geometry.UpAxis
+import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Camera
@@ -43,6 +44,7 @@ internal const val INPUT_HELP: String =
  *
  * @param usualSamples samples a pixel in each direction if the user does not choose
  * @param isSelected whether a pixel shows other fragments than the nearest
+ * @param usualSize the size of the picture if the user does not choose; null means that of the scene
  */
 internal fun subject(
     input: String,
@@ -54,6 +56,7 @@ internal fun subject(
     lines: LineOptions,
     usualSamples: Int,
     isSelected: Boolean = false,
+    usualSize: ImageSize? = null,
 ): Subject {
     val style = picture.style
     val lightChoice = light.choice(picture)
@@ -63,7 +66,7 @@ internal fun subject(
         format = reading.format,
         loading = LoadOptions(limits.limits(), reading.animationTime),
         up = reading.up,
-        size = picture.size,
+        size = picture.size ?: usualSize,
         region = picture.region,
         antiAliasing = picture.antiAliasing(usualSamples, usualRate),
         background = picture.background,
@@ -200,7 +203,7 @@ internal class CameraOptions : OptionGroup("Camera") {
             "default: fit for models, scene for scene files and built-in scenes",
     ).camera()
 
-    private val view by option("--view", help = "Look from ${names(words(View.entries).keys)}")
+    val view by option("--view", help = "Look from ${names(words(View.entries).keys)}")
         .oneOf("SIDE", words(View.entries))
 
     private val azimuth by option("--azimuth", help = "Degrees around the up axis: 0 front, 90 right; default: 30")

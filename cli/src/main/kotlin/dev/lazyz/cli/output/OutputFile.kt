@@ -36,7 +36,12 @@ internal object OutputFile {
             first.toAbsolutePath().normalize() == second.toAbsolutePath().normalize()
         }
 
-    private fun requireEnding(path: Path, option: String, endings: List<String>) {
+    /**
+     * Checks that [path], the value of [option], ends in one of [endings].
+     *
+     * @throws Mistake otherwise
+     */
+    fun requireEnding(path: Path, option: String, endings: List<String>) {
         val name = path.fileName?.toString().orEmpty()
         if (endings.none { name.endsWith(it, ignoreCase = true) && name.length > it.length }) {
             val other = if (option == "-o") ", or be - for standard output" else ""
@@ -44,10 +49,33 @@ internal object OutputFile {
         }
     }
 
+    /** Creates the folder of [path] if there is none. */
+    fun createFolder(path: Path) {
+        path.toAbsolutePath().parent?.let { Files.createDirectories(it) }
+    }
+
+    /**
+     * Checks that [path] can be written, if necessary after its folder is created.
+     *
+     * @throws Mistake otherwise
+     */
+    fun requireFolderOrPlaceForIt(path: Path) {
+        var folder = path.toAbsolutePath().normalize().parent ?: path.toAbsolutePath()
+        while (!Files.exists(folder)) folder = folder.parent ?: break
+        if (!Files.isDirectory(folder)) throw Mistake("cannot write $path: $folder is not a folder")
+        requirePlaceIn(folder, path)
+    }
+
     private fun requirePlace(path: Path) {
-        if (Files.isDirectory(path)) throw Mistake("cannot write $path: it is a folder")
         val folder = path.toAbsolutePath().parent
-        if (!Files.isDirectory(folder)) throw Mistake("cannot write $path: there is no folder $folder")
+        if (!Files.isDirectory(path) && !Files.isDirectory(folder)) {
+            throw Mistake("cannot write $path: there is no folder $folder")
+        }
+        requirePlaceIn(folder, path)
+    }
+
+    private fun requirePlaceIn(folder: Path, path: Path) {
+        if (Files.isDirectory(path)) throw Mistake("cannot write $path: it is a folder")
         if (!Files.isWritable(folder)) throw Mistake("cannot write $path: no permission to write in $folder")
     }
 }

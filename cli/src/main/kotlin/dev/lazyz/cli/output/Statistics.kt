@@ -13,6 +13,7 @@ import kotlinx.serialization.json.JsonObject
  * The statistics of a rendering, by name, in the order of the output. Scripts depend on the names.
  *
  * @param picture the pixels that were rendered
+ * @param place which of several pictures this is
  */
 internal class Statistics(
     input: String,
@@ -23,9 +24,9 @@ internal class Statistics(
     tally: Tally,
     warnings: Int,
     nanoseconds: Long,
+    place: Map<String, Any> = emptyMap(),
 ) {
-    val entries: Map<String, Any> = mapOf(
-        "input" to input,
+    val entries: Map<String, Any> = mapOf<String, Any>("input" to input) + place + mapOf(
         "strategy" to strategy.id,
     ) + (if (strategy is Tiled) mapOf("kernel" to strategy.kernel) else emptyMap()) + mapOf(
         "width" to picture.width,

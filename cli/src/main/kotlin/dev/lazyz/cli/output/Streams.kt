@@ -25,7 +25,7 @@ internal class Streams(
     val isOutputTerminal: Boolean by lazy { isTerminal(1) }
 
     /** Whether standard error is a terminal. Progress is printed only there. */
-    private val isProgressShown: Boolean by lazy { isTerminal(2) }
+    val isProgressShown: Boolean by lazy { isTerminal(2) }
 
     /** Standard output. Writing throws [OutputClosed] if it is a pipe whose reader has closed it. */
     val output: OutputStream = StandardOutput(output)
@@ -48,7 +48,9 @@ internal class Streams(
         messages.println("zcli: warning: $message")
     }
 
-    fun nothingIsVisible() = warning("nothing is visible: the picture is all background")
+    /** Warns of an empty picture, of [what] if there are several. */
+    fun nothingIsVisible(what: String? = null) =
+        warning((if (what == null) "" else "$what: ") + "nothing is visible: the picture is all background")
 
     /** Prints text to standard error without a prefix. */
     fun note(text: String) {

@@ -9,9 +9,7 @@ import dev.lazyz.cli.output.OutputClosed
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.scenes.writers.AlphaChannel
-import dev.lazyz.scenes.writers.ImageFiles
 import dev.lazyz.scenes.writers.PngSink
-import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -57,21 +55,15 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
     }
 
     private fun <T> writePicture(shot: Shot, render: (RowSink?) -> T): T {
-        val alpha = if (shot.isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
-        if (picture != null) return writeFile(picture, shot.pixels, alpha, render)
+        if (picture != null) return PictureFile.write(picture, shot.pixels, shot.alpha, render)
         if (!isStandardOutput) return render(null)
-        return PngSink(streams.output, shot.pixels.width, shot.pixels.height, alpha).use(render)
+        return PngSink(streams.output, shot.pixels.width, shot.pixels.height, shot.alpha).use(render)
     }
 
     private fun <T> writeDepth(region: Region, render: (RowSink?) -> T): T {
         val path = request.depthOutput ?: return render(null)
-        return writeFile(path, region, AlphaChannel.DROP, render)
+        return PictureFile.write(path, region, AlphaChannel.DROP, render)
     }
-
-    private fun <T> writeFile(path: Path, region: Region, alpha: AlphaChannel, render: (RowSink) -> T): T =
-        ImageFiles.write(path, region.width, region.height, alpha = alpha) { sink ->
-            render(PathReportingSink(path, sink))
-        }
 
     /** Prints which files were written. */
     fun describe(region: Region) {
@@ -96,16 +88,5 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
 internal class FanOut(private val sinks: List<RowSink>) : RowSink {
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         for (sink in sinks) sink.row(y, argb, depth, primitive)
-    }
-}
-
-/** Adds the path of the file to the message if writing fails. */
-private class PathReportingSink(private val path: Path, private val sink: RowSink) : RowSink {
-    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
-        try {
-            sink.row(y, argb, depth, primitive)
-        } catch (failure: IOException) {
-            throw Mistake("cannot write $path: ${failure.message}")
-        }
     }
 }

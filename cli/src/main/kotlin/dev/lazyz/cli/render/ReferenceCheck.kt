@@ -38,7 +38,8 @@ internal class ReferenceCheck(private val request: ReferenceRequest) {
 
 /** Keeps the colours of the pixels of [region]. */
 internal class ColorRows(private val region: Region) : RowSink {
-    private val argb = IntArray(Math.toIntExact(region.size))
+    /** The colours in rows from the top, `0xAARRGGBB`. */
+    val argb = IntArray(Math.toIntExact(region.size))
 
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         argb.copyInto(this.argb, (y - region.rowStart) * region.width, 0, region.width)

@@ -34,7 +34,8 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         streams.progress("rendering ${frame.primitives.size} primitives with ${strategy.id} ...")
         val tally = Tally(shot.pixels.width, request.stats != null)
         val colors = reference?.let { ColorRows(shot.pixels) }
-        val counters = outputs.write(shot, listOfNotNull(tally, colors)) { sink -> shot.render(strategy, sink) }
+        val sinks = listOfNotNull(tally, colors, ProgressSink.of(streams, shot.pixels.height))
+        val counters = outputs.write(shot, sinks) { sink -> shot.render(strategy, sink) }
         val nanoseconds = System.nanoTime() - start
 
         // Report

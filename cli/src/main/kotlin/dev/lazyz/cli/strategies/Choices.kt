@@ -6,26 +6,35 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.Selector
 
-/** The [RenderOptions] that the user chose; null if the user did not give the option. */
+/**
+ * The [RenderOptions] that the user chose; null if the user did not give the option.
+ *
+ * @param share the number of threads for a picture that is rendered next to others; then --threads is for all of them,
+ *   and no strategy needs to support it
+ */
 internal class Choices(
     private val memoryBudget: Long?,
     private val coherence: Coherence?,
     private val threads: Int?,
     private val tileSize: Int?,
     private val selector: Selector? = null,
+    private val share: Int? = null,
 ) {
     /** The flags that the user gave, each with the capability that a strategy must have to support it. */
     val needs: Map<String, Capability> = listOfNotNull(
         memoryBudget?.let { "--memory-budget" to Capability.MEMORY_BUDGET },
         coherence?.let { "--coherence" to Capability.COHERENCE },
-        threads?.let { "--threads" to Capability.PARALLEL },
+        threads?.takeIf { share == null }?.let { "--threads" to Capability.PARALLEL },
         tileSize?.let { "--tile-size" to Capability.PARALLEL },
         selector?.let { "--select" to Capability.SELECTION },
     ).toMap()
 
     /** Returns [renderer] with those of these choices that it supports, or unchanged if there are none. */
     fun applyTo(renderer: Renderer): Renderer =
-        if (needs.isEmpty()) renderer else renderer.configured(options().supportedBy(renderer))
+        if (needs.isEmpty() && share == null) renderer else renderer.configured(options().supportedBy(renderer))
+
+    /** Returns these choices for a picture that is rendered by [share] threads, next to others. */
+    fun sharing(share: Int) = Choices(memoryBudget, coherence, threads, tileSize, selector, share)
 
     /** Returns these choices as options, with the defaults where the user chose nothing. */
     fun options(): RenderOptions {
@@ -33,7 +42,7 @@ internal class Choices(
         return RenderOptions(
             coherence ?: usual.coherence,
             memoryBudget,
-            threads ?: usual.threads,
+            share ?: threads ?: usual.threads,
             tileSize ?: usual.tileSize,
             selector,
         )

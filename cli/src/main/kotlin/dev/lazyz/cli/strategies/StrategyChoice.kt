@@ -29,6 +29,9 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
         if (candidates.isEmpty()) throw Mistake(unsupported() + SEE)
     }
 
+    /** The strategy for most frames: the first that supports all flags. */
+    val usual: Renderer get() = candidates.first()
+
     /** Returns the strategy for [frame], configured as chosen. */
     fun strategyFor(frame: Frame): Renderer {
         if (isAutomatic) estimates(frame).best?.let { return it.renderer }

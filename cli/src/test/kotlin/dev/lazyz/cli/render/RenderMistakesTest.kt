@@ -115,7 +115,7 @@ class RenderMistakesTest {
         Files.delete(folder.resolve("wedge.xyz"))
         zcli("render", "-", *out).mistake("specify the format of standard input", "--format obj|stl|ply")
         zcliReading(WEDGE, "render", "-", "--format", "obj").mistake("specify the output file: -o")
-        zcli("render", "two", "inputs", *out).mistake("unexpected extra argument (inputs)")
+        zcli("render", "two", "inputs", *out).mistake("two pictures would be written to", "{stem}")
         zcli("render", "nul\u0000.obj", *out).mistake("not a file name")
         render(*out).done()
     }

@@ -37,9 +37,11 @@ internal object Microfacets {
     }
 
     /** Returns `(1 - cosine)^5`, the part of Schlick's Fresnel reflectance that rises to 1 at grazing angles. */
-    fun grazing(cosine: Float): Float {
-        val rest = if (cosine < 1f) 1f - cosine else 0f
-        val square = rest * rest
-        return square * square * rest
+    fun grazing(cosine: Float): Float = fifth(if (cosine < 1f) 1f - cosine else 0f)
+
+    /** Returns the fifth power of [x]. */
+    fun fifth(x: Float): Float {
+        val square = x * x
+        return square * square * x
     }
 }

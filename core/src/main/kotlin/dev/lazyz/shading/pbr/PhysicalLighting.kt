@@ -20,6 +20,9 @@ internal class PhysicalLighting(
     private val studio: StudioView?,
     private val visibility: AmbientVisibility?,
 ) {
+    /** The same for many fragments at a time. */
+    val ofBatches: BatchPhysicalLighting = BatchPhysicalLighting(viewer, sources, studio, visibility)
+
     /**
      * Adds the reflected light to 0..2 of [out].
      *
@@ -87,8 +90,7 @@ internal class PhysicalLighting(
                 }
                 for (channel in 0 until 3) {
                     val f0 = surface[PhysicalSurface.REFLECTANCE + channel]
-                    val fresnel = f0 + (1f - f0) * grazing
-                    val reflected = (1f - fresnel) * surface[PhysicalSurface.DIFFUSE + channel] + fresnel * lobe
+                    val reflected = reflected(f0, surface[PhysicalSurface.DIFFUSE + channel], grazing, lobe)
                     out[channel] += sources.color(light, channel) * strength * cosineL * reflected
                 }
             }
@@ -117,36 +119,84 @@ internal class PhysicalLighting(
             studio.irradiance(nx, ny, nz, surface)
         }
         DirectionalAlbedo.at(minOf(abs(along), 1f), roughness) { scale, bias ->
-            val single = scale + bias
-            val lost = 1f - single
             for (channel in 0 until 3) {
                 val radiance = surface[PhysicalSurface.RADIANCE + channel] + ambient[channel]
                 val irradiance = surface[PhysicalSurface.IRRADIANCE + channel] + ambient[channel]
                 val f0 = surface[PhysicalSurface.REFLECTANCE + channel]
-                val once = f0 * scale + bias
-                val mean = f0 + (1f - f0) / 21f
-                val more = lost * once * mean / (1f - mean * lost)
-                val matt = surface[PhysicalSurface.DIFFUSE + channel] * (1f - once - more)
-                val sum = if (open == 1f) {
-                    once * radiance + (more + matt) * irradiance
-                } else {
-                    val diffuse = surface[PhysicalSurface.DIFFUSE + channel]
-                    once * open * radiance + (more + matt) * reflectedIn(open, diffuse) * irradiance
-                }
-                out[channel] += sum * occlusion
+                val diffuse = surface[PhysicalSurface.DIFFUSE + channel]
+                out[channel] += gathered(f0, diffuse, scale, bias, radiance, irradiance, open) * occlusion
             }
         }
     }
 
-    /**
-     * Returns the part of the light from all sides that reaches a point in a hollow whose walls reflect the part
-     * [diffuse] of it: more than the part [open] that arrives directly. A fit to path tracing: J. Jimenez et al.,
-     * "Practical Realtime Strategies for Accurate Indirect Occlusion", SIGGRAPH 2016.
-     */
-    private fun reflectedIn(open: Float, diffuse: Float): Float {
-        val cubic = 2.0404f * diffuse - 0.3324f
-        val square = 0.6417f - 4.7951f * diffuse
-        val linear = 2.7552f * diffuse + 0.6903f
-        return maxOf(open, ((open * cubic + square) * open + linear) * open)
+    companion object {
+        /**
+         * Returns what a surface reflects of light of brightness 1 from one direction, in one channel.
+         *
+         * @param f0 reflectance at normal incidence
+         * @param lobe the product D * V
+         */
+        fun reflected(f0: Float, diffuse: Float, grazing: Float, lobe: Float): Float {
+            val fresnel = f0 + (1f - f0) * grazing
+            return (1f - fresnel) * diffuse + fresnel * lobe
+        }
+
+        /**
+         * Returns what a surface reflects of the light from all sides, in one channel.
+         *
+         * @param f0 reflectance at normal incidence
+         * @param scale see [DirectionalAlbedo]; also [bias]
+         * @param radiance the light around the reflected ray
+         * @param irradiance the light that a matt surface receives
+         */
+        fun gathered(
+            f0: Float,
+            diffuse: Float,
+            scale: Float,
+            bias: Float,
+            radiance: Float,
+            irradiance: Float,
+        ): Float {
+            val once = f0 * scale + bias
+            return once * radiance + rest(f0, diffuse, scale, bias, once) * irradiance
+        }
+
+        /** The same in a hollow, of which the part [open] is open to the light, 0..1. */
+        fun gathered(
+            f0: Float,
+            diffuse: Float,
+            scale: Float,
+            bias: Float,
+            radiance: Float,
+            irradiance: Float,
+            open: Float,
+        ): Float {
+            if (open == 1f) return gathered(f0, diffuse, scale, bias, radiance, irradiance)
+            val once = f0 * scale + bias
+            return once * open * radiance +
+                rest(f0, diffuse, scale, bias, once) * reflectedIn(open, diffuse) * irradiance
+        }
+
+        /** Returns what is reflected more than once between microfacets, and what a matt surface below them reflects. */
+        private fun rest(f0: Float, diffuse: Float, scale: Float, bias: Float, once: Float): Float {
+            val single = scale + bias
+            val lost = 1f - single
+            val mean = f0 + (1f - f0) / 21f
+            val more = lost * once * mean / (1f - mean * lost)
+            val matt = diffuse * (1f - once - more)
+            return more + matt
+        }
+
+        /**
+         * Returns the part of the light from all sides that reaches a point in a hollow whose walls reflect the part
+         * [diffuse] of it: more than the part [open] that arrives directly. A fit to path tracing: J. Jimenez et al.,
+         * "Practical Realtime Strategies for Accurate Indirect Occlusion", SIGGRAPH 2016.
+         */
+        private fun reflectedIn(open: Float, diffuse: Float): Float {
+            val cubic = 2.0404f * diffuse - 0.3324f
+            val square = 0.6417f - 4.7951f * diffuse
+            val linear = 2.7552f * diffuse + 0.6903f
+            return maxOf(open, ((open * cubic + square) * open + linear) * open)
+        }
     }
 }

@@ -22,7 +22,14 @@ internal object PhysicalSurface {
     }
 
     private fun set(surface: FloatArray, channel: Int, color: Float, metallic: Float) {
-        surface[DIFFUSE + channel] = color * (1f - metallic)
-        surface[REFLECTANCE + channel] = Microfacets.DIELECTRIC * (1f - metallic) + color * metallic
+        surface[DIFFUSE + channel] = diffuse(color, metallic)
+        surface[REFLECTANCE + channel] = reflectance(color, metallic)
     }
+
+    /** Returns the colour of diffuse reflection, in one channel. */
+    fun diffuse(color: Float, metallic: Float): Float = color * (1f - metallic)
+
+    /** Returns the reflectance at normal incidence, in one channel. */
+    fun reflectance(color: Float, metallic: Float): Float =
+        Microfacets.DIELECTRIC * (1f - metallic) + color * metallic
 }

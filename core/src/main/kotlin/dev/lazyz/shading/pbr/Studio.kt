@@ -9,7 +9,7 @@ package dev.lazyz.shading.pbr
  * P. Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001.
  */
 internal object Studio {
-    private val boxes = arrayOf(
+    val boxes: Array<SoftBox> = arrayOf(
         // Key light at the upper left, fill light at the right, above, and behind at the left and at the right; and a
         // dim light at the camera, which is what black glossy surfaces show where they face it
         SoftBox(doubleArrayOf(-0.75, 0.70, 0.75), 0.55f, 0.50f, 3.1f, 3.0f, 2.9f),
@@ -21,10 +21,12 @@ internal object Studio {
     )
 
     /** The light of the walls: of the horizon, how it rises upward, and how it bends. */
-    private val walls = floatArrayOf(0.30f, 0.12f, 0.04f)
+    private const val HORIZON = 0.30f
+    private const val RISE = 0.12f
+    private const val BEND = 0.04f
 
     /** Nine coefficients of the irradiance for red, green and blue. */
-    private val harmonics = Array(3) { FloatArray(9) }
+    val harmonics: Array<FloatArray> = Array(3) { FloatArray(9) }
 
     init {
         integrate()
@@ -41,10 +43,10 @@ internal object Studio {
      */
     fun radiance(x: Float, y: Float, z: Float, alpha: Float, out: FloatArray, at: Int) {
         irradiance(x, y, z, out, at)
-        val wall = walls[0] + walls[1] * (1f - alpha / 3f) * y + walls[2] * (1f - 0.75f * alpha) * (y * y - THIRD)
+        val wall = wall(y, alpha)
         for (channel in 0 until 3) out[at + channel] = alpha * out[at + channel] + (1f - alpha) * wall
         if (alpha == 1f) return
-        val blur = EDGE + alpha * NARROW / (1f + 2.6f * alpha)
+        val blur = blur(alpha)
         for (box in boxes) {
             val part = (1f - alpha) * box.coverage(x, y, z, blur)
             out[at] += part * box.red
@@ -57,11 +59,38 @@ internal object Studio {
     fun irradiance(x: Float, y: Float, z: Float, out: FloatArray, at: Int) {
         for (channel in 0 until 3) {
             val h = harmonics[channel]
-            val sum = h[0] + h[1] * y + h[2] * z + h[3] * x + h[4] * (x * y) + h[5] * (y * z) +
-                h[6] * (3f * z * z - 1f) + h[7] * (x * z) + h[8] * (x * x - y * y)
+            val sum = sum(h[0], h[1], h[2], h[3], h[4], h[5], h[6], h[7], h[8], x, y, z)
             out[at + channel] = if (sum > 0f) sum else 0f
         }
     }
+
+    /** Returns the light of the walls around a direction, blurred by microfacets of the width [alpha]. */
+    fun wall(y: Float, alpha: Float): Float =
+        HORIZON + RISE * (1f - alpha / 3f) * y + BEND * (1f - 0.75f * alpha) * (y * y - THIRD)
+
+    /** Returns the width by which the light of a box is blurred. */
+    fun blur(alpha: Float): Float = EDGE + alpha * NARROW / (1f + 2.6f * alpha)
+
+    /**
+     * Returns the sum of the nine spherical harmonics with the coefficients [h0] to [h8] in the direction (x, y, z).
+     * They are not passed as an array: a loop that writes to one array and reads numbers from a fixed place in another
+     * is not vectorised, because both could be the same.
+     */
+    fun sum(
+        h0: Float,
+        h1: Float,
+        h2: Float,
+        h3: Float,
+        h4: Float,
+        h5: Float,
+        h6: Float,
+        h7: Float,
+        h8: Float,
+        x: Float,
+        y: Float,
+        z: Float,
+    ): Float = h0 + h1 * y + h2 * z + h3 * x + h4 * (x * y) + h5 * (y * z) +
+        h6 * (3f * z * z - 1f) + h7 * (x * z) + h8 * (x * x - y * y)
 
     private fun integrate() {
         val sums = Array(3) { DoubleArray(9) }

@@ -9,23 +9,29 @@ import dev.lazyz.world.Environment
  * @property intensity factor of the light
  */
 internal class StudioView private constructor(
-    private val intensity: Float,
+    val intensity: Float,
     private val sine: Float,
     private val cosine: Float,
 ) {
     /** Stores [Studio.radiance] around a direction in world space in [surface]. */
     fun radiance(x: Float, y: Float, z: Float, alpha: Float, surface: FloatArray) {
         val at = PhysicalSurface.RADIANCE
-        Studio.radiance(cosine * x - sine * z, y, sine * x + cosine * z, alpha, surface, at)
+        Studio.radiance(x(x, z), y, z(x, z), alpha, surface, at)
         for (channel in 0 until 3) surface[at + channel] *= intensity
     }
 
     /** Stores [Studio.irradiance] for a direction in world space in [surface]. */
     fun irradiance(x: Float, y: Float, z: Float, surface: FloatArray) {
         val at = PhysicalSurface.IRRADIANCE
-        Studio.irradiance(cosine * x - sine * z, y, sine * x + cosine * z, surface, at)
+        Studio.irradiance(x(x, z), y, z(x, z), surface, at)
         for (channel in 0 until 3) surface[at + channel] *= intensity
     }
+
+    /** Returns the x in the space of the studio of a direction in world space. */
+    fun x(x: Float, z: Float): Float = cosine * x - sine * z
+
+    /** Returns the z in the space of the studio of a direction in world space. */
+    fun z(x: Float, z: Float): Float = sine * x + cosine * z
 
     companion object {
         /** Returns the view of [environment] from [camera]; null if there is no environment. */

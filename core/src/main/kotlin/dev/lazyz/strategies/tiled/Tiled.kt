@@ -25,8 +25,9 @@ import java.util.concurrent.atomic.AtomicReference
  * triangle is rejected where it is behind everything visible in a tile or a block. After all primitives are drawn, each
  * visible sample is shaded once, in batches. Each thread takes tiles of its own columns first, and then those of other
  * threads. The result in each tile is a minimum of a total order and does not depend on the order of evaluation. The
- * bits and the counters are therefore the same for any number of threads, except [Counters.peakBytes], which grows with
- * it and then depends on which thread took which tiles. Translucent fragments in front of opaque ones are recorded, sorted by sample and blended in exact order of depth.
+ * bits and the counters are therefore the same for any number of threads, except [Counters.peakBytes], which grows
+ * with it and then depends on which thread took which tiles. Translucent fragments in front of opaque ones are
+ * recorded, sorted by sample and blended in exact order of depth.
  *
  * Use it unless there is a reason against it. Use `ZBuffer` where primitives arrive one by one and are too many to
  * keep, `LazyZBuffer` or `FlowPipeline` to stop after some rows or to compute only a few samples, and `ScanLine` where

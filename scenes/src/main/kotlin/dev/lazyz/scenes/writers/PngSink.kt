@@ -5,8 +5,6 @@ import java.io.ByteArrayOutputStream
 import java.io.Closeable
 import java.io.IOException
 import java.io.OutputStream
-import java.nio.ByteBuffer
-import java.util.zip.CRC32
 
 /** How an image file stores alpha. */
 public enum class AlphaChannel {
@@ -41,6 +39,7 @@ public class PngSink @JvmOverloads constructor(
     private val alpha: AlphaChannel = AlphaChannel.KEEP,
 ) : RowSink,
     Closeable {
+    private val chunks: PngChunks
     private val blocks: PngBlocks
     private val compressed = ByteArrayOutputStream()
     private val order = RowOrder(width, height)
@@ -49,12 +48,9 @@ public class PngSink @JvmOverloads constructor(
     init {
         require(width > 0 && height > 0) { "an image must have at least one pixel: $width x $height" }
         require(width <= MAX_WIDTH) { "width must be at most $MAX_WIDTH: $width" }
-        val hasAlpha = alpha == AlphaChannel.KEEP
-        output.write(SIGNATURE)
-        val colorType = if (hasAlpha) COLOR_TYPE_RGBA else COLOR_TYPE_RGB
-        chunk("IHDR", ByteBuffer.allocate(13).putInt(width).putInt(height).put(8).put(colorType).array())
-        chunk("sRGB", byteArrayOf(PERCEPTUAL))
-        blocks = PngBlocks(width, height, if (hasAlpha) 4 else 3) { take(it) }
+        chunks = PngChunks(output)
+        chunks.describe(width, height, alpha)
+        blocks = PngBlocks(width, height, alpha.channels) { take(it) }
     }
 
     /**
@@ -80,7 +76,7 @@ public class PngSink @JvmOverloads constructor(
         output.use {
             order.requireComplete()
             writeCompressed()
-            chunk("IEND", ByteArray(0))
+            chunks.write("IEND", ByteArray(0))
             output.flush()
         }
     }
@@ -89,35 +85,15 @@ public class PngSink @JvmOverloads constructor(
 
     private fun take(data: ByteArray) {
         compressed.writeBytes(data)
-        if (compressed.size() >= CHUNK_SIZE) writeCompressed()
+        if (compressed.size() >= PngChunks.DATA_SIZE) writeCompressed()
     }
 
     private fun writeCompressed() {
-        chunk("IDAT", compressed.toByteArray())
+        chunks.write("IDAT", compressed.toByteArray())
         compressed.reset()
     }
 
-    /** Writes length, type, data, and the checksum of type and data. */
-    private fun chunk(type: String, data: ByteArray) {
-        val name = type.toByteArray(Charsets.US_ASCII)
-        val crc = CRC32().apply {
-            update(name)
-            update(data)
-        }
-        output.write(bigEndian(data.size))
-        output.write(name)
-        output.write(data)
-        output.write(bigEndian(crc.value.toInt()))
-    }
-
-    private fun bigEndian(value: Int): ByteArray = ByteBuffer.allocate(4).putInt(value).array()
-
     private companion object {
-        const val CHUNK_SIZE = 1 shl 16
         const val MAX_WIDTH = 1 shl 28
-        const val COLOR_TYPE_RGB: Byte = 2
-        const val COLOR_TYPE_RGBA: Byte = 6
-        const val PERCEPTUAL: Byte = 0
-        val SIGNATURE = byteArrayOf(0x89.toByte(), 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A)
     }
 }

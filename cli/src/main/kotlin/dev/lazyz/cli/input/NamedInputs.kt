@@ -1,6 +1,5 @@
-package dev.lazyz.cli.compare
+package dev.lazyz.cli.input
 
-import dev.lazyz.cli.input.Input
 import dev.lazyz.scenes.SceneFormat
 import java.io.IOException
 import java.nio.file.Files
@@ -9,10 +8,10 @@ import kotlin.io.path.invariantSeparatorsPathString
 import kotlin.io.path.name
 
 /**
- * The inputs that the words of `zcli compare` name: the words themselves, with folders replaced by the files in them.
+ * The inputs that words of the command line name: the words themselves, with folders replaced by the files in them.
  */
-internal class CompareInputs(private val words: List<String>, private val format: SceneFormat?) {
-    /** Whether there is only one input that is not a folder. Its comparison is printed in detail. */
+internal class NamedInputs(private val words: List<String>, private val format: SceneFormat?) {
+    /** Whether there is only one input that is not a folder. Commands then report in detail. */
     val isSingle: Boolean = words.size == 1 && !isFolder(words[0])
 
     /**

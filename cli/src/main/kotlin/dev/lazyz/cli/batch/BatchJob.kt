@@ -1,0 +1,123 @@
+package dev.lazyz.cli.batch
+
+import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.output.Bytes
+import dev.lazyz.cli.output.ExitCode
+import dev.lazyz.cli.output.Failure
+import dev.lazyz.cli.output.Json
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.OutputFile
+import dev.lazyz.cli.output.Progress
+import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.render.StatsForm
+import dev.lazyz.cli.sheet.ContactSheet
+import dev.lazyz.cli.strategies.StrategyChoice
+import dev.lazyz.scenes.ImageSize
+import java.util.concurrent.ExecutionException
+import java.util.concurrent.Executors
+import java.util.concurrent.Future
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.put
+
+/**
+ * One run of `zcli render` with several pictures: several inputs at the same time, on all threads together. Reports
+ * come in the order of the inputs. An input that fails does not stop the others.
+ */
+internal class BatchJob(private val request: BatchRequest, private val streams: Streams) {
+    private val plan = BatchPlan(request)
+    private var failed = 0
+    private var isBuggy = false
+
+    /** Returns the exit code. */
+    fun run(): Int {
+        // Report mistakes in the options before anything is read
+        val threads = request.choices.options().threads
+        StrategyChoice(request.strategy, request.choices.sharing(threads))
+        request.inputs.firstOrNull()?.let { request.subject(it) }
+        val sheet = if (plan.kind == Kind.SHEET) sheet() else null
+        val total = Runtime.getRuntime().maxMemory().let { it - it / FREE_PART }
+        val left = total - if (sheet == null) 0 else bytes(sheet)
+        if (left < total / 2) throw Mistake(tooLarge(checkNotNull(sheet), total))
+
+        // Render
+        val progress = Progress(streams, plan.inputs.size * plan.perInput, "pictures")
+        val shares = Shares(MemoryShare(left), ThreadShare(threads), progress, sheet)
+        val pool = Executors.newFixedThreadPool(minOf(threads, plan.inputs.size))
+        try {
+            val jobs = plan.inputs.map {
+                pool.submit<InputReport> { InputJob(request, plan, it, shares, streams).run() }
+            }
+            for ((job, input) in jobs.zip(plan.inputs)) report(result(job, input.input))
+        } finally {
+            pool.shutdownNow()
+        }
+
+        // Write the sheet, also if some of its pictures are missing
+        if (sheet != null && !sheet.isEmpty) {
+            OutputFile.createFolder(plan.sheet)
+            sheet.write(plan.sheet)
+            streams.remark("wrote ${plan.sheet}, ${sheet.width}x${sheet.height}")
+        }
+        if (failed > 0 && plan.inputs.size > 1) streams.error("$failed of ${plan.inputs.size} inputs failed")
+        return if (isBuggy) {
+            ExitCode.BUG
+        } else if (failed > 0) {
+            ExitCode.MISTAKE
+        } else {
+            ExitCode.DONE
+        }
+    }
+
+    private fun result(job: Future<InputReport>, input: String): InputReport = try {
+        job.get()
+    } catch (e: ExecutionException) {
+        InputReport(input, "", "", emptyList(), e.cause ?: e)
+    }
+
+    private fun report(report: InputReport) = synchronized(streams) {
+        if (report.messages.isNotEmpty()) streams.note(report.messages)
+        streams.print(report.output)
+        for (file in report.files) streams.remark("wrote $file")
+        report.failure?.let { report(report.input, it) }
+        streams.output.flush()
+    }
+
+    private fun report(input: String, failure: Throwable) {
+        failed++
+        val mistake = Failure.mistake(failure)
+        if (mistake == null) {
+            isBuggy = true
+            streams.note(Failure.bugReport(failure, request.args.toTypedArray()) + "\n")
+        }
+        val message = mistake ?: "bug in zcli, $failure"
+        streams.error(if (input in message) message else "$input: $message")
+        if (request.stats != StatsForm.JSON) return
+        val line = buildJsonObject {
+            put("input", input)
+            put("message", message)
+        }
+        streams.print(Json.of(line) + "\n")
+    }
+
+    private fun sheet(): ContactSheet {
+        val subject: Subject = request.subject(request.inputs[0])
+        val size = subject.region?.let { ImageSize(it.width, it.height) } ?: checkNotNull(subject.size) { "no size" }
+        val labels = plan.inputs.flatMap { input -> input.views.flatMap { it.labels } }
+        val columns = request.series.columns ?: ContactSheet.usualColumns(labels.size, plan.perInput, size)
+        val color = subject.background?.takeIf { it.gradient == null }?.color?.toArgb() ?: WHITE
+        return ContactSheet(size, labels, columns, color)
+    }
+
+    private fun bytes(sheet: ContactSheet): Long = BYTES_PER_PIXEL * sheet.width * sheet.height
+
+    private fun tooLarge(sheet: ContactSheet, total: Long): String =
+        "a contact sheet of ${sheet.width}x${sheet.height} needs ${Bytes.readable(bytes(sheet))} of memory, of the " +
+            "${Bytes.readable(total)} that there are for all; choose a smaller --size, or fewer pictures"
+
+    private companion object {
+        /** This part of Java's memory is for what is not counted. */
+        const val FREE_PART = 8
+        const val BYTES_PER_PIXEL = 4L
+        const val WHITE = -1
+    }
+}

@@ -1,0 +1,185 @@
+package dev.lazyz.cli.batch
+
+import dev.lazyz.cli.input.Input
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.OutputFile
+import dev.lazyz.cli.render.Outputs
+import dev.lazyz.world.View
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.extension
+import kotlin.io.path.name
+
+/** What becomes of the pictures. */
+internal enum class Kind { STILLS, ANIMATIONS, SHEET }
+
+/**
+ * The pictures of an input from one [view], null for the side that the options choose.
+ *
+ * @property files a file for each frame, one for an animation of all, or none if they are cells of a sheet
+ * @property firstCell the number of the first picture among all of the batch
+ */
+internal class ViewPlan(val view: View?, val files: List<Path>, val firstCell: Int, val labels: List<String>)
+
+/** The pictures of an [input]. */
+internal class InputPlan(val input: String, val views: List<ViewPlan>)
+
+/**
+ * What a batch renders, and to which files: known, and checked, before anything is read.
+ *
+ * @throws Mistake if options contradict each other, two pictures would have the same file, or a file cannot be written
+ */
+internal class BatchPlan(private val request: BatchRequest) {
+    private val series = request.series
+    private val views: List<View?> = request.views.ifEmpty { listOf(null) }
+
+    /** Pictures from each view. */
+    val frames: Int = series.turntable ?: 1
+
+    /** Pictures of each input. */
+    val perInput: Int = Math.multiplyExact(views.size, frames)
+
+    private val template = OutputTemplate(request.output ?: usualOutput())
+
+    val kind: Kind = when {
+        series.isSheet -> Kind.SHEET
+        series.turntable != null && Placeholder.FRAME !in template.placeholders -> Kind.ANIMATIONS
+        else -> Kind.STILLS
+    }
+
+    /** The file of the contact sheet. */
+    val sheet: Path get() = Path.of(template.text)
+
+    val inputs: List<InputPlan>
+
+    init {
+        requireSense()
+        inputs = request.inputs.mapIndexed { number, input -> plan(number, input) }
+        requireDistinct()
+        val files = inputs.flatMap { input -> input.views.flatMap { it.files } }
+        (if (kind == Kind.SHEET) listOf(sheet) else files).forEach { check(it) }
+    }
+
+    /** Whether the animations are GIF files, which are in memory until they are complete. */
+    private val isGif: Boolean = kind == Kind.ANIMATIONS && template.text.endsWith(".gif", ignoreCase = true)
+
+    /** Returns the bytes in which the frames of an animation, of so many pixels each, are kept. */
+    fun collected(pixels: Long): Long = if (isGif) frames * pixels * GIF_BYTES_PER_PIXEL + GIF_BYTES else 0
+
+    private fun usualOutput(): String = when {
+        series.isSheet -> "contact-sheet.png"
+        views.size > 1 -> "{stem}_{view}.png"
+        else -> "{stem}.png"
+    }
+
+    private fun requireSense() {
+        val places = template.placeholders
+        if (template.text == Outputs.STANDARD_OUTPUT) {
+            throw Mistake("several pictures cannot go to standard output; use -o with a name such as {stem}_{view}.png")
+        }
+        if (request.inputs.size > 1 && "-" in request.inputs) {
+            throw Mistake("standard input cannot be one of several inputs")
+        }
+        if (series.columns != null && kind != Kind.SHEET) throw Mistake("--columns needs --contact-sheet")
+        if (series.framesPerSecond != null && kind != Kind.ANIMATIONS) {
+            throw Mistake(
+                if (series.turntable == null) {
+                    "--frames-per-second needs --turntable"
+                } else {
+                    "--frames-per-second is for one file with all frames; these are single pictures"
+                },
+            )
+        }
+        if (kind == Kind.SHEET && places.isNotEmpty()) {
+            throw Mistake("-o ${template.text}: a contact sheet is one file, so its name has no placeholders")
+        }
+        if (Placeholder.FRAME in places && series.turntable == null) throw Mistake("{frame} in -o needs --turntable")
+    }
+
+    private fun plan(number: Int, word: String): InputPlan {
+        val input = Input(word, null)
+        val plans = views.mapIndexed { at, view ->
+            val files = when (kind) {
+                Kind.SHEET -> emptyList()
+                Kind.ANIMATIONS -> listOf(file(number, input, word, view, 0))
+                Kind.STILLS -> List(frames) { file(number, input, word, view, it) }
+            }
+            val first = number * perInput + at * frames
+            ViewPlan(view, files, first, List(frames) { label(input, view, it) })
+        }
+        return InputPlan(word, plans)
+    }
+
+    private fun label(input: Input, view: View?, frame: Int): String = listOfNotNull(
+        input.baseName ?: input.name,
+        view?.name?.lowercase(),
+        if (series.turntable == null) null else "${frame + 1}",
+    ).joinToString(" ")
+
+    private fun file(number: Int, input: Input, word: String, view: View?, frame: Int): Path {
+        val name = template.expand { placeholder ->
+            when (placeholder) {
+                Placeholder.STEM -> named(input.baseName, placeholder)
+                Placeholder.NAME -> named(input.baseName?.let { Path.of(word).name }, placeholder)
+                Placeholder.EXT -> named(input.baseName?.let { Path.of(word).extension }, placeholder)
+                Placeholder.VIEW -> view?.name?.lowercase() ?: request.viewName
+                Placeholder.INDEX -> numbered(number, request.inputs.size)
+                Placeholder.FRAME -> numbered(frame, frames)
+            }
+        }
+        return Path.of(name)
+    }
+
+    private fun named(text: String?, placeholder: Placeholder): String = text?.ifEmpty { null } ?: throw Mistake(
+        "-o: an input without a name or an extension has no ${placeholder.word}; use ${Placeholder.INDEX.word}",
+    )
+
+    /** Returns the number from 1, with leading zeros, so that names sort in its order. */
+    private fun numbered(number: Int, of: Int): String = "${number + 1}".padStart("$of".length, '0')
+
+    private fun requireDistinct() {
+        val users = HashMap<Path, String>()
+        for (input in inputs) {
+            for (view in input.views) {
+                for (file in view.files) {
+                    val user = listOfNotNull(input.input, view.view?.name?.lowercase()).joinToString(", ")
+                    val other = users.put(file.toAbsolutePath().normalize(), user)
+                    if (other != null) throw Mistake(clash(file, other, user))
+                }
+            }
+        }
+    }
+
+    private fun check(file: Path) {
+        OutputFile.requireEnding(file, "-o", endings)
+        OutputFile.requireFolderOrPlaceForIt(file)
+        if (request.output == null && Files.exists(file)) {
+            throw Mistake("$file exists; to replace it, use -o '${template.text}'")
+        }
+    }
+
+    private fun clash(file: Path, first: String, second: String): String {
+        val used = template.placeholders
+        val missing = when {
+            views.size > 1 && Placeholder.VIEW !in used -> Placeholder.VIEW
+            used.none { it == Placeholder.STEM || it == Placeholder.NAME } -> Placeholder.STEM
+            else -> Placeholder.INDEX
+        }
+        return "two pictures would be written to $file: of $first and of $second; add ${missing.word} to -o"
+    }
+
+    private val endings: List<String>
+        get() = when (kind) {
+            Kind.STILLS -> listOf(".png", ".ppm")
+            Kind.ANIMATIONS -> listOf(".png", ".apng", ".gif")
+            Kind.SHEET -> listOf(".png")
+        }
+
+    private companion object {
+        /** The colour, and the number of the palette in the image that is written. */
+        const val GIF_BYTES_PER_PIXEL = 5L
+
+        /** The histogram and the palette. */
+        const val GIF_BYTES = 12L shl 20
+    }
+}

@@ -1,0 +1,129 @@
+package dev.lazyz.cli.sheet
+
+import dev.lazyz.RowSink
+import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.writers.AlphaChannel
+import dev.lazyz.scenes.writers.ImageFiles
+import java.nio.file.Path
+
+/**
+ * One picture with many in cells, in rows from the top, each with a label below.
+ *
+ * Memory: 4 bytes for each pixel of a cell. [put] can be called from any thread.
+ *
+ * @param cell the size of each picture
+ * @param labels the labels of the cells, in their order; they also say how many cells there are
+ * @param columns cells in a row
+ * @param background the colour between the cells, `0xAARRGGBB`
+ */
+internal class ContactSheet(
+    private val cell: ImageSize,
+    private val labels: List<String>,
+    private val columns: Int,
+    private val background: Int,
+) {
+    private val cells = arrayOfNulls<IntArray>(labels.size)
+    private val scale = (cell.width / PIXELS_PER_SCALE).coerceIn(1, MAX_SCALE)
+    private val gap = GAP * scale
+    private val labelHeight = (PixelFont.HEIGHT + 2 * LABEL_MARGIN) * scale
+    private val pitchX = cell.width + gap
+    private val pitchY = cell.height + labelHeight + gap
+    private val rows = (labels.size + columns - 1) / columns
+    private val ink = if (isDark(background)) WHITE else BLACK
+
+    /** Pixels of the whole sheet. */
+    val width: Long = columns * pitchX.toLong() + gap
+    val height: Long = rows * pitchY.toLong() + gap
+
+    /** Whether a picture has arrived. */
+    val isEmpty: Boolean get() = cells.all { it == null }
+
+    /** Sets the picture of a cell: pixels in rows from the top. A cell without a picture says that it failed. */
+    fun put(number: Int, argb: IntArray) {
+        require(argb.size == cell.width * cell.height) { "a cell has ${cell.width}x${cell.height} pixels" }
+        synchronized(cells) { cells[number] = argb }
+    }
+
+    /** Writes the sheet to [path]. */
+    fun write(path: Path) {
+        val (w, h) = Math.toIntExact(width) to Math.toIntExact(height)
+        val isOpaque = background ushr 24 == 0xFF && cells.all { it == null || it.all { c -> c ushr 24 == 0xFF } }
+        val alpha = if (isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
+        ImageFiles.write(path, w, h, alpha = alpha) { sink -> writeRows(w, h, sink) }
+    }
+
+    private fun writeRows(width: Int, height: Int, sink: RowSink) {
+        val none = IntArray(width)
+        val row = IntArray(width)
+        for (y in 0 until height) {
+            row.fill(background)
+            val below = (y - gap) % pitchY
+            if (y >= gap) for (column in 0 until columns) drawCell((y - gap) / pitchY * columns + column, below, row)
+            sink.row(y, row, none, none)
+        }
+    }
+
+    /** Draws row [y] of a cell with its label. */
+    private fun drawCell(number: Int, y: Int, row: IntArray) {
+        if (number >= labels.size) return
+        val x = gap + number % columns * pitchX
+        val argb = cells[number]
+        if (y >= cell.height) {
+            draw(labels[number], y - cell.height - LABEL_MARGIN * scale, x, row)
+        } else if (argb != null) {
+            argb.copyInto(row, x, y * cell.width, (y + 1) * cell.width)
+        } else {
+            draw(FAILED, y - (cell.height - PixelFont.HEIGHT * scale) / 2, x, row)
+        }
+    }
+
+    /** Draws row [y] of a text, in the middle of the columns from [x]: smaller, and at last shorter, until it fits. */
+    private fun draw(text: String, y: Int, x: Int, row: IntArray) {
+        val size = (scale downTo 1).firstOrNull { text.length * PixelFont.ADVANCE * it <= cell.width } ?: 1
+        val most = cell.width / (PixelFont.ADVANCE * size)
+        val shown = if (text.length <= most) text else text.take(maxOf(most - DOTS.length, 0)) + DOTS.take(most)
+        val letterRow = Math.floorDiv(y, size)
+        if (letterRow !in 0 until PixelFont.HEIGHT) return
+        val length = shown.length * PixelFont.ADVANCE * size
+        val start = x + (cell.width - length) / 2
+        for (i in 0 until length) if (PixelFont.isSet(shown, i / size, letterRow)) row[start + i] = ink
+    }
+
+    companion object {
+        private const val GAP = 6
+        private const val LABEL_MARGIN = 3
+        private const val MAX_SCALE = 16
+
+        /** A cell of this width has labels of single pixels; larger ones have larger labels. */
+        private const val PIXELS_PER_SCALE = 128
+        private const val DOTS = ".."
+        private const val FAILED = "failed"
+        private const val BLACK = 0xFF shl 24
+        private const val WHITE = -1
+
+        /** Opaque, and nearer to black than to white. The weights are those of luma. */
+        private fun isDark(color: Int): Boolean {
+            val luma = 299 * (color shr 16 and 0xFF) + 587 * (color shr 8 and 0xFF) + 114 * (color and 0xFF)
+            return color ushr 24 >= 128 && luma < 128_000
+        }
+
+        /**
+         * Returns the number of columns for [count] cells, of which [group] each belong together: these are a row if
+         * there are few; otherwise the sheet is about as wide as high.
+         */
+        fun usualColumns(count: Int, group: Int, cell: ImageSize): Int {
+            if (group in 2..MAX_GROUP && count > group) return group
+            var columns = 1
+            while (columns < count &&
+                columns * cell.width.toLong() < rows(count, columns) * cell.height.toLong()
+            ) {
+                columns++
+            }
+            return columns
+        }
+
+        private fun rows(count: Int, columns: Int) = (count + columns - 1) / columns
+
+        private const val MAX_GROUP = 12
+    }
+}

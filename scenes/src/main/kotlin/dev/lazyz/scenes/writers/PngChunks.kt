@@ -1,0 +1,46 @@
+package dev.lazyz.scenes.writers
+
+import java.io.OutputStream
+import java.nio.ByteBuffer
+import java.util.zip.CRC32
+
+/** Writes the signature of a PNG file, and chunks: length, type, data, and the checksum of type and data. */
+internal class PngChunks(private val output: OutputStream) {
+    init {
+        output.write(SIGNATURE)
+    }
+
+    /** Writes the chunks that describe an image of 8 bits per channel, sRGB. */
+    fun describe(width: Int, height: Int, alpha: AlphaChannel) {
+        val colorType = if (alpha == AlphaChannel.KEEP) COLOR_TYPE_RGBA else COLOR_TYPE_RGB
+        write("IHDR", ByteBuffer.allocate(13).putInt(width).putInt(height).put(8).put(colorType).array())
+        write("sRGB", byteArrayOf(PERCEPTUAL))
+    }
+
+    fun write(type: String, data: ByteArray) {
+        val name = type.toByteArray(Charsets.US_ASCII)
+        val crc = CRC32().apply {
+            update(name)
+            update(data)
+        }
+        output.write(bigEndian(data.size))
+        output.write(name)
+        output.write(data)
+        output.write(bigEndian(crc.value.toInt()))
+    }
+
+    private fun bigEndian(value: Int): ByteArray = ByteBuffer.allocate(4).putInt(value).array()
+
+    companion object {
+        /** Bytes of compressed data that are collected for a chunk. */
+        const val DATA_SIZE: Int = 1 shl 16
+
+        private const val COLOR_TYPE_RGB: Byte = 2
+        private const val COLOR_TYPE_RGBA: Byte = 6
+        private const val PERCEPTUAL: Byte = 0
+        private val SIGNATURE = byteArrayOf(0x89.toByte(), 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A)
+    }
+}
+
+/** Bytes of a pixel of a PNG file. */
+internal val AlphaChannel.channels: Int get() = if (this == AlphaChannel.KEEP) 4 else 3

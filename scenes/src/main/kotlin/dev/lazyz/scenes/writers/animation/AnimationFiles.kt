@@ -1,0 +1,48 @@
+package dev.lazyz.scenes.writers.animation
+
+import dev.lazyz.scenes.writers.AtomicFile
+import dev.lazyz.scenes.writers.RowProducer
+import java.io.IOException
+import java.nio.channels.Channels
+import java.nio.file.Path
+
+/** Writes animations to files. A file appears only when it is complete, as with `ImageFiles`. */
+public object AnimationFiles {
+    /**
+     * Writes the frames that [produce] renders to a file at [path].
+     *
+     * Memory: see [ApngSink] and [GifSink].
+     *
+     * @param format the file format; by default determined by the file name extension
+     * @param produce passes the rows of all frames to the sink that it is given: one frame after the other, each from
+     *   the top
+     * @return what [produce] returns
+     * @throws IllegalArgumentException if [format] is omitted and the extension is unknown
+     * @throws IOException if the file cannot be written, or a row is missing; the message says why
+     */
+    @JvmStatic
+    @JvmOverloads
+    public fun <R> write(
+        path: Path,
+        animation: Animation,
+        format: AnimationFormat = formatOf(path),
+        produce: RowProducer<R>,
+    ): R = AtomicFile.write(path) { channel ->
+        val output = Channels.newOutputStream(channel)
+        when (format) {
+            AnimationFormat.APNG -> ApngSink(output, animation).use { produce.sendTo(it) }
+            AnimationFormat.GIF -> GifSink(output, animation).use { produce.sendTo(it) }
+        }
+    }
+
+    /**
+     * Returns the format for the file name extension of [path].
+     *
+     * @throws IllegalArgumentException if the extension is unknown
+     */
+    @JvmStatic
+    public fun formatOf(path: Path): AnimationFormat = requireNotNull(AnimationFormat.ofFileName(path.toString())) {
+        val known = AnimationFormat.entries.flatMap { it.extensions }.joinToString { ".$it" }
+        "cannot tell the format of $path: it must end in one of $known"
+    }
+}
