@@ -2,11 +2,20 @@ package dev.lazyz.server
 
 import dev.lazyz.server.render.Picture
 import dev.lazyz.server.render.Problem
+import io.netty.buffer.Unpooled
+import io.netty.channel.ChannelFuture
+import io.netty.channel.ChannelHandlerContext
 import io.netty.handler.codec.DateFormatter
+import io.netty.handler.codec.http.DefaultFullHttpResponse
 import io.netty.handler.codec.http.DefaultHttpHeaders
+import io.netty.handler.codec.http.DefaultHttpResponse
+import io.netty.handler.codec.http.HttpChunkedInput
 import io.netty.handler.codec.http.HttpHeaderNames
+import io.netty.handler.codec.http.HttpHeaderValues
 import io.netty.handler.codec.http.HttpHeaders
 import io.netty.handler.codec.http.HttpResponseStatus
+import io.netty.handler.codec.http.HttpVersion
+import io.netty.handler.stream.ChunkedStream
 import java.util.Date
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
@@ -26,7 +35,30 @@ internal class Answer private constructor(
         .set(HttpHeaderNames.DATE, DateFormatter.format(Date()))
         .set("x-content-type-options", "nosniff")
 
+    /** The bytes of the body. */
+    val size: Int get() = picture?.size ?: text.toByteArray().size
+
+    /**
+     * Writes this answer. The result is there when the last byte is sent.
+     *
+     * @param isHead whether the client wants the headers only
+     * @param isLast whether the connection is closed afterwards
+     */
+    fun write(context: ChannelHandlerContext, isHead: Boolean, isLast: Boolean): ChannelFuture {
+        if (status != HttpResponseStatus.NOT_MODIFIED) headers.set(HttpHeaderNames.CONTENT_LENGTH, size)
+        headers.set(HttpHeaderNames.CONNECTION, if (isLast) HttpHeaderValues.CLOSE else HttpHeaderValues.KEEP_ALIVE)
+        if (picture != null) {
+            context.write(DefaultHttpResponse(HttpVersion.HTTP_1_1, status, headers))
+            return context.writeAndFlush(HttpChunkedInput(ChunkedStream(picture.open(), CHUNK)))
+        }
+        val body = if (isHead) Unpooled.EMPTY_BUFFER else Unpooled.wrappedBuffer(text.toByteArray())
+        val response = DefaultFullHttpResponse(HttpVersion.HTTP_1_1, status, body)
+        response.headers().set(headers)
+        return context.writeAndFlush(response)
+    }
+
     companion object {
+        private const val CHUNK = 1 shl 16
         private const val MOST_WARNINGS = 5
         private const val LONGEST_WARNING = 300
 

@@ -2,18 +2,12 @@ package dev.lazyz.server
 
 import dev.lazyz.server.render.Problem
 import dev.lazyz.server.render.RenderJob
-import io.netty.buffer.Unpooled
-import io.netty.channel.ChannelFuture
 import io.netty.channel.ChannelHandlerContext
 import io.netty.channel.SimpleChannelInboundHandler
 import io.netty.channel.socket.SocketChannel
-import io.netty.handler.codec.TooLongFrameException
 import io.netty.handler.codec.http.DefaultFullHttpResponse
-import io.netty.handler.codec.http.DefaultHttpResponse
-import io.netty.handler.codec.http.HttpChunkedInput
 import io.netty.handler.codec.http.HttpContent
 import io.netty.handler.codec.http.HttpHeaderNames
-import io.netty.handler.codec.http.HttpHeaderValues
 import io.netty.handler.codec.http.HttpMethod
 import io.netty.handler.codec.http.HttpObject
 import io.netty.handler.codec.http.HttpRequest
@@ -22,15 +16,10 @@ import io.netty.handler.codec.http.HttpUtil
 import io.netty.handler.codec.http.HttpVersion
 import io.netty.handler.codec.http.LastHttpContent
 import io.netty.handler.codec.http.QueryStringDecoder
-import io.netty.handler.codec.http.TooLongHttpHeaderException
-import io.netty.handler.codec.http.TooLongHttpLineException
-import io.netty.handler.stream.ChunkedStream
 import java.io.IOException
 import java.net.InetSocketAddress
 import java.time.Duration
-import java.util.concurrent.Future as Timer
 import java.util.concurrent.RejectedExecutionException
-import java.util.concurrent.TimeUnit
 
 /**
  * One connection: takes requests one after the other, and answers each. Everything happens on the event loop of the
@@ -45,9 +34,8 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
     private val config = service.config
     private val pages = Pages(service)
     private lateinit var context: ChannelHandlerContext
+    private lateinit var clock: Clock
     private var state = State.IDLE
-    private var timer: Timer<*>? = null
-    private var rateTimer: Timer<*>? = null
 
     // The request in work
     private var line: RequestLine? = null
@@ -62,8 +50,9 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
 
     override fun channelActive(context: ChannelHandlerContext) {
         this.context = context
+        clock = Clock(context.executor())
         val open = service.connections.incrementAndGet()
-        if (open <= config.connections) return after(config.idleTime) { context.close() }
+        if (open <= config.connections) return clock.after(config.idleTime) { context.close() }
 
         // Those few that get an answer stay open for a moment; with many of them, there would be no limit
         begin("-", "-")
@@ -85,7 +74,7 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
 
     override fun channelInactive(context: ChannelHandlerContext) {
         state = State.CLOSED
-        timer?.cancel(false)
+        clock.end()
         service.connections.decrementAndGet()
         job?.let { service.queue.cancel(it, Problem(Problem.GONE, "the client is gone")) }
         end(Problem.GONE, 0, "the client is gone")
@@ -107,16 +96,16 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
         begin(request.method().name(), request.uri())
         isReceived = false
         isHead = request.method() == HttpMethod.HEAD
-        isLastRequest = service.isDraining || !HttpUtil.isKeepAlive(request)
+        isLastRequest = service.isDraining || !HttpUtil.isKeepAlive(request) || request.decoderResult().isFailure
         try {
-            requireValid(request)
+            RequestLine.requireValid(request)
             val target = QueryStringDecoder(request.uri())
             if (target.path() != "/render") return page(request, target.path())
             val render = RenderRequest(service, request, target.parameters())
             this.render = render
             state = State.UPLOAD
-            after(config.uploadTime) { fail(tooSlow("the model was not sent within ${config.uploadTime.seconds} s")) }
-            rateTimer = each(RATE_PERIOD) { checkRate(render) }
+            clock.after(config.uploadTime) { fail(tooSlow("the model was not sent within ${config.uploadTime.seconds} s")) }
+            clock.each(RATE_PERIOD) { checkRate(render) }
             if (HttpUtil.is100ContinueExpected(request)) {
                 context.writeAndFlush(DefaultFullHttpResponse(HttpVersion.HTTP_1_1, HttpResponseStatus.CONTINUE))
             }
@@ -124,23 +113,6 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
             fail(problem)
         } catch (e: IllegalArgumentException) {
             fail(Problem(Problem.BAD_REQUEST, "the address cannot be read: ${e.message}"))
-        }
-    }
-
-    private fun requireValid(request: HttpRequest) {
-        val cause = request.decoderResult().cause()
-        if (cause != null) {
-            isLastRequest = true
-            throw when (cause) {
-                is TooLongHttpLineException -> Problem(414, "the address is too long")
-                is TooLongHttpHeaderException -> Problem(431, "the headers are too long")
-                is TooLongFrameException -> Problem(431, "the headers are too long")
-                else -> Problem(Problem.BAD_REQUEST, "this is not HTTP: ${cause.message}")
-            }
-        }
-        val expectation = request.headers().get(HttpHeaderNames.EXPECT)
-        if (expectation != null && !expectation.equals("100-continue", ignoreCase = true)) {
-            throw Problem(Problem.EXPECTATION_FAILED, "the expectation '$expectation' is not supported")
         }
     }
 
@@ -180,14 +152,14 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
     private fun tooSlow(message: String) = Problem(Problem.TIMEOUT, message)
 
     private fun enqueue(render: RenderRequest) {
-        rateTimer?.cancel(false)
+        clock.endEach()
         val job = render.enqueue(
             started = { later { started() } },
             ended = { outcome -> if (!later { ended(outcome) }) giveBack(outcome) },
         )
         this.job = job
         state = State.WORK
-        after(config.queueTime) {
+        clock.after(config.queueTime) {
             service.queue.cancelIfWaiting(
                 job,
                 Problem(Problem.UNAVAILABLE, "the model has waited for ${config.queueTime.seconds} s", Problem.SOON),
@@ -197,7 +169,7 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
 
     private fun started() {
         val job = job ?: return
-        after(config.renderTime) {
+        clock.after(config.renderTime) {
             val problem = Problem(Problem.UNAVAILABLE, "the picture took longer than ${config.renderTime.seconds} s")
             service.queue.cancel(job, problem)
         }
@@ -212,7 +184,7 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
     }
 
     private fun giveBack(outcome: RenderJob.Outcome) {
-        outcome.picture?.let { service.queue.giveBack(it.size.toLong()) }
+        outcome.picture?.let { service.queue.giveBack(it.memory) }
     }
 
     private fun fail(problem: Problem) {
@@ -227,28 +199,14 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
 
     private fun send(answer: Answer, sent: () -> Unit = {}) {
         state = State.ANSWER
-        rateTimer?.cancel(false)
+        clock.endEach()
         releaseUpload()
-        after(config.downloadTime) { context.close() }
-        val size = answer.picture?.size ?: answer.text.toByteArray().size
-        val headers = answer.headers
-        if (answer.status != HttpResponseStatus.NOT_MODIFIED) headers.set(HttpHeaderNames.CONTENT_LENGTH, size)
-        val connection = if (isLastRequest) HttpHeaderValues.CLOSE else HttpHeaderValues.KEEP_ALIVE
-        headers.set(HttpHeaderNames.CONNECTION, connection)
-        val written = if (answer.picture != null) {
-            context.write(DefaultHttpResponse(HttpVersion.HTTP_1_1, answer.status, headers))
-            context.writeAndFlush(HttpChunkedInput(ChunkedStream(answer.picture.open(), CHUNK)))
-        } else {
-            val text = if (isHead) Unpooled.EMPTY_BUFFER else Unpooled.wrappedBuffer(answer.text.toByteArray())
-            val response = DefaultFullHttpResponse(HttpVersion.HTTP_1_1, answer.status, text)
-            response.headers().set(headers)
-            context.writeAndFlush(response)
-        }
-        written.addListener { future ->
+        clock.after(config.downloadTime) { context.close() }
+        answer.write(context, isHead, isLastRequest).addListener { future ->
             sent()
             if (future.isSuccess && state == State.ANSWER) {
-                if (answer.picture != null) service.sent.add(size.toLong())
-                end(answer.status.code(), size, answer.detail)
+                if (answer.picture != null) service.sent.add(answer.size.toLong())
+                end(answer.status.code(), answer.size, answer.detail)
                 next()
             }
         }
@@ -258,7 +216,7 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
     private fun next() {
         if (!isLastRequest) {
             state = State.IDLE
-            after(config.idleTime) { context.close() }
+            clock.after(config.idleTime) { context.close() }
             return
         }
         if (isReceived) {
@@ -268,7 +226,7 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
         // A close while data arrives would destroy the answer before the client has read it
         state = State.LINGER
         (context.channel() as SocketChannel).shutdownOutput()
-        after(LINGER) { context.close() }
+        clock.after(LINGER) { context.close() }
     }
 
     private fun begin(method: String, target: String) {
@@ -280,7 +238,7 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
     private fun end(status: Int, size: Int, detail: String) {
         val line = line ?: return
         this.line = null
-        rateTimer?.cancel(false)
+        clock.endEach()
         releaseUpload()
         render = null
         job = null
@@ -295,15 +253,6 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
         if (job == null) render?.upload?.release()
     }
 
-    /** Sets the time limit of the state. */
-    private fun after(time: Duration, act: () -> Unit) {
-        timer?.cancel(false)
-        timer = context.executor().schedule(act, time.toMillis(), TimeUnit.MILLISECONDS)
-    }
-
-    private fun each(time: Duration, act: () -> Unit): Timer<*> =
-        context.executor().scheduleAtFixedRate(act, time.toMillis(), time.toMillis(), TimeUnit.MILLISECONDS)
-
     /** Runs [act] on the event loop, or returns false if that has ended. */
     private fun later(act: () -> Unit): Boolean = try {
         context.executor().execute(act)
@@ -313,7 +262,6 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
     }
 
     private companion object {
-        const val CHUNK = 1 shl 16
         const val RATE_GRACE = 5.0
         val RATE_PERIOD: Duration = Duration.ofSeconds(1)
         val LINGER: Duration = Duration.ofSeconds(2)

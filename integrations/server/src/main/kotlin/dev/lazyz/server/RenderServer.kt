@@ -38,8 +38,12 @@ public class RenderServer @JvmOverloads constructor(public val config: ServerCon
         val threads: MultiThreadIoEventLoopGroup,
         val channels: DefaultChannelGroup,
         val listening: NioServerSocketChannel,
-    )
+    ) {
+        val port = listening.localAddress().port
+    }
 
+    // Read without the lock, which close() holds until the last answer is sent
+    @Volatile
     private var running: Running? = null
     private var isClosed = false
 
@@ -48,7 +52,7 @@ public class RenderServer @JvmOverloads constructor(public val config: ServerCon
      *
      * @throws IllegalStateException if it is not running
      */
-    public val port: Int get() = running().listening.localAddress().port
+    public val port: Int get() = running().port
 
     /**
      * Starts listening. Returns this server when it can be reached.
@@ -103,7 +107,6 @@ public class RenderServer @JvmOverloads constructor(public val config: ServerCon
     override fun close() {
         isClosed = true
         val closing = running ?: return
-        running = null
         val service = closing.service
         service.isDraining = true
         closing.listening.close().awaitUninterruptibly()
@@ -118,6 +121,7 @@ public class RenderServer @JvmOverloads constructor(public val config: ServerCon
         awaitAnswers(service, LAST_ANSWERS)
         closing.channels.close().awaitUninterruptibly()
         closing.threads.shutdownGracefully(0, 1, TimeUnit.SECONDS).awaitUninterruptibly()
+        running = null
         if (isInterrupted) Thread.currentThread().interrupt()
     }
 
@@ -130,7 +134,6 @@ public class RenderServer @JvmOverloads constructor(public val config: ServerCon
         false
     }
 
-    @Synchronized
     private fun running(): Running = checkNotNull(running) { "the server is not running" }
 
     override fun toString(): String = "RenderServer($config)"

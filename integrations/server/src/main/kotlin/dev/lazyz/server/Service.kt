@@ -54,8 +54,12 @@ internal class Service(val config: ServerConfig) : AutoCloseable {
             .add()
     }
 
-    /** Writes a line to the log, without control characters. */
-    fun log(line: String) = log.accept(line.map { if (it in ' '..'~') it else '?' }.joinToString(""))
+    /** Writes a line to the log, without control characters. A log that fails does not stop the work. */
+    fun log(line: String) = try {
+        log.accept(line.map { if (it in ' '..'~') it else '?' }.joinToString(""))
+    } catch (failure: RuntimeException) {
+        LOGGER.log(System.Logger.Level.ERROR, "a line of the log could not be written: $line", failure)
+    }
 
     /** Reports a bug to the system logger, with its stack trace. */
     fun report(bug: Throwable) = LOGGER.log(System.Logger.Level.ERROR, "this is a bug in lazyz-server", bug)

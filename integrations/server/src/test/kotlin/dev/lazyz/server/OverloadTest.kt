@@ -2,6 +2,7 @@ package dev.lazyz.server
 
 import java.time.Duration
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
@@ -121,6 +122,44 @@ class OverloadTest {
         server.close()
         assertTrue(socket.use { it.getInputStream().text() }.startsWith("HTTP/1.1 200 OK"))
         server.close()
+    }
+
+    /** A client that sends requests and does not wait for answers takes no memory, and no place in the queue. */
+    @Test
+    fun requestsBeforeTheAnswerAreDropped() = RenderServer(config).start().use { server ->
+        val client = Client(server)
+        client.begin(Client.LONG).use { socket ->
+            client.await("lazyz_renders_running", 1)
+            repeat(1000) { socket.send("GET /health/live HTTP/1.1\r\n\r\n") }
+            assertEquals(1.0, client.metric("lazyz_requests_open"))
+        }
+        client.await("lazyz_renders_running", 0)
+        client.await("lazyz_requests_open", 0)
+        assertEquals(0.0, client.metric("lazyz_requests_total{status=\"200\"}"))
+    }
+
+    @Test
+    fun numbersCanBeReadWhileTheServerIsClosed() {
+        val server = RenderServer(config).start()
+        val client = Client(server)
+        client.begin(Client.LONG).use {
+            client.await("lazyz_renders_running", 1)
+            val closing = Thread { server.close() }.apply { start() }
+            Client.await({ "not closing" }) { closing.state == Thread.State.TIMED_WAITING }
+            assertEquals(1.0, client.metric("lazyz_renders_running"))
+            it.close()
+            closing.join()
+        }
+        assertThrows(IllegalStateException::class.java) { server.metrics() }
+    }
+
+    @Test
+    fun aLogThatFailsDoesNotStopTheWork() {
+        RenderServer(config.withLog { error("the disk is full") }).start().use { server ->
+            val client = Client(server)
+            repeat(2) { assertEquals(200, client.get("/health/live").statusCode()) }
+            client.await("lazyz_requests_total{status=\"200\"}", 2)
+        }
     }
 
     @Test

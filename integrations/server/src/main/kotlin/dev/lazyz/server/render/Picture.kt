@@ -15,10 +15,16 @@ internal class Picture(private val png: Bytes, val tag: String, val warnings: Li
     /** The bytes of the file. */
     val size: Int get() = png.size()
 
+    /** The bytes of memory that it takes: its array has room to grow. */
+    val memory: Long get() = png.room.toLong()
+
     fun open(): InputStream = png.open()
 
     /** Collects bytes, and reads them again without a copy. */
     class Bytes : ByteArrayOutputStream() {
+        /** The length of the array. */
+        val room: Int get() = buf.size
+
         fun open(): InputStream = ByteArrayInputStream(buf, 0, count)
     }
 }

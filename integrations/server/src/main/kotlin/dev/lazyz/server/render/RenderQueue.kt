@@ -100,7 +100,7 @@ internal class RenderQueue(private val threads: Int, private val capacity: Int, 
                 running--
                 val reason = job.reason
                 val final = if (reason == null) outcome else RenderJob.Outcome(null, reason)
-                taken += (final.picture?.size?.toLong() ?: 0) - job.need
+                taken += (final.picture?.memory ?: 0) - job.need
                 changed.signalAll()
                 final
             }
