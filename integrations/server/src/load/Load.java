@@ -74,10 +74,11 @@ public class Load {
     /** Reads the port from the first line of the log, and drops the other lines. */
     private static int port(Process server) throws IOException {
         var lines = server.inputReader();
-        String first = lines.readLine();
-        int port = URI.create(first.substring(first.indexOf("http"))).getPort();
+        int port = URI.create(lines.readLine().split("(?=http)")[1]).getPort();
         Thread reader = new Thread(() -> lines.lines().forEach(line -> {}));
         reader.setDaemon(true);
+        // The pipe is closed when the server ends
+        reader.setUncaughtExceptionHandler((thread, closed) -> {});
         reader.start();
         return port;
     }
@@ -161,8 +162,7 @@ public class Load {
         byte[] noise = new byte[random.nextInt(100_000)];
         random.nextBytes(noise);
         String[] formats = {"obj", "stl", "ply", "off", "3mf", "glb", "gltf"};
-        int status = post("/render?format=" + formats[random.nextInt(7)], noise).statusCode();
-        count("noise, status " + status);
+        count("noise, status " + post("/render?format=" + formats[random.nextInt(7)], noise).statusCode());
     }
 
     private static void gone(Random random) throws IOException, InterruptedException {
@@ -172,7 +172,6 @@ public class Load {
             out.write(ascii("POST /render?size=2048&aa=8 HTTP/1.1\r\nHost: x\r\n"));
             out.write(ascii("Content-Length: " + model.length + "\r\n\r\n"));
             out.write(model);
-            out.flush();
             Thread.sleep(random.nextInt(300));
         }
         count("clients that went away");
@@ -221,8 +220,7 @@ public class Load {
                 int[][] corners = {{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j}, {i + 1, j + 1}, {i, j + 1}};
                 for (int k = 0; k < 6; k++) {
                     if (k % 3 == 0) bytes.putFloat(0).putFloat(0).putFloat(0);
-                    int[] at = corners[k];
-                    bytes.putFloat(at[0]).putFloat(at[1]).putFloat(height(at[0], at[1]));
+                    bytes.putFloat(corners[k][0]).putFloat(corners[k][1]).putFloat(height(corners[k][0], corners[k][1]));
                     if (k % 3 == 2) bytes.putShort((short) 0);
                 }
             }

@@ -1,5 +1,6 @@
 package dev.lazyz.cli.commands
 
+import com.github.ajalt.clikt.completion.CompletionCandidates
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
@@ -45,8 +46,11 @@ import dev.lazyz.world.View
  * @param args the words of the command line, for bug reports
  */
 internal class CompareCommand(private val streams: Streams, private val args: List<String>) : Command("compare") {
-    private val inputs by argument("INPUT", help = "$INPUT_HELP; or a folder: all models and scene files in it")
-        .multiple(required = true)
+    private val inputs by argument(
+        "INPUT",
+        help = "$INPUT_HELP; or a folder: all models and scene files in it",
+        completionCandidates = CompletionCandidates.Path,
+    ).multiple(required = true)
     private val comparing by ComparingOptions()
     private val reading by ReadingOptions()
     private val picture by PictureOptions()

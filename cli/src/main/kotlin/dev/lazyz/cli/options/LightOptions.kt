@@ -37,7 +37,7 @@ internal class LightOptions : OptionGroup("Light") {
     private val matcap by option(
         "--matcap",
         help = "Colour all surfaces like this picture of a lit sphere, which --color multiplies",
-    ).convert("FILE") { Path.of(it) }
+    ).path()
 
     val toneCurve by option(
         "--tone-map",

@@ -153,7 +153,7 @@ internal class PictureOptions : OptionGroup("Picture") {
         "--texture",
         help = "Replace the colours and textures of all surfaces by this image, which --color multiplies; the model " +
             "needs texture coordinates",
-    ).convert("FILE") { Path.of(it) }
+    ).path()
 
     val shading by option("--shading", help = "Replace the shading of all materials: ${names(shadings.keys)}")
         .oneOf("SHADING", shadings)

@@ -104,7 +104,9 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
             val render = RenderRequest(service, request, target.parameters())
             this.render = render
             state = State.UPLOAD
-            clock.after(config.uploadTime) { fail(tooSlow("the model was not sent within ${config.uploadTime.seconds} s")) }
+            clock.after(config.uploadTime) {
+                fail(tooSlow("the model was not sent within ${config.uploadTime.seconds} s"))
+            }
             clock.each(RATE_PERIOD) { checkRate(render) }
             if (HttpUtil.is100ContinueExpected(request)) {
                 context.writeAndFlush(DefaultFullHttpResponse(HttpVersion.HTTP_1_1, HttpResponseStatus.CONTINUE))
