@@ -220,7 +220,8 @@ public class Load {
                 int[][] corners = {{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j}, {i + 1, j + 1}, {i, j + 1}};
                 for (int k = 0; k < 6; k++) {
                     if (k % 3 == 0) bytes.putFloat(0).putFloat(0).putFloat(0);
-                    bytes.putFloat(corners[k][0]).putFloat(corners[k][1]).putFloat(height(corners[k][0], corners[k][1]));
+                    int[] c = corners[k];
+                    bytes.putFloat(c[0]).putFloat(c[1]).putFloat(height(c[0], c[1]));
                     if (k % 3 == 2) bytes.putShort((short) 0);
                 }
             }

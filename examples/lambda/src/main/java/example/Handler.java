@@ -13,8 +13,8 @@ import java.io.OutputStream;
 import java.time.Duration;
 
 /**
- * A function that reads an STL file and writes a PNG file, for platforms that start a process for a request and keep it for
- * the next. The method has the form of {@code RequestStreamHandler} of AWS, without its third argument.
+ * A function that reads an STL file and writes a PNG file, for platforms that start a process for a request and keep it
+ * for the next. The method has the form of {@code RequestStreamHandler} of AWS, without its third argument.
  */
 public class Handler {
     private static final int SIDE = 256;
