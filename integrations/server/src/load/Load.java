@@ -204,9 +204,8 @@ public class Load {
         for (int i = 0; i < side; i++) {
             for (int j = 1; j <= side; j++) {
                 int a = i * (side + 1) + j;
-                int b = a + side + 1;
                 text.append("f ").append(a).append(' ').append(a + 1);
-                text.append(' ').append(b + 1).append(' ').append(b).append('\n');
+                text.append(' ').append(a + side + 2).append(' ').append(a + side + 1).append('\n');
             }
         }
         return ascii(text.toString());
