@@ -6,6 +6,7 @@ module dev.lazyz.core {
     // For kernels that are loaded only where the JVM has it
     requires static jdk.incubator.vector;
 
+    exports dev.lazyz.aov;
     exports dev.lazyz.drawing;
     exports dev.lazyz.filter;
     exports dev.lazyz.geometry;

@@ -12,6 +12,7 @@ module dev.lazyz.scenes {
     requires jgltf.model;
     requires obj;
 
+    exports dev.lazyz.scenes.aov;
     exports dev.lazyz.scenes.pictures;
     exports dev.lazyz.scenes.scenefile;
     exports dev.lazyz.scenes.text;

@@ -59,10 +59,11 @@ public class Frame internal constructor(
     public fun keeping(test: IntPredicate): Frame =
         Frame(
             raster,
-            primitives.mapIndexed { index, primitive ->
-                if (test.test(index)) primitive else EmptyPrimitive
-            },
-            region
+            FrameContent.of(
+                primitives.mapIndexed { index, primitive -> if (test.test(index)) primitive else EmptyPrimitive },
+                content.view,
+            ),
+            region,
         )
 
     /**
@@ -74,6 +75,10 @@ public class Frame internal constructor(
 
     /** Returns this frame with primitives whose colours are not computed: what is visible where, and how deep. */
     internal fun unshaded(): Frame = Frame(raster, content.unshaded(), region)
+
+    /** Returns this frame with primitives that report each shading call to [tally]. The colours are the same. */
+    internal fun tallied(tally: ShadingTally): Frame =
+        Frame(raster, content.withAll { TalliedPrimitive(it, tally) }, region)
 
     override fun toString(): String = "Frame($raster, $region, ${content.size} primitives)"
 }

@@ -6,12 +6,14 @@ package dev.lazyz
  * @property size number of primitives, including those in batches
  * @property batches in ascending order of their submission indices
  * @property singles in submission order: the primitives that are in no batch, and the exceptions of the batches
+ * @property view what is known about the scene
  */
 internal class FrameContent private constructor(
     val size: Int,
     val batches: List<PrimitiveBatch>,
     val singles: List<Primitive>,
     private val indices: IntArray?,
+    val view: FrameView,
 ) {
     /** Returns the submission index of `singles[number]`. */
     fun index(number: Int): Int = if (indices == null) number else indices[number]
@@ -42,11 +44,23 @@ internal class FrameContent private constructor(
 
     /** Returns this content with each single primitive replaced by the result of [change]. */
     fun withSingles(change: (Primitive) -> Primitive): FrameContent =
-        FrameContent(size, batches, singles.map(change), indices)
+        FrameContent(size, batches, singles.map(change), indices, view)
+
+    /** Returns this content without batches, with each primitive replaced by the result of [change]. */
+    fun withAll(change: (Primitive) -> Primitive): FrameContent = of(primitives.map(change), view)
 
     /** Returns this content without colours, see [Frame.unshaded]. */
     fun unshaded(): FrameContent =
-        FrameContent(size, batches.map { it.unshaded() }, singles.map { UnshadedPrimitive(it) }, indices)
+        FrameContent(size, batches.map { it.unshaded() }, singles.map { UnshadedPrimitive(it) }, indices, view)
+
+    /** Calls [action] for all primitives that can cover samples, in any order, without keeping objects of them. */
+    fun forEachDrawn(action: (Primitive) -> Unit) {
+        for (batch in batches) {
+            val read = batch.reader()
+            for (number in 0 until batch.count) if (batch.isDrawn(number)) action(read(number))
+        }
+        singles.forEach(action)
+    }
 
     /**
      * Returns a function that returns the primitive with a given submission index, without making objects of the
@@ -112,17 +126,17 @@ internal class FrameContent private constructor(
             singles.add(primitive)
         }
 
-        /** Returns the content. */
-        fun build(): FrameContent = if (batches.isEmpty()) {
-            of(singles)
+        /** Returns the content, seen as [view] says. */
+        fun build(view: FrameView): FrameContent = if (batches.isEmpty()) {
+            of(singles, view)
         } else {
-            FrameContent(size, batches, singles, indices.copyOf(singles.size))
+            FrameContent(size, batches, singles, indices.copyOf(singles.size), view)
         }
     }
 
     companion object {
         /** Returns content that has the given primitives and no batches. */
-        fun of(primitives: List<Primitive>): FrameContent =
-            FrameContent(primitives.size, emptyList(), primitives, null)
+        fun of(primitives: List<Primitive>, view: FrameView = NoView): FrameContent =
+            FrameContent(primitives.size, emptyList(), primitives, null, view)
     }
 }

@@ -80,6 +80,18 @@ public interface Primitive {
     public fun shade(fragment: Fragment)
 
     /**
+     * Sets position, normal and texture coordinates of [fragment] to those of the surface at the covered sample
+     * [Fragment.x], [Fragment.y], whether or not shading needs them. What the surface does not have keeps its default.
+     * Does not count as a shading call.
+     *
+     * The default implementation calls [shade], and so leaves the attributes that shading has set. Override it in a
+     * primitive whose shading is expensive, sets no attributes, or changes them.
+     */
+    public fun geometry(fragment: Fragment) {
+        shade(fragment)
+    }
+
+    /**
      * Returns a cursor that steps shading along row [y] from column [x], or null if stepping is not faster. It gives
      * the same colours as [shade], bit for bit.
      */

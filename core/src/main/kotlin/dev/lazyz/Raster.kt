@@ -87,6 +87,14 @@ public enum class DepthConvention(public val farthest: Int) {
 
     /** The depth test that makes the nearest fragment visible. */
     public abstract val nearest: DepthTest
+
+    /** Returns the depth at the fraction [unit] of the range from the near plane (0) to the far plane (1). */
+    internal fun ofUnit(unit: Double): Int = turned(Depth.ofUnit(unit))
+
+    /** Returns where [depth] is between the near plane (0) and the far plane (1); depths in the margins are clamped. */
+    internal fun toUnit(depth: Int): Double = Depth.toUnit(turned(depth)).coerceIn(0.0, 1.0)
+
+    private fun turned(depth: Int): Int = if (this == SMALLER_IS_NEARER) depth else Int.MAX_VALUE - depth
 }
 
 /**

@@ -29,13 +29,8 @@ internal class KthNearestSelector(private val k: Int) : Selector {
 
 /** See [Selector.count]. */
 internal object CountSelector : Selector {
-    /** Eight colours from dark to light, evenly spaced on the viridis scale. */
-    private val ramp = listOf(
-        0x440154, 0x46327E, 0x365C8D, 0x277F8E, 0x1FA187, 0x4AC16D, 0xA0DA39, 0xFDE725,
-    ).map(Rgba::ofRgb)
-
     override fun select(cell: Cell) {
-        val color = ramp[step(cell.size)]
+        val color = Viridis.step(step(cell.size))
         cell.show(0, color.red, color.green, color.blue, color.alpha)
     }
 

@@ -4,7 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
-import dev.lazyz.Primitive
+import dev.lazyz.RecentPrimitives
 import dev.lazyz.RowSink
 
 /**
@@ -18,10 +18,7 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
     private val depths = Array(factor) { IntArray(width) }
     private val indices = Array(factor) { IntArray(width) }
 
-    /** Recently shaded primitives, by the lower bits of their indices. */
-    private val known = arrayOfNulls<Primitive>(KNOWN)
-    private val read = frame.content.reader()
-    private val knownIndices = IntArray(KNOWN) { DepthTest.BACKGROUND }
+    private val primitives = RecentPrimitives(frame.content)
     private val fragment = Fragment()
     private var shadingCalls = 0L
 
@@ -57,14 +54,9 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
     }
 
     private fun color(index: Int, x: Int, y: Int): Int {
-        val slot = index and KNOWN - 1
-        if (knownIndices[slot] != index) {
-            known[slot] = read(index)
-            knownIndices[slot] = index
-        }
         shadingCalls++
         fragment.moveTo(x, y)
-        checkNotNull(known[slot]).shade(fragment)
+        primitives[index].shade(fragment)
         return fragment.toArgb()
     }
 
@@ -77,9 +69,6 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
     }.build()
 
     private companion object {
-        /** Number of primitives that are kept, a power of two. */
-        const val KNOWN = 4096
-
         /** Marks a sample that is not shaded yet. Only a background can have this colour, which does no harm. */
         const val UNKNOWN = 0x00FFFFFF
     }

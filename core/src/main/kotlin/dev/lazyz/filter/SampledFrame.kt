@@ -7,6 +7,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.ShadingTally
 import java.io.IOException
 
 /**
@@ -45,6 +46,9 @@ public class SampledFrame internal constructor(
     /** Returns this frame with all primitives opaque, see [Frame.asOpaque]. */
     public fun asOpaque(): SampledFrame = SampledFrame(sampling, all.asOpaque(), pixels)
 
+    /** Returns this frame with primitives that report each shading call, see [Frame.tallied]. */
+    internal fun tallied(tally: ShadingTally): SampledFrame = SampledFrame(sampling, all.tallied(tally), pixels)
+
     /**
      * Renders the samples, and passes every row of pixels to [sink]. Throws like [Renderer.render].
      *
@@ -53,15 +57,21 @@ public class SampledFrame internal constructor(
      *   primitives
      */
     @Throws(InterruptedException::class, IOException::class)
-    public fun render(renderer: Renderer, sink: RowSink): Counters {
-        if (sampling.factor == 1 && sampling.filter == PixelFilter.BOX) return renderer.render(frame, sink)
+    public fun render(renderer: Renderer, sink: RowSink): Counters = render(renderer, sink) { it }
+
+    /**
+     * Renders the pixels, like the other [render]. The rows of samples go to what [tap] returns, which passes them on
+     * to the sink that it is given.
+     */
+    internal fun render(renderer: Renderer, sink: RowSink, tap: (RowSink) -> RowSink): Counters {
+        if (sampling.factor == 1 && sampling.filter == PixelFilter.BOX) return renderer.render(frame, tap(sink))
         val filter = FilterSink(sampling.taps, frame, pixels, sink)
-        if (sampling.rate == ShadingRate.SAMPLE || sampling.factor == 1) return renderer.render(frame, filter)
+        if (sampling.rate == ShadingRate.SAMPLE || sampling.factor == 1) return renderer.render(frame, tap(filter))
 
         // Find the visible primitives first, without their colours
         require(!frame.hasTranslucency) { "translucent primitives are shaded at every sample: use ShadingRate.SAMPLE" }
         val shading = PixelShading(frame, sampling.factor, filter)
-        return shading.counted(renderer.render(frame.unshaded(), shading))
+        return shading.counted(renderer.render(frame.unshaded(), tap(shading)))
     }
 
     /** Renders the pixels to an image in memory. Throws like the other [render]. */

@@ -2,6 +2,7 @@ package dev.lazyz.setup
 
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
+import dev.lazyz.world.unitAt
 
 /**
  * The rays of a camera through the samples of a raster, in camera space (contract rule 2.6): `t (px, py, -1)` for
@@ -32,10 +33,5 @@ internal class SampleRays(private val camera: Camera, private val viewport: View
     fun rowAt(py: Double): Double = if (isScreen) -py else (1.0 - py / halfHeight) * 0.5 * height
 
     /** Returns the depth at the distance [t], in the raster's convention (contract rule 4.5). */
-    fun depthAt(t: Double): Int {
-        val near = camera.near
-        val far = camera.far
-        val unit = if (isPerspective) far * (t - near) / ((far - near) * t) else (t - near) / (far - near)
-        return viewport.depthOfUnit(unit)
-    }
+    fun depthAt(t: Double): Int = viewport.depthOfUnit(camera.unitAt(t))
 }

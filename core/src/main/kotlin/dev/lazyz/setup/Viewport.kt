@@ -1,7 +1,5 @@
 package dev.lazyz.setup
 
-import dev.lazyz.Depth
-import dev.lazyz.DepthConvention
 import dev.lazyz.Raster
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.shading.Vertices
@@ -46,10 +44,7 @@ internal open class Viewport(val raster: Raster) {
     /**
      * Returns the depth at the fraction [unit] of the distance from near (0) to far (1), in the raster's convention.
      */
-    fun depthOfUnit(unit: Double): Int {
-        val depth = Depth.ofUnit(unit)
-        return if (raster.convention == DepthConvention.SMALLER_IS_NEARER) depth else Int.MAX_VALUE - depth
-    }
+    fun depthOfUnit(unit: Double): Int = raster.convention.ofUnit(unit)
 
     companion object {
         /** Returns the viewport that maps the clip space of [camera] to [raster]. */

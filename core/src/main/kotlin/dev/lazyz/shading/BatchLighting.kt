@@ -6,6 +6,7 @@ import dev.lazyz.shading.light.LightSources
 import dev.lazyz.shading.light.LightVectors
 import dev.lazyz.shading.light.Loops
 import dev.lazyz.shading.light.Viewer
+import dev.lazyz.shading.light.hasNumbers
 import dev.lazyz.world.AmbientVisibility
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Shading
@@ -144,10 +145,4 @@ internal class BatchLighting(viewer: Viewer, private val sources: LightSources, 
         /** Fewer fragments are faster one by one. */
         const val FEWEST: Int = 8
     }
-}
-
-/** Whether no colour of the batch is NaN. */
-internal fun FragmentBatch.hasNumbers(): Boolean {
-    for (i in 0 until size) if ((red[i] + green[i] + blue[i]).isNaN()) return false
-    return true
 }

@@ -44,6 +44,8 @@ internal class MaskedPrimitive(
 
     override fun shade(fragment: Fragment): Unit = whole.shade(fragment)
 
+    override fun geometry(fragment: Fragment): Unit = whole.geometry(fragment)
+
     override fun shadingCursor(x: Int, y: Int): ShadingCursor? = whole.shadingCursor(x, y)
 
     override fun toString(): String = "MaskedPrimitive($whole)"

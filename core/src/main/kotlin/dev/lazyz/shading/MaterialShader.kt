@@ -280,19 +280,19 @@ internal class MaterialShader(
     }
 
     /**
-     * Replaces the colour of [vertex] with the lit colour of the material there, without its texture. [light] is
-     * scratch memory of 6 numbers.
+     * Replaces the colour of [vertex] with the lit colour of the material at the position [world], without its texture.
+     * [light] is scratch memory of 6 numbers.
      */
-    fun litColor(vertices: Vertices, vertex: Int, light: FloatArray) {
+    fun litColor(vertices: Vertices, vertex: Int, world: DoubleArray, light: FloatArray) {
         val at = vertices.stride * vertex
         val data = vertices.data
         lighting.illuminate(
             material,
             emission,
             1f,
-            data[at + Vertices.WORLD].toFloat(),
-            data[at + Vertices.WORLD + 1].toFloat(),
-            data[at + Vertices.WORLD + 2].toFloat(),
+            world[0].toFloat(),
+            world[1].toFloat(),
+            world[2].toFloat(),
             data[at + Vertices.NORMAL].toFloat(),
             data[at + Vertices.NORMAL + 1].toFloat(),
             data[at + Vertices.NORMAL + 2].toFloat(),

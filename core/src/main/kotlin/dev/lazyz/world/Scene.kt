@@ -164,11 +164,13 @@ public class Scene private constructor(
     public fun frame(raster: Raster, options: RenderOptions = RenderOptions()): Frame {
         val setUp = setUp(raster, options.workers)
         val content = FrameContent.Builder()
-        for (surface in surfaces) {
+        val starts = IntArray(surfaces.size)
+        for ((number, surface) in surfaces.withIndex()) {
+            starts[number] = content.next
             val batch = if (surface is Mesh) setUp.batch(surface, content.next) else null
             if (batch != null) content.add(batch) else surface.primitives(setUp).forEach(content::add)
         }
-        return Frame(raster, content.build(), raster.region)
+        return Frame(raster, content.build(SceneView(setUp.camera, setUp.origin, starts)), raster.region)
     }
 
     /** Returns this scene with each material replaced by the result of [change]. */

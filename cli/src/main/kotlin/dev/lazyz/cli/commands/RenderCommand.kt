@@ -17,6 +17,7 @@ import dev.lazyz.cli.batch.BatchRequest
 import dev.lazyz.cli.batch.OutputTemplate
 import dev.lazyz.cli.input.NamedInputs
 import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.options.AovOptions
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.CostOptions
@@ -59,6 +60,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         completionCandidates = CompletionCandidates.Path,
     ).multiple(required = true)
     private val output by OutputOptions()
+    private val aovs by AovOptions()
     private val several by SeriesOptions()
     private val reference by ReferenceOptions()
     private val reading by ReadingOptions()
@@ -80,6 +82,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         "zcli render part.stl --view iso --projection orthographic -o part.png" to "a part from a CAD program",
         "zcli render model.glb --size 512x512 --background transparent -o model.png" to "a thumbnail for a web page",
         "zcli render city -o city.png --depth-out city.pfm --stats=json" to "also depth and statistics, for a script",
+        "zcli render city -o city.png --aov depth,normal,object=city.npz" to "data of each pixel, for NumPy",
         "zcli render city --size 8000x6000 --region 4000,2000,640x480 -o detail.png" to "a part of a large picture",
         "zcli render city --strategy auto --explain -o city.png" to "the fastest strategy for it, and why",
         "zcli render city --select count -o overdraw.png" to "the number of surfaces at each pixel",
@@ -109,6 +112,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         subject = subject(inputs.single(), null),
         output = output.picture,
         depthOutput = output.depth,
+        aovs = aovs.outputs,
         strategy = rendering.strategy,
         choices = cost.choices(rendering.selector),
         isExplained = rendering.isExplained,
@@ -121,7 +125,10 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         val views = several.views.orEmpty()
         val pointOfView = camera.pointOfView()
         val alone = listOfNotNull(
-            output.depth?.let { "--depth-out" }, reference.request(args)?.let { "--ref" },
+            output.depth?.let {
+                "--depth-out"
+            },
+            aovs.outputs.files.keys.firstOrNull()?.substringBefore(' '), reference.request(args)?.let { "--ref" },
             if (rendering.isExplained) "--explain" else null,
         )
         if (alone.isNotEmpty()) throw Mistake("${alone[0]} is for a single picture, and this renders several")

@@ -79,7 +79,7 @@ internal class FrameSource(
         val region = region(raster)
         streams.progress("setting up ${raster.width}x${raster.height} ...")
         val sampled = subject.antiAliasing.frame(scene, raster, options).within(region)
-        return Shot(sampled, subject.background?.gradient)
+        return Shot(sampled, subject.background?.gradient, up)
     }
 
     /** Returns the colour and the texture that the user chose, or null. */

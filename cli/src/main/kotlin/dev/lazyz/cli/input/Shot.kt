@@ -5,16 +5,26 @@ import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.aov.Aov
+import dev.lazyz.aov.AovFrame
+import dev.lazyz.aov.AovImages
+import dev.lazyz.cli.output.Mistake
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.VerticalGradient
+import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.writers.AlphaChannel
 
 /**
  * A frame of samples, and how they become the pixels of a picture.
  *
  * @param gradient what is behind the pixels, or null
+ * @param up the axis of the model that points up in the frame
  */
-internal class Shot(private val sampled: SampledFrame, private val gradient: VerticalGradient? = null) {
+internal class Shot(
+    private val sampled: SampledFrame,
+    private val gradient: VerticalGradient? = null,
+    private val up: UpAxis = UpAxis.Y,
+) {
     /** The samples. */
     val frame: Frame get() = sampled.frame
 
@@ -32,8 +42,18 @@ internal class Shot(private val sampled: SampledFrame, private val gradient: Ver
         }
 
     /** Renders the frame with [strategy], and passes every row of pixels to [sink]. */
-    fun render(strategy: Renderer, sink: RowSink): Counters {
-        val height = frame.raster.height / factor
-        return sampled.render(strategy, gradient?.behind(pixels, height, sink) ?: sink)
+    fun render(strategy: Renderer, sink: RowSink): Counters = sampled.render(strategy, beforeGradient(sink))
+
+    /** Renders likewise, and computes [aovs], in coordinates of the model. */
+    fun render(strategy: Renderer, sink: RowSink, aovs: Set<Aov>): AovImages {
+        val all = try {
+            AovFrame(sampled, aovs)
+        } catch (tooLarge: IllegalArgumentException) {
+            throw Mistake("--aov: ${tooLarge.message}, with --region")
+        }
+        return all.render(strategy, beforeGradient(sink)).toModel(up)
     }
+
+    private fun beforeGradient(sink: RowSink): RowSink =
+        gradient?.behind(pixels, frame.raster.height / factor, sink) ?: sink
 }

@@ -34,9 +34,11 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
             throw Mistake("cannot write a picture to a terminal; redirect standard output, or use -o FILE.png")
         }
         request.depthOutput?.let { OutputFile.check(it, "--depth-out", ".pfm") }
+        OutputFile.requireDistinct(request.aovs.files + mapOf("-o" to picture, "--depth-out" to request.depthOutput))
         request.reference?.let {
             it.diff?.let { diff -> OutputFile.check(diff, "--diff", ".png") }
-            OutputFile.requireDistinct(mapOf("--ref" to it.file, "-o" to picture, "--diff" to it.diff))
+            val files = mapOf("--ref" to it.file, "-o" to picture, "--diff" to it.diff)
+            OutputFile.requireDistinct(files + request.aovs.files)
         }
     }
 
@@ -69,6 +71,7 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
     fun describe(region: Region) {
         if (picture != null) streams.remark("wrote $picture, ${region.width}x${region.height}")
         request.depthOutput?.let { streams.remark("wrote $it") }
+        request.aovs.files.values.forEach { streams.remark("wrote $it") }
     }
 
     /** Returns the default file. Throws if it exists, because it may be, for example, a texture of the model. */

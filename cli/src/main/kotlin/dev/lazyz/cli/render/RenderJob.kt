@@ -28,14 +28,22 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         val frame = shot.frame
         val strategy = choice.strategyFor(frame)
         if (request.isExplained) streams.note(choice.explain(strategy, frame))
-        MemoryNeed.check(strategy, frame.region, kept = reference?.bytesPerPixel ?: 0, aa = shot.factor)
+        val kept = (reference?.bytesPerPixel ?: 0) + request.aovs.bytesPerPixel / (shot.factor * shot.factor)
+        MemoryNeed.check(strategy, frame.region, kept, aa = shot.factor)
 
         // Render to all outputs at once
         streams.progress("rendering ${frame.primitives.size} primitives with ${strategy.id} ...")
         val tally = Tally(shot.pixels.width, request.stats != null)
         val colors = reference?.let { ColorRows(shot.pixels) }
         val sinks = listOfNotNull(tally, colors, ProgressSink.of(streams, shot.pixels.height))
-        val counters = outputs.write(shot, sinks) { sink -> shot.render(strategy, sink) }
+        val aovs = request.aovs.aovs
+        val counters = outputs.write(shot, sinks) { sink ->
+            if (aovs.isEmpty()) {
+                shot.render(strategy, sink)
+            } else {
+                shot.render(strategy, sink, aovs).also { request.aovs.write(it) }.counters
+            }
+        }
         val nanoseconds = System.nanoTime() - start
 
         // Report

@@ -12,6 +12,7 @@ internal class RenderRequest(
     val subject: Subject,
     val output: String?,
     val depthOutput: Path?,
+    val aovs: AovOutputs,
     val strategy: String?,
     val choices: Choices,
     val isExplained: Boolean,

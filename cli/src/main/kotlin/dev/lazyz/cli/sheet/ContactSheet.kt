@@ -2,6 +2,7 @@ package dev.lazyz.cli.sheet
 
 import dev.lazyz.RowSink
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.pictures.PixelFont
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.ImageFiles
 import java.nio.file.Path

@@ -92,15 +92,4 @@ class ContactSheetTest {
         assertEquals(3, ContactSheet.usualColumns(30, 3, square))
         assertEquals(6, ContactSheet.usualColumns(36, 36, square))
     }
-
-    @Test
-    fun everyPrintableCharacterHasALetterOfItsOwn() {
-        val letters = (' '..'~').map { letter ->
-            (0 until PixelFont.HEIGHT).flatMap { y ->
-                (0 until PixelFont.ADVANCE).map { PixelFont.isSet("$letter", it, y) }
-            }
-        }
-        assertEquals(letters.size, letters.toSet().size)
-        assertTrue(letters.all { pixels -> pixels.chunked(PixelFont.ADVANCE).none { it.last() } })
-    }
 }

@@ -257,16 +257,19 @@ internal class FaceSetUp(
 
     /** Lights each vertex. With flat shading, all vertices are lit at the mean of their positions. */
     private fun light(vertices: Vertices) {
-        if (material.shading == Shading.FLAT) {
-            for (k in 0 until 3) {
-                var sum = 0.0
-                for (vertex in 0 until vertices.count) sum += vertices.get(vertex, Vertices.WORLD + k)
-                val mean = sum / vertices.count
-                for (vertex in 0 until vertices.count) vertices.set(vertex, Vertices.WORLD + k, mean)
-            }
-        }
         val scratch = FloatArray(6)
-        for (vertex in 0 until vertices.count) materialShader.litColor(vertices, vertex, scratch)
+        val mean = DoubleArray(3)
+        for (k in 0 until 3) {
+            for (vertex in 0 until vertices.count) mean[k] += vertices.get(vertex, Vertices.WORLD + k)
+            mean[k] /= vertices.count
+        }
+        val at = DoubleArray(3)
+        for (vertex in 0 until vertices.count) {
+            for (k in 0 until 3) {
+                at[k] = if (material.shading == Shading.FLAT) mean[k] else vertices.get(vertex, Vertices.WORLD + k)
+            }
+            materialShader.litColor(vertices, vertex, at, scratch)
+        }
     }
 
     private fun split(selection: IntArray, ends: IntArray): List<IntArray> =

@@ -72,10 +72,17 @@ internal class PlanarPrimitive(
     }
 
     override fun attributes(fragment: Fragment) {
-        if (fields == 0) return
+        if (fields != 0) mixAt(fragment, fields)
+    }
+
+    override fun geometry(fragment: Fragment): Unit = mixAt(fragment, GEOMETRY)
+
+    /** Sets the attributes [fields] to those at the sample of [fragment]. */
+    private fun mixAt(fragment: Fragment, fields: Int) {
         val forms = edgeFunctions()
         mix(
             fragment,
+            fields,
             forms.first.at(fragment.x, fragment.y),
             forms.second.at(fragment.x, fragment.y),
             forms.third.at(fragment.x, fragment.y),
@@ -107,23 +114,23 @@ internal class PlanarPrimitive(
         }
 
         override fun shade(fragment: Fragment) {
-            mix(fragment, first, second, third)
+            mix(fragment, fields, first, second, third)
             shader.shade(fragment)
         }
     }
 
-    /** Sets the attributes from the values of the three edge functions. */
-    private fun mix(fragment: Fragment, first: Long, second: Long, third: Long) {
+    /** Sets the attributes [fields] from the values of the three edge functions. */
+    private fun mix(fragment: Fragment, fields: Int, first: Long, second: Long, third: Long) {
         PerspectiveWeights.of(
             first.toDouble(), second.toDouble(), third.toDouble(),
             1.0 / vertices.get(corners[0], Vertices.W), 1.0 / vertices.get(corners[1], Vertices.W),
             1.0 / vertices.get(corners[2], Vertices.W), reference.size.toDouble() * leastInverseW,
-        ) { w0, w1, w2 -> mix(fragment, w0, w1, w2) }
+        ) { w0, w1, w2 -> mix(fragment, fields, w0, w1, w2) }
         if (fields and Attributes.FOOTPRINT != 0) footprint(fragment, first, second, third)
     }
 
-    /** Interpolates the attributes that the shader uses. */
-    private fun mix(fragment: Fragment, w0: Double, w1: Double, w2: Double) {
+    /** Interpolates the attributes [fields]. */
+    private fun mix(fragment: Fragment, fields: Int, w0: Double, w1: Double, w2: Double) {
         if (fields and Attributes.WORLD != 0) {
             fragment.worldX = mixed(w0, w1, w2, Vertices.WORLD).toFloat()
             fragment.worldY = mixed(w0, w1, w2, Vertices.WORLD + 1).toFloat()
@@ -200,6 +207,9 @@ internal class PlanarPrimitive(
         "PlanarPrimitive(rows $rowStart..<$rowEnd, columns $columnStart..<$columnEnd, $depthForm)"
 
     companion object {
+        /** What [geometry] sets. Vertices have room for all of it; what a surface does not have is 0. */
+        private const val GEOMETRY = Attributes.WORLD or Attributes.NORMAL or Attributes.UV
+
         /**
          * Bytes of this object, the reference triangle, the corners, the depth form and, after shading, the edge
          * functions: nine objects with 40 fields, counted as 8 bytes for each field.

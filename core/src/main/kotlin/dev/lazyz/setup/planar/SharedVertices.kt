@@ -2,6 +2,7 @@ package dev.lazyz.setup.planar
 
 import dev.lazyz.OpaquePrimitive
 import dev.lazyz.Primitive
+import dev.lazyz.TalliedPrimitive
 import dev.lazyz.shading.MaskedPrimitive
 import dev.lazyz.shading.Vertices
 
@@ -10,5 +11,6 @@ internal fun Primitive.sharedVertices(): Vertices? = when (this) {
     is PlanarPrimitive -> vertices
     is MaskedPrimitive -> whole.sharedVertices()
     is OpaquePrimitive -> whole.sharedVertices()
+    is TalliedPrimitive -> whole.sharedVertices()
     else -> null
 }

@@ -1,5 +1,6 @@
 package dev.lazyz.shading.light
 
+import dev.lazyz.FragmentBatch
 import kotlin.math.sqrt
 
 /**
@@ -71,4 +72,10 @@ internal object Loops {
     ) {
         for (i in 0 until count) out[i] = ax[i] * bx[i] + ay[i] * by[i] + az[i] * bz[i]
     }
+}
+
+/** Whether no colour of the batch is NaN. */
+internal fun FragmentBatch.hasNumbers(): Boolean {
+    for (i in 0 until size) if ((red[i] + green[i] + blue[i]).isNaN()) return false
+    return true
 }

@@ -1,11 +1,11 @@
 package dev.lazyz.shading.pbr
 
 import dev.lazyz.FragmentBatch
-import dev.lazyz.shading.hasNumbers
 import dev.lazyz.shading.light.LightSources
 import dev.lazyz.shading.light.LightVectors
 import dev.lazyz.shading.light.Loops
 import dev.lazyz.shading.light.Viewer
+import dev.lazyz.shading.light.hasNumbers
 import dev.lazyz.world.AmbientVisibility
 import kotlin.math.abs
 import kotlin.math.sqrt

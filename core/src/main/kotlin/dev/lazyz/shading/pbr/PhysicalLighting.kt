@@ -177,7 +177,7 @@ internal class PhysicalLighting(
                 rest(f0, diffuse, scale, bias, once) * reflectedIn(open, diffuse) * irradiance
         }
 
-        /** Returns what is reflected more than once between microfacets, and what a matt surface below them reflects. */
+        /** Returns what is reflected more than once between microfacets, and what a matt surface below reflects. */
         private fun rest(f0: Float, diffuse: Float, scale: Float, bias: Float, once: Float): Float {
             val single = scale + bias
             val lost = 1f - single

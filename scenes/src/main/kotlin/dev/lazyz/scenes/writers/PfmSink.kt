@@ -5,8 +5,6 @@ import dev.lazyz.DepthTest
 import dev.lazyz.RowSink
 import java.io.Closeable
 import java.io.IOException
-import java.nio.ByteBuffer
-import java.nio.ByteOrder
 import java.nio.channels.SeekableByteChannel
 
 /**
@@ -29,18 +27,14 @@ import java.nio.channels.SeekableByteChannel
 public class PfmSink(private val output: SeekableByteChannel, private val width: Int, private val height: Int,) :
     RowSink,
     Closeable {
-    private val bytes: ByteBuffer
-    private val start: Long
+    private val rows: PfmRows
     private val order = RowOrder(width, height)
     private var isClosed = false
 
     init {
         require(width > 0 && height > 0) { "an image must have at least one pixel: $width x $height" }
         require(width <= MAX_WIDTH) { "width must be at most $MAX_WIDTH: $width" }
-        bytes = ByteBuffer.allocate(4 * width).order(ByteOrder.LITTLE_ENDIAN)
-        val header = ByteBuffer.wrap("Pf\n$width $height\n-1.0\n".toByteArray(Charsets.US_ASCII))
-        while (header.hasRemaining()) output.write(header)
-        start = output.position()
+        rows = PfmRows(output, width, height, channels = 1)
     }
 
     /**
@@ -52,14 +46,10 @@ public class PfmSink(private val output: SeekableByteChannel, private val width:
      */
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         order.take(y, primitive)
-        bytes.clear()
-        for (x in 0 until width) {
+        rows.write(order.taken - 1) { x ->
             val isCovered = primitive[x] != DepthTest.BACKGROUND
-            bytes.putFloat(if (isCovered) Depth.toUnit(depth[x]).toFloat() else Float.POSITIVE_INFINITY)
+            if (isCovered) Depth.toUnit(depth[x]).toFloat() else Float.POSITIVE_INFINITY
         }
-        bytes.flip()
-        output.position(start + (height - order.taken) * 4L * width)
-        while (bytes.hasRemaining()) output.write(bytes)
     }
 
     /**

@@ -12,9 +12,13 @@ internal class PngChunks(private val output: OutputStream) {
 
     /** Writes the chunks that describe an image of 8 bits per channel, sRGB. */
     fun describe(width: Int, height: Int, alpha: AlphaChannel) {
-        val colorType = if (alpha == AlphaChannel.KEEP) COLOR_TYPE_RGBA else COLOR_TYPE_RGB
-        write("IHDR", ByteBuffer.allocate(13).putInt(width).putInt(height).put(8).put(colorType).array())
+        header(width, height, depth = 8, if (alpha == AlphaChannel.KEEP) RGBA else RGB)
         write("sRGB", byteArrayOf(PERCEPTUAL))
+    }
+
+    /** Writes the header of an image with [depth] bits per channel, 8 or 16. */
+    fun header(width: Int, height: Int, depth: Byte, colorType: Byte) {
+        write("IHDR", ByteBuffer.allocate(13).putInt(width).putInt(height).put(depth).put(colorType).array())
     }
 
     fun write(type: String, data: ByteArray) {
@@ -29,14 +33,16 @@ internal class PngChunks(private val output: OutputStream) {
         output.write(bigEndian(crc.value.toInt()))
     }
 
-    private fun bigEndian(value: Int): ByteArray = ByteBuffer.allocate(4).putInt(value).array()
+    private fun bigEndian(value: Int): ByteArray = ByteBuffer.allocate(Int.SIZE_BYTES).putInt(value).array()
 
     companion object {
         /** Bytes of compressed data that are collected for a chunk. */
         const val DATA_SIZE: Int = 1 shl 16
 
-        private const val COLOR_TYPE_RGB: Byte = 2
-        private const val COLOR_TYPE_RGBA: Byte = 6
+        const val GREY: Byte = 0
+        const val RGB: Byte = 2
+        const val RGBA: Byte = 6
+
         private const val PERCEPTUAL: Byte = 0
         private val SIGNATURE = byteArrayOf(0x89.toByte(), 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A)
     }

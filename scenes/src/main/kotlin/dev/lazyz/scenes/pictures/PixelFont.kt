@@ -1,22 +1,32 @@
-package dev.lazyz.cli.sheet
+package dev.lazyz.scenes.pictures
 
 /**
- * Letters made of pixels for labels: the printable characters of ASCII, others as `?`. Fonts of the machine would give
- * other pictures on other machines.
+ * Letters made of pixels for labels in pictures: the printable characters of ASCII, 5 columns wide; others are drawn as
+ * `?`. Fonts of the machine would give other pictures on other machines. Immutable and thread safe.
  */
-internal object PixelFont {
+public object PixelFont {
     /** Columns of a letter, with the empty one that follows. */
-    const val ADVANCE = 6
+    public const val ADVANCE: Int = 6
 
     /** Rows of a letter: 7 above the base line, 2 below. */
-    const val HEIGHT = 9
+    public const val HEIGHT: Int = 9
+
+    /** Returns the columns of [text], without the empty one at the end. */
+    @JvmStatic
+    public fun width(text: String): Int = maxOf(ADVANCE * text.length - 1, 0)
 
     private const val FIRST = ' '
     private const val LAST = '~'
     private const val LETTERS_OF_STRIP = 16
 
-    /** Returns whether the pixel at [column] and [row] of [text] is set; a letter takes [ADVANCE] columns. */
-    fun isSet(text: String, column: Int, row: Int): Boolean {
+    /**
+     * Returns whether the pixel at [column] and [row] of [text] is set; a letter takes [ADVANCE] columns.
+     *
+     * @throws IndexOutOfBoundsException if [column] is not in 0 until `ADVANCE * text.length`, or [row] not in 0 until
+     *   [HEIGHT]
+     */
+    @JvmStatic
+    public fun isSet(text: String, column: Int, row: Int): Boolean {
         val letter = text[column / ADVANCE].takeIf { it in FIRST..LAST } ?: '?'
         val number = letter - FIRST
         val strip = strips[number / LETTERS_OF_STRIP]

@@ -1,0 +1,144 @@
+package dev.lazyz.cli.render
+
+import dev.lazyz.aov.Aov
+import dev.lazyz.cli.image
+import dev.lazyz.cli.zcli
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.zip.ZipFile
+import kotlin.io.path.exists
+import kotlin.io.path.readBytes
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+/** `zcli render` with `--aov` and `--aov-picture`. */
+class AovOptionsTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private fun file(name: String): Path = folder.resolve(name)
+
+    private fun render(input: Any, vararg options: Any) =
+        zcli("render", input, "-o", file("picture.png"), "--size", "40x30", *options)
+
+    /** The 32-bit floating-point numbers of an array of NumPy. */
+    private fun floats(name: String): List<Float> {
+        val bytes = ByteBuffer.wrap(file(name).readBytes()).order(ByteOrder.LITTLE_ENDIAN)
+        val start = 10 + bytes.getShort(8)
+        return List((bytes.capacity() - start) / 4) { bytes.getFloat(start + 4 * it) }
+    }
+
+    private fun names(archive: String): List<String> =
+        ZipFile(file(archive).toFile()).use { zip -> zip.entries().toList().map { it.name } }
+
+    @Test
+    fun filesAreWrittenInTheFormatsOfTheirNames() {
+        render(
+            "molecule", "--aov", "depth=${file("d.pfm")}", "--aov", "Depth=${file("d.png")}",
+            "--aov=normal=${file("n.npy")}", "--aov", "all=${file("all.npz")}", "--aov", "uv,object=${file("two.npz")}",
+            "--aov-picture", "overdraw=${file("o.png")}",
+        ).done()
+        assertTrue(String(file("d.pfm").readBytes().copyOf(8)) == "Pf\n40 30")
+        assertEquals(40 to 30, file("d.png").image.let { it.width to it.height })
+        assertEquals(16, file("d.png").image.sampleModel.getSampleSize(0))
+        assertEquals(40 * 30 * 3, floats("n.npy").size)
+        assertEquals(Aov.entries.map { "${it.id}.npy" }, names("all.npz"))
+        assertEquals(listOf("uv.npy", "object.npy"), names("two.npz"))
+        assertEquals(200, file("o.png").image.width)
+        assertTrue(file("picture.png").exists())
+    }
+
+    @Test
+    fun thePictureIsTheUsualOne() {
+        render("city").done()
+        val usual = file("picture.png").readBytes()
+        render("city", "--aov", "all=${file("all.npz")}").done()
+        assertArrayEquals(usual, file("picture.png").readBytes())
+    }
+
+    @Test
+    fun strategiesThreadsAndRegionsGiveTheSameData() {
+        val aovs = Aov.entries.filter { it != Aov.SHADING_CALLS }.joinToString(",") { it.id }
+        fun data(vararg options: Any): ByteArray {
+            render("teapot", "--aov", "$aovs=${file("a.npz")}", *options).done()
+            return file("a.npz").readBytes()
+        }
+        val usual = data()
+        val choices = listOf("--strategy zbuffer", "--threads 1", "--strategy warnock")
+        for (options in choices) {
+            assertArrayEquals(usual, data(*options.split(' ').toTypedArray())) { options }
+        }
+        render("teapot", "--aov", "depth=${file("whole.npy")}").done()
+        render("teapot", "--aov", "depth=${file("part.npy")}", "--region", "10,5,20x3").done()
+        val whole = floats("whole.npy").chunked(40).subList(5, 8).flatMap { it.subList(10, 30) }
+        assertEquals(whole, floats("part.npy"))
+    }
+
+    @Test
+    fun positionsAreInCoordinatesOfTheModel() {
+        val model = file("model.obj")
+        model.writeText("v 0 0 7\nv 9 0 7\nv 0 5 7\nf 1 2 3\n")
+        for (up in listOf("y", "z", "-x")) {
+            val aovs = "position=${file("p.npy")}"
+            render(model, "--up=$up", "--aov", aovs, "--aov", "normal=${file("n.npy")}", "--eye", "3,2,30").done()
+            val points = floats("p.npy").chunked(3).filter { it != listOf(0f, 0f, 0f) }
+            assertTrue(points.size > 20) { "$up: ${points.size}" }
+            for ((x, y, z) in points) {
+                assertTrue(x in 0f..9f && y in 0f..5f) { "$up: $x, $y" }
+                assertEquals(7f, z, 1e-5f)
+            }
+            val normals = floats("n.npy").chunked(3).toSet() - setOf(listOf(0f, 0f, 0f))
+            assertEquals(setOf(listOf(0f, 0f, 1f)), normals) { up }
+        }
+    }
+
+    @Test
+    fun backgroundsAreThoseOfThePage() {
+        val empty = file("empty.obj")
+        empty.writeText("v 0 0 0\n")
+        val result = render(empty, "--aov", "depth=${file("d.npy")}", "--aov", "depth=${file("d.png")}")
+        assertTrue("nothing is visible" in result.errors) { result.errors }
+        assertEquals(setOf(Float.POSITIVE_INFINITY), floats("d.npy").toSet())
+        assertEquals(listOf(65535), file("d.png").image.raster.getPixel(3, 3, null as IntArray?).toList())
+    }
+
+    @Test
+    fun mistakesAreReportedBeforeAnythingIsRead() {
+        fun mistake(vararg parts: String, options: List<Any>) {
+            zcli("render", "nowhere.obj", "-o", file("picture.png"), *options.toTypedArray()).mistake(*parts)
+        }
+        mistake("'depht' is not one of all, depth", "depth", options = listOf("--aov", "depht=d.pfm"))
+        mistake("'depth' is not AOV=FILE", options = listOf("--aov", "depth"))
+        mistake("'=d.pfm' is not AOV=FILE", options = listOf("--aov", "=d.pfm"))
+        mistake("--aov must end in .pfm or .npy or .npz or .png", options = listOf("--aov", "depth=d.exr"))
+        mistake("--aov-picture must end in .png", options = listOf("--aov-picture", "depth=d.npy"))
+        mistake("use .npz for several", options = listOf("--aov", "uv,depth=${file("d.npy")}"))
+        mistake("a picture shows one AOV", options = listOf("--aov-picture", "all=${file("d.png")}"))
+        mistake("positions have no range", "use .npy", options = listOf("--aov", "position=${file("p.png")}"))
+        mistake("there is no folder", options = listOf("--aov", "depth=${file("no/d.pfm")}"))
+        val picture = file("picture.png")
+        mistake("must be different files", options = listOf("--aov", "depth=$picture"))
+        val same = file("same.png")
+        mistake("must be different files", options = listOf("--aov", "uv=$same", "--aov-picture", "uv=$same"))
+        val pfm = file("same.pfm")
+        mistake("must be different files", options = listOf("--aov", "depth=$pfm", "--depth-out", pfm))
+    }
+
+    @Test
+    fun numbersThatDoNotFitLeaveNoFile() {
+        val grid = file("grid.obj")
+        val triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+        grid.writeText(triangle + "f 1 1 1\n".repeat(70_000) + "f 1 2 3\n")
+        render(grid, "--aov", "primitive=${file("p.png")}").mistake("'primitive' reaches 70000", "use .npy")
+        assertFalse(file("p.png").exists())
+        assertFalse(file("picture.png").exists())
+        assertEquals(listOf(grid), Files.list(folder).use { it.toList() })
+    }
+}

@@ -1,0 +1,104 @@
+package dev.lazyz.aov
+
+import dev.lazyz.Region
+import dev.lazyz.geometry.UpAxis
+import org.joml.Vector3d
+
+/**
+ * One AOV of a picture: [Aov.channels] numbers for each pixel of [region], in rows from the top. Immutable: arrays are
+ * not copied and must not be changed.
+ *
+ * @property aov what the numbers mean
+ * @property region the pixels
+ * @property lowest the number that formats of limited range show as 0: the near plane for [Aov.DEPTH]
+ * @property highest the number that they show as their maximum: the far plane for [Aov.DEPTH]
+ */
+public class AovImage private constructor(
+    public val aov: Aov,
+    public val region: Region,
+    public val lowest: Double,
+    public val highest: Double,
+    private val reals: FloatArray,
+    private val integers: IntArray,
+) {
+    init {
+        val size = region.size * aov.channels.size
+        val found = if (aov.isInteger) integers.size else reals.size
+        require(found.toLong() == size) { "'${aov.id}' of $region needs $size numbers: $found" }
+    }
+
+    /**
+     * Creates an image of an AOV whose numbers are of single precision.
+     *
+     * @throws IllegalArgumentException if [aov] has integers, or [floats] has not the right size
+     */
+    public constructor(aov: Aov, region: Region, floats: FloatArray, lowest: Double, highest: Double) :
+        this(aov, region, lowest, highest, floats, IntArray(0)) {
+        require(!aov.isInteger) { "'${aov.id}' has integers" }
+    }
+
+    /**
+     * Creates an image of an AOV whose numbers are integers.
+     *
+     * @throws IllegalArgumentException if [aov] has no integers, or [ints] has not the right size
+     */
+    public constructor(aov: Aov, region: Region, ints: IntArray) :
+        this(aov, region, aov.background, Int.MAX_VALUE.toDouble(), FloatArray(0), ints) {
+        require(aov.isInteger) { "'${aov.id}' has no integers" }
+    }
+
+    /** Number of columns. */
+    public val width: Int get() = region.width
+
+    /** Number of rows. */
+    public val height: Int get() = region.height
+
+    /** The numbers: channels of a pixel, pixels of a row, rows from the top. Empty if [Aov.isInteger]. */
+    public val floats: FloatArray get() = reals
+
+    /** The numbers: pixels of a row, rows from the top. Empty unless [Aov.isInteger]. */
+    public val ints: IntArray get() = integers
+
+    /** Returns number [channel] of the pixel with the given [index], counted in rows from the top. */
+    public fun number(index: Int, channel: Int = 0): Double {
+        val at = index * aov.channels.size + channel
+        return if (aov.isInteger) integers[at].toDouble() else reals[at].toDouble()
+    }
+
+    /**
+     * Returns number [channel] at column [x] and row [y] of the whole picture.
+     *
+     * @throws IllegalArgumentException if the pixel is not in [region], or there is no such channel
+     */
+    public fun number(x: Int, y: Int, channel: Int): Double {
+        require(region.contains(x, y)) { "pixel must be within $region: ($x, $y)" }
+        require(channel in aov.channels.indices) { "channel must be in ${aov.channels.indices}: $channel" }
+        return number((y - region.rowStart) * width + x - region.columnStart, channel)
+    }
+
+    /**
+     * Returns positions and normals in the coordinates of a model whose axis [up] points up, see [UpAxis.toModel].
+     * Other AOVs are returned as they are.
+     */
+    public fun toModel(up: UpAxis): AovImage {
+        if (up == UpAxis.Y || (aov != Aov.NORMAL && aov != Aov.POSITION)) return this
+        val turned = FloatArray(reals.size)
+        for (at in reals.indices step 3) {
+            val v = up.toModel(Vector3d(reals[at].toDouble(), reals[at + 1].toDouble(), reals[at + 2].toDouble()))
+
+            // A sum with 0 makes negative zeros positive
+            turned[at] = (v.x + 0.0).toFloat()
+            turned[at + 1] = (v.y + 0.0).toFloat()
+            turned[at + 2] = (v.z + 0.0).toFloat()
+        }
+        return AovImage(aov, region, turned, lowest, highest)
+    }
+
+    /** Compares what it is, the region and the bits of all numbers. */
+    override fun equals(other: Any?): Boolean = other is AovImage && aov == other.aov && region == other.region &&
+        reals.contentEquals(other.reals) && integers.contentEquals(other.integers)
+
+    override fun hashCode(): Int = (aov.hashCode() * 31 + reals.contentHashCode()) * 31 + integers.contentHashCode()
+
+    override fun toString(): String = "AovImage(${aov.id}, $region)"
+}

@@ -1,0 +1,104 @@
+package dev.lazyz.scenes.aov
+
+import dev.lazyz.Image
+import dev.lazyz.Region
+import dev.lazyz.Viridis
+import dev.lazyz.aov.Aov
+import dev.lazyz.aov.AovImage
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Pictures of AOVs have the same bits on every machine, and their legends say what the colours mean. */
+class AovPictureTest {
+    private val grey = 0xFFD8D8D8.toInt()
+    private val region = Region(5, 7, 9, 8)
+    private val infinity = Float.POSITIVE_INFINITY
+
+    private fun image(aov: Aov, vararg numbers: Float) = AovImage(aov, region, numbers, 0.0, 100.0)
+
+    private fun image(aov: Aov, vararg numbers: Int) = AovImage(aov, region, numbers)
+
+    private fun pixels(image: AovImage): List<Int> {
+        val picture = AovPicture.of(image)
+        assertEquals(200, picture.width)
+        assertTrue(picture.height in 20..65) { "${picture.height}" }
+        assertTrue(picture.argb.all { it ushr 24 == 0xFF })
+        return (0 until 4).map { picture.argb(it, 0) }
+    }
+
+    @Test
+    fun scalarsAreOnTheScaleFromTheLeastToTheGreatest() {
+        val depths = pixels(image(Aov.DEPTH, 2f, infinity, 3f, 4f))
+        assertEquals(listOf(Viridis.argb(0.0), grey, Viridis.argb(0.5), Viridis.argb(1.0)), depths)
+        val counts = pixels(image(Aov.OVERDRAW, 0, 1, 2, 4))
+        assertEquals(listOf(grey, Viridis.argb(0.25), Viridis.argb(0.5), Viridis.argb(1.0)), counts)
+        val coverage = pixels(image(Aov.COVERAGE, 0f, 0.25f, 0.5f, 0.5f))
+        assertEquals(listOf(grey, Viridis.argb(0.25), Viridis.argb(0.5), Viridis.argb(0.5)), coverage)
+    }
+
+    @Test
+    fun theScaleHasItsColoursAndIsMonotonous() {
+        assertEquals(listOf(0xFF440154.toInt(), 0xFFFDE725.toInt()), listOf(0.0, 1.0).map { Viridis.argb(it) })
+        assertEquals(0xFF365C8D.toInt(), Viridis.argb(2 / 7.0))
+        assertEquals(Viridis.argb(0.0), Viridis.argb(Double.NaN))
+        assertEquals(Viridis.argb(1.0), Viridis.argb(Double.POSITIVE_INFINITY))
+        val greens = (0..1000).map { Viridis.argb(it / 1000.0) shr 8 and 0xFF }
+        assertEquals(greens.sorted(), greens)
+    }
+
+    @Test
+    fun vectorsAreRedGreenAndBlue() {
+        val normal = pixels(image(Aov.NORMAL, 1f, 0f, 0f, 0f, -1f, 0f, 0f, 0f, 1f, 0f, 0f, 0f))
+        assertEquals(listOf(0xFFFF8080, 0xFF800080, 0xFF8080FF).map { it.toInt() } + grey, normal)
+        val position = pixels(image(Aov.POSITION, 1f, 2f, 3f, 3f, 2f, 1f, 2f, 2f, 2f, 0f, 0f, 0f))
+        assertEquals(listOf(0xFF0000FF, 0xFFFF0000, 0xFF800080).map { it.toInt() } + grey, position)
+        val uv = pixels(image(Aov.UV, 1f, 0f, 1.5f, -0.25f, 0f, 0f, 0.5f, 0.25f))
+        assertEquals(listOf(0xFFFF0000, 0xFF80BF00).map { it.toInt() } + grey + 0xFF804000.toInt(), uv)
+    }
+
+    @Test
+    fun idsHaveColoursOfTheirOwn() {
+        val (none, first, second, again) = pixels(image(Aov.OBJECT, -1, 0, 1, 0))
+        assertEquals(listOf(grey, first), listOf(none, again))
+        assertNotEquals(first, second)
+        val many = AovImage(Aov.PRIMITIVE, Region(0, 0, 500, 4), IntArray(2000) { it - 1 })
+        val colors = AovPicture.of(many).argb.take(2000).toSet()
+        assertTrue(colors.size > 1950) { "${colors.size}" }
+    }
+
+    @Test
+    fun picturesHaveTheSameBitsEverywhere() {
+        val gradient = AovImage(Aov.DEPTH, Region(0, 0, 320, 8), FloatArray(2560) { it / 100f }, 0.0, 30.0)
+        assertEquals(HASH, AovPicture.of(gradient).pixelHash())
+    }
+
+    @Test
+    fun emptyAndExtremePicturesHaveALegend() {
+        for (aov in Aov.entries) {
+            val size = aov.channels.size
+            val image = if (aov.isInteger) {
+                AovImage(aov, Region(0, 0, 1, 1), intArrayOf(aov.background.toInt()))
+            } else {
+                AovImage(aov, Region(0, 0, 1, 1), FloatArray(size) { aov.background.toFloat() }, 0.0, 1.0)
+            }
+            assertEquals(grey, AovPicture.of(image).argb(0, 0)) { aov.id }
+        }
+        val wild = image(Aov.DEPTH, -1e30f, 1e30f, Float.NaN, 0f)
+        assertEquals(grey, pixels(wild)[2])
+        assertTrue(AovPicture.of(image(Aov.OVERDRAW, Int.MAX_VALUE, 0, 0, 0)).height > 20)
+    }
+
+    @Test
+    fun legendsGrowWithThePicture() {
+        fun legend(width: Int): Image =
+            AovPicture.of(AovImage(Aov.COVERAGE, Region(0, 0, width, 1), FloatArray(width), 0.0, 1.0))
+        assertEquals(2 * (legend(320).height - 1), legend(640).height - 1)
+        assertEquals(640, legend(640).width)
+    }
+
+    private companion object {
+        const val HASH = "52015e9dc6221d63cd395c03da9069f156b307dc1b61a6d329d10928603dbaad"
+    }
+}
