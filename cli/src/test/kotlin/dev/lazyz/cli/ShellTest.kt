@@ -44,6 +44,7 @@ class ShellTest {
         assertEquals("orthographic", completed(folder, "render", "part.stl", "--projection", "ortho"))
         assertEquals("part.stl", completed(folder, "render", "par"))
         assertEquals("part.stl", completed(folder, "render", "--ref", "par"))
+        assertEquals("part.stl", completed(folder, "render", "-o", "par"))
     }
 
     private fun completed(folder: Path, vararg words: String): String {

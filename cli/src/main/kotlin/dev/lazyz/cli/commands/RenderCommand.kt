@@ -7,7 +7,6 @@ import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
-import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.optionalValue
@@ -46,7 +45,6 @@ import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.strategies.StrategyPath
 import dev.lazyz.filter.ShadingRate
 import dev.lazyz.scenes.ImageSize
-import java.nio.file.Path
 
 /**
  * `zcli render`: declares the options. [RenderJob] renders one picture, and [BatchJob] several.
@@ -176,6 +174,7 @@ private class OutputOptions : OptionGroup("Output") {
         "-o",
         "--output",
         metavar = "OUT",
+        completionCandidates = CompletionCandidates.Path,
         help = "The file for the picture: .png or .ppm, or - for PNG to standard output; default: INPUT's name " +
             "with .png in the current folder, if that file does not exist yet; none with --ref. For several " +
             "pictures, with {stem}, {name} or {ext} of INPUT, {view}, {index} or {frame}",

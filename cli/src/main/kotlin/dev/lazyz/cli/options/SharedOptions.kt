@@ -2,7 +2,6 @@ package dev.lazyz.cli.options
 
 import com.github.ajalt.clikt.core.ParameterHolder
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
-import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
@@ -32,7 +31,6 @@ import dev.lazyz.world.View
 import dev.lazyz.world.material.MipFilter
 import dev.lazyz.world.material.Shading
 import dev.lazyz.world.surface.Points
-import java.nio.file.Path
 
 /** The help text of INPUT. */
 internal const val INPUT_HELP: String =
