@@ -18,11 +18,12 @@ val catalog = libs
 val javaRelease = 17
 
 /** Modules of many short tests, which would mostly wait for the optimizing compiler. */
-val shortTests = listOf("scenes", "testing", "cli")
+val shortTests = listOf("scenes", "testing", "server", "cli")
 
 /** A jar that runs alone: its file name and main class, by module. */
 val fatJars = mapOf(
     "cli" to ("zcli" to "dev.lazyz.cli.MainKt"),
+    "server" to ("lazyz-server" to "dev.lazyz.server.MainKt"),
     "jmh" to ("benchmarks" to "org.openjdk.jmh.Main"),
 )
 
@@ -101,7 +102,7 @@ configure(subprojects.filter { it.name != "bom" }) {
 }
 
 // The libraries that go to Maven Central, with sources and documentation.
-for (module in listOf("core", "scenes", "conformance", "testing")) {
+for (module in listOf("core", "scenes", "conformance", "testing", "server")) {
     project(":$module") {
         apply(plugin = catalog.plugins.dokka.get().pluginId)
 

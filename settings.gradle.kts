@@ -12,7 +12,8 @@ dependencyResolutionManagement {
 
 rootProject.name = "lazyz"
 
-include("bom", "core", "scenes", "conformance", "testing", "cli", "jmh")
+include("bom", "core", "scenes", "conformance", "testing", "server", "cli", "jmh")
 
 // Modules that connect Lazy Z with other libraries are in a folder of their own
 project(":testing").projectDir = file("integrations/testing")
+project(":server").projectDir = file("integrations/server")

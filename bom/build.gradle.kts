@@ -6,5 +6,6 @@ dependencies {
         api(project(":scenes"))
         api(project(":conformance"))
         api(project(":testing"))
+        api(project(":server"))
     }
 }

@@ -17,6 +17,7 @@ dependencies {
     implementation(libs.colormath)
     implementation(libs.mordant)
     testImplementation(project(":testing"))
+    testImplementation(project(":server"))
     testImplementation(libs.abi.tools)
 }
 

@@ -4,8 +4,10 @@ import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.subcommands
 import com.github.ajalt.clikt.parameters.options.versionOption
 import dev.lazyz.cli.commands.CompareCommand
+import dev.lazyz.cli.commands.CompletionCommand
 import dev.lazyz.cli.commands.ConformanceCommand
 import dev.lazyz.cli.commands.DiffCommand
+import dev.lazyz.cli.commands.ManCommand
 import dev.lazyz.cli.commands.RenderCommand
 import dev.lazyz.cli.commands.ScenesCommand
 import dev.lazyz.cli.commands.StrategiesCommand
@@ -22,7 +24,7 @@ import dev.lazyz.scenes.Scenes
  * The command `zcli`, which only contains subcommands.
  *
  * @param args the words of the command line; if the first is the name of a subcommand, only that one is built, so that
- *   zcli starts faster
+ *   zcli starts faster, unless it is about all of them
  */
 internal class Zcli(streams: Streams, args: List<String>) : Command("zcli") {
     override val printHelpOnEmptyArgs: Boolean get() = true
@@ -36,10 +38,12 @@ internal class Zcli(streams: Streams, args: List<String>) : Command("zcli") {
             "conformance" to { ConformanceCommand(streams, args) },
             "scenes" to { ScenesCommand(streams) },
             "strategies" to { StrategiesCommand(streams) },
+            ManCommand.NAME to { ManCommand(streams) },
+            CompletionCommand.NAME to { CompletionCommand(streams) },
         )
         val first = args.firstOrNull()
-        val only = commands[first]
-        if (only == null && first != null && !first.startsWith("-")) throw unknown(first, commands.keys)
+        val only = commands[first].takeUnless { first == ManCommand.NAME || first == CompletionCommand.NAME }
+        if (first !in commands && first != null && !first.startsWith("-")) throw unknown(first, commands.keys)
         subcommands(if (only != null) listOf(only()) else commands.values.map { it() })
     }
 

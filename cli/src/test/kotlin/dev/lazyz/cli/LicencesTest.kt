@@ -47,7 +47,7 @@ class LicencesTest {
         val withTextsElsewhere = listOf(
             "abi-tools", "annotations", "clikt", "colormath", "java-diff-utils", "jqwik", "kotlin-klib-abi-reader",
             "kotlin-metadata-jvm", "kotlin-stdlib", "kotlinx-coroutines-core", "kotlinx-serialization-core",
-            "kotlinx-serialization-json", "mordant",
+            "kotlinx-serialization-json", "mordant", "netty",
         )
 
         /** The libraries of this project, and the jar that Gradle adds to the class path of tests. */

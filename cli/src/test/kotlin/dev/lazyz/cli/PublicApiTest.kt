@@ -3,6 +3,7 @@ package dev.lazyz.cli
 import dev.lazyz.Image
 import dev.lazyz.conformance.Conformance
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.server.RenderServer
 import dev.lazyz.testing.PictureAssertion
 import java.io.File
 import java.nio.file.Path
@@ -68,6 +69,7 @@ class PublicApiTest {
             "scenes" to Scenes::class.java,
             "conformance" to Conformance::class.java,
             "testing" to PictureAssertion::class.java,
+            "server" to RenderServer::class.java,
         )
     }
 }

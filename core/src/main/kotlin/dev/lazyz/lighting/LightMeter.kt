@@ -24,6 +24,14 @@ public object LightMeter {
     public const val MAX_INTENSITY: Float = 3f
 
     /**
+     * Returns whether [scene] has light that nobody chose for its materials, and whose [intensity] may be measured: the
+     * lights of [rig], except [LightRig.FLAT], or with null the scene's own if it has none.
+     */
+    @JvmStatic
+    public fun appliesTo(scene: Scene, rig: LightRig?): Boolean =
+        if (rig == null) scene.lights.isEmpty() else rig != LightRig.FLAT
+
+    /**
      * Returns the factor of all light that makes [scene] legible, 1..[MAX_INTENSITY], for [Scene.withLightIntensity]:
      * the square root of [MIDDLE_GREY] / luminance. 1 if no mesh is lit. Cost: at most 65,536 triangles of each
      * mesh.

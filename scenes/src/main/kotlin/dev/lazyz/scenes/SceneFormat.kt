@@ -1,5 +1,7 @@
 package dev.lazyz.scenes
 
+import dev.lazyz.geometry.UpAxis
+
 /**
  * The file formats that a scene can be read from.
  *
@@ -31,6 +33,9 @@ public enum class SceneFormat(public val id: String, public val extensions: List
     /** Lazy Z's scene file format, JSON. */
     SCENE("scene", listOf("json")),
     ;
+
+    /** The axis that points up in most files of this format: parts for machines lie on the plane of x and y. */
+    public val usualUp: UpAxis get() = if (this == STL || this == THREE_MF) UpAxis.Z else UpAxis.Y
 
     public companion object {
         /** Returns the format that a file name's extension belongs to, or null. */

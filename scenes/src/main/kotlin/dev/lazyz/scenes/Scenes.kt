@@ -1,6 +1,7 @@
 package dev.lazyz.scenes
 
 import dev.lazyz.scenes.builtin.Builtins
+import dev.lazyz.scenes.formats.FormatSniffer
 import dev.lazyz.scenes.formats.SceneReading
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Texture
@@ -10,7 +11,8 @@ import java.nio.file.Path
 /**
  * Loads scenes from files and streams in all supported formats, and creates the built-in scenes.
  *
- * Thread safe. To write a scene see [dev.lazyz.scenes.scenefile.SceneFile], to write an image
+ * Thread safe. If the calling thread is interrupted, reading ends at its next step with a [SceneFormatException], and
+ * the interrupt status stays set. To write a scene see [dev.lazyz.scenes.scenefile.SceneFile], to write an image
  * [dev.lazyz.scenes.writers.writePng].
  */
 public object Scenes {
@@ -100,6 +102,30 @@ public object Scenes {
         folder: Path?,
         options: LoadOptions,
     ): LoadedScene = SceneReading.read(input, format, name, folder, options)
+
+    /**
+     * Reads the scene in [bytes], the contents of a whole file. Files that it refers to are reported as missing. The
+     * bytes are not copied, and must not be changed until this method returns.
+     *
+     * @param name name of the bytes in messages
+     * @throws SceneFormatException if there are none, if they are too large for the memory, invalid in their [format],
+     *   or exceed one of the limits of [options]
+     */
+    @JvmStatic
+    @JvmOverloads
+    public fun load(
+        bytes: ByteArray,
+        format: SceneFormat,
+        name: String = "<bytes>",
+        options: LoadOptions = LoadOptions(),
+    ): LoadedScene = SceneReading.read(bytes, format, name, options)
+
+    /**
+     * Returns the format that [bytes], the contents of a whole file, look like, or null. Cost: a look at the first
+     * bytes. The rest of the file can still be invalid.
+     */
+    @JvmStatic
+    public fun formatOf(bytes: ByteArray): SceneFormat? = FormatSniffer.format(bytes)
 
     /**
      * Reads an image file as a texture: PNG, JPEG, BMP or GIF. Texels are the sRGB codes of the file; colour profiles

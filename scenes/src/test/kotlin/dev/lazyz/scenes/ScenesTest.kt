@@ -1,11 +1,13 @@
 package dev.lazyz.scenes
 
 import dev.lazyz.scenes.formats.FormatSniffer
+import dev.lazyz.world.surface.Mesh
 import java.io.IOException
 import java.io.InputStream
 import java.nio.file.Files
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
@@ -106,4 +108,26 @@ class ScenesTest {
         assertThrows(SceneFormatException::class.java) { Scenes.load(path) }.message.orEmpty()
 
     private fun file(name: String, text: String): Path = Files.writeString(folder.resolve(name), text)
+
+    @Test
+    fun bytesAreReadLikeAStream() {
+        val bytes = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".toByteArray()
+        assertEquals(SceneFormat.OBJ, Scenes.formatOf(bytes))
+        assertNull(Scenes.formatOf("no model".toByteArray()))
+        val mesh = Scenes.load(bytes, SceneFormat.OBJ).scene.surfaces.single() as Mesh
+        assertEquals(1, mesh.triangleCount)
+        val empty = assertThrows(SceneFormatException::class.java) {
+            Scenes.load(ByteArray(0), SceneFormat.OBJ, "upload")
+        }
+        assertTrue(empty.message!!.startsWith("upload: is empty"), empty.message)
+    }
+
+    @Test
+    fun anInterruptEndsTheReading() {
+        val bytes = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".toByteArray()
+        Thread.currentThread().interrupt()
+        val end = assertThrows(SceneFormatException::class.java) { Scenes.load(bytes, SceneFormat.OBJ) }
+        assertTrue(Thread.interrupted())
+        assertTrue("the thread is interrupted" in end.message!!, end.message)
+    }
 }

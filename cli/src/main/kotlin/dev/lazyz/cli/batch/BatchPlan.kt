@@ -1,10 +1,10 @@
 package dev.lazyz.cli.batch
 
 import dev.lazyz.cli.input.Input
-import dev.lazyz.cli.input.View
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.render.Outputs
+import dev.lazyz.world.View
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.extension

@@ -1,9 +1,9 @@
 package dev.lazyz.cli.batch
 
 import dev.lazyz.cli.input.Subject
-import dev.lazyz.cli.input.View
 import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.strategies.Choices
+import dev.lazyz.world.View
 
 /**
  * The options of `zcli render` for several pictures; null if the user did not give the option.

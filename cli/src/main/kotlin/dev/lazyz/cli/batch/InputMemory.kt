@@ -9,6 +9,7 @@ import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.strategies.MemoryNeed
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.strategies.PictureMemory
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -86,7 +87,8 @@ internal class InputMemory(
     }
 
     private fun bytes(strategy: Renderer, samples: Long, pixels: Long): Long =
-        PICTURE_BYTES + BYTES_PER_BYTE * (file ?: 0) + MemoryNeed.bytes(strategy, samples) + plan.collected(pixels)
+        PICTURE_BYTES + BYTES_PER_BYTE * (file ?: 0) + PictureMemory.bytesPerSample(strategy) * samples +
+            plan.collected(pixels)
 
     private companion object {
         /** The writer of a PNG file and the tiles of the default strategy need up to this. */

@@ -1,5 +1,6 @@
 package dev.lazyz.cli.commands
 
+import com.github.ajalt.clikt.completion.CompletionCandidates
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
@@ -17,7 +18,6 @@ import dev.lazyz.cli.compare.ComparisonTable
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.NamedInputs
 import dev.lazyz.cli.input.Subject
-import dev.lazyz.cli.input.View
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.CostOptions
@@ -38,6 +38,7 @@ import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.StrategyPath
+import dev.lazyz.world.View
 
 /**
  * `zcli compare`: declares the options. [CompareJob] and [CompareSeveralJob] do the work.
@@ -45,8 +46,11 @@ import dev.lazyz.cli.strategies.StrategyPath
  * @param args the words of the command line, for bug reports
  */
 internal class CompareCommand(private val streams: Streams, private val args: List<String>) : Command("compare") {
-    private val inputs by argument("INPUT", help = "$INPUT_HELP; or a folder: all models and scene files in it")
-        .multiple(required = true)
+    private val inputs by argument(
+        "INPUT",
+        help = "$INPUT_HELP; or a folder: all models and scene files in it",
+        completionCandidates = CompletionCandidates.Path,
+    ).multiple(required = true)
     private val comparing by ComparingOptions()
     private val reading by ReadingOptions()
     private val picture by PictureOptions()

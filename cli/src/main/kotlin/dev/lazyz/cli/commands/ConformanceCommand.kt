@@ -15,6 +15,7 @@ import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.classPath
 import dev.lazyz.cli.options.number
+import dev.lazyz.cli.options.path
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Nearest
@@ -58,21 +59,21 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     ).multiple()
 
     private val waivers by option("--waivers", help = "A file of rules that the strategy is known to break")
-        .convert("FILE") { Path.of(it) }
+        .path()
 
     private val frames by option(
         "--frames",
         help = "Also use the scene files and meshes in this folder, and save frames there that rules fail on",
-    ).convert("FOLDER") { Path.of(it) }
+    ).path("FOLDER")
 
     private val verify by option(
         "--verify",
         metavar = "REPORT",
         help = "Repeat the run of this report.json, with its settings, and compare the outcome of each rule",
-    ).convert("REPORT") { Path.of(it) }
+    ).path("REPORT")
 
     private val report by option("--report", help = "Also write the report to this folder, with pictures of failures")
-        .convert("FOLDER") { Path.of(it) }
+        .path("FOLDER")
 
     private val fuzzing by FuzzingOptions()
 

@@ -1,5 +1,6 @@
 package dev.lazyz.cli.commands
 
+import com.github.ajalt.clikt.completion.CompletionCandidates
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
@@ -12,6 +13,7 @@ import dev.lazyz.cli.diff.DifferenceText
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.number
+import dev.lazyz.cli.options.path
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.OutputFile
@@ -23,10 +25,17 @@ import java.nio.file.Path
 
 /** `zcli diff`: compares the pixels of two image files. */
 internal class DiffCommand(private val streams: Streams) : Command("diff") {
-    private val expected by argument("EXPECTED", help = "The picture as it should be: an image file, such as a PNG")
-        .convert { Path.of(it) }
+    private val expected by argument(
+        "EXPECTED",
+        help = "The picture as it should be: an image file, such as a PNG",
+        completionCandidates = CompletionCandidates.Path,
+    ).convert { Path.of(it) }
 
-    private val actual by argument("ACTUAL", help = "The picture to compare with it").convert { Path.of(it) }
+    private val actual by argument(
+        "ACTUAL",
+        help = "The picture to compare with it",
+        completionCandidates = CompletionCandidates.Path,
+    ).convert { Path.of(it) }
 
     private val threshold by option(
         "--threshold",
@@ -36,7 +45,7 @@ internal class DiffCommand(private val streams: Streams) : Command("diff") {
     private val diff by option(
         "--diff",
         help = "Write a picture of the differences, a .png file: yellow to red where the pictures differ",
-    ).convert("FILE") { Path.of(it) }
+    ).path()
 
     private val isJson by option("--json", help = "Print one JSON object").flag()
 

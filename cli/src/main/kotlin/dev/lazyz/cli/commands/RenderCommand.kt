@@ -1,12 +1,12 @@
 package dev.lazyz.cli.commands
 
+import com.github.ajalt.clikt.completion.CompletionCandidates
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
-import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.optionalValue
@@ -31,6 +31,7 @@ import dev.lazyz.cli.options.SeriesOptions
 import dev.lazyz.cli.options.classPath
 import dev.lazyz.cli.options.number
 import dev.lazyz.cli.options.oneOf
+import dev.lazyz.cli.options.path
 import dev.lazyz.cli.options.selector
 import dev.lazyz.cli.options.subject
 import dev.lazyz.cli.options.words
@@ -44,7 +45,6 @@ import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.strategies.StrategyPath
 import dev.lazyz.filter.ShadingRate
 import dev.lazyz.scenes.ImageSize
-import java.nio.file.Path
 
 /**
  * `zcli render`: declares the options. [RenderJob] renders one picture, and [BatchJob] several.
@@ -52,8 +52,11 @@ import java.nio.file.Path
  * @param args the words of the command line, for the command that creates a missing reference, and for bug reports
  */
 internal class RenderCommand(private val streams: Streams, private val args: List<String>) : Command("render") {
-    private val inputs by argument("INPUT", help = "$INPUT_HELP; or a folder: all models and scene files in it")
-        .multiple(required = true)
+    private val inputs by argument(
+        "INPUT",
+        help = "$INPUT_HELP; or a folder: all models and scene files in it",
+        completionCandidates = CompletionCandidates.Path,
+    ).multiple(required = true)
     private val output by OutputOptions()
     private val aovs by AovOptions()
     private val several by SeriesOptions()
@@ -171,6 +174,7 @@ private class OutputOptions : OptionGroup("Output") {
         "-o",
         "--output",
         metavar = "OUT",
+        completionCandidates = CompletionCandidates.Path,
         help = "The file for the picture: .png or .ppm, or - for PNG to standard output; default: INPUT's name " +
             "with .png in the current folder, if that file does not exist yet; none with --ref. For several " +
             "pictures, with {stem}, {name} or {ext} of INPUT, {view}, {index} or {frame}",
@@ -180,7 +184,7 @@ private class OutputOptions : OptionGroup("Output") {
         "--depth-out",
         help = "Also write the depth of every pixel to a .pfm file: 0 at the near plane, 1 at the far plane, " +
             "infinity for the background",
-    ).convert("FILE") { Path.of(it) }
+    ).path()
 
     val stats by option(
         "--stats",
@@ -195,7 +199,7 @@ private class ReferenceOptions : OptionGroup("Reference") {
     private val file by option(
         "--ref",
         help = "Compare the picture with this image file, pixel by pixel; exit code 1 if they differ",
-    ).convert("FILE") { Path.of(it) }
+    ).path()
 
     private val threshold by option(
         "--ref-threshold",
@@ -207,7 +211,7 @@ private class ReferenceOptions : OptionGroup("Reference") {
         "--diff",
         help = "Write a picture of the differences from the reference, a .png file: yellow to red where the " +
             "pictures differ",
-    ).convert("FILE") { Path.of(it) }
+    ).path()
 
     /** Returns what the options ask for, or null if the picture is not compared. */
     fun request(args: List<String>): ReferenceRequest? {

@@ -7,12 +7,12 @@ import dev.lazyz.Image
 import dev.lazyz.Renderer
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Shot
-import dev.lazyz.cli.input.View
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.MemoryNeed
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.world.View
 
 /**
  * Renders frames with all strategies of [request], one after the other, and compares each picture with the first.

@@ -1,7 +1,7 @@
 package dev.lazyz.cli.compare
 
-import dev.lazyz.cli.input.View
 import dev.lazyz.cli.strategies.Choices
+import dev.lazyz.world.View
 
 /**
  * The options of `zcli compare`.

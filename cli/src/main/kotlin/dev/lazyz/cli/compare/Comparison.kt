@@ -3,11 +3,11 @@ package dev.lazyz.cli.compare
 import dev.lazyz.Counters
 import dev.lazyz.Image
 import dev.lazyz.cli.input.Shot
-import dev.lazyz.cli.input.View
 import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.Statistics
 import dev.lazyz.cli.strategies.Strategies
+import dev.lazyz.world.View
 import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.addJsonObject
 import kotlinx.serialization.json.buildJsonObject

@@ -1,14 +1,13 @@
 package dev.lazyz.cli.conformance
 
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
-import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.Renderer
 import dev.lazyz.cli.options.number
+import dev.lazyz.cli.options.path
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.conformance.fuzz.DifferentialFuzzing
 import dev.lazyz.conformance.fuzz.DifferentialReport
-import java.nio.file.Path
 import java.time.Duration
 
 /** Options that compare two strategies with each other, instead of testing one against the rules. */
@@ -29,7 +28,7 @@ internal class FuzzingOptions :
     private val corpus by option(
         "--corpus",
         help = "Save frames with new features, and frames that differ, in this folder; begin with the frames in it",
-    ).convert("FOLDER") { Path.of(it) }
+    ).path("FOLDER")
 
     /** Whether two strategies are to be compared. */
     val isAsked: Boolean get() = against != null

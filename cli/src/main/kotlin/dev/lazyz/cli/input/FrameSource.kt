@@ -14,6 +14,7 @@ import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.View
 import dev.lazyz.world.material.Material
 
 /**

@@ -33,9 +33,8 @@ internal class Input(
     /** Whether the input is a model: not a scene whose author chose everything. */
     val isModel: Boolean get() = !isBuiltin && statedFormat != SceneFormat.SCENE
 
-    /** The axis that points up in most files of this format: parts for machines lie on the plane of x and y. */
-    val usualUp: UpAxis
-        get() = if (statedFormat == SceneFormat.STL || statedFormat == SceneFormat.THREE_MF) UpAxis.Z else UpAxis.Y
+    /** The axis that points up in most files of the stated format. */
+    val usualUp: UpAxis get() = statedFormat?.usualUp ?: UpAxis.Y
 
     /** The name of the input in messages. */
     val name: String get() = if (isStandardInput) "standard input" else word

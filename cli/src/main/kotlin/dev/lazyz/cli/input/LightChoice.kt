@@ -70,8 +70,7 @@ internal class LightChoice(
         if (matcap != null) return captured(scene, matcap, color, subject.loading.limits)
         val camera = scene.viewpoint as Camera
         val rigged = rig?.on(scene, camera) ?: own?.let { scene.withLights(it.lights(camera)) } ?: scene
-        val hasUsualLight = if (rig == null) scene.lights.isEmpty() else rig != LightRig.FLAT
-        val isAuto = isMetered && color == null && hasUsualLight
+        val isAuto = isMetered && color == null && LightMeter.appliesTo(scene, rig)
         return rigged.withLightIntensity(
             intensity ?: if (isAuto) LightMeter.intensity(scene) else scene.lightIntensity,
         )

@@ -16,29 +16,37 @@ internal object HelpText : HelpFormatter {
         parameters: List<ParameterHelp>,
         programName: String,
     ): String = buildString {
-        val arguments = parameters.filterIsInstance<ParameterHelp.Argument>()
-        val commands = parameters.filterIsInstance<ParameterHelp.Subcommand>()
-        val operands = if (commands.isEmpty()) {
-            arguments.joinToString("") {
-                if (it.repeatable) " ${it.name}..." else " ${it.name}"
-            }
-        } else {
-            " COMMAND [ARGS]"
-        }
-        appendLine("Usage: $programName [OPTIONS]$operands")
+        appendLine("Usage: ${usage(programName, parameters)}")
         appendLine()
         appendLine(wrap(prolog, 0))
-        section("", arguments.map { it.name to it.help })
-        section("Commands:", commands.map { it.name to it.help })
+        for ((title, rows) in sections(parameters)) section(title, rows)
+        if (epilog.isNotEmpty()) append("\n").append(epilog)
+    }
 
-        // Print options by group. Options without a group come first, or last if the only one is --help
+    /** Returns the form of a command line of [programName]. */
+    fun usage(programName: String, parameters: List<ParameterHelp>): String {
+        val operands = if (parameters.any { it is ParameterHelp.Subcommand }) {
+            " COMMAND [ARGS]"
+        } else {
+            parameters.filterIsInstance<ParameterHelp.Argument>().joinToString("") {
+                if (it.repeatable) " ${it.name}..." else " ${it.name}"
+            }
+        }
+        return "$programName [OPTIONS]$operands"
+    }
+
+    /** Returns the titles of all sections, each with its rows: a term, and what it means. */
+    fun sections(parameters: List<ParameterHelp>): List<Pair<String, List<Pair<String, String>>>> {
+        val arguments = parameters.filterIsInstance<ParameterHelp.Argument>().map { it.name to it.help }
+        val commands = parameters.filterIsInstance<ParameterHelp.Subcommand>().map { it.name to it.help }
+
+        // Options without a group come first, or last if the only one is --help
         val groups = parameters.filterIsInstance<ParameterHelp.Option>().groupBy { it.groupName }
         val plain = groups[null].orEmpty()
         val named = groups - null
-        for ((group, members) in if (plain.size > 1) mapOf(null to plain) + named else named + (null to plain)) {
-            section("${group ?: "Options"}:", members.map { term(it) to it.help })
-        }
-        if (epilog.isNotEmpty()) append("\n").append(epilog)
+        val ordered = if (plain.size > 1) mapOf(null to plain) + named else named + (null to plain)
+        val options = ordered.map { (group, all) -> "${group ?: "Options"}:" to all.map { term(it) to it.help } }
+        return (listOf("" to arguments, "Commands:" to commands) + options).filter { it.second.isNotEmpty() }
     }
 
     /** Returns a section of command lines, each below its purpose. */
@@ -46,7 +54,6 @@ internal object HelpText : HelpFormatter {
         lines.joinToString("\n", prefix = "Examples:\n") { (command, purpose) -> "  # $purpose\n  $command" }
 
     private fun StringBuilder.section(title: String, rows: List<Pair<String, String>>) {
-        if (rows.isEmpty()) return
         appendLine()
         if (title.isNotEmpty()) appendLine(title)
         for ((term, text) in rows) {

@@ -1,14 +1,12 @@
 package dev.lazyz.cli.options
 
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
-import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.cli.input.LightChoice
 import dev.lazyz.lighting.LightRig
 import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.ToneMapping
-import java.nio.file.Path
 
 /** Options of light, exposure and tone mapping. */
 internal class LightOptions : OptionGroup("Light") {
@@ -37,7 +35,7 @@ internal class LightOptions : OptionGroup("Light") {
     private val matcap by option(
         "--matcap",
         help = "Colour all surfaces like this picture of a lit sphere, which --color multiplies",
-    ).convert("FILE") { Path.of(it) }
+    ).path()
 
     val toneCurve by option(
         "--tone-map",

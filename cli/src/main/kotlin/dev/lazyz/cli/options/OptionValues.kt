@@ -1,5 +1,6 @@
 package dev.lazyz.cli.options
 
+import com.github.ajalt.clikt.completion.CompletionCandidates
 import com.github.ajalt.clikt.parameters.options.NullableOption
 import com.github.ajalt.clikt.parameters.options.RawOption
 import com.github.ajalt.clikt.parameters.options.convert
@@ -16,6 +17,7 @@ import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Nearest
 import dev.lazyz.filter.VerticalGradient
 import dev.lazyz.scenes.ImageSize
+import java.nio.file.Path
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
@@ -180,11 +182,15 @@ private fun named(name: String): Rgba? {
 
 /** An option whose value is one of the names of [values]. */
 internal fun <T : Any> RawOption.oneOf(metavar: String, values: Map<String, T>): NullableOption<T, T> =
-    convert(metavar) { text -> named(text, values) { fail(it) } }
+    convert(metavar, CompletionCandidates.Fixed(values.keys)) { text -> named(text, values) { fail(it) } }
 
 /** An option whose value is a list of names of [values], separated by commas. Duplicates are removed. */
 internal fun <T : Any> RawOption.listOf(metavar: String, values: Map<String, T>): NullableOption<List<T>, List<T>> =
     convert(metavar) { text -> text.split(',').map { name -> named(name, values) { fail(it) } }.distinct() }
+
+/** An option whose value is a file or a folder. */
+internal fun RawOption.path(metavar: String = "FILE"): NullableOption<Path, Path> =
+    convert(metavar, CompletionCandidates.Path) { Path.of(it) }
 
 /** Returns the value called [name], or calls [fail] with a message. */
 private fun <T : Any> named(name: String, values: Map<String, T>, fail: (String) -> Nothing): T =

@@ -4,8 +4,8 @@ import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.cli.batch.Series
-import dev.lazyz.cli.input.View
 import dev.lazyz.scenes.writers.animation.Animation
+import dev.lazyz.world.View
 
 /** Options for several pictures. */
 internal class SeriesOptions : OptionGroup("Several pictures") {

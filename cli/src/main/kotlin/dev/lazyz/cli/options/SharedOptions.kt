@@ -2,7 +2,6 @@ package dev.lazyz.cli.options
 
 import com.github.ajalt.clikt.core.ParameterHolder
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
-import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
@@ -18,7 +17,6 @@ import dev.lazyz.cli.input.Placement
 import dev.lazyz.cli.input.PointOfView
 import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.input.Translucency
-import dev.lazyz.cli.input.View
 import dev.lazyz.cli.strategies.Choices
 import dev.lazyz.filter.PixelFilter
 import dev.lazyz.filter.ShadingRate
@@ -29,10 +27,10 @@ import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
 import dev.lazyz.world.Projection
+import dev.lazyz.world.View
 import dev.lazyz.world.material.MipFilter
 import dev.lazyz.world.material.Shading
 import dev.lazyz.world.surface.Points
-import java.nio.file.Path
 
 /** The help text of INPUT. */
 internal const val INPUT_HELP: String =
@@ -153,7 +151,7 @@ internal class PictureOptions : OptionGroup("Picture") {
         "--texture",
         help = "Replace the colours and textures of all surfaces by this image, which --color multiplies; the model " +
             "needs texture coordinates",
-    ).convert("FILE") { Path.of(it) }
+    ).path()
 
     val shading by option("--shading", help = "Replace the shading of all materials: ${names(shadings.keys)}")
         .oneOf("SHADING", shadings)

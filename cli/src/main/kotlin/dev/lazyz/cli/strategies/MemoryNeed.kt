@@ -1,12 +1,11 @@
 package dev.lazyz.cli.strategies
 
 import dev.lazyz.Capability
-import dev.lazyz.Frame
-import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Mistake
+import dev.lazyz.strategies.PictureMemory
 
 /** Checks before the rendering whether a picture fits into memory. */
 internal object MemoryNeed {
@@ -14,9 +13,6 @@ internal object MemoryNeed {
 
     /** More bytes than any strategy is expected to keep for a pixel. */
     private const val PLENTY = 64L
-
-    /** Side of the empty pictures with which a strategy is measured. It is the width of the largest tile. */
-    private const val PROBE_SIDE = 512
 
     /**
      * Throws [Mistake] if [strategy] needs more than the [available] bytes for [picture], including the [kept] bytes
@@ -31,7 +27,7 @@ internal object MemoryNeed {
     ) {
         // Small pictures fit with any strategy
         if (picture.size * PLENTY <= available && picture.size <= MAX_ARRAY) return
-        val bytes = bytesPerPixel(strategy) + kept
+        val bytes = PictureMemory.bytesPerSample(strategy) + kept
         val need = bytes * picture.size
         val what = "a picture of ${picture.width}x${picture.height} with strategy '${strategy.id}'"
         if (bytes >= Int.SIZE_BYTES && picture.size > MAX_ARRAY) {
@@ -44,27 +40,6 @@ internal object MemoryNeed {
                     "${remedy(kept, aa)}, or run it with 'java -Xmx${gigabytes}g -jar zcli.jar ...'",
             )
         }
-    }
-
-    /** Returns the bytes that [strategy] needs for [pixels] pixels, if each is a sample. */
-    fun bytes(strategy: Renderer, pixels: Long): Long = bytesPerPixel(strategy) * pixels
-
-    /**
-     * Returns the bytes that [strategy] keeps for each pixel: the growth of its peak when the height of an empty
-     * picture doubles. Returns 0 if the strategy fails on these pictures; the rendering then reports the error.
-     */
-    private fun bytesPerPixel(strategy: Renderer): Long {
-        if (Capability.CONSTANT_MEMORY in strategy.capabilities) return 0
-        return try {
-            (peakBytes(strategy, 2) - peakBytes(strategy, 1)) / (PROBE_SIDE * PROBE_SIDE)
-        } catch (broken: RuntimeException) {
-            0
-        }
-    }
-
-    private fun peakBytes(strategy: Renderer, heights: Int): Long {
-        val empty = Frame(Raster(PROBE_SIDE, heights * PROBE_SIDE), emptyList())
-        return strategy.render(empty) { _, _, _, _ -> }.peakBytes
     }
 
     private fun remedy(kept: Long, aa: Int): String {

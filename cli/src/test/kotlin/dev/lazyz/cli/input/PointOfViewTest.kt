@@ -9,6 +9,7 @@ import dev.lazyz.world.Fit
 import dev.lazyz.world.FittedViewpoint
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
+import dev.lazyz.world.View
 import dev.lazyz.world.Viewpoint
 import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d

@@ -56,6 +56,11 @@ internal object SceneReading {
         return parse(source, format)
     }
 
+    fun read(bytes: ByteArray, format: SceneFormat, name: String, options: LoadOptions): LoadedScene {
+        if (bytes.size > mostBytes(format)) throw tooLarge(name, bytes.size.toLong(), format)
+        return parse(Source(bytes, name, null, Loading(options)), format)
+    }
+
     /** Reads an image file as a texture. */
     fun texture(path: Path, limits: LoadLimits): Texture {
         val name = path.toString()

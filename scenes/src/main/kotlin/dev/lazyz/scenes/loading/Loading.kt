@@ -61,6 +61,7 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
         used = used.copy(decoded = used.decoded + bytes)
         val most = limits.decodedBytes ?: LoadLimits.defaultDecodedBytes(read)
         check(source, used.decoded, most, "bytes of decoded data", "decodedBytes", "--max-decoded")
+        if (Thread.currentThread().isInterrupted) source.fail(null, "is not read further: the thread is interrupted")
         val time = limits.time ?: return
         if (System.nanoTime() - start >= time.toNanos()) {
             exceeded(source, "takes more than ${time.toMillis()} ms to read", "time", "--max-seconds")

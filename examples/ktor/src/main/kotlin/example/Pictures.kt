@@ -1,0 +1,79 @@
+package example
+
+import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.writers.toPng
+import dev.lazyz.strategies.tiled.Tiled
+import io.ktor.http.ContentType
+import io.ktor.http.HttpStatusCode
+import io.ktor.server.application.Application
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.cio.CIO
+import io.ktor.server.engine.embeddedServer
+import io.ktor.server.request.receiveChannel
+import io.ktor.server.response.header
+import io.ktor.server.response.respondBytes
+import io.ktor.server.response.respondText
+import io.ktor.server.routing.post
+import io.ktor.server.routing.routing
+import io.ktor.utils.io.readRemaining
+import java.time.Duration
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.runInterruptible
+import kotlinx.coroutines.sync.Semaphore
+import kotlinx.io.readByteArray
+
+private const val SIDE = 512
+private const val MOST_BYTES = 20L shl 20
+
+/** What a model may ask for: all places together must fit into the heap. */
+private val options = LoadOptions(
+    LoadLimits().withDecodedBytes(64L shl 20).withTriangles(2_000_000).withTime(Duration.ofSeconds(5)),
+)
+
+/** Thread safe, like all renderers: one is enough for all requests. */
+private val renderer = Tiled()
+
+/** Adds `POST /picture?format=obj`: a model in the body, a PNG file in the answer. */
+fun Application.pictures(places: Semaphore = Semaphore(2 * Runtime.getRuntime().availableProcessors())) {
+    routing {
+        post("/picture") {
+            val format = SceneFormat.ofFileName("upload.${call.parameters["format"]}")
+            if (format == null) {
+                call.respondText("format must be obj, stl, ply or glb", status = HttpStatusCode.UnsupportedMediaType)
+            } else if (!places.tryAcquire()) {
+                call.response.header("Retry-After", 1)
+                call.respondText("too many requests", status = HttpStatusCode.TooManyRequests)
+            } else {
+                try {
+                    call.picture(format)
+                } finally {
+                    places.release()
+                }
+            }
+        }
+    }
+}
+
+private suspend fun ApplicationCall.picture(format: SceneFormat) {
+    val body = receiveChannel().readRemaining(MOST_BYTES + 1).readByteArray()
+    if (body.size > MOST_BYTES) return respondText("at most 20 MiB", status = HttpStatusCode.PayloadTooLarge)
+    try {
+        // Rendering occupies a thread, so it must not run on those of the server. A cancelled call interrupts it
+        val png = runInterruptible(Dispatchers.Default) {
+            val scene = Scenes.load(body, format, "upload", options).scene
+            renderer.render(scene.frame(SIDE, SIDE)).toPng()
+        }
+        respondBytes(png, ContentType.Image.PNG)
+    } catch (invalid: SceneFormatException) {
+        // The message says where and what is wrong, or which limit was exceeded
+        respondText(invalid.message.orEmpty(), status = HttpStatusCode.UnprocessableEntity)
+    }
+}
+
+fun main() {
+    embeddedServer(CIO, port = 8080, host = "127.0.0.1") { pictures() }.start(wait = true)
+}

@@ -1,0 +1,76 @@
+package example;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.lazyz.scenes.SceneFormat;
+import dev.lazyz.scenes.Scenes;
+import dev.lazyz.strategies.zbuffer.ZBuffer;
+import java.io.ByteArrayInputStream;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.Semaphore;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.springframework.boot.SpringApplication;
+import org.springframework.context.ConfigurableApplicationContext;
+
+class PictureApplicationTest {
+    private static final byte[] MODEL = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".getBytes(StandardCharsets.US_ASCII);
+    private static ConfigurableApplicationContext application;
+
+    @BeforeAll
+    static void start() {
+        application = SpringApplication.run(PictureApplication.class, "--server.port=0");
+    }
+
+    @AfterAll
+    static void end() {
+        application.close();
+    }
+
+    private static HttpResponse<byte[]> post(String format, byte[] body) throws Exception {
+        String port = application.getEnvironment().getProperty("local.server.port");
+        URI address = URI.create("http://127.0.0.1:" + port + "/picture?format=" + format);
+        HttpRequest request = HttpRequest.newBuilder(address)
+                .POST(HttpRequest.BodyPublishers.ofByteArray(body))
+                .build();
+        return HttpClient.newHttpClient().send(request, HttpResponse.BodyHandlers.ofByteArray());
+    }
+
+    @Test
+    void thePictureHasTheBitsOfALocalRendering() throws Exception {
+        HttpResponse<byte[]> answer = post("obj", MODEL);
+        assertEquals(200, answer.statusCode());
+        var picture = ImageIO.read(new ByteArrayInputStream(answer.body()));
+        var local = new ZBuffer()
+                .render(Scenes.load(MODEL, SceneFormat.OBJ).getScene().frame(512, 512));
+        assertArrayEquals(local.getArgb(), picture.getRGB(0, 0, 512, 512, null, 0, 512));
+    }
+
+    @Test
+    void badModelsAreRefused() throws Exception {
+        HttpResponse<byte[]> answer = post("stl", MODEL);
+        String text = new String(answer.body(), StandardCharsets.UTF_8);
+        assertEquals(422, answer.statusCode(), text);
+        assertTrue(text.contains("upload"), text);
+        assertEquals(415, post("doc", MODEL).statusCode());
+        assertEquals(413, post("obj", new byte[(20 << 20) + 1]).statusCode());
+    }
+
+    @Test
+    void withoutAPlaceARequestIsRefused() throws Exception {
+        Semaphore places = application.getBean(PictureApplication.class).places;
+        int all = places.drainPermits();
+        assertEquals(429, post("obj", MODEL).statusCode());
+        places.release(all);
+        assertEquals(200, post("obj", MODEL).statusCode());
+        assertEquals(all, places.availablePermits());
+    }
+}

@@ -1,0 +1,30 @@
+package dev.lazyz.server.render
+
+import java.io.ByteArrayInputStream
+import java.io.ByteArrayOutputStream
+import java.io.InputStream
+
+/**
+ * A finished picture.
+ *
+ * @param png the bytes of a PNG file
+ * @property tag names the picture: two with the same pixels have the same
+ * @property warnings what the loader has left out
+ */
+internal class Picture(private val png: Bytes, val tag: String, val warnings: List<String>) {
+    /** The bytes of the file. */
+    val size: Int get() = png.size()
+
+    /** The bytes of memory that it takes: its array has room to grow. */
+    val memory: Long get() = png.room.toLong()
+
+    fun open(): InputStream = png.open()
+
+    /** Collects bytes, and reads them again without a copy. */
+    class Bytes : ByteArrayOutputStream() {
+        /** The length of the array. */
+        val room: Int get() = buf.size
+
+        fun open(): InputStream = ByteArrayInputStream(buf, 0, count)
+    }
+}

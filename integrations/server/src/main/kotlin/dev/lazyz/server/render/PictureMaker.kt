@@ -1,0 +1,134 @@
+package dev.lazyz.server.render
+
+import dev.lazyz.PixelHash
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.filter.SampledFrame
+import dev.lazyz.filter.SuperSampling
+import dev.lazyz.geometry.UpAxis
+import dev.lazyz.lighting.LightMeter
+import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.writers.AlphaChannel
+import dev.lazyz.scenes.writers.PngSink
+import dev.lazyz.strategies.PictureMemory
+import dev.lazyz.strategies.Renderers
+import dev.lazyz.world.Scene
+import java.util.concurrent.ForkJoinPool
+
+/**
+ * Reads models and renders pictures of them, each on the calling thread alone. Thread safe.
+ *
+ * @param limits limits on what a model can request
+ * @param mostDecoded the limit of decoded data for each model, if [limits] have none
+ */
+internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
+    private val options = RenderOptions(threads = 1)
+    private val renderer: Renderer = Renderers.builtIn.first().configured(options)
+    private val bytesPerSample = PictureMemory.bytesPerSample(renderer)
+    private val pngBlocks = minOf(2 * ForkJoinPool.getCommonPoolParallelism() + 1, MOST_BLOCKS)
+    private val mostDecoded = limits.decodedBytes ?: mostDecoded
+
+    /** Returns the bytes of memory that a picture takes besides its model. */
+    fun pictureNeed(request: PictureRequest): Long {
+        val factor = request.factor ?: PictureRequest.USUAL_FACTOR
+        return request.samples * bytesPerSample + request.pixels * BYTES_PER_PIXEL +
+            request.size.width.toLong() * factor * BYTES_PER_COLUMN + FIXED_BYTES + pngBlocks * BLOCK_BYTES
+    }
+
+    /** Returns the bytes of memory that a model of [size] bytes in this [format] takes, without these bytes. */
+    fun modelNeed(format: SceneFormat, size: Int): Long = decoded(format, size) * MEMORY_PER_DECODED
+
+    /**
+     * Returns the picture of the model in [body].
+     *
+     * @throws dev.lazyz.scenes.SceneFormatException if the model is invalid, or exceeds a limit
+     * @throws Problem if it cannot be shown as requested
+     * @throws InterruptedException if the thread is interrupted
+     */
+    fun picture(body: ByteArray, format: SceneFormat, request: PictureRequest): Picture {
+        val own = limits.withDecodedBytes(decoded(format, body.size))
+        val loaded = Scenes.load(body, format, "model", LoadOptions(own))
+        requireGoingOn()
+        val scene = scene(loaded, request, request.up ?: format.usualUp)
+        requireGoingOn()
+        val frame = frame(scene, loaded, request)
+        requireGoingOn()
+        val png = Picture.Bytes()
+        val hash = PixelHash()
+        val width = request.size.width
+        val isOpaque = frame.frame.raster.background.alpha >= 1f
+        val alpha = if (isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
+        PngSink(png, width, request.size.height, alpha).use { sink ->
+            frame.render(renderer) { y, argb, depth, primitive ->
+                hash.add(argb, width)
+                sink.row(y, argb, depth, primitive)
+            }
+        }
+        // Width and height are not part of the hash
+        return Picture(png, "${request.size}-${hash.digest()}", loaded.warnings)
+    }
+
+    /** Returns the limit of decoded data for a model: text and plain numbers become at most so many times larger. */
+    private fun decoded(format: SceneFormat, size: Int): Long = when (format) {
+        SceneFormat.OBJ, SceneFormat.STL, SceneFormat.PLY, SceneFormat.OFF ->
+            minOf(mostDecoded, LEAST_DECODED + MOST_GROWTH * size)
+        else -> mostDecoded
+    }
+
+    /** The same steps as `zcli render`, for models. */
+    private fun scene(loaded: LoadedScene, request: PictureRequest, up: UpAxis): Scene {
+        val upright = loaded.scene.withViewpoint(request.viewpoint).withUpAxis(up)
+        val camera = try {
+            upright.camera(request.size.width, request.size.height)
+        } catch (e: IllegalArgumentException) {
+            throw Problem(Problem.UNPROCESSABLE, "there is no camera that shows the model: ${e.message}")
+        }
+        val viewed = upright.withViewpoint(camera)
+        val rigged = request.light?.on(viewed, camera) ?: viewed
+        val isMetered = LightMeter.appliesTo(viewed, request.light)
+        return rigged.withLightIntensity(
+            request.intensity ?: if (isMetered) LightMeter.intensity(viewed) else viewed.lightIntensity,
+        )
+    }
+
+    private fun frame(scene: Scene, loaded: LoadedScene, request: PictureRequest): SampledFrame {
+        val size = request.size
+        val raster = loaded.depth.raster(size.width, size.height, request.background ?: scene.background)
+        val wish = SuperSampling(request.factor ?: PictureRequest.USUAL_FACTOR)
+        val obstacle = wish.obstacle(scene, raster) ?: return wish.frame(scene, raster, options)
+        if (request.factor != null) throw Problem(Problem.UNPROCESSABLE, "aa=${request.factor}: $obstacle; use aa=1")
+        return SuperSampling.NONE.frame(scene, raster, options)
+    }
+
+    private fun requireGoingOn() {
+        if (Thread.currentThread().isInterrupted) throw InterruptedException("interrupted between two steps")
+    }
+
+    companion object {
+        /** Bytes of heap for each byte of decoded data while a model is read and rendered, see docs/server.md. */
+        const val MEMORY_PER_DECODED = 4L
+
+        /** Decoded data of the smallest models. */
+        private const val LEAST_DECODED = 1L shl 20
+
+        /** Decoded bytes for each byte of a model without compression, at most. Usual ones have 1 to 4. */
+        private const val MOST_GROWTH = 16L
+
+        /** The PNG file, and room for it to grow. */
+        private const val BYTES_PER_PIXEL = 8L
+
+        /** Rows of tiles and of the filter. */
+        private const val BYTES_PER_COLUMN = 1024L
+
+        /** What every rendering takes. */
+        private const val FIXED_BYTES = 1L shl 20
+
+        /** A block of a PNG file while it is compressed, see [PngSink]. */
+        private const val BLOCK_BYTES = 1L shl 20
+        private const val MOST_BLOCKS = 17
+    }
+}

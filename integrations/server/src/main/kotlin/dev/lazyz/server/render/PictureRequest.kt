@@ -1,0 +1,110 @@
+package dev.lazyz.server.render
+
+import dev.lazyz.Raster
+import dev.lazyz.Rgba
+import dev.lazyz.geometry.UpAxis
+import dev.lazyz.lighting.LightRig
+import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.world.Camera
+import dev.lazyz.world.FittedViewpoint
+
+/**
+ * What a client wants to see of a model; null means the default.
+ *
+ * @property factor samples a pixel in each direction
+ */
+internal class PictureRequest(
+    val format: SceneFormat?,
+    val up: UpAxis?,
+    val size: ImageSize,
+    val factor: Int?,
+    val background: Rgba?,
+    val viewpoint: FittedViewpoint,
+    val light: LightRig?,
+    val intensity: Float?,
+) {
+    /** The samples that this picture has at most. */
+    val samples: Long get() = pixels * (factor ?: USUAL_FACTOR) * (factor ?: USUAL_FACTOR)
+
+    val pixels: Long get() = size.width.toLong() * size.height
+
+    companion object {
+        /** Samples a pixel in each direction if the client does not choose, as for `zcli render`. */
+        const val USUAL_FACTOR = 4
+
+        private val USUAL_SIZE = ImageSize(640, 480)
+        private val SIZE = Regex("""(\d{1,9})(?:[xX](\d{1,9}))?""")
+        private val DECIMAL = Regex("""[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?""")
+        private val HEX = Regex("[0-9a-fA-F]{3,8}")
+
+        /**
+         * Reads the parameters of a query; of several values of one, the last counts.
+         *
+         * @param mostPixels maximum pixels of a picture
+         * @throws Problem if a name or a value is unknown
+         */
+        fun of(query: Map<String, List<String>>, mostPixels: Long): PictureRequest {
+            val ids = Parameter.entries.associateBy { it.id }
+            for (name in query.keys) {
+                if (name !in ids) fail("there is no parameter '$name'; there are ${ids.keys.joinToString()}")
+            }
+            val given = query.mapKeys { ids.getValue(it.key) }.mapValues { it.value.last() }
+            val view = named(given, Parameter.VIEW, views)
+            val usual = Camera.fit()
+            return PictureRequest(
+                format = named(given, Parameter.FORMAT, formats),
+                up = named(given, Parameter.UP, axes),
+                size = given[Parameter.SIZE]?.let { size(it, mostPixels) } ?: USUAL_SIZE,
+                factor = named(given, Parameter.AA, factors),
+                background = given[Parameter.BACKGROUND]?.let(::color),
+                viewpoint = Camera.fit(
+                    number(given, Parameter.AZIMUTH, -1e6..1e6) ?: view?.azimuth ?: usual.azimuth,
+                    number(given, Parameter.ELEVATION, -90.0..90.0) ?: view?.elevation ?: usual.elevation,
+                    number(given, Parameter.ZOOM, 0.001..1000.0) ?: usual.zoom,
+                    named(given, Parameter.PROJECTION, projections) ?: usual.kind,
+                    number(given, Parameter.MARGIN, 0.0..45.0) ?: usual.margin,
+                ),
+                light = named(given, Parameter.LIGHT, lights),
+                intensity = number(given, Parameter.LIGHT_INTENSITY, 0.0..1000.0)?.toFloat(),
+            )
+        }
+
+        private fun <T : Any> named(given: Map<Parameter, String>, parameter: Parameter, values: Map<String, T>): T? {
+            val text = given[parameter] ?: return null
+            return values[text.lowercase()]
+                ?: fail("${parameter.id}: '$text' is not one of ${values.keys.joinToString()}")
+        }
+
+        private fun number(
+            given: Map<Parameter, String>,
+            parameter: Parameter,
+            range: ClosedRange<Double>,
+        ): Double? {
+            val text = given[parameter] ?: return null
+            if (!DECIMAL.matches(text)) fail("${parameter.id}: '$text' is not a number")
+            val number = text.toDouble()
+            if (number !in range) fail("${parameter.id} must be in ${range.start}..${range.endInclusive}: $text")
+            return number
+        }
+
+        private fun size(text: String, mostPixels: Long): ImageSize {
+            val match = SIZE.matchEntire(text)
+                ?: fail("size: '$text' is not WIDTHxHEIGHT, such as 640x480, or one number for a square")
+            val width = match.groupValues[1].toInt()
+            val height = match.groupValues[2].ifEmpty { match.groupValues[1] }.toInt()
+            val sides = 1..Raster.MAX_SIDE
+            if (width !in sides || height !in sides) fail("size: width and height must be in $sides: $text")
+            if (width.toLong() * height > mostPixels) fail("size: a picture has at most $mostPixels pixels: $text")
+            return ImageSize(width, height)
+        }
+
+        private fun color(text: String): Rgba = try {
+            Rgba.parse(if (HEX.matches(text)) "#$text" else text.lowercase())
+        } catch (_: IllegalArgumentException) {
+            fail("background: '$text' is not hexadecimal rgb, rrggbb or rrggbbaa, transparent, black or white")
+        }
+
+        private fun fail(message: String): Nothing = throw Problem(Problem.BAD_REQUEST, message)
+    }
+}

@@ -1,0 +1,31 @@
+package dev.lazyz.server.render
+
+/**
+ * The end of a request that gets no picture.
+ *
+ * @property status the HTTP status
+ * @property message what is wrong, and what to do about it
+ * @property retrySeconds when to try again, or null if that is no use
+ */
+internal class Problem(val status: Int, override val message: String, val retrySeconds: Int? = null) :
+    RuntimeException(message, null, false, false) {
+    companion object {
+        const val BAD_REQUEST = 400
+        const val NOT_FOUND = 404
+        const val METHOD_NOT_ALLOWED = 405
+        const val TIMEOUT = 408
+        const val TOO_LARGE = 413
+        const val UNSUPPORTED = 415
+        const val EXPECTATION_FAILED = 417
+        const val UNPROCESSABLE = 422
+        const val TOO_MANY = 429
+
+        /** As of nginx, for the log: the client has closed the connection, and gets no answer. */
+        const val GONE = 499
+        const val BUG = 500
+        const val UNAVAILABLE = 503
+
+        /** The time after which a place is probably free. */
+        const val SOON = 2
+    }
+}

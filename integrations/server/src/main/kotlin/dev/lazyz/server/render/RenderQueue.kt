@@ -1,0 +1,146 @@
+package dev.lazyz.server.render
+
+import dev.lazyz.scenes.SceneFormatException
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/**
+ * Renders jobs in the order in which they arrive: at most [threads] at the same time, and only as many as there is
+ * memory for. A job that must wait for memory is not overtaken by smaller ones, so each gets its turn. Thread safe.
+ *
+ * @property threads jobs that run at the same time
+ * @property capacity further jobs that can wait
+ * @property memory bytes of memory for the jobs that run, and for pictures that are not yet sent
+ */
+internal class RenderQueue(private val threads: Int, private val capacity: Int, val memory: Long) : AutoCloseable {
+    private val lock = ReentrantLock()
+    private val changed = lock.newCondition()
+    private val jobs = ArrayDeque<RenderJob>()
+    private var isClosed = false
+    private val workers = List(threads) { number ->
+        Thread({ run() }, "lazyz-render-$number").apply {
+            isDaemon = true
+            start()
+        }
+    }
+
+    /** The jobs that wait. */
+    val waiting: Int get() = lock.withLock { jobs.size }
+
+    /** The jobs that run. */
+    var running = 0
+        get() = lock.withLock { field }
+        private set
+
+    /** The bytes of memory that are taken. */
+    var taken = 0L
+        get() = lock.withLock { field }
+        private set
+
+    /** Whether another job would be refused. */
+    val isFull: Boolean get() = lock.withLock { isClosed || jobs.size + running >= threads + capacity }
+
+    /** Adds [job], or returns false if the queue is full. */
+    fun offer(job: RenderJob): Boolean = lock.withLock {
+        check(job.need <= memory) { "the job needs ${job.need} bytes of $memory" }
+        if (isFull) return false
+        jobs.addLast(job)
+        changed.signalAll()
+        true
+    }
+
+    /** Ends [job] with [reason]: takes it out of the queue, or interrupts its work. */
+    fun cancel(job: RenderJob, reason: Problem) {
+        val wasWaiting = lock.withLock {
+            val wasWaiting = jobs.remove(job)
+            if (!wasWaiting && job.thread != null && job.reason == null) {
+                job.reason = reason
+                job.thread?.interrupt()
+            }
+            if (wasWaiting) changed.signalAll()
+            wasWaiting
+        }
+        if (wasWaiting) job.ended(RenderJob.Outcome(null, reason))
+    }
+
+    /** Ends [job] with [reason] if its work has not begun. */
+    fun cancelIfWaiting(job: RenderJob, reason: Problem) {
+        val wasWaiting = lock.withLock { jobs.remove(job).also { if (it) changed.signalAll() } }
+        if (wasWaiting) job.ended(RenderJob.Outcome(null, reason))
+    }
+
+    /** Gives back the memory of a picture. */
+    fun giveBack(bytes: Long): Unit = lock.withLock {
+        taken -= bytes
+        changed.signalAll()
+    }
+
+    /** Refuses further jobs, cancels all others, and waits for the threads. */
+    override fun close() {
+        val reason = Problem(Problem.UNAVAILABLE, "the server is closed")
+        val left = lock.withLock {
+            isClosed = true
+            changed.signalAll()
+            for (worker in workers) worker.interrupt()
+            jobs.toList().also { jobs.clear() }
+        }
+        for (job in left) job.ended(RenderJob.Outcome(null, reason))
+        for (worker in workers) worker.join()
+    }
+
+    private fun run() {
+        while (true) {
+            val job = next() ?: return
+            job.started()
+            val outcome = outcome(job)
+            val final = lock.withLock {
+                // No interrupt for this job comes after this
+                job.thread = null
+                Thread.interrupted()
+                running--
+                val reason = job.reason
+                val final = if (reason == null) outcome else RenderJob.Outcome(null, reason)
+                taken += (final.picture?.memory ?: 0) - job.need
+                changed.signalAll()
+                final
+            }
+            job.ended(final)
+        }
+    }
+
+    /** Returns the first job, as soon as there is memory for it, or null if the queue is closed. */
+    private fun next(): RenderJob? = lock.withLock {
+        while (true) {
+            if (isClosed) return null
+            val first = jobs.firstOrNull()
+            if (first != null && first.need <= memory - taken) {
+                jobs.removeFirst()
+                first.thread = Thread.currentThread()
+                running++
+                taken += first.need
+                return first
+            }
+            try {
+                changed.await()
+            } catch (_: InterruptedException) {
+                // Only close() interrupts a thread that waits
+            }
+        }
+        @Suppress("UNREACHABLE_CODE")
+        null
+    }
+
+    private fun outcome(job: RenderJob): RenderJob.Outcome = try {
+        RenderJob.Outcome(job.work(), null)
+    } catch (problem: Problem) {
+        RenderJob.Outcome(null, problem)
+    } catch (invalid: SceneFormatException) {
+        RenderJob.Outcome(null, Problem(Problem.UNPROCESSABLE, invalid.message.orEmpty()))
+    } catch (_: InterruptedException) {
+        RenderJob.Outcome(null, Problem(Problem.UNAVAILABLE, "the server is closed"))
+    } catch (_: OutOfMemoryError) {
+        RenderJob.Outcome(null, Problem(Problem.UNAVAILABLE, "the memory is used up; try a smaller model or picture"))
+    } catch (bug: Throwable) {
+        RenderJob.Outcome(null, Problem(Problem.BUG, "the server has failed: this is a bug"), bug)
+    }
+}

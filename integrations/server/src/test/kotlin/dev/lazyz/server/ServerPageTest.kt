@@ -1,0 +1,39 @@
+package dev.lazyz.server
+
+import dev.lazyz.server.render.Parameter
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.readText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** `docs/server.md` describes every parameter, option and metric, and no others. */
+class ServerPageTest {
+    private val page = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
+        .map { it.resolve("docs/server.md") }.first { it.exists() }.readText()
+
+    private fun found(pattern: String) = Regex(pattern).findAll(page).map { it.groupValues[1] }.toSet()
+
+    @Test
+    fun parameters() {
+        val described = found("(?m)^\\| `([a-z-]+=[A-Za-z]+)` \\|")
+        assertEquals(Parameter.entries.map { "${it.id}=${it.form}" }.toSet(), described)
+    }
+
+    @Test
+    fun options() {
+        val own = setOf("--version", "--help", "--data-binary")
+        assertEquals(CommandLine.options.map { it.name }.toSet(), found("(--[a-z][a-z-]+)\\b") - own)
+        for (option in CommandLine.options) assertTrue("`${option.name} ${option.form}`" in page, option.name)
+    }
+
+    @Test
+    fun metrics() = RenderServer(ServerConfig(port = 0, log = {})).start().use { server ->
+        Client(server).get("/health/live")
+        Client(server).await("lazyz_requests_open", 0)
+        val types = Regex("(?m)^# TYPE (\\S+)").findAll(server.metrics()).map { it.groupValues[1] }.toSet()
+        val described = found("`((?:lazyz|jvm)_[a-z_]+)")
+        assertEquals(types.filterNot { "memory_max" in it && it.startsWith("lazyz") }.toSet(), described)
+    }
+}

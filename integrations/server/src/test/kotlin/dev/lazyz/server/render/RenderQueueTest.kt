@@ -1,0 +1,89 @@
+package dev.lazyz.server.render
+
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.TimeUnit
+import org.junit.jupiter.api.AfterEach
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertSame
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class RenderQueueTest {
+    private val queue = RenderQueue(threads = 2, capacity = 2, memory = 100)
+    private val begun = LinkedBlockingQueue<String>()
+    private val ended = LinkedBlockingQueue<RenderJob.Outcome>()
+    private val release = CountDownLatch(1)
+    private val picture = Picture(Picture.Bytes().apply { write(ByteArray(7)) }, "tag", emptyList())
+
+    @AfterEach
+    fun close() = queue.close()
+
+    private fun job(name: String, need: Long, work: () -> Picture = { picture.also { release.await() } }) =
+        RenderJob(need, work, { begun.add(name) }, { ended.add(it) })
+
+    @Test
+    fun jobsBeginInTheirOrderAsSoonAsThereIsMemory() {
+        assertTrue(queue.offer(job("large", 60)))
+        assertEquals("large", take(begun))
+        assertTrue(queue.offer(job("next", 50)))
+        assertTrue(queue.offer(job("small", 1)))
+        assertEquals(listOf(2, 1), listOf(queue.waiting, queue.running))
+        release.countDown()
+        assertEquals(setOf("next", "small"), setOf(take(begun), take(begun)))
+        repeat(3) { assertSame(picture, take(ended).picture) }
+        assertTrue(picture.memory > picture.size)
+        assertEquals(3 * picture.memory, queue.taken)
+        queue.giveBack(3 * picture.memory)
+        assertEquals(0, queue.taken)
+    }
+
+    @Test
+    fun aFullQueueRefusesJobs() {
+        repeat(4) { assertTrue(queue.offer(job("$it", 1))) }
+        assertTrue(queue.isFull)
+        assertFalse(queue.offer(job("fifth", 1)))
+        release.countDown()
+        repeat(4) { assertSame(picture, take(ended).picture) }
+        assertFalse(queue.isFull)
+    }
+
+    @Test
+    fun aCancelledJobIsInterruptedAndTheNextIsNot() {
+        val reason = Problem(Problem.GONE, "gone")
+        val long = job("long", 1)
+        queue.offer(long)
+        take(begun)
+        queue.cancel(long, reason)
+        assertSame(reason, take(ended).problem)
+        queue.offer(job("next", 1) { picture.also { check(!Thread.currentThread().isInterrupted) } })
+        assertSame(picture, take(ended).picture)
+        queue.cancel(long, reason)
+        assertEquals(0, ended.size)
+    }
+
+    @Test
+    fun aJobThatWaitsIsTakenOut() {
+        val reason = Problem(Problem.UNAVAILABLE, "late")
+        val all = List(3) { job("$it", 1).also(queue::offer) }
+        repeat(2) { take(begun) }
+        queue.cancelIfWaiting(all[0], reason)
+        queue.cancelIfWaiting(all[2], reason)
+        assertSame(reason, take(ended).problem)
+        assertEquals(0, queue.waiting)
+        assertEquals(2, queue.running)
+    }
+
+    @Test
+    fun failuresBecomeProblems() {
+        queue.offer(job("bug", 1) { error("bug") })
+        assertEquals(Problem.BUG, take(ended).problem?.status)
+        queue.offer(job("memory", 1) { throw OutOfMemoryError() })
+        assertEquals(Problem.UNAVAILABLE, take(ended).problem?.status)
+        assertEquals(0, queue.taken)
+    }
+
+    private fun <T : Any> take(from: LinkedBlockingQueue<T>): T =
+        checkNotNull(from.poll(30, TimeUnit.SECONDS)) { "nothing happens" }
+}
