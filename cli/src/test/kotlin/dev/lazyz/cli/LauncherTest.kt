@@ -2,6 +2,7 @@ package dev.lazyz.cli
 
 import dev.lazyz.strategies.tiled.Tiled
 import java.io.File
+import java.nio.ByteBuffer
 import java.nio.channels.FileChannel
 import java.nio.file.Files
 import java.nio.file.Path
@@ -24,6 +25,7 @@ import kotlin.io.path.outputStream
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
@@ -179,6 +181,41 @@ class LauncherTest {
         assertEquals(0, process.waitFor(), text)
         assertTrue(text.startsWith("{"), text)
         return statIn(text, "kernel")
+    }
+
+    @Test
+    fun shortRunsDoWithoutTheSecondCompiler() {
+        val java = folder.resolve("jdk/bin/java")
+        Files.createDirectories(java.parent)
+        java.writeText("#!/bin/sh\necho \"$@\"\n")
+        assertTrue(java.toFile().setExecutable(true))
+        folder.resolve("small.obj").writeText("")
+        FileChannel.open(folder.resolve("large.obj"), StandardOpenOption.WRITE, StandardOpenOption.CREATE).use {
+            it.write(ByteBuffer.allocate(1), 20L shl 20)
+        }
+        Files.createDirectory(folder.resolve("models"))
+
+        fun isShort(vararg words: String, options: String = ""): Boolean {
+            val environment = OFF + mapOf("JAVA_HOME" to "${folder.resolve("jdk")}", "ZCLI_JAVA_OPTIONS" to options)
+            assertEquals(0, zcli(*words, environment = environment).exitValue())
+            assertEquals("", errors)
+            val line = folder.resolve("output").readText().removeSuffix("\n")
+            assertTrue(line.endsWith(words.joinToString(" ")), line)
+            return "-XX:TieredStopAtLevel=1" in line
+        }
+        val short = listOf(
+            "render teapot", "render small.obj -o a.png", "render teapot --size 512", "render teapot --size=1024x768",
+            "render - --format obj", "render small.obj --aa-filter box", "render -o",
+        )
+        val long = listOf(
+            "", "--help", "compare teapot", "render teapot --size 1024x1024", "render teapot --size=4096",
+            "render teapot --size 09x08", "render teapot --size 5x", "render teapot --size 99999999999999999999",
+            "render teapot --size ", "render large.obj", "render models", "render teapot --turntable=36",
+            "render teapot --aa 8", "render teapot --style product", "render teapot --strategy warnock",
+        )
+        for (words in short) assertTrue(isShort(*words.split(' ').toTypedArray()), words)
+        for (words in long) assertFalse(isShort(*words.split(' ').toTypedArray()), words)
+        assertFalse(isShort("render", "teapot", options = "-Dzcli.kernel=vector"))
     }
 
     @Test
