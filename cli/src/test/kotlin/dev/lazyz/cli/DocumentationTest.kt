@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir
 class DocumentationTest {
     private val page: String = ProjectFiles.root.resolve("docs/cli.md").readText()
 
-    private val commands = listOf("render", "compare", "diff", "conformance", "scenes", "strategies")
+    private val commands = listOf("render", "compare", "diff", "trace", "conformance", "scenes", "strategies")
 
     private fun help(vararg command: String) = zcli(*command, "--help").done().text
 

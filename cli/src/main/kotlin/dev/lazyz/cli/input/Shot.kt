@@ -5,6 +5,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.ShadingObserver
 import dev.lazyz.aov.Aov
 import dev.lazyz.aov.AovFrame
 import dev.lazyz.aov.AovImages
@@ -40,6 +41,9 @@ internal class Shot(
             val isOpaque = gradient != null || frame.raster.background.alpha >= 1f
             return if (isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
         }
+
+    /** Returns this picture, whose shading calls are reported to [observer]. */
+    fun observed(observer: ShadingObserver) = Shot(sampled.observed(observer), gradient, up)
 
     /** Renders the frame with [strategy], and passes every row of pixels to [sink]. */
     fun render(strategy: Renderer, sink: RowSink): Counters = sampled.render(strategy, beforeGradient(sink))
