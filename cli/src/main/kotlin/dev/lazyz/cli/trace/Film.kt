@@ -1,11 +1,14 @@
 package dev.lazyz.cli.trace
 
 import dev.lazyz.RowSink
+import dev.lazyz.cli.output.Bytes
+import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.render.PathReportingSink
 import dev.lazyz.scenes.pictures.Canvas
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.animation.Animation
 import dev.lazyz.scenes.writers.animation.AnimationFiles
+import dev.lazyz.scenes.writers.animation.AnimationFormat
 import dev.lazyz.scenes.writers.sendTo
 import java.nio.file.Path
 
@@ -27,8 +30,22 @@ internal class Film(
         panels.sumOf { it.width + GAP } - GAP, panels[0].height, steps + pause, framesPerSecond, AlphaChannel.DROP,
     )
 
-    /** Writes the film to [path]. Call it once. */
+    /**
+     * Writes the film to [path]. Call it once.
+     *
+     * @throws Mistake if it does not fit into memory
+     */
     fun write(path: Path) {
+        val kept = if (AnimationFiles.formatOf(path) == AnimationFormat.GIF) animation.frames else 1
+        val bytes = 4L * kept * animation.width * animation.height
+        val available = Runtime.getRuntime().maxMemory()
+        if (bytes > available / 2) {
+            throw Mistake(
+                "a film of ${animation.frames} pictures of ${animation.width}x${animation.height} needs " +
+                    "${Bytes.readable(bytes)} of memory, and Java may use ${Bytes.readable(available)}; choose a " +
+                    "smaller --size or fewer --steps" + if (kept > 1) ", or write a .png" else "",
+            )
+        }
         val most = orders.maxOf { it.size }
         AnimationFiles.write(path, animation) { sink ->
             val reporting = PathReportingSink(path, sink)
@@ -53,9 +70,5 @@ internal class Film(
         const val PAUSE_SECONDS = 1
         private const val PAGE = -1
         private const val GAP = 8
-
-        /** Returns the bytes of the pictures of a film, which a GIF keeps. */
-        fun bytes(picture: TracedPicture, strategies: Int, frames: Int): Long =
-            4L * frames * strategies * (picture.width + GAP) * (picture.height + GAP)
     }
 }

@@ -76,7 +76,7 @@ internal class ShadingOrder private constructor(
             for (call in 0 until size) {
                 val key = key(call)
                 val place = places[call]
-                if (key < nearest[place] || key == nearest[place] && last[place] == call) kept.set(call)
+                if (key < nearest[place] || (key == nearest[place] && last[place] == call)) kept.set(call)
             }
             return ShadingOrder(strategy, places, kept, size)
         }
