@@ -10,6 +10,7 @@ import dev.lazyz.aov.Aov
 import dev.lazyz.aov.AovFrame
 import dev.lazyz.aov.AovImages
 import dev.lazyz.cli.output.Mistake
+import dev.lazyz.filter.PixelFilter
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.VerticalGradient
 import dev.lazyz.geometry.UpAxis
@@ -31,6 +32,9 @@ internal class Shot(
 
     /** Samples a pixel in each direction. */
     val factor: Int get() = sampled.sampling.factor
+
+    /** Whether each sample is a pixel, without a filter. */
+    val isPlain: Boolean get() = factor == 1 && sampled.sampling.filter == PixelFilter.BOX
 
     /** The pixels of the picture. */
     val pixels: Region get() = sampled.pixels

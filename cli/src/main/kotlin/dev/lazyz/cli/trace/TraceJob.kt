@@ -6,6 +6,7 @@ import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.strategies.MemoryNeed
 import dev.lazyz.cli.strategies.StrategyChoice
 
 /** One run of `zcli trace`: reads, sets up, renders with each strategy, and writes the film. */
@@ -21,9 +22,11 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
         // Record the shading calls of each strategy
         val loaded = source.load()
         val shot = source.frame(loaded, choices.options())
-        if (shot.factor != 1) throw Mistake("--aa: a film shows shading calls as pixels; use --aa 1")
+        if (!shot.isPlain) throw Mistake("a film shows shading calls as pixels; use --aa 1 and --aa-filter box")
+        val strategies = named.map { it.strategyFor(shot.frame) }
+        for (strategy in strategies) MemoryNeed.check(strategy, shot.frame.region, kept = BYTES_PER_PIXEL)
         val picture = TracedPicture(shot.pixels)
-        val orders = named.map { record(it.strategyFor(shot.frame), shot, picture) }
+        val orders = strategies.map { record(it, shot, picture) }
         if (picture.covered.isEmpty) streams.nothingIsVisible()
 
         streams.progress("writing ${request.output} ...")
@@ -43,6 +46,9 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
     }
 
     companion object {
+        /** Colours, here and in a film, and what finds the discarded calls. */
+        private const val BYTES_PER_PIXEL = 20L
+
         /** The endings of files that can be written. */
         val ENDINGS = arrayOf(".gif", ".png", ".apng")
     }

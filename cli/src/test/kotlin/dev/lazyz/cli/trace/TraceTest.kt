@@ -95,6 +95,8 @@ class TraceTest {
         trace("city", "a.gif", "--strategy", "lazy,flow,tiled").mistake("one strategy or two")
         trace("city", "a.gif", "--threads", "2").mistake("--threads cannot be used here")
         trace("city", "a.gif", "--aa", "2").mistake("use --aa 1")
+        trace("city", "a.gif", "--aa-filter", "mitchell", "--region", "9,9,9x9").mistake("--aa-filter box")
+        trace("city", "a.gif", "--size", "262144").mistake("choose a smaller --size")
         trace("city", "a.gif", "--steps", "1").mistake("must be in 2..1000: 1")
         trace(file("none.obj"), "a.gif").mistake("none.obj")
         trace("city", "a.gif", "--strategy", "lazy", "--tile-size", "16").mistake("--tile-size")
