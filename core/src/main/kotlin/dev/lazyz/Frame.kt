@@ -76,9 +76,16 @@ public class Frame internal constructor(
     /** Returns this frame with primitives whose colours are not computed: what is visible where, and how deep. */
     internal fun unshaded(): Frame = Frame(raster, content.unshaded(), region)
 
-    /** Returns this frame with primitives that report each shading call to [tally]. The colours are the same. */
-    internal fun tallied(tally: ShadingTally): Frame =
-        Frame(raster, content.withAll { TalliedPrimitive(it, tally) }, region)
+    /**
+     * Returns this frame with primitives that report each shading call to [observer]. Colours, depths and counters are
+     * the same. The order of the calls is that of this frame for all built-in renderers but `Tiled`, which shades the
+     * fragments of one primitive together if it can: here it shades each tile row by row. Cost: an object for each
+     * primitive.
+     */
+    public fun observed(observer: ShadingObserver): Frame {
+        val all = content.withAll { index, primitive -> ObservedPrimitive(primitive, index, observer) }
+        return Frame(raster, all, region)
+    }
 
     override fun toString(): String = "Frame($raster, $region, ${content.size} primitives)"
 }

@@ -46,8 +46,8 @@ internal class FrameContent private constructor(
     fun withSingles(change: (Primitive) -> Primitive): FrameContent =
         FrameContent(size, batches, singles.map(change), indices, view)
 
-    /** Returns this content without batches, with each primitive replaced by the result of [change]. */
-    fun withAll(change: (Primitive) -> Primitive): FrameContent = of(primitives.map(change), view)
+    /** Returns this content without batches, with each primitive replaced by the result of [change] for its index. */
+    fun withAll(change: (Int, Primitive) -> Primitive): FrameContent = of(primitives.mapIndexed(change), view)
 
     /** Returns this content without colours, see [Frame.unshaded]. */
     fun unshaded(): FrameContent =

@@ -11,6 +11,7 @@ import dev.lazyz.cli.commands.ManCommand
 import dev.lazyz.cli.commands.RenderCommand
 import dev.lazyz.cli.commands.ScenesCommand
 import dev.lazyz.cli.commands.StrategiesCommand
+import dev.lazyz.cli.commands.TraceCommand
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.output.Mistake
@@ -35,6 +36,7 @@ internal class Zcli(streams: Streams, args: List<String>) : Command("zcli") {
             "render" to { RenderCommand(streams, args) },
             "compare" to { CompareCommand(streams, args) },
             "diff" to { DiffCommand(streams) },
+            "trace" to { TraceCommand(streams) },
             "conformance" to { ConformanceCommand(streams, args) },
             "scenes" to { ScenesCommand(streams) },
             "strategies" to { StrategiesCommand(streams) },

@@ -14,7 +14,7 @@ class DocumentationTest {
     private val page: String = ProjectFiles.root.resolve("docs/cli.md").readText()
 
     private val commands =
-        listOf("render", "compare", "diff", "conformance", "scenes", "strategies", "man", "completion")
+        listOf("render", "compare", "diff", "trace", "conformance", "scenes", "strategies", "man", "completion")
 
     private fun help(vararg command: String) = zcli(*command, "--help").done().text
 

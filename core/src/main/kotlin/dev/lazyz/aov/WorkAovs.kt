@@ -2,7 +2,7 @@ package dev.lazyz.aov
 
 import dev.lazyz.Primitive
 import dev.lazyz.Renderer
-import dev.lazyz.ShadingTally
+import dev.lazyz.ShadingObserver
 import dev.lazyz.Spans
 import dev.lazyz.filter.SampledFrame
 import java.util.concurrent.atomic.AtomicIntegerArray
@@ -50,14 +50,14 @@ internal object WorkAovs {
         val pixels = sampled.pixels
         val factor = sampled.sampling.factor
         val counts = AtomicIntegerArray(Math.toIntExact(pixels.size))
-        val tally = ShadingTally { x, y ->
+        val observer = ShadingObserver { x, y, _ ->
             val column = x / factor
             val row = y / factor
             if (pixels.contains(column, row)) {
                 counts.incrementAndGet((row - pixels.rowStart) * pixels.width + column - pixels.columnStart)
             }
         }
-        sampled.tallied(tally).render(renderer) { _, _, _, _ -> }
+        sampled.observed(observer).render(renderer) { _, _, _, _ -> }
         return AovImage(Aov.SHADING_CALLS, pixels, IntArray(counts.length()) { counts[it] })
     }
 }

@@ -7,7 +7,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.ShadingTally
+import dev.lazyz.ShadingObserver
 import java.io.IOException
 
 /**
@@ -46,8 +46,9 @@ public class SampledFrame internal constructor(
     /** Returns this frame with all primitives opaque, see [Frame.asOpaque]. */
     public fun asOpaque(): SampledFrame = SampledFrame(sampling, all.asOpaque(), pixels)
 
-    /** Returns this frame with primitives that report each shading call, see [Frame.tallied]. */
-    internal fun tallied(tally: ShadingTally): SampledFrame = SampledFrame(sampling, all.tallied(tally), pixels)
+    /** Returns this frame with primitives that report each shading call of a sample, see [Frame.observed]. */
+    public fun observed(observer: ShadingObserver): SampledFrame =
+        SampledFrame(sampling, all.observed(observer), pixels)
 
     /**
      * Renders the samples, and passes every row of pixels to [sink]. Throws like [Renderer.render].

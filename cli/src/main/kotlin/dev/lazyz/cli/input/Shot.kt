@@ -5,10 +5,12 @@ import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.ShadingObserver
 import dev.lazyz.aov.Aov
 import dev.lazyz.aov.AovFrame
 import dev.lazyz.aov.AovImages
 import dev.lazyz.cli.output.Mistake
+import dev.lazyz.filter.PixelFilter
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.VerticalGradient
 import dev.lazyz.geometry.UpAxis
@@ -31,6 +33,9 @@ internal class Shot(
     /** Samples a pixel in each direction. */
     val factor: Int get() = sampled.sampling.factor
 
+    /** Whether each sample is a pixel, without a filter. */
+    val isPlain: Boolean get() = factor == 1 && sampled.sampling.filter == PixelFilter.BOX
+
     /** The pixels of the picture. */
     val pixels: Region get() = sampled.pixels
 
@@ -40,6 +45,9 @@ internal class Shot(
             val isOpaque = gradient != null || frame.raster.background.alpha >= 1f
             return if (isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
         }
+
+    /** Returns this picture, whose shading calls are reported to [observer]. */
+    fun observed(observer: ShadingObserver) = Shot(sampled.observed(observer), gradient, up)
 
     /** Renders the frame with [strategy], and passes every row of pixels to [sink]. */
     fun render(strategy: Renderer, sink: RowSink): Counters = sampled.render(strategy, beforeGradient(sink))

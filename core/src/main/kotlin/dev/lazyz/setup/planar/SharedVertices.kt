@@ -1,8 +1,8 @@
 package dev.lazyz.setup.planar
 
+import dev.lazyz.ObservedPrimitive
 import dev.lazyz.OpaquePrimitive
 import dev.lazyz.Primitive
-import dev.lazyz.TalliedPrimitive
 import dev.lazyz.shading.MaskedPrimitive
 import dev.lazyz.shading.Vertices
 
@@ -11,6 +11,6 @@ internal fun Primitive.sharedVertices(): Vertices? = when (this) {
     is PlanarPrimitive -> vertices
     is MaskedPrimitive -> whole.sharedVertices()
     is OpaquePrimitive -> whole.sharedVertices()
-    is TalliedPrimitive -> whole.sharedVertices()
+    is ObservedPrimitive -> whole.sharedVertices()
     else -> null
 }

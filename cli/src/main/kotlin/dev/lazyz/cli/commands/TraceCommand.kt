@@ -1,0 +1,105 @@
+package dev.lazyz.cli.commands
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.groups.OptionGroup
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
+import com.github.ajalt.clikt.parameters.options.convert
+import com.github.ajalt.clikt.parameters.options.default
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.options.required
+import com.github.ajalt.clikt.parameters.options.split
+import dev.lazyz.cli.options.CameraOptions
+import dev.lazyz.cli.options.Command
+import dev.lazyz.cli.options.CostOptions
+import dev.lazyz.cli.options.HelpText
+import dev.lazyz.cli.options.INPUT_HELP
+import dev.lazyz.cli.options.LightOptions
+import dev.lazyz.cli.options.LimitOptions
+import dev.lazyz.cli.options.LineOptions
+import dev.lazyz.cli.options.PictureOptions
+import dev.lazyz.cli.options.ReadingOptions
+import dev.lazyz.cli.options.classPath
+import dev.lazyz.cli.options.count
+import dev.lazyz.cli.options.subject
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.strategies.StrategyPath
+import dev.lazyz.cli.trace.TraceJob
+import dev.lazyz.cli.trace.TraceRequest
+import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.writers.animation.Animation
+import java.nio.file.Path
+
+/** `zcli trace`: declares the options. [TraceJob] does the work. */
+internal class TraceCommand(private val streams: Streams) : Command("trace") {
+    private val input by argument("INPUT", help = INPUT_HELP)
+    private val film by FilmOptions()
+    private val reading by ReadingOptions()
+    private val picture by PictureOptions()
+    private val light by LightOptions()
+    private val camera by CameraOptions()
+    private val lines by LineOptions()
+    private val cost by CostOptions()
+    private val limits by LimitOptions()
+
+    override fun help(context: Context): String =
+        "Makes a film of the order in which a strategy shades a picture.\n\nEach step shows some more shading calls: " +
+            "pixels get their colours, and calls whose colour does not become part of the picture are pink. Two " +
+            "strategies are shown side by side, with equally many calls at each step. Prints the numbers of calls. " +
+            "The default of --size is 320x240, and a sample is a pixel."
+
+    override fun helpEpilog(context: Context): String = HelpText.examples(
+        "zcli trace teapot --strategy lazy -o order.gif" to "the order of one strategy",
+        "zcli trace city --strategy zbuffer,lazy -o both.png" to "two side by side, as an animated PNG",
+        "zcli trace model.obj --strategy hybrid --memory-budget 64k -o budget.gif" to "what a budget changes",
+        "zcli trace city --strategy painter --steps 200 --frames-per-second 25 -o slow.gif" to "longer and smoother",
+    )
+
+    override fun run() {
+        val choices = cost.choices()
+        if ("--threads" in choices.needs) {
+            throw Mistake("--threads cannot be used here: the order of shading calls is that of one thread")
+        }
+        val subject = subject(
+            input, reading, limits, picture, light, camera, lines, usualSamples = 1, usualSize = USUAL_SIZE,
+        )
+        val request =
+            TraceRequest(subject, film.output, film.strategies, choices, film.steps, film.framesPerSecond)
+        StrategyPath.with(film.classPath) { TraceJob(request, streams).run() }
+    }
+
+    private companion object {
+        val USUAL_SIZE = ImageSize(320, 240)
+    }
+}
+
+/** Options of the film. */
+private class FilmOptions : OptionGroup("Film") {
+    val output by option("-o", "--output", metavar = "OUT", help = "The file of the film: .gif, or .png or .apng")
+        .convert { Path.of(it) }
+        .required()
+
+    val strategies by option(
+        "--strategy",
+        metavar = "ID",
+        help = "The strategy, or two, separated by a comma; default: as for render",
+    ).split(",").default(emptyList())
+
+    val classPath by classPath()
+
+    val steps by option("--steps", help = "Pictures from the first call to the last, 2..1000; default: $USUAL_STEPS")
+        .count(2..MOST_STEPS)
+        .default(USUAL_STEPS)
+
+    val framesPerSecond by option(
+        "--frames-per-second",
+        help = "Speed of the animation, 1..${Animation.MAX_FRAMES_PER_SECOND}; default: " +
+            "${Animation.DEFAULT_FRAMES_PER_SECOND}",
+    ).count(1..Animation.MAX_FRAMES_PER_SECOND).default(Animation.DEFAULT_FRAMES_PER_SECOND)
+
+    private companion object {
+        const val USUAL_STEPS = 72
+        const val MOST_STEPS = 1000
+    }
+}

@@ -1,0 +1,74 @@
+package dev.lazyz.cli.trace
+
+import dev.lazyz.RowSink
+import dev.lazyz.cli.output.Bytes
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.render.PathReportingSink
+import dev.lazyz.scenes.pictures.Canvas
+import dev.lazyz.scenes.writers.AlphaChannel
+import dev.lazyz.scenes.writers.animation.Animation
+import dev.lazyz.scenes.writers.animation.AnimationFiles
+import dev.lazyz.scenes.writers.animation.AnimationFormat
+import dev.lazyz.scenes.writers.sendTo
+import java.nio.file.Path
+
+/**
+ * An animation of shading [orders] of one [picture], side by side on the same clock: all have made as many calls, or
+ * are done.
+ *
+ * @param steps pictures from the first call to the last of the longest order
+ */
+internal class Film(
+    private val orders: List<ShadingOrder>,
+    private val picture: TracedPicture,
+    private val steps: Int,
+    private val framesPerSecond: Int,
+) {
+    private val panels = orders.map { FilmPanel(it, picture) }
+    private val pause = framesPerSecond * PAUSE_SECONDS
+    private val animation = Animation(
+        panels.sumOf { it.width + GAP } - GAP, panels[0].height, steps + pause, framesPerSecond, AlphaChannel.DROP,
+    )
+
+    /**
+     * Writes the film to [path]. Call it once.
+     *
+     * @throws Mistake if it does not fit into memory
+     */
+    fun write(path: Path) {
+        val kept = if (AnimationFiles.formatOf(path) == AnimationFormat.GIF) animation.frames else 1
+        val bytes = 4L * kept * animation.width * animation.height
+        val available = Runtime.getRuntime().maxMemory()
+        if (bytes > available / 2) {
+            throw Mistake(
+                "a film of ${animation.frames} pictures of ${animation.width}x${animation.height} needs " +
+                    "${Bytes.readable(bytes)} of memory, and Java may use ${Bytes.readable(available)}; choose a " +
+                    "smaller --size or fewer --steps" + if (kept > 1) ", or write a .png" else "",
+            )
+        }
+        val most = orders.maxOf { it.size }
+        AnimationFiles.write(path, animation) { sink ->
+            val reporting = PathReportingSink(path, sink)
+            for (step in 1..steps) drawn((most.toLong() * step / steps).toInt(), reporting)
+            repeat(pause) { drawn(most, reporting) }
+        }
+    }
+
+    private fun drawn(calls: Int, sink: RowSink) {
+        val canvas = Canvas(animation.width, animation.height, PAGE)
+        var left = 0
+        for (panel in panels) {
+            panel.advance(calls)
+            panel.draw(canvas, left)
+            left += panel.width + GAP
+        }
+        canvas.toImage().sendTo(sink)
+    }
+
+    companion object {
+        /** How long the final picture is shown. */
+        const val PAUSE_SECONDS = 1
+        private const val PAGE = -1
+        private const val GAP = 8
+    }
+}

@@ -1,0 +1,55 @@
+package dev.lazyz.cli.trace
+
+import dev.lazyz.Renderer
+import dev.lazyz.cli.input.FrameSource
+import dev.lazyz.cli.input.Shot
+import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.OutputFile
+import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.strategies.MemoryNeed
+import dev.lazyz.cli.strategies.StrategyChoice
+
+/** One run of `zcli trace`: reads, sets up, renders with each strategy, and writes the film. */
+internal class TraceJob(private val request: TraceRequest, private val streams: Streams) {
+    fun run() {
+        // Report mistakes in the options before anything is read
+        OutputFile.check(request.output, "-o", *ENDINGS)
+        if (request.strategies.size > 2) throw Mistake("--strategy: a film shows one strategy or two")
+        val choices = request.choices.sharing(1)
+        val named = request.strategies.ifEmpty { listOf(null) }.map { StrategyChoice(it, choices) }
+        val source = FrameSource(request.subject, streams)
+
+        // Record the shading calls of each strategy
+        val loaded = source.load()
+        val shot = source.frame(loaded, choices.options())
+        if (!shot.isPlain) throw Mistake("a film shows shading calls as pixels; use --aa 1 and --aa-filter box")
+        val strategies = named.map { it.strategyFor(shot.frame) }
+        for (strategy in strategies) MemoryNeed.check(strategy, shot.frame.region, kept = BYTES_PER_PIXEL)
+        val picture = TracedPicture(shot.pixels)
+        val orders = strategies.map { record(it, shot, picture) }
+        if (picture.covered.isEmpty) streams.nothingIsVisible()
+
+        streams.progress("writing ${request.output} ...")
+        Film(orders, picture, request.steps, request.framesPerSecond).write(request.output)
+        for (order in orders) {
+            val numbers = "%,d shading calls, %,d of them discarded".format(null, order.size, order.discarded)
+            streams.print("${order.strategy}: $numbers\n")
+        }
+        streams.remark("wrote ${request.output}")
+    }
+
+    private fun record(strategy: Renderer, shot: Shot, picture: TracedPicture): ShadingOrder {
+        streams.progress("rendering with ${strategy.id} ...")
+        val recorder = ShadingOrder.Recorder(shot.frame, strategy.id)
+        shot.observed(recorder).render(strategy, picture)
+        return recorder.toOrder()
+    }
+
+    companion object {
+        /** Colours, here and in a film, and what finds the discarded calls. */
+        private const val BYTES_PER_PIXEL = 20L
+
+        /** The endings of files that can be written. */
+        val ENDINGS = arrayOf(".gif", ".png", ".apng")
+    }
+}
