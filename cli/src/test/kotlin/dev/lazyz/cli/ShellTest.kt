@@ -11,7 +11,8 @@ import org.junit.jupiter.api.io.TempDir
 
 /** What `zcli man` and `zcli completion` print. */
 class ShellTest {
-    private val commands = listOf("render", "compare", "diff", "conformance", "scenes", "strategies", "completion")
+    private val commands =
+        listOf("render", "compare", "diff", "trace", "conformance", "scenes", "strategies", "completion")
 
     @Test
     fun theManualPageHasEachOptionOfTheHelp() {
