@@ -13,7 +13,7 @@ public fun interface ShadingObserver {
 }
 
 /** A primitive like [whole], with the submission index [index], which reports each shading call to [observer]. */
-internal class ObservedPrimitive(val whole: Primitive, private val index: Int, private val observer: ShadingObserver,) :
+internal class ObservedPrimitive(val whole: Primitive, private val index: Int, private val observer: ShadingObserver) :
     Primitive by whole {
     override fun shade(fragment: Fragment) {
         observer.shading(fragment.x, fragment.y, index)
