@@ -14,10 +14,12 @@ import dev.lazyz.cli.zcli
 import dev.lazyz.strategies.Renderers
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
+import kotlin.io.path.createSymbolicLinkPointingTo
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
 
 /** `zcli compare` on several files, folders and views. */
@@ -52,6 +54,22 @@ class CompareSeveralTest {
         assertTrue(Regex("glass.json: \\d+ primitives, translucent: \\d strategies left out") in run.text, run.text)
         assertEquals("6 inputs: 6 ok, 0 differ, 0 failed, 0 errors; 6 pictures, 0 of them blank", run.lines().last())
         assertEquals(files.take(4).size + 1, compare(folder.resolve("models"), "--format", "obj").done().lines().size)
+    }
+
+    /** Two links to the own folder make exponentially many paths. */
+    @Test
+    @Timeout(60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    fun linksToFoldersAreNotFollowedInFolders() {
+        val two = folder.resolve("two").createDirectories()
+        val wedge = two.wedge()
+        listOf("l1", "l2").forEach { two.resolve(it).createSymbolicLinkPointingTo(Path.of(".")) }
+        val link = two.resolve("z.obj").createSymbolicLinkPointingTo(wedge)
+        fun names(input: Path) = compare(input).done().lines().dropLast(1).map { it.drop(9).substringBefore(": ") }
+        assertEquals(listOf("$wedge", "$link"), names(two))
+
+        // A link that is an input itself is followed
+        val other = folder.resolve("other").createSymbolicLinkPointingTo(two)
+        assertEquals(listOf("$other/wedge.obj", "$other/z.obj"), names(other))
     }
 
     @Test
