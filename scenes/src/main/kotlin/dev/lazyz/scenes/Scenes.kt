@@ -128,8 +128,8 @@ public object Scenes {
     public fun formatOf(bytes: ByteArray): SceneFormat? = FormatSniffer.format(bytes)
 
     /**
-     * Reads an image file as a texture: PNG, JPEG, BMP or GIF. Texels are the sRGB codes of the file; colour profiles
-     * are ignored.
+     * Reads an image file as a texture: PNG, JPEG, TIFF, BMP, GIF or WBMP. Texels are the sRGB codes of the file;
+     * colour profiles are ignored.
      *
      * @param limits limits on the number of texels and on memory
      * @throws SceneFormatException if the file is missing, unreadable, no image, or exceeds one of the [limits]
