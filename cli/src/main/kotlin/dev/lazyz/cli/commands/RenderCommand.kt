@@ -72,8 +72,9 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
 
     override fun help(context: Context): String =
         "Renders models or scenes to pictures.\n\nBy default the camera shows the whole model from the front " +
-            "right, slightly from above, and a model without lights gets default lights. Exit code 1: the picture " +
-            "differs from that of --ref; 2: an input could not be rendered, the others were."
+            "right, slightly from above, and a model without lights gets default lights. Only for a single picture: " +
+            "--depth-out, --aov, --aov-picture, --ref, --explain and -o -. Exit code 1: the picture differs from " +
+            "that of --ref; 2: an input could not be rendered, the others were."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli render teapot -o teapot.png" to "a built-in scene, 640x480",
@@ -123,10 +124,9 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         val views = several.views.orEmpty()
         val pointOfView = camera.pointOfView()
         val alone = listOfNotNull(
-            output.depth?.let {
-                "--depth-out"
-            },
-            aovs.outputs.files.keys.firstOrNull()?.substringBefore(' '), reference.request(args)?.let { "--ref" },
+            output.depth?.let { "--depth-out" },
+            aovs.outputs.files.firstOrNull()?.first?.substringBefore(' '),
+            reference.request(args)?.let { "--ref" },
             if (rendering.isExplained) "--explain" else null,
         )
         if (alone.isNotEmpty()) throw Mistake("${alone[0]} is for a single picture, and this renders several")

@@ -4,6 +4,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.OutputPlaces
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
@@ -43,6 +44,15 @@ internal class FrameSource(
     fun read(): LoadedScene {
         streams.progress("reading ${input.name} ...")
         return input.load(streams)
+    }
+
+    /**
+     * Checks that no output replaces a file that [loaded] was read from.
+     *
+     * @throws Mistake otherwise
+     */
+    fun requireKept(loaded: LoadedScene, outputs: OutputPlaces) {
+        outputs.requireNone(loaded.files, "a file that ${input.name} refers to")
     }
 
     /**

@@ -27,6 +27,9 @@ internal class Input(
 
     val isBuiltin: Boolean get() = builtin != null
 
+    /** The file, or null if the input is none. */
+    val file: Path? get() = if (isStandardInput || isBuiltin || word.isEmpty()) null else Path.of(word)
+
     /** The format that the user or the name says; null for built-in scenes, and if the content decides. */
     private val statedFormat = if (isBuiltin) null else format ?: SceneFormat.ofFileName(word)
 
@@ -66,7 +69,7 @@ internal class Input(
 
     private fun requireFile(path: Path) {
         val isThere = word.isNotEmpty() && Files.exists(path)
-        if (isThere && Files.isDirectory(path)) throw Mistake("$word is a folder, not a model or a scene file")
+        if (isThere && Files.isDirectory(path)) throw Mistake(NamedInputs.problem(word, format))
         if (!isThere) {
             if (format != null || SceneFormat.ofFileName(word) != null) throw Mistake("$word: no such file")
             val hint = Nearest.hint(word, Scenes.builtins.map { it.id })

@@ -34,7 +34,7 @@ internal class LightChoice(
     private val intensity: Float?,
     wantsOcclusion: Boolean,
     wantsGroundShadow: Boolean,
-    private val matcap: Path?,
+    val matcap: Path?,
     shading: Shading?,
     others: List<String>,
     style: PictureStyle?,

@@ -26,7 +26,7 @@ internal class NamedInputs(private val words: List<String>, private val format: 
         word.isNotEmpty() && !Input(word, format).isBuiltin && Files.isDirectory(Path.of(word))
 
     private fun files(folder: Path): List<String> = folder.toFile().walkTopDown()
-        .onEnter { it.toPath() == folder || !it.name.startsWith('.') && !Files.isSymbolicLink(it.toPath()) }
+        .onEnter { it.toPath() == folder || (!it.name.startsWith('.') && !Files.isSymbolicLink(it.toPath())) }
         .map { it.toPath() }
         .filter { !it.name.startsWith('.') && Files.isRegularFile(it) && isWanted(it) }
         .map { it.invariantSeparatorsPathString }
@@ -50,7 +50,17 @@ internal class NamedInputs(private val words: List<String>, private val format: 
         true
     }
 
-    private companion object {
-        const val HEAD = 4096
+    companion object {
+        private const val HEAD = 4096
+
+        /** Returns why [folder] cannot be read as one file of [format], or of any format if that is null. */
+        fun problem(folder: String, format: SceneFormat?): String {
+            val path = Path.of(folder)
+            if (NamedInputs(emptyList(), format).files(path) != listOf("$path")) {
+                return "$folder is a folder, and this command takes one file"
+            }
+            val endings = (if (format == null) SceneFormat.entries else listOf(format)).flatMap { it.extensions }
+            return "$folder has no models or scene files, whose names end in ${endings.joinToString { ".$it" }}"
+        }
     }
 }

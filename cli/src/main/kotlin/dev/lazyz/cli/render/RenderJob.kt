@@ -23,6 +23,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
 
         // Read, set up, and choose a strategy that supports the frame
         val loaded = source.load()
+        source.requireKept(loaded, outputs.replaced)
         val start = System.nanoTime()
         val shot = source.frame(loaded, request.choices.options())
         val frame = shot.frame

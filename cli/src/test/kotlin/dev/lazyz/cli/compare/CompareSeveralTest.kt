@@ -87,7 +87,7 @@ class CompareSeveralTest {
     @Test
     fun viewsAreThoseOfSingleComparisons() {
         val wedge = folder.wedge()
-        val lines = compare(wedge, "--views", "iso,front,back,ISO", "--json").done().lines()
+        val lines = compare(wedge, "--views", "iso,front,back", "--json").done().lines()
         val sides = listOf("iso", "front", "back")
         assertEquals(sides, lines.dropLast(1).map { statIn(it, "view") })
         val hashes = sides.map { compare(wedge, "--view", it, "--json").done().stat("pixelHash") }
@@ -156,6 +156,7 @@ class CompareSeveralTest {
         compare(wedge, "city", "--views", "iso,fornt").mistake("'fornt' is not one of", "did you mean 'front'?")
         compare(wedge, "--views", "iso,front", "--view", "back").mistake("--views cannot be combined with --view")
         compare(wedge, "--views", "iso", "--azimuth", "3").mistake("--views cannot be combined with")
+        compare("-", wedge, "-", "--format", "obj").mistake("standard input can be only one of the inputs")
         zcli("compare").mistake("missing argument INPUT")
     }
 

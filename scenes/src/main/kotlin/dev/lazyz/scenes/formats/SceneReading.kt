@@ -85,7 +85,7 @@ internal object SceneReading {
         }
         try {
             val scene = parser.parse(source)
-            return LoadedScene(scene, source.warnings.toList(), cameras = source.cameras.toList())
+            return LoadedScene(scene, source.warnings.toList(), cameras = source.cameras.toList(), files = source.files)
         } catch (e: OutOfMemoryError) {
             val most = Runtime.getRuntime().maxMemory()
             source.fail(null, "needs more memory than the $most bytes that Java may use", "raise -Xmx, or split it", e)

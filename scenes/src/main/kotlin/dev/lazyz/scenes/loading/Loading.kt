@@ -2,6 +2,7 @@ package dev.lazyz.scenes.loading
 
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.surface.Mesh
@@ -16,6 +17,9 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
 
     /** Textures by the real path of the file; null for a texture that cannot be decoded. */
     val textures: MutableMap<Path, Texture?> = HashMap()
+
+    /** The files that the sources refer to; reported by [LoadedScene.files]. */
+    val files: MutableSet<Path> = LinkedHashSet()
 
     private val start = System.nanoTime()
     private var read = 0L
