@@ -76,7 +76,7 @@ internal object OutputFile {
         while (!Files.exists(folder)) {
             val parent = folder.parent ?: break
             if (folder.endsWith("..")) {
-                throw Mistake("cannot write $path: there is no folder $parent, and none is created before a '..'")
+                throw Mistake("cannot write $path: there is no folder $parent, and '..' needs one that exists")
             }
             folder = parent
         }

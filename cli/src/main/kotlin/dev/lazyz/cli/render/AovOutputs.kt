@@ -24,7 +24,7 @@ internal class AovOutputs(private val data: List<AovOutput>, private val picture
     /** All that is to be computed. */
     val aovs: Set<Aov> = (data + pictures).flatMap { it.aovs }.toSet()
 
-    /** The files by their options. */
+    /** The files, each with its option. */
     val files: List<Pair<String, Path>> =
         data.map { "$DATA $it" to it.path } + pictures.map { "$PICTURE $it" to it.path }
 
