@@ -40,6 +40,7 @@ public object LightMeter {
      */
     @JvmStatic
     public fun intensity(scene: Scene): Float {
+        if (scene.surfaces.all { it is StreamedMesh && isBright(it) }) return 1f
         var light = 0.0
         var area = 0.0
         for (surface in scene.surfaces) {
@@ -52,6 +53,13 @@ public object LightMeter {
         }
         if (!(area > 0.0) || light >= MIDDLE_GREY * area) return 1f
         return minOf(StrictMath.sqrt(MIDDLE_GREY * area / light), MAX_INTENSITY.toDouble()).toFloat()
+    }
+
+    /** Whether all triangles of [mesh] are middle grey or brighter, which is known without reading them. */
+    private fun isBright(mesh: StreamedMesh): Boolean {
+        val color = mesh.material.baseColor
+        val luminance = luminance(floatArrayOf(color.red, color.green, color.blue))
+        return !mesh.hasColors && mesh.material.textureMap == null && luminance >= MIDDLE_GREY
     }
 
     private fun measure(surface: Surface, use: (area: Double, luminance: Float) -> Unit) {

@@ -146,6 +146,22 @@ public object Scenes {
     ): StreamedScene = StreamReading.open(path, format, limits, spool)
 
     /**
+     * Copies a stream to a temporary file, and opens it as the other [stream] does. Does not close [input].
+     *
+     * @param name name of the stream in messages
+     * @throws SceneFormatException as the other [stream], also if [input] fails
+     */
+    @JvmStatic
+    @JvmOverloads
+    public fun stream(
+        input: InputStream,
+        format: SceneFormat,
+        name: String = "<stream>",
+        limits: LoadLimits = LoadLimits(),
+        spool: Path = Path.of(System.getProperty("java.io.tmpdir")),
+    ): StreamedScene = StreamReading.open(input, format, name, limits, spool)
+
+    /**
      * Returns the format that [bytes], the contents of a whole file, look like, or null. Cost: a look at the first
      * bytes. The rest of the file can still be invalid.
      */

@@ -51,10 +51,10 @@ internal class StreamedRendering(
         for (band in bands(frame.region)) {
             val samples = SampleBuffer(frame.raster, band)
             bytes = maxOf(bytes, samples.bytes)
-            inOrder(parts.filter { it.reach == null || it.reach.within(band) != null }) { part, content ->
-                val seen = reachOf(content).within(band)
+            inOrder(parts.filter { it.reach == null || it.reach.within(band) != null }) { part ->
+                val seen = part.reach.within(band)
                 if (seen != null) {
-                    counters.add(renderPart(Frame(frame.raster, content, seen), Merge(samples, part.first, seen)))
+                    counters.add(renderPart(Frame(frame.raster, part.content, seen), Merge(samples, part.first, seen)))
                 }
             }
             samples.handOut(sink)
@@ -64,22 +64,30 @@ internal class StreamedRendering(
         return counters.build()
     }
 
-    /** Calls [action] for each part with its primitives, which are read by another thread if there is one. */
-    private inline fun inOrder(seen: List<FramePart>, action: (FramePart, FrameContent) -> Unit) {
+    /** Calls [action] for each of the [parts] in order. Another thread makes them, if there is one. */
+    private inline fun inOrder(parts: List<FramePart>, action: (SetUpPart) -> Unit) {
         val helpers = Helpers(workers.executor)
         var isDone = false
         try {
-            var next = seen.firstOrNull()?.let { FutureTask(it::content) }
-            for ((number, part) in seen.withIndex()) {
+            var next = parts.firstOrNull()?.let { task(it) }
+            for (number in parts.indices) {
                 val current = checkNotNull(next)
-                next = seen.getOrNull(number + 1)?.let { FutureTask(it::content) }
+                next = parts.getOrNull(number + 1)?.let { task(it) }
                 if (next != null && workers.threads > 1) helpers.start(next::run)
-                action(part, resultOf(current))
+                action(resultOf(current))
             }
             isDone = true
         } finally {
             helpers.end(interrupt = !isDone)
         }
+    }
+
+    private fun task(part: FramePart) = FutureTask { SetUpPart(part.first, part.content()) }
+
+    /** A part whose primitives are in memory. */
+    private class SetUpPart(val first: Int, val content: FrameContent) {
+        /** A rectangle that contains all its samples. */
+        val reach: Reach = reachOf(content)
     }
 
     /** Keeps the samples of a part that are nearer than those of the parts before. */
@@ -110,7 +118,7 @@ internal class StreamedRendering(
 
     private companion object {
         /** Returns the result of [task]. If no thread has begun it, this one does it. */
-        private fun resultOf(task: FutureTask<FrameContent>): FrameContent {
+        private fun resultOf(task: FutureTask<SetUpPart>): SetUpPart {
             task.run()
             try {
                 return task.get()

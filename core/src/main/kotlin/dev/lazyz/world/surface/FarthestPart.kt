@@ -7,6 +7,11 @@ import org.joml.Vector3dc
 
 /** Finds points of [source] by reading only those parts whose boxes extend far enough. Thread safe. */
 internal class FarthestPart(private val source: MeshSource) {
+    /** The parts that were read last: directions that follow each other lead to the same ones. */
+    private val recent = object : LinkedHashMap<Int, Mesh>(16, 0.75f, true) {
+        override fun removeEldestEntry(eldest: Map.Entry<Int, Mesh>?): Boolean = size > RECENT
+    }
+
     private val boxes: List<Box?> = List(source.partCount) { source.bounds(it) }
 
     /** The smallest box around all parts, relative to the origin of the source, or null if there are no vertices. */
@@ -28,16 +33,31 @@ internal class FarthestPart(private val source: MeshSource) {
         }
         var best: Vector3d? = null
         var most = Double.NEGATIVE_INFINITY
-        val first = reaches.indices.maxByOrNull { reaches[it] } ?: return null
-        for (number in sequenceOf(first) + reaches.indices.asSequence().filter { it != first }) {
-            if (boxes[number] == null || reaches[number] < most) continue
-            val point = source.part(number).farthestFromOrigin(direction) ?: continue
-            val product = x * point.x + y * point.y + z * point.z
-            if (best == null || product > most || (product == most && PointBlocks.isBefore(point, best))) {
+        for (number in boxes.indices.filter { boxes[it] != null }.sortedByDescending { reaches[it] }) {
+            if (reaches[number] < most) break
+            val part = part(number)
+            val positions = part.positions
+            for (vertex in part.triangles) {
+                val px = positions[3 * vertex]
+                val py = positions[3 * vertex + 1]
+                val pz = positions[3 * vertex + 2]
+                val product = x * px + y * py + z * pz
+                if (!(product >= most) || !(px.isFinite() && py.isFinite() && pz.isFinite())) continue
+                val point = Vector3d(px.toDouble(), py.toDouble(), pz.toDouble())
+                if (product > most || PointBlocks.isBefore(point, checkNotNull(best))) best = point
                 most = product
-                best = point
             }
         }
         return best
+    }
+
+    private fun part(number: Int): Mesh {
+        synchronized(recent) { recent[number] }?.let { return it }
+        return source.part(number).also { synchronized(recent) { recent[number] = it } }
+    }
+
+    private companion object {
+        /** Number of parts that are kept in memory. */
+        const val RECENT = 32
     }
 }

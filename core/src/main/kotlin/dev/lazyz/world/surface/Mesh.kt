@@ -85,10 +85,7 @@ public class Mesh @JvmOverloads constructor(
     /** A box around the vertices that triangles use, or null if there is none. */
     override val bounds: Box? by lazy { blocks.bounds?.moved(this.origin) }
 
-    override fun farthest(direction: Vector3dc): Vector3d? = farthestFromOrigin(direction)?.add(origin)
-
-    /** Returns the result of [farthest] relative to [origin]. */
-    internal fun farthestFromOrigin(direction: Vector3dc): Vector3d? = blocks.farthest(direction)
+    override fun farthest(direction: Vector3dc): Vector3d? = blocks.farthest(direction)?.add(origin)
 
     override fun primitives(setUp: SetUp): Sequence<Primitive> = setUp.mesh(this)
 

@@ -15,6 +15,9 @@ public interface MeshSource {
     /** Number of triangles of all parts. */
     public val triangleCount: Int
 
+    /** Whether parts have colours of vertices. */
+    public val hasColors: Boolean
+
     /** Number of parts. */
     public val partCount: Int
 

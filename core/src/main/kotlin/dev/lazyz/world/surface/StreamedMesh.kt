@@ -37,6 +37,9 @@ public class StreamedMesh private constructor(
     /** The origin of all positions, world space, see [Mesh.origin]. */
     public val origin: Vector3dc = up.toWorld(source.origin)
 
+    /** Whether vertices have colours. */
+    public val hasColors: Boolean get() = source.hasColors && !isPlain
+
     internal val isTranslucent: Boolean get() = material.alphaMode == AlphaMode.BLEND
 
     private val parts by lazy { FarthestPart(source) }

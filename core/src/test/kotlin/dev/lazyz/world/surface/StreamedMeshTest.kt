@@ -38,6 +38,7 @@ class StreamedMeshTest {
         val reads = AtomicInteger()
 
         override val triangleCount: Int get() = mesh.triangleCount
+        override val hasColors: Boolean get() = mesh.colors != null
         override val partCount: Int get() = (triangleCount + size - 1) / size
         override val origin: Vector3dc get() = mesh.origin
 

@@ -6,12 +6,14 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.streaming.FacetColors
 import dev.lazyz.scenes.streaming.FacetFile
 import dev.lazyz.scenes.streaming.FacetSpool
+import dev.lazyz.scenes.streaming.FileBytes
 import dev.lazyz.scenes.streaming.PartBox
 import dev.lazyz.scenes.streaming.StreamedInput
 import dev.lazyz.scenes.text.TextEncoding
 import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.world.surface.MeshSource
 import java.nio.ByteBuffer
+import java.util.stream.IntStream
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
@@ -20,38 +22,35 @@ import org.joml.Vector3dc
  * without smooth normals. A binary file is read where it is, an ASCII file is converted once to a [FacetSpool].
  */
 internal object StlStreaming {
-    fun open(input: StreamedInput): MeshSource {
-        val source = input.source
-        val mesh = if (StlBinary.isBinary(source.bytes)) binary(input) else ascii(input)
+    /** Opens [input], whose first bytes [source] has. */
+    fun open(source: Source, input: StreamedInput): MeshSource {
+        val mesh = if (StlBinary.isBinary(source.bytes)) binary(source, input.file) else ascii(source, input)
         if (mesh.triangleCount == 0) source.warn("there are no facets, so there is nothing to see")
         return mesh
     }
 
-    private fun ascii(input: StreamedInput): FacetFile {
-        val source = input.source
+    private fun ascii(source: Source, input: StreamedInput): FacetFile {
         if (TextEncoding.hasMark(source.bytes)) {
             source.fail(null, "begins with a byte order mark", "save it as plain ASCII to stream it")
         }
         val spool = FarOrigin.reading(
             source.loading,
-            read = { origin -> spooled(input, origin) },
+            read = { origin -> spooled(source, input, origin) },
             bounds = { it.bounds },
         )
         return spool.finish()
     }
 
-    private fun spooled(input: StreamedInput, origin: Vector3dc): FacetSpool {
-        val spool = input.spool(origin)
+    private fun spooled(source: Source, input: StreamedInput, origin: Vector3dc): FacetSpool {
+        val spool = input.spool(source, origin)
         input.bytes().use { bytes ->
             val lines = TextLines(ByteArray(0), rest = bytes)
-            StlAscii(input.source, origin, lines).read { CornerSink(spool::add) }
+            StlAscii(source, origin, lines).read { CornerSink(spool::add) }
         }
         return spool
     }
 
-    private fun binary(input: StreamedInput): FacetFile {
-        val source = input.source
-        val file = input.file
+    private fun binary(source: Source, file: FileBytes): FacetFile {
         val count = StlBinary.countOf(source, file.size)
         if (count > FacetSpool.MOST) source.fail(null, "has $count facets, at most ${FacetSpool.MOST}", "split it")
         source.loading.streamed(source, count)
@@ -59,19 +58,14 @@ internal object StlStreaming {
         // Look at all facets once: where they are, and whether they have colours
         val words = StlWords()
         val boxes = ArrayList<Box?>()
-        for (number in 0 until FacetFile.parts(count.toInt())) {
-            val first = number.toLong() * FacetFile.PART
-            val facets = minOf(FacetFile.PART.toLong(), count - first).toInt()
-            val records = file.read(StlBinary.FACETS + first * StlBinary.FACET, facets * StlBinary.FACET)
-            val box = PartBox()
-            for (facet in 0 until facets * StlBinary.FACET step StlBinary.FACET) {
-                for (corner in 0 until 3) {
-                    val at = facet + StlBinary.NORMAL + 12 * corner
-                    box.add(records.getFloat(at), records.getFloat(at + 4), records.getFloat(at + 8))
-                }
-                words.add(StlBinary.word(records, facet))
+        val parts = FacetFile.parts(count.toInt())
+        for (first in 0 until parts step AT_ONCE) {
+            val found = IntStream.range(first, minOf(first + AT_ONCE, parts)).parallel()
+                .mapToObj { number -> FacetScan.of(file, number, count) }.toList()
+            for (part in found) {
+                boxes += part.box
+                words.add(part.words)
             }
-            boxes += box.toBox()
             source.loading.decode(source, 0)
         }
         return FacetFile(
@@ -79,6 +73,31 @@ internal object StlStreaming {
             StlColors.of(source, words)?.let(::FacetWords),
         )
     }
+
+    /** What is known of one part of a binary file after a look at all its facets. */
+    private class FacetScan(val box: Box?, val words: StlWords) {
+        companion object {
+            /** Looks at part [number] of a file with [count] facets. */
+            fun of(file: FileBytes, number: Int, count: Long): FacetScan {
+                val first = number.toLong() * FacetFile.PART
+                val facets = minOf(FacetFile.PART.toLong(), count - first).toInt()
+                val records = file.read(StlBinary.FACETS + first * StlBinary.FACET, facets * StlBinary.FACET)
+                val box = PartBox()
+                val words = StlWords()
+                for (facet in 0 until facets * StlBinary.FACET step StlBinary.FACET) {
+                    for (corner in 0 until 3) {
+                        val at = facet + StlBinary.NORMAL + 12 * corner
+                        box.add(records.getFloat(at), records.getFloat(at + 4), records.getFloat(at + 8))
+                    }
+                    words.add(StlBinary.word(records, facet))
+                }
+                return FacetScan(box.toBox(), words)
+            }
+        }
+    }
+
+    /** Parts that are looked at before the limits are checked. */
+    private const val AT_ONCE = 64
 
     /** The colours in the 16-bit words of facets. */
     private class FacetWords(private val colors: StlColors) : FacetColors {

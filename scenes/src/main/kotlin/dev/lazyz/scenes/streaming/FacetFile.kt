@@ -26,6 +26,8 @@ internal class FacetFile(
     private val boxes: List<Box?>,
     private val colors: FacetColors?,
 ) : MeshSource {
+    override val hasColors: Boolean get() = colors != null
+
     override val partCount: Int get() = boxes.size
 
     /** Vertex numbers of a whole part: no vertices are shared. */
@@ -52,10 +54,10 @@ internal class FacetFile(
 
     companion object {
         /** Triangles of a part. */
-        const val PART = 1 shl 15
+        const val PART: Int = 1 shl 13
 
         /** Returns the number of parts of so many triangles. */
-        fun parts(triangles: Int): Int = (triangles.toLong() + PART - 1 shr 15).toInt()
+        fun parts(triangles: Int): Int = ((triangles.toLong() + PART - 1) / PART).toInt()
     }
 }
 

@@ -16,7 +16,7 @@ import org.joml.Vector3dc
  * @param folder where to create the file
  */
 internal class FacetSpool(folder: Path, private val source: Source, private val origin: Vector3dc) : AutoCloseable {
-    private val temporary = TemporaryFile.beside(folder.toAbsolutePath().resolve("lazyz-spool"))
+    private val temporary = TemporaryFile.within(folder)
     private val buffer = ByteBuffer.allocate(FacetFile.PART * STRIDE).order(ByteOrder.LITTLE_ENDIAN)
     private val boxes = ArrayList<Box?>()
     private var box = PartBox()
@@ -49,7 +49,7 @@ internal class FacetSpool(folder: Path, private val source: Source, private val 
     /** Returns the triangles. No more can be added. */
     fun finish(): FacetFile {
         flush()
-        val file = FileBytes(temporary.path).also { reader = it }
+        val file = FileBytes(temporary.path, source.name).also { reader = it }
         return FacetFile(file, 0, STRIDE, 0, count.toInt(), origin, boxes, null)
     }
 

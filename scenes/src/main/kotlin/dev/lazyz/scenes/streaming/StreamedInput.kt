@@ -1,7 +1,9 @@
 package dev.lazyz.scenes.streaming
 
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.writers.TemporaryFile
 import java.io.InputStream
+import java.nio.channels.Channels
 import java.nio.file.Files
 import java.nio.file.Path
 import org.joml.Vector3dc
@@ -9,20 +11,29 @@ import org.joml.Vector3dc
 /**
  * A file that is read part by part, and the temporary files that belong to it. Not thread safe, unlike [file].
  *
- * @property source the first bytes of the file, for its format
+ * @param name name of the file in messages
+ * @param copy the temporary file at [path], or null if the user's own file is there
  * @param folder where temporary files are created
  */
-internal class StreamedInput(private val path: Path, val source: Source, private val folder: Path) : AutoCloseable {
+internal class StreamedInput private constructor(
+    private val path: Path,
+    name: String,
+    private val copy: TemporaryFile?,
+    private val folder: Path,
+) : AutoCloseable {
     /** The whole file. */
-    val file: FileBytes = FileBytes(path)
+    val file: FileBytes = FileBytes(path, name)
 
     private var spool: FacetSpool? = null
+
+    /** Returns the first bytes of the file, which determine its format. */
+    fun head(): ByteArray = file.read(0, minOf(HEAD, file.size).toInt()).array()
 
     /** Opens the file from its beginning. */
     fun bytes(): InputStream = Files.newInputStream(path)
 
-    /** Creates a temporary file of triangles. An earlier one is deleted. */
-    fun spool(origin: Vector3dc): FacetSpool {
+    /** Creates a temporary file of triangles, which are read from [source]. An earlier one is deleted. */
+    fun spool(source: Source, origin: Vector3dc): FacetSpool {
         spool?.close()
         return FacetSpool(folder, source, origin).also { spool = it }
     }
@@ -30,10 +41,25 @@ internal class StreamedInput(private val path: Path, val source: Source, private
     override fun close() {
         spool?.close()
         file.close()
+        copy?.close()
     }
 
     companion object {
-        /** Number of bytes of [source]. */
-        const val HEAD: Int = 4096
+        private const val HEAD = 4096L
+
+        /** Opens the file at [path]. */
+        fun ofFile(path: Path, name: String, folder: Path): StreamedInput = StreamedInput(path, name, null, folder)
+
+        /** Copies all of [input] to a temporary file, and opens it. */
+        fun ofStream(input: InputStream, name: String, folder: Path): StreamedInput {
+            val copy = TemporaryFile.within(folder)
+            try {
+                input.transferTo(Channels.newOutputStream(copy.channel))
+                return StreamedInput(copy.path, name, copy, folder)
+            } catch (e: Throwable) {
+                copy.close()
+                throw e
+            }
+        }
     }
 }
