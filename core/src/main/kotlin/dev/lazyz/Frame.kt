@@ -40,7 +40,7 @@ public class Frame internal constructor(
 
     /**
      * Whether the primitives are read while they are rendered, and not kept in memory, because the scene has a
-     * [dev.lazyz.world.surface.StreamedMesh]. Such a frame needs `Tiled`, `ZBuffer`, `Hybrid`, or another renderer that
+     * `StreamedMesh`. Such a frame needs `Tiled`, `ZBuffer`, `Hybrid`, or another renderer that
      * iterates the [primitives] only once; other renderers throw [IllegalArgumentException] before they start.
      */
     public val isStreamed: Boolean get() = content.parts != null

@@ -69,10 +69,10 @@ public object LightMeter {
         // Every step-th triangle of the whole mesh, wherever the parts begin
         val step = stepOf(surface.triangleCount)
         var first = 0L
-        for (number in 0 until surface.source.partCount) {
-            val count = surface.source.triangleCount(number)
+        for (parts in surface.groups()) {
+            val count = parts.sumOf { surface.source.triangleCount(it) }
             val skipped = ((step - first % step) % step).toInt()
-            if (skipped < count) measure(surface.part(number), skipped, step, use)
+            if (skipped < count) measure(surface.read(parts), skipped, step, use)
             first += count
         }
     }

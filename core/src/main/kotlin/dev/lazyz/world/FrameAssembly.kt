@@ -8,7 +8,6 @@ import dev.lazyz.FrameView
 import dev.lazyz.NoView
 import dev.lazyz.geometry.Box
 import dev.lazyz.world.surface.Mesh
-import dev.lazyz.world.surface.MeshSource
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.StreamedMesh
 import dev.lazyz.world.surface.Surface
@@ -52,14 +51,14 @@ internal class FrameAssembly(private val surfaces: List<Surface>, private val se
             starts[number] = next.index
             if (surface is StreamedMesh) {
                 hasTranslucency = hasTranslucency || surface.isTranslucent
-                for (pieces in groups(surface.source)) {
+                for (pieces in surface.groups()) {
                     val size = pieces.sumOf { surface.source.triangleCount(it) }
                     val reach = BoxReach(setUp).of(pieces.mapNotNull { surface.bounds(it) }.reduceOrNull(Box::union))
-                    parts += FramePart(next.take(size), size, reach) { part(pieces.map { surface.part(it) }) }
+                    parts += FramePart(next.take(size), size, reach) { part(surface.read(pieces)) }
                 }
             } else {
                 // Surfaces in memory are set up once
-                val part = part(listOf(surface))
+                val part = part(surface)
                 hasTranslucency = hasTranslucency || part.hasTranslucency
                 parts += FramePart(next.take(part.size), part.size, null) { part }
             }
@@ -67,26 +66,8 @@ internal class FrameAssembly(private val surfaces: List<Surface>, private val se
         return FrameContent.streamed(FrameParts(next.index, hasTranslucency) { parts.iterator() }, view())
     }
 
-    private fun part(surfaces: List<Surface>): FrameContent =
-        FrameContent.Builder().apply { surfaces.forEach { add(it) } }.build(NoView)
-
-    /** Returns consecutive parts of [source] that are rendered together: small ones would each cost too much. */
-    private fun groups(source: MeshSource): List<IntRange> {
-        val groups = ArrayList<IntRange>()
-        var first = 0
-        var size = 0L
-        for (number in 0 until source.partCount) {
-            val count = source.triangleCount(number)
-            if (number > first && size + count > GROUP) {
-                groups += first until number
-                first = number
-                size = 0
-            }
-            size += count
-        }
-        if (first < source.partCount) groups += first until source.partCount
-        return groups
-    }
+    private fun part(surface: Surface): FrameContent =
+        FrameContent.Builder().apply { add(surface) }.build(NoView)
 
     /** Counts primitives. */
     private class NextIndex {
@@ -101,10 +82,5 @@ internal class FrameAssembly(private val surfaces: List<Surface>, private val se
             index = end.toInt()
             return first
         }
-    }
-
-    private companion object {
-        /** Most triangles that are rendered together, unless one part has more. */
-        const val GROUP = 1 shl 17
     }
 }

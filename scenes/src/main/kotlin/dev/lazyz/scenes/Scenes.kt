@@ -122,12 +122,12 @@ public object Scenes {
     ): LoadedScene = SceneReading.read(bytes, format, name, options)
 
     /**
-     * Opens a file that may be larger than memory. Its triangles are read part by part while the scene is rendered. They
-     * have their own normals where the file has none, as with [LoadOptions.smoothNormals] off; the picture is then the
-     * same as that of the scene that [load] returns.
+     * Opens a file that may be larger than memory. Its triangles are read part by part while the scene is rendered.
+     * Each has its own normal, as with [LoadOptions.smoothNormals] off; the picture is the one of the scene that [load]
+     * returns with that option.
      *
      * The file is read once here, to find its extent and its mistakes. A text file is also converted to a temporary
-     * file of 36 bytes a triangle. Memory: some megabytes, and 100 bytes for 32,768 triangles.
+     * file of 36 bytes a triangle. Memory: some megabytes, and about 100 bytes for each 1024 triangles.
      *
      * @param format the format, or null if the extension of the name or the first bytes determine it; only STL is
      *   supported

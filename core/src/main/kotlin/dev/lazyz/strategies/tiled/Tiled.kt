@@ -47,13 +47,13 @@ import java.util.concurrent.atomic.AtomicReference
  * - for each thread, the keys of a tile at 8 bytes a sample, and 20 bytes for each translucent fragment of a tile;
  * - 16 bytes for each primitive of the frame that is not from a mesh.
  *
- * A streamed frame (see [Frame.isStreamed]) is rendered part by part into a picture in memory, at 12 bytes a sample; if
+ * A streamed frame (see [Frame.isStreamed]) is rendered part by part into a picture in memory, at 12 bytes a sample. If
  * that is more than a third of the heap, into one band of rows after the other, with a pass over the parts for each.
  * Each part is shaded where it is nearest within itself, so later parts can hide some of what was shaded.
  *
- * Otherwise memory does not grow with the number of rows. For very wide pictures use smaller tiles. Rows and bins are kept for
- * the next rendering through soft references: rendering a frame similar to the last one allocates no large arrays, and
- * the garbage collector can reclaim them if memory is short. So reuse the renderer.
+ * Otherwise memory does not grow with the number of rows. For very wide pictures use smaller tiles. Rows and bins are
+ * kept for the next rendering through soft references: rendering a frame similar to the last one allocates no large
+ * arrays, and the garbage collector can reclaim them if memory is short. So reuse the renderer.
  *
  * Time: proportional to the number of triangles, of samples that are not rejected and of visible samples, divided by
  * the number of threads.

@@ -1,21 +1,23 @@
 package dev.lazyz.world.surface
 
 import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.DistinctTriples
 import dev.lazyz.geometry.PointBlocks
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
-/** Finds points of [source] by reading only those parts whose boxes extend far enough. Thread safe. */
+/**
+ * Finds points of [source] by reading only those parts whose boxes extend far enough. The points of the parts that were
+ * used last stay in memory, up to an eighth of the heap: directions that follow each other lead to the same parts.
+ * Thread safe.
+ */
 internal class FarthestPart(private val source: MeshSource) {
-    /** The parts that were read last: directions that follow each other lead to the same ones. */
-    private val recent = object : LinkedHashMap<Int, Mesh>(16, 0.75f, true) {
-        override fun removeEldestEntry(eldest: Map.Entry<Int, Mesh>?): Boolean = size > RECENT
-    }
-
     private val boxes: List<Box?> = List(source.partCount) { source.bounds(it) }
 
     /** The smallest box around all parts, relative to the origin of the source, or null if there are no vertices. */
     val bounds: Box? = boxes.filterNotNull().reduceOrNull(Box::union)
+
+    private val recent = RecentPoints()
 
     /**
      * Returns the vertex that is farthest along [direction], relative to the origin of the source; of several the one
@@ -31,33 +33,58 @@ internal class FarthestPart(private val source: MeshSource) {
             val corner = boxes[number]?.farthest(direction)
             if (corner == null) Double.NEGATIVE_INFINITY else x * corner.x + y * corner.y + z * corner.z
         }
+        val first = reaches.indices.maxByOrNull { reaches[it] } ?: return null
+        if (boxes[first] == null) return null
         var best: Vector3d? = null
         var most = Double.NEGATIVE_INFINITY
-        for (number in boxes.indices.filter { boxes[it] != null }.sortedByDescending { reaches[it] }) {
-            if (reaches[number] < most) break
-            val part = part(number)
-            val positions = part.positions
-            for (vertex in part.triangles) {
-                val px = positions[3 * vertex]
-                val py = positions[3 * vertex + 1]
-                val pz = positions[3 * vertex + 2]
-                val product = x * px + y * py + z * pz
-                if (!(product >= most) || !(px.isFinite() && py.isFinite() && pz.isFinite())) continue
-                val point = Vector3d(px.toDouble(), py.toDouble(), pz.toDouble())
+        fun look(number: Int) {
+            val points = points(number)
+            for (at in points.indices step 3) {
+                val product = x * points[at] + y * points[at + 1] + z * points[at + 2]
+                if (product < most) continue
+                val point = Vector3d(points[at].toDouble(), points[at + 1].toDouble(), points[at + 2].toDouble())
                 if (product > most || PointBlocks.isBefore(point, checkNotNull(best))) best = point
                 most = product
             }
         }
+
+        // Begin with the most promising part, so that few others remain
+        look(first)
+        val others = reaches.indices.filter { it != first && boxes[it] != null && reaches[it] >= most }
+        for (number in others.sortedByDescending { reaches[it] }) if (reaches[number] >= most) look(number)
         return best
     }
 
-    private fun part(number: Int): Mesh {
+    /** Returns x, y, z of the different vertices of part [number] that its triangles use and that are finite. */
+    private fun points(number: Int): FloatArray {
         synchronized(recent) { recent[number] }?.let { return it }
-        return source.part(number).also { synchronized(recent) { recent[number] = it } }
+        val part = source.read(number, 1)
+        val distinct = DistinctTriples(part.triangleCount)
+        for (vertex in part.triangles) {
+            val x = part.positions[3 * vertex]
+            val y = part.positions[3 * vertex + 1]
+            val z = part.positions[3 * vertex + 2]
+            if (x.isFinite() && y.isFinite() && z.isFinite()) distinct.addPoint(x, y, z)
+        }
+        val points = FloatArray(3 * distinct.size) { Float.fromBits(distinct.get(it / 3, it % 3)) }
+        synchronized(recent) { recent.add(number, points) }
+        return points
     }
 
-    private companion object {
-        /** Number of parts that are kept in memory. */
-        const val RECENT = 32
+    /** The points of parts, by the number of the part; those that were not used for the longest time are dropped. */
+    private class RecentPoints : LinkedHashMap<Int, FloatArray>(16, 0.75f, true) {
+        private val most = Runtime.getRuntime().maxMemory() / 8
+        private var bytes = 0L
+
+        fun add(number: Int, points: FloatArray) {
+            put(number, points)
+            bytes += Float.SIZE_BYTES * points.size
+        }
+
+        override fun removeEldestEntry(eldest: Map.Entry<Int, FloatArray>): Boolean {
+            val isFull = bytes > most
+            if (isFull) bytes -= Float.SIZE_BYTES * eldest.value.size
+            return isFull
+        }
     }
 }

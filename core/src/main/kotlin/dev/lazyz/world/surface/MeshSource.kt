@@ -7,9 +7,9 @@ import org.joml.Vector3dc
  * Triangles that are read part by part each time they are needed, for models that are larger than memory. Shown by a
  * [StreamedMesh].
  *
- * A part should have 5,000 to 500,000 triangles: a few parts are in memory at the same time, and each takes some time
- * of its own. Implementations must return the same triangles each time, and be thread safe. An exception ends the
- * rendering and is rethrown unchanged.
+ * A part should have some 1,000 triangles that are close to each other. For a fitted camera, single parts are read; for
+ * a rendering, as many at a time as have some 100,000 triangles. Implementations must return the same triangles each
+ * time, and be thread safe. An exception ends the rendering and is rethrown unchanged.
  */
 public interface MeshSource {
     /** Number of triangles of all parts. */
@@ -34,8 +34,8 @@ public interface MeshSource {
     public fun bounds(number: Int): Box?
 
     /**
-     * Returns part [number], 0 until [partCount]. The triangles of all parts, in order, are those of the whole mesh.
-     * The materials of the parts are not used, and their origins must be [origin].
+     * Reads [count] parts from number [first] on, and returns their triangles in order as one mesh. The triangles of
+     * all parts are those of the whole mesh. The material of the result is not used, and its origin must be [origin].
      */
-    public fun part(number: Int): Mesh
+    public fun read(first: Int, count: Int): Mesh
 }

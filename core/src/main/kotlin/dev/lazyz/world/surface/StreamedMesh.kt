@@ -63,17 +63,35 @@ public class StreamedMesh private constructor(
     override fun farthest(direction: Vector3dc): Vector3d? =
         parts.farthest(up.toModel(direction))?.let { up.toWorld(it.add(source.origin)) }
 
-    /** Returns part [number] of the [source], with the material and the orientation of this mesh. */
-    internal fun part(number: Int): Mesh {
-        val part = with(source.part(number)) {
+    /** Reads parts of the [source], with the material and the orientation of this mesh. */
+    internal fun read(parts: IntRange): Mesh {
+        val part = with(source.read(parts.first, parts.count())) {
             val colors = if (isPlain) null else colors
             Mesh(positions, triangles, this@StreamedMesh.material, normals, uvs, colors, origin, uvs2, tangents)
         }
         return if (up == UpAxis.Y) part else part.withUpAxis(up)
     }
 
+    /** Returns the numbers of parts that are read at a time, some 100,000 triangles. */
+    internal fun groups(): List<IntRange> {
+        val groups = ArrayList<IntRange>()
+        var first = 0
+        var size = 0L
+        for (number in 0 until source.partCount) {
+            val count = source.triangleCount(number)
+            if (number > first && size + count > GROUP) {
+                groups += first until number
+                first = number
+                size = 0
+            }
+            size += count
+        }
+        if (first < source.partCount) groups += first until source.partCount
+        return groups
+    }
+
     override fun primitives(setUp: SetUp): Sequence<Primitive> =
-        (0 until source.partCount).asSequence().flatMap { setUp.mesh(part(it)) }
+        groups().asSequence().flatMap { setUp.mesh(read(it)) }
 
     override fun withMaterials(change: UnaryOperator<Material>): StreamedMesh =
         StreamedMesh(source, change.apply(material), up, isPlain)
@@ -93,4 +111,9 @@ public class StreamedMesh private constructor(
     }
 
     override fun toString(): String = "StreamedMesh($triangleCount triangles, $material)"
+
+    private companion object {
+        /** Most triangles that are read at a time, unless one part has more. */
+        const val GROUP = 1 shl 17
+    }
 }

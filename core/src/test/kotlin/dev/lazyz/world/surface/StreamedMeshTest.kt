@@ -9,6 +9,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
+import dev.lazyz.lighting.LightMeter
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.hybrid.Hybrid
 import dev.lazyz.strategies.tiled.Tiled
@@ -44,20 +45,21 @@ class StreamedMeshTest {
 
         override fun triangleCount(number: Int): Int = minOf(size, triangleCount - size * number)
 
-        override fun bounds(number: Int): Box? = Box.around(positions(number))
+        override fun bounds(number: Int): Box? = Box.around(positions(number, 1))
 
-        override fun part(number: Int): Mesh {
-            reads.incrementAndGet()
-            val corners = corners(number)
+        override fun read(first: Int, count: Int): Mesh {
+            reads.addAndGet(count)
+            val corners = corners(first, count)
             val colors = mesh.colors?.let { all -> FloatArray(4 * corners.size) { all[4 * corners[it / 4] + it % 4] } }
-            return Mesh(positions(number), IntArray(corners.size) { it }, colors = colors, origin = mesh.origin)
+            val numbers = IntArray(corners.size) { it }
+            return Mesh(positions(first, count), numbers, colors = colors, origin = mesh.origin)
         }
 
-        private fun corners(number: Int): IntArray =
-            mesh.triangles.copyOfRange(3 * size * number, minOf(3 * size * (number + 1), 3 * triangleCount))
+        private fun corners(first: Int, count: Int): IntArray =
+            mesh.triangles.copyOfRange(3 * size * first, minOf(3 * size * (first + count), 3 * triangleCount))
 
-        private fun positions(number: Int): FloatArray {
-            val corners = corners(number)
+        private fun positions(first: Int, count: Int): FloatArray {
+            val corners = corners(first, count)
             return FloatArray(3 * corners.size) { mesh.positions[3 * corners[it / 3] + it % 3] }
         }
     }
@@ -171,6 +173,23 @@ class StreamedMeshTest {
         val frame = Scene(listOf(sphere(), StreamedMesh(Pieces(mesh(6), 50)))).frame(20, 20)
         assertEquals(frame.primitives.size, frame.primitives.count { true })
         assertThrows(UnsupportedOperationException::class.java) { frame.primitives[0] }
+    }
+
+    @Test
+    fun darkColoursAreMeteredLikeThoseInMemory() {
+        val random = Random(9)
+        val positions = FloatArray(3 * 1000) { random.nextFloat() }
+        val colors = FloatArray(4 * 1000) { if (it % 4 == 3) 1f else random.nextFloat() / 10 }
+
+        // Every third triangle is measured
+        val dark = Mesh(positions, IntArray(3 * 140_000) { random.nextInt(1000) }, colors = colors)
+        val expected = LightMeter.intensity(Scene(listOf(dark)))
+        assertTrue(expected > 1f)
+        for (size in listOf(1000, 7777, 200_000)) {
+            assertEquals(expected, LightMeter.intensity(Scene(listOf(StreamedMesh(Pieces(dark, size))))))
+        }
+        val bright = StreamedMesh(Pieces(dark, 1000)).withoutColors()
+        assertEquals(1f, LightMeter.intensity(Scene(listOf(bright))))
     }
 
     @Test

@@ -58,13 +58,14 @@ internal object StlStreaming {
         // Look at all facets once: where they are, and whether they have colours
         val words = StlWords()
         val boxes = ArrayList<Box?>()
-        val parts = FacetFile.parts(count.toInt())
-        for (first in 0 until parts step AT_ONCE) {
-            val found = IntStream.range(first, minOf(first + AT_ONCE, parts)).parallel()
-                .mapToObj { number -> FacetScan.of(file, number, count) }.toList()
-            for (part in found) {
-                boxes += part.box
-                words.add(part.words)
+        val pieces = ((count + PIECE - 1) / PIECE).toInt()
+        for (first in 0 until pieces step AT_ONCE) {
+            val found = IntStream.range(first, minOf(first + AT_ONCE, pieces)).parallel()
+                .mapToObj { number -> FacetScan(file, number * PIECE, minOf(PIECE, count - number * PIECE).toInt()) }
+                .toList()
+            for (piece in found) {
+                boxes += piece.boxes
+                words.add(piece.words)
             }
             source.loading.decode(source, 0)
         }
@@ -74,29 +75,32 @@ internal object StlStreaming {
         )
     }
 
-    /** What is known of one part of a binary file after a look at all its facets. */
-    private class FacetScan(val box: Box?, val words: StlWords) {
-        companion object {
-            /** Looks at part [number] of a file with [count] facets. */
-            fun of(file: FileBytes, number: Int, count: Long): FacetScan {
-                val first = number.toLong() * FacetFile.PART
-                val facets = minOf(FacetFile.PART.toLong(), count - first).toInt()
-                val records = file.read(StlBinary.FACETS + first * StlBinary.FACET, facets * StlBinary.FACET)
+    /** What is known of [count] facets of a binary file, from number [first] on, after a look at all of them. */
+    private class FacetScan(file: FileBytes, first: Long, count: Int) {
+        /** The boxes of the parts of [FacetFile]. */
+        val boxes = ArrayList<Box?>()
+        val words = StlWords()
+
+        init {
+            val records = file.read(StlBinary.FACETS + first * StlBinary.FACET, count * StlBinary.FACET)
+            for (start in 0 until count step FacetFile.PART) {
                 val box = PartBox()
-                val words = StlWords()
-                for (facet in 0 until facets * StlBinary.FACET step StlBinary.FACET) {
-                    for (corner in 0 until 3) {
-                        val at = facet + StlBinary.NORMAL + 12 * corner
-                        box.add(records.getFloat(at), records.getFloat(at + 4), records.getFloat(at + 8))
+                for (facet in start until minOf(start + FacetFile.PART, count)) {
+                    val at = facet * StlBinary.FACET
+                    for (i in StlBinary.NORMAL until StlBinary.NORMAL + 36 step 12) {
+                        box.add(records.getFloat(at + i), records.getFloat(at + i + 4), records.getFloat(at + i + 8))
                     }
-                    words.add(StlBinary.word(records, facet))
+                    words.add(StlBinary.word(records, at))
                 }
-                return FacetScan(box.toBox(), words)
+                boxes += box.toBox()
             }
         }
     }
 
-    /** Parts that are looked at before the limits are checked. */
+    /** Facets that a thread looks at, a multiple of [FacetFile.PART]. */
+    private const val PIECE = 16L * FacetFile.PART
+
+    /** Pieces that are looked at before the limits are checked. */
     private const val AT_ONCE = 64
 
     /** The colours in the 16-bit words of facets. */

@@ -30,34 +30,27 @@ internal class FacetFile(
 
     override val partCount: Int get() = boxes.size
 
-    /** Vertex numbers of a whole part: no vertices are shared. */
-    private val numbers = IntArray(3 * minOf(PART, triangleCount)) { it }
-
     override fun triangleCount(number: Int): Int = minOf(PART, triangleCount - number * PART)
 
     override fun bounds(number: Int): Box? = boxes[number]
 
-    override fun part(number: Int): Mesh {
-        val first = number * PART
-        val count = triangleCount(number)
-        val records = file.read(start + first.toLong() * stride, count * stride)
-        val positions = FloatArray(9 * count)
-        for (facet in 0 until count) {
+    override fun read(first: Int, count: Int): Mesh {
+        val facets = minOf(count * PART, triangleCount - first * PART)
+        val records = file.read(start + first.toLong() * PART * stride, facets * stride)
+        val positions = FloatArray(9 * facets)
+        for (facet in 0 until facets) {
             val at = facet * stride + corners
 
             // Adding 0 turns -0 into 0, as in meshes whose vertices are merged
             for (i in 0 until 9) positions[9 * facet + i] = records.getFloat(at + 4 * i) + 0f
         }
-        val triangles = if (count == PART) numbers else numbers.copyOf(3 * count)
-        return Mesh(positions, triangles, colors = colors?.of(records, stride, count), origin = origin)
+        val numbers = IntArray(3 * facets) { it }
+        return Mesh(positions, numbers, colors = colors?.of(records, stride, facets), origin = origin)
     }
 
     companion object {
         /** Triangles of a part. */
-        const val PART: Int = 1 shl 13
-
-        /** Returns the number of parts of so many triangles. */
-        fun parts(triangles: Int): Int = ((triangles.toLong() + PART - 1) / PART).toInt()
+        const val PART: Int = 1 shl 10
     }
 }
 

@@ -1,0 +1,143 @@
+package dev.lazyz.cli.render
+
+import dev.lazyz.cli.argb
+import dev.lazyz.cli.image
+import dev.lazyz.cli.zcli
+import dev.lazyz.cli.zcliReading
+import java.io.File
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+import kotlin.io.path.exists
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+import kotlin.io.path.readText
+import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+/** `--stream` shows models that are larger than memory. */
+class StreamTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val model get() = folder.resolve("hills.stl")
+    private val out get() = folder.resolve("out.png")
+
+    /** A binary file of 2 x [side] x [side] triangles. */
+    private fun hills(side: Int): ByteArray {
+        val buffer = ByteBuffer.allocate(84 + 100 * side * side).order(ByteOrder.LITTLE_ENDIAN)
+        buffer.position(80).putInt(2 * side * side)
+        fun point(x: Int, y: Int) {
+            buffer.putFloat(x / side.toFloat()).putFloat(y / side.toFloat())
+            buffer.putFloat((StrictMath.sin(11.0 * x / side) * StrictMath.cos(8.0 * y / side) / 6).toFloat())
+        }
+        for (y in 0 until side) {
+            for (x in 0 until side) {
+                for (upper in 0..1) {
+                    buffer.position(buffer.position() + 12)
+                    point(x, y)
+                    point(x + 1, y + upper)
+                    point(x + 1 - upper, y + 1)
+                    buffer.position(buffer.position() + 2)
+                }
+            }
+        }
+        return buffer.array()
+    }
+
+    private fun pixels(vararg options: Any): List<Int> {
+        zcli("render", model, "-o", out, "--size", "80x60", *options).done()
+        return out.image.argb()
+    }
+
+    @Test
+    fun thePictureIsThatOfTheWholeModel() {
+        model.writeBytes(hills(70))
+        for (options in listOf(
+            listOf("--shading", "flat"), listOf("--shading", "flat", "--color", "steelblue", "--view", "top"),
+            listOf("--shading", "constant", "--aa", "2", "--region", "20,11,33x40"),
+            listOf("--shading", "flat", "--up", "-x", "--background", "red,blue", "--aa-filter", "mitchell"),
+        )) {
+            val whole = pixels(*options.toTypedArray())
+            for (strategy in listOf("tiled", "zbuffer", "hybrid")) {
+                assertEquals(whole, pixels("--stream", "--strategy", strategy, *options.toTypedArray()), "$options")
+            }
+        }
+    }
+
+    @Test
+    fun standardInputIsCopied() {
+        val text = "solid s\n" + List(9) { number ->
+            "facet normal 0 0 0\nouter loop\nvertex 0 0 $number\nvertex 1 $number 0\nvertex $number 1 2\nendloop\nendfacet\n"
+        }.joinToString("") + "endsolid s\n"
+        model.writeText(text)
+        val whole = pixels("--shading", "flat")
+        val piped = zcliReading(
+            text, "render", "-", "--format", "stl", "--stream", "--spool", folder, "-o", out, "--size", "80x60",
+            "--shading", "flat",
+        )
+        piped.done()
+        assertEquals(whole, out.image.argb())
+        assertEquals(setOf("hills.stl", "out.png"), folder.listDirectoryEntries().map { it.name }.toSet())
+    }
+
+    @Test
+    fun whatNeedsTheWholeModelIsRefused() {
+        model.writeBytes(hills(3))
+        for ((words, problem) in listOf(
+            "--edges" to "--edges needs the whole model", "--wireframe" to "--wireframe",
+            "--style technical" to "--style technical", "--style product" to "--style product",
+            "--cut z=50%" to "--cut", "--ambient-occlusion" to "--ambient-occlusion",
+            "--ground-shadow" to "--ground-shadow", "--shading-rate pixel" to "--shading-rate pixel",
+            "--aov depth=a.pfm" to "--aov", "--strategy lazy" to "with --stream use one of tiled, zbuffer, hybrid",
+            "--select count" to "--select", "--coherence incremental --strategy scanline" to "'scanline' needs",
+            "--turntable 4" to "--stream is for a single picture", "--views iso,top" to "--stream",
+            "--spool nowhere" to "nowhere is not a folder",
+        )) {
+            val result = zcli("render", model, "-o", out, "--stream", *words.split(' ').toTypedArray())
+            result.mistake(problem)
+            assertTrue(!out.exists(), words)
+        }
+        zcli("render", "teapot", "--stream", "-o", out).mistake("teapot is a built-in scene")
+        zcli("render", model, "--spool", folder, "-o", out).mistake("--spool needs --stream")
+        zcli("render", "-", "--stream", "-o", out).mistake("specify the format of standard input")
+        folder.resolve("a.obj").writeText("v 0 0 0\n")
+        zcli("render", folder.resolve("a.obj"), "--stream", "-o", out).mistake("only STL can", "a.obj")
+    }
+
+    @Test
+    fun itIsExplained() {
+        model.writeBytes(hills(3))
+        val result = zcli("render", model, "-o", out, "--stream", "--explain")
+        assertEquals(0, result.code)
+        assertTrue("18 primitives are read part by part\nchosen: tiled, because" in result.errors, result.errors)
+    }
+
+    /** The file is larger than the heap. Without --stream it is refused. */
+    @Test
+    fun aModelLargerThanTheHeapIsShown() {
+        model.writeBytes(hills(900))
+        val options = listOf("--shading", "flat", "--aa", "1", "--size", "80x60")
+        val whole = pixels(*options.toTypedArray())
+        assertEquals(2, run("-Xmx64m", "render", "hills.stl", "-o", "small.png", *options.toTypedArray()))
+        assertTrue("too large" in folder.resolve("errors.txt").readText())
+        val code = run("-Xmx64m", "render", "hills.stl", "--stream", "-o", "small.png", *options.toTypedArray())
+        assertEquals(0, code, folder.resolve("errors.txt").readText())
+        assertEquals(whole, folder.resolve("small.png").image.argb())
+    }
+
+    private fun run(javaOption: String, vararg args: String): Int {
+        val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+        val classPath = System.getProperty("java.class.path").split(File.pathSeparator)
+            .joinToString(File.pathSeparator) { Path.of(it).toAbsolutePath().toString() }
+        val process = ProcessBuilder(listOf(java, javaOption, "-cp", classPath, "dev.lazyz.cli.MainKt") + args)
+            .directory(folder.toFile()).redirectError(folder.resolve("errors.txt").toFile()).start()
+        assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
+        return process.exitValue()
+    }
+}
