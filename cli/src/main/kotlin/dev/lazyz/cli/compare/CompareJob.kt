@@ -17,9 +17,14 @@ import dev.lazyz.world.View
 /**
  * Renders frames with all strategies of [request], one after the other, and compares each picture with the first.
  *
+ * @param kept bytes for each pixel that the caller keeps besides
  * @throws Mistake if a strategy is not known, or a flag is not supported by any strategy
  */
-internal class CompareJob(private val request: CompareRequest, private val streams: Streams) {
+internal class CompareJob(
+    private val request: CompareRequest,
+    private val streams: Streams,
+    private val kept: Long = 0,
+) {
     private val strategies = strategies()
 
     /** Compares pictures of the scene [loaded] from [source], from the side [view] unless it is null. */
@@ -28,7 +33,9 @@ internal class CompareJob(private val request: CompareRequest, private val strea
         val frame = shot.frame
         val able = strategies.filter { canRender(it, frame) }
         if (able.isEmpty()) throw Mistake(noneBlends())
-        for (strategy in able) MemoryNeed.check(strategy, frame.region, kept = BYTES_PER_PIXEL, aa = shot.factor)
+        for (strategy in able) {
+            MemoryNeed.check(strategy, frame.region, kept = BYTES_PER_PIXEL + kept, aa = shot.factor)
+        }
 
         // Render with one after the other
         val round = Round(shot)
