@@ -40,8 +40,8 @@ internal enum class Measure(
     ),
     FRAGMENTS(
         "Fragments",
-        "Covered samples that were looked at, counted for each surface; a strategy that rejects hidden surfaces early " +
-            "looks at fewer.",
+        "Covered samples that were looked at, counted for each surface; some strategies reject hidden surfaces " +
+            "before that.",
         "fragments",
         isCharted = true,
     ),
@@ -51,6 +51,18 @@ internal enum class Measure(
         "The most memory that the strategy's own arrays took at one time, without scene and picture.",
         "peakBytes",
         isCharted = true,
+    ),
+    TIME(
+        "Time",
+        "Time of rendering divided by that of the fastest strategy here. Machines are noisy: only ratios within this " +
+            "run mean something, and small differences do not.",
+        null,
+        isCharted = true,
+    ),
+    MILLIS(
+        "Milliseconds",
+        "The median of the repetitions, without reading and set-up; not for comparisons with other runs.",
+        "millis",
     ),
     PEAK_SUSPENSIONS(
         "Waiting calls",
@@ -65,18 +77,6 @@ internal enum class Measure(
     ),
     SHADING_STEPS("Shading steps", "Steps from sample to sample; only with --coherence.", "shadingSteps"),
     LONGEST_CHAIN("Longest chain", "The most such steps before one shading call.", "longestChain"),
-    TIME(
-        "Time",
-        "Time of rendering divided by that of the fastest strategy here. Machines are noisy: only ratios within this " +
-            "run mean something, and small differences do not.",
-        null,
-        isCharted = true,
-    ),
-    MILLIS(
-        "Milliseconds",
-        "The median of the repetitions, without reading and set-up; not for comparisons with other runs.",
-        "millis",
-    ),
     ;
 
     /** Returns the number of [entry], or null if there is none. */

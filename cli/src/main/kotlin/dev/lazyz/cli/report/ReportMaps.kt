@@ -14,7 +14,7 @@ import dev.lazyz.scenes.pictures.PictureDifference
 /** The part of a report that shows pictures: where surfaces and shading calls are, and in which order. */
 internal class ReportMaps(private val report: Report, private val pictures: PictureStore) {
     private val reference = report.comparison.reference?.image
-    private val mostCalls = maxOf(report.entries.maxOfOrNull { it.portrait?.calls?.ints?.max() ?: 0 } ?: 0, 1)
+    private val mostCalls: Int = maxOf(report.entries.maxOf { it.portrait?.calls?.ints?.max() ?: 0 }, 1)
 
     /** Returns a map of the overdraw, and what it means. */
     fun overdraw(): String = buildString {
@@ -25,9 +25,9 @@ internal class ReportMaps(private val report: Report, private val pictures: Pict
         val words = "Overdraw: %,d fragments in all, up to %,d at a pixel".format(null, sum, most)
         appendLine("<figure>${pictures.show(AovPicture.ofCounts(overdraw, most), words)}")
         appendLine("<figcaption>$words.</figcaption></figure>")
-        appendLine("""<div class="card"><h3>Overdraw</h3><p>How many surfaces cover each pixel, hidden ones too: the """)
-        appendLine("work that is there to be saved. It belongs to the scene, so it is the same for all strategies.</p>")
-        append(scale("0", "1", "%,d".format(null, most)))
+        appendLine("""<div class="card"><h3>Overdraw</h3>""")
+        append("<div class=\"card\"><h3>Overdraw</h3><p>How many surfaces cover each pixel, hidden ones too: ")
+        appendLine("the work that is there to be saved. It belongs to the scene, so it is the same for all.</p>")
         appendLine("</div></div>")
     }
 
@@ -35,9 +35,9 @@ internal class ReportMaps(private val report: Report, private val pictures: Pict
     fun strategies(): String = buildString {
         appendLine("<p>For each strategy: its picture; how often each pixel was shaded, on one scale for all; and ")
         appendLine("when each pixel got its colour, if one thread works.</p>")
-        append(scale("not shaded", "1 call", "%,d calls".format(null, mostCalls)))
-        append(scale("not shaded", "first", "last"))
-        appendLine("""<div class="grid">""")
+        append(scale("Calls:", "none", "1", "%,d a pixel".format(null, mostCalls)))
+        append(scale("Order:", "none", "first", "last"))
+        appendLine("""<div class="grid wide">""")
         for (entry in report.entries) card(entry)
         appendLine("</div>")
     }
@@ -87,7 +87,7 @@ internal class ReportMaps(private val report: Report, private val pictures: Pict
         figure(
             AovPicture.ofCounts(portrait.calls, mostCalls),
             "Shading calls of ${entry.id}: $calls in all, up to $most at a pixel",
-            "calls: $calls, up to $most at a pixel",
+            "calls, up to $most a pixel",
         )
         portrait.order?.let { figure(order(it, portrait.image), "Order in which ${entry.id} shades", "order") }
         appendLine("</div>")
@@ -110,13 +110,13 @@ internal class ReportMaps(private val report: Report, private val pictures: Pict
         return Image(image.width, image.height, argb, IntArray(argb.size), none, image.counters)
     }
 
-    /** Returns the legend of a map: what is grey, and the ends of the scale. */
-    private fun scale(none: String, least: String, most: String): String {
+    /** Returns the legend of the map [name]: what is grey, and the ends of the scale. */
+    private fun scale(name: String, none: String, least: String, most: String): String {
         val colors = (0..STOPS).joinToString { "#%06x".format(Viridis.argb(it / STOPS.toDouble()) and 0xFFFFFF) }
         val grey = "#%06x".format(AovPicture.NOTHING and 0xFFFFFF)
-        return """<div class="scale"><span class="swatch" style="background:$grey"></span> $none """ +
-            """<span>$least</span><i style="background:linear-gradient(90deg, $colors)"></i><span>$most</span></div>""" +
-            "\n"
+        return """<div class="scale"><b>$name</b> <span class="swatch" style="background:$grey"></span> $none """ +
+            """<span>$least</span><i style="background:linear-gradient(90deg, $colors)"></i>""" +
+            "<span>$most</span></div>\n"
     }
 
     private companion object {

@@ -57,7 +57,7 @@ internal class ReportPage(private val report: Report) {
         val pixels = shot.pixels
         val image = report.comparison.reference?.image
         val factor = shot.factor
-        appendLine("""<div class="card"><h2 style="margin-top:0">What was rendered</h2><dl class="facts">""")
+        appendLine("""<div class="card"><h2>What was rendered</h2><dl class="facts">""")
         fact("Input", report.input)
         fact("Picture", "${pixels.width} × ${pixels.height} pixels")
         fact("Samples", if (factor == 1) "one a pixel" else "$factor × $factor a pixel, with anti-aliasing")
@@ -72,7 +72,7 @@ internal class ReportPage(private val report: Report) {
         val processors = Runtime.getRuntime().availableProcessors()
         fact("Machine", "Java ${System.getProperty("java.version")}, $system, $processors processors")
         appendLine("</dl>")
-        appendLine("""<p style="margin-top:1rem">The same page again: <code>${escaped(report.command)}</code></p></div>""")
+        appendLine("<p>The same page again: <code>${escaped(report.command)}</code></p></div>")
     }
 
     private fun StringBuilder.fact(name: String, value: String) {
