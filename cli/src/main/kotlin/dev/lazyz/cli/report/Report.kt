@@ -76,7 +76,7 @@ internal class Report(
             val pixels = comparison.shot.pixels
             val equal = tried.count { isIdentical(it) }
             val skipped = entries.size - tried.size
-            val rest = if (skipped == 0) "" else "; $skipped cannot render it, see below"
+            val rest = if (skipped == 0) "" else "; $skipped cannot blend translucent surfaces"
             val head = if (isGood) "Identical: all $equal" else "Not identical: $equal of ${tried.size}"
             val bits = "strategies give the same bits at all %,d pixels".format(null, pixels.size)
             return "$head $bits, pixel hash ${hash ?: "none"}$rest"

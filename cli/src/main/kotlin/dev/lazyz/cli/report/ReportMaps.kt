@@ -26,8 +26,9 @@ internal class ReportMaps(private val report: Report, private val pictures: Pict
         appendLine("<figure>${pictures.show(AovPicture.ofCounts(overdraw, most), words)}")
         appendLine("<figcaption>$words.</figcaption></figure>")
         appendLine("""<div class="card"><h3>Overdraw</h3>""")
-        append("<div class=\"card\"><h3>Overdraw</h3><p>How many surfaces cover each pixel, hidden ones too: ")
-        appendLine("the work that is there to be saved. It belongs to the scene, so it is the same for all.</p>")
+        append("<p>How many surfaces cover each pixel, hidden ones too: the work that can be saved. ")
+        appendLine("It belongs to the scene, so it is the same for all strategies.</p>")
+        append(scale("Fragments:", "0", "1", "%,d".format(null, most)))
         appendLine("</div></div>")
     }
 
