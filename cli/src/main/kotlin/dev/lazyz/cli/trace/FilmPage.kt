@@ -26,19 +26,9 @@ internal class FilmPage(
 
     private fun content(): String = buildString {
         appendLine("<h1>${escaped(input)}: in which order it is shaded</h1>")
-        appendLine(
-            "<p>A step shows some more shading calls, not time: %,d calls in %,d steps. ".format(null, most, steps) +
-                (
-                    if (orders.size >
-                        1
-                    ) {
-                        "Both strategies have made equally many calls at each step, or are done. "
-                    } else {
-                        ""
-                    }
-                    ) +
-                "All calls are those of one thread.</p>",
-        )
+        append("<p>A step shows some more shading calls, not time: %,d calls in %,d steps. ".format(null, most, steps))
+        if (orders.size > 1) append("Both strategies have made equally many calls at each step, or are done. ")
+        appendLine("All calls are those of one thread.</p>")
         legend()
         controls()
         appendLine("""<div class="grid">""")

@@ -1,18 +1,22 @@
 package dev.lazyz.cli.page
 
+import com.sun.net.httpserver.HttpServer
 import dev.lazyz.scenes.html.Html.escaped
+import java.io.File
+import java.net.InetAddress
+import java.net.InetSocketAddress
 import java.nio.file.Path
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.TimeUnit
-import kotlin.io.path.absolute
+import java.util.concurrent.TimeoutException
 import kotlin.io.path.createDirectories
 import kotlin.io.path.exists
 import kotlin.io.path.readText
-import kotlin.io.path.writeText
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.jsonObject
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
 
 /**
@@ -37,43 +41,57 @@ internal class Browser(private val folder: Path) {
     fun visit(page: String, width: Int, probe: String): Visit {
         val program = NAMES.flatMap { name -> PLACES.map { it.resolve(name) } }.firstOrNull { it.exists() }
         assumeTrue(program != null, "there is no Chromium: none of $NAMES in $PLACES")
-        val outer = folder.resolve("outer.html").absolute()
-        outer.writeText(
-            """
-            <!DOCTYPE html><meta charset="utf-8"><link rel="icon" href="data:,">
-            <iframe style="width:${width}px;height:900px;border:0" srcdoc="${escaped(page)}"></iframe>
-            <pre></pre>
-            <script>
-            const frame = document.querySelector("iframe");
-            const report = (value) => document.querySelector("pre").textContent = JSON.stringify(value);
-            frame.addEventListener("load", async () => {
-              const doc = frame.contentDocument;
-              const view = frame.contentWindow;
-              const pause = (ms) => new Promise((go) => setTimeout(go, ms));
-              try { report(await (async () => { $probe })()); } catch (error) { report({ error: String(error) }); }
-              frame.remove();
-            });
-            </script>
-            """.trimIndent(),
-        )
+        val answer = CompletableFuture<String>()
+        val requests = ConcurrentLinkedQueue<String>()
+        val server = HttpServer.create(InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0)
+        server.createContext("/") { exchange ->
+            requests += "${exchange.requestMethod} ${exchange.requestURI}"
+            val body = if (exchange.requestMethod == "GET") outer(page, width, probe) else ""
+            val sent = exchange.requestBody.readAllBytes().decodeToString()
+            exchange.responseHeaders.add("Content-Type", "text/html; charset=utf-8")
+            exchange.sendResponseHeaders(200, 0)
+            exchange.responseBody.use { it.write(body.toByteArray()) }
+            if (exchange.requestMethod == "POST") answer.complete(sent)
+        }
+        server.start()
         val log = folder.resolve("console.txt")
-        val dom = folder.resolve("dom.html")
         val process = ProcessBuilder(
             "$program", "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-background-networking",
             "--user-data-dir=${folder.resolve("profile").createDirectories()}", "--enable-logging=stderr",
-            "--window-size=1400,1000", "--virtual-time-budget=20000", "--dump-dom", "${outer.toUri()}",
-        ).redirectError(log.toFile()).redirectOutput(dom.toFile()).start()
-        assertTrue(process.waitFor(120, TimeUnit.SECONDS).also { if (!it) process.destroyForcibly() }, "it hangs")
-        val text = dom.readText().substringAfter("<pre>", "").substringBefore("</pre>")
-        assertTrue(text.isNotEmpty(), "no answer: ${log.readText()}")
-        val facts = Json.parseToJsonElement(text.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&"))
-        assertEquals(null, facts.jsonObject["error"])
-        return Visit(facts.jsonObject, log.readText().lines().filter { "CONSOLE" in it })
+            "--window-size=1400,1000", "--hide-scrollbars", "http://127.0.0.1:${server.address.port}/",
+        ).redirectErrorStream(true).redirectOutput(log.toFile()).start()
+        try {
+            val facts = Json.parseToJsonElement(answer.get(60, TimeUnit.SECONDS)).jsonObject
+            assertEquals(null, facts["error"])
+            assertEquals(listOf("GET /", "POST /answer"), requests.toList())
+            return Visit(facts, log.readText().lines().filter { "CONSOLE" in it })
+        } catch (late: TimeoutException) {
+            throw AssertionError("no answer: ${log.readText()}", late)
+        } finally {
+            server.stop(0)
+            process.destroy()
+            process.waitFor(10, TimeUnit.SECONDS)
+        }
     }
+
+    private fun outer(page: String, width: Int, probe: String): String = """
+        <!DOCTYPE html><meta charset="utf-8"><link rel="icon" href="data:,">
+        <script>
+        document.addEventListener("load", async ({ target: frame }) => {
+          const doc = frame.contentDocument;
+          const view = frame.contentWindow;
+          const pause = (ms) => new Promise((go) => setTimeout(go, ms));
+          let facts;
+          try { facts = await (async () => { $probe })(); } catch (error) { facts = { error: String(error) }; }
+          fetch("/answer", { method: "POST", body: JSON.stringify(facts) });
+        }, true);
+        </script>
+        <iframe style="width:${width}px;height:900px;border:0" srcdoc="${escaped(page)}"></iframe>
+    """.trimIndent()
 
     private companion object {
         val NAMES = listOf("chromium", "chromium-browser", "google-chrome", "chrome")
-        val PLACES = System.getenv("PATH").orEmpty().split(java.io.File.pathSeparator).filter { it.isNotEmpty() }
+        val PLACES = System.getenv("PATH").orEmpty().split(File.pathSeparator).filter { it.isNotEmpty() }
             .map { Path.of(it) }
     }
 }

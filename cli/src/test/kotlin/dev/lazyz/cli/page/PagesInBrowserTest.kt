@@ -28,8 +28,13 @@ class PagesInBrowserTest {
         return folder.resolve("a.html").readText()
     }
 
+    private fun trace(name: String) {
+        val film = arrayOf("--strategy", "zbuffer,lazy", "--steps", "8")
+        zcli("trace", "city", "-o", folder.resolve(name), *film, *size).done()
+    }
+
     private fun film(): String {
-        zcli("trace", "city", "-o", folder.resolve("a.html"), "--strategy", "zbuffer,lazy", "--steps", "8", *size).done()
+        trace("a.html")
         return folder.resolve("a.html").readText()
     }
 
@@ -79,9 +84,8 @@ class PagesInBrowserTest {
     @Test
     fun aFilmShowsTheStepsOfTheGif() {
         val page = film()
-        val gif = folder.resolve("a.gif")
-        zcli("trace", "city", "-o", gif, "--strategy", "zbuffer,lazy", "--steps", "8", *size).done()
-        val expected = gif.gifFrames().take(8).map { frame ->
+        trace("a.gif")
+        val expected = folder.resolve("a.gif").gifFrames().take(8).map { frame ->
             listOf(0 until 200, 208 until 408).flatMap { columns ->
                 listOf(FilmPanel.WAITING, FilmPanel.DISCARDED).map { color ->
                     columns.sumOf { x -> (0 until 150).count { y -> frame.getRGB(x, y) == color } }
@@ -123,7 +127,12 @@ class PagesInBrowserTest {
         ).facts
         fun numbers(key: String) = facts.getValue(key).jsonArray.map { it.jsonPrimitive.int }
         fun text(key: String) = facts.getValue(key).jsonPrimitive.content
-        assertEquals(expected, facts.getValue("forward").jsonArray.map { s -> s.jsonArray.map { it.jsonPrimitive.int } })
+        assertEquals(
+            expected,
+            facts.getValue("forward").jsonArray.map { s ->
+                s.jsonArray.map { it.jsonPrimitive.int }
+            }
+        )
         val (greyLeft, pinkLeft, greyRight, pinkRight) = numbers("begin")
         assertEquals(greyLeft to 0, greyRight to pinkLeft + pinkRight)
         assertTrue(greyLeft > 10_000)

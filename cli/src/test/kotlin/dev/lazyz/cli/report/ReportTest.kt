@@ -61,7 +61,8 @@ class ReportTest {
     @Test
     fun theProofIsTheFirstLine() {
         val run = report("city").done()
-        val stats = zcli("render", "city", "--size", "40x30", "--aa", "1", "-o", folder.resolve("r.png"), "--stats=json")
+        val stats =
+            zcli("render", "city", "--size", "40x30", "--aa", "1", "-o", folder.resolve("r.png"), "--stats=json")
         val hash = stats.stat("pixelHash")
         val proof = "Identical: all 10 strategies give the same bits at all 1,200 pixels, pixel hash $hash"
         assertEquals("$proof\n", run.text)
@@ -150,7 +151,8 @@ class ReportTest {
         val page = page()
         assertEquals("does not blend", page.rows.getValue("zbuffer")[0])
         assertEquals("no numbers", page.rows.getValue("zbuffer")[1])
-        assertEquals(others, Regex("<p>The scene is translucent, and this strategy does not").findAll(page.text).count())
+        val sentence = Regex("<p>The scene is translucent, and this strategy does not")
+        assertEquals(others, sentence.findAll(page.text).count())
         assertTrue("zbuffer does not blend" in page.charts.getValue("Time").getAttribute("aria-label"))
         assertTrue("Picture of lists, the same as that of the others" in page.shown)
     }
@@ -163,9 +165,10 @@ class ReportTest {
         val page = page()
         assertEquals("different", page.rows.getValue("wrong-color")[0])
         assertTrue("wrong-color differs from tiled at 1 of 1,200 pixels, first at column 20, row 15" in page.text)
-        val own = page.pictures.getValue(page.shown.getValue("Picture of wrong-color, not that of the others")).argb()
-        val right = page.pictures.getValue(page.shown.getValue("Picture of lazy, the same as that of the others"))
-        assertEquals(listOf(15 * 40 + 20), own.indices.filter { own[it] != right.argb()[it] })
+        val (own, right) = listOf("wrong-color, not that", "lazy, the same as that").map {
+            page.pictures.getValue(page.shown.getValue("Picture of $it of the others")).argb()
+        }
+        assertEquals(listOf(15 * 40 + 20), own.indices.filter { own[it] != right[it] })
         assertTrue("Pixels of wrong-color that differ, yellow to red" in page.shown)
     }
 
