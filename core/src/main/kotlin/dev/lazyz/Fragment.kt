@@ -31,7 +31,7 @@ public class Fragment {
     @JvmField
     public var worldZ: Float = 0f
 
-    /** Interpolated normal in world space, facing the viewer, not renormalised. Default 0. */
+    /** Interpolated normal in world space, on the visible side of the face, not renormalised. Default 0. */
     @JvmField
     public var normalX: Float = 0f
 

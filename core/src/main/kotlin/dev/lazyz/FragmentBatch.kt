@@ -36,7 +36,7 @@ public class FragmentBatch internal constructor(capacity: Int) {
     @JvmField
     public val worldZ: FloatArray = FloatArray(capacity)
 
-    /** Interpolated normals in world space, facing the viewer, not renormalised. */
+    /** Interpolated normals in world space, on the visible side of the face, not renormalised. */
     @JvmField
     public val normalX: FloatArray = FloatArray(capacity)
 

@@ -27,7 +27,8 @@ public class Frame internal constructor(
 
     /**
      * The primitives to render. The index in the list is the submission index, which resolves ties of depth. `size` has
-     * constant cost. The triangles of a scene's opaque meshes become objects when the first element is accessed.
+     * constant cost. The triangles of a scene's opaque meshes become objects when the first element is accessed. If the
+     * frame is streamed, the list can only be iterated, which reads the primitives again each time.
      */
     public val primitives: List<Primitive> get() = content.primitives
 
@@ -36,6 +37,13 @@ public class Frame internal constructor(
 
     /** Number of rows to render. */
     public val height: Int get() = region.height
+
+    /**
+     * Whether the primitives are read while they are rendered, and not kept in memory, because the scene has a
+     * [dev.lazyz.world.surface.StreamedMesh]. Such a frame needs `Tiled`, `ZBuffer`, `Hybrid`, or another renderer that
+     * iterates the [primitives] only once; other renderers throw [IllegalArgumentException] before they start.
+     */
+    public val isStreamed: Boolean get() = content.parts != null
 
     /**
      * Whether any primitive is translucent. Such a frame needs a renderer with [Capability.TRANSPARENCY]; other
@@ -59,10 +67,7 @@ public class Frame internal constructor(
     public fun keeping(test: IntPredicate): Frame =
         Frame(
             raster,
-            FrameContent.of(
-                primitives.mapIndexed { index, primitive -> if (test.test(index)) primitive else EmptyPrimitive },
-                content.view,
-            ),
+            content.withAll { index, primitive -> if (test.test(index)) primitive else EmptyPrimitive },
             region,
         )
 
@@ -71,7 +76,7 @@ public class Frame internal constructor(
      * this frame itself if nothing is translucent. Cost: one small object for each translucent primitive.
      */
     public fun asOpaque(): Frame =
-        if (hasTranslucency) Frame(raster, content.withSingles { it.asOpaque() }, region) else this
+        if (hasTranslucency) Frame(raster, content.asOpaque(), region) else this
 
     /** Returns this frame with primitives whose colours are not computed: what is visible where, and how deep. */
     internal fun unshaded(): Frame = Frame(raster, content.unshaded(), region)

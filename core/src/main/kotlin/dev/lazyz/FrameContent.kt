@@ -1,12 +1,14 @@
 package dev.lazyz
 
 /**
- * The content of a frame: batches of primitives, and single primitives. Immutable and thread safe.
+ * The content of a frame: batches of primitives, and single primitives; or, if the frame is streamed, [parts] of it.
+ * Immutable and thread safe.
  *
  * @property size number of primitives, including those in batches
  * @property batches in ascending order of their submission indices
  * @property singles in submission order: the primitives that are in no batch, and the exceptions of the batches
  * @property view what is known about the scene
+ * @property parts all primitives of a streamed frame, which has neither batches nor singles; null if they are in memory
  */
 internal class FrameContent private constructor(
     val size: Int,
@@ -14,15 +16,19 @@ internal class FrameContent private constructor(
     val singles: List<Primitive>,
     private val indices: IntArray?,
     val view: FrameView,
+    val parts: FrameParts? = null,
 ) {
     /** Returns the submission index of `singles[number]`. */
     fun index(number: Int): Int = if (indices == null) number else indices[number]
 
     /** Whether any primitive is translucent. Primitives in batches are opaque. */
-    val hasTranslucency: Boolean by lazy { singles.any { it.isTranslucent } }
+    val hasTranslucency: Boolean by lazy { parts?.hasTranslucency ?: singles.any { it.isTranslucent } }
 
-    /** All primitives by submission index. Those in batches become objects when the first element is accessed. */
-    val primitives: List<Primitive> = if (batches.isEmpty()) singles else AllPrimitives()
+    /**
+     * All primitives by submission index. Those in batches become objects when the first element is accessed. Those of
+     * a streamed frame can only be iterated.
+     */
+    val primitives: List<Primitive> = parts?.primitives() ?: if (batches.isEmpty()) singles else AllPrimitives()
 
     /** Returns the single primitive with submission index [index]; there must be one. */
     fun single(index: Int): Primitive =
@@ -42,19 +48,33 @@ internal class FrameContent private constructor(
         return if (triangle < batch.count && batch.isDrawn(triangle)) low - 1 else -1
     }
 
-    /** Returns this content with each single primitive replaced by the result of [change]. */
-    fun withSingles(change: (Primitive) -> Primitive): FrameContent =
-        FrameContent(size, batches, singles.map(change), indices, view)
+    /** Returns this content with opaque primitives, see [Frame.asOpaque]. Those in batches are opaque already. */
+    fun asOpaque(): FrameContent = if (parts != null) {
+        streamed(parts.map(hasTranslucency = false) { it.content().asOpaque() }, view)
+    } else {
+        FrameContent(size, batches, singles.map { it.asOpaque() }, indices, view)
+    }
 
     /** Returns this content without batches, with each primitive replaced by the result of [change] for its index. */
-    fun withAll(change: (Int, Primitive) -> Primitive): FrameContent = of(primitives.mapIndexed(change), view)
+    fun withAll(change: (Int, Primitive) -> Primitive): FrameContent = if (parts != null) {
+        val changed = parts.map { part ->
+            part.content().withAll { number, primitive -> change(part.first + number, primitive) }
+        }
+        streamed(changed, view)
+    } else {
+        of(primitives.mapIndexed(change), view)
+    }
 
     /** Returns this content without colours, see [Frame.unshaded]. */
-    fun unshaded(): FrameContent =
+    fun unshaded(): FrameContent = if (parts != null) {
+        streamed(parts.map { it.content().unshaded() }, view)
+    } else {
         FrameContent(size, batches.map { it.unshaded() }, singles.map { UnshadedPrimitive(it) }, indices, view)
+    }
 
     /** Calls [action] for all primitives that can cover samples, in any order, without keeping objects of them. */
     fun forEachDrawn(action: (Primitive) -> Unit) {
+        parts?.forEach { it.content().forEachDrawn(action) }
         for (batch in batches) {
             val read = batch.reader()
             for (number in 0 until batch.count) if (batch.isDrawn(number)) action(read(number))
@@ -138,5 +158,9 @@ internal class FrameContent private constructor(
         /** Returns content that has the given primitives and no batches. */
         fun of(primitives: List<Primitive>, view: FrameView = NoView): FrameContent =
             FrameContent(primitives.size, emptyList(), primitives, null, view)
+
+        /** Returns the content of a streamed frame. */
+        fun streamed(parts: FrameParts, view: FrameView): FrameContent =
+            FrameContent(parts.size, emptyList(), emptyList(), null, view, parts)
     }
 }

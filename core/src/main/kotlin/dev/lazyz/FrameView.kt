@@ -19,6 +19,12 @@ internal interface FrameView {
      */
     fun distance(unit: Double): Double
 
+    /**
+     * Returns the distance from the eye along the line of sight, world units, of a position as [Fragment] has it,
+     * relative to [originX], [originY] and [originZ]. NaN if the frame was not set up from a scene.
+     */
+    fun distance(x: Float, y: Float, z: Float): Double
+
     /** Returns the number of the surface, in the order of the scene, whose primitive has the submission [index]. */
     fun objectOf(index: Int): Int
 }
@@ -32,6 +38,8 @@ internal object NoView : FrameView {
     override val originZ: Double get() = 0.0
 
     override fun distance(unit: Double): Double = unit
+
+    override fun distance(x: Float, y: Float, z: Float): Double = Double.NaN
 
     override fun objectOf(index: Int): Int = 0
 }

@@ -8,6 +8,7 @@ package dev.lazyz
  */
 internal fun requireOpaque(frame: Frame, renderer: Renderer) {
     if (!frame.hasTranslucency) return
+    if (frame.isStreamed) requireOpaqueStream(frame)
     val index = frame.primitives.indexOfFirst { it.isTranslucent }
     requireOpaque(frame.primitives[index], index, renderer)
 }

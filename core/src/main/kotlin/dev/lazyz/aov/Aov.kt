@@ -28,8 +28,9 @@ public enum class Aov(
 ) {
     /**
      * Distance from the eye along the line of sight (not along the ray), in units of the scene. It is computed from the
-     * 31-bit depth of the sample in double precision. For frames that were not set up from a scene, it is 0 at the near
-     * plane and 1 at the far plane.
+     * 31-bit depth of the sample in double precision; where the depth test uses one depth for all of a primitive, from
+     * [POSITION], because a sliver seen edge-on is not everywhere at that depth. So both agree, up to rounding. For
+     * frames that were not set up from a scene, it is 0 at the near plane and 1 at the far plane.
      */
     DEPTH(
         "depth", listOf("z"), false, Double.POSITIVE_INFINITY,
@@ -37,11 +38,13 @@ public enum class Aov(
     ),
 
     /**
-     * The interpolated normal, in world space, facing the viewer, of unit length. It is that of the face if the surface
-     * has no normals or flat shading. Normal maps are not applied. 0 for what has no normal: lines, points without
+     * The interpolated normal, in world space, of unit length. The normals of the vertices of a face are all reversed,
+     * if necessary, so that their sum is on the side of the face that the viewer sees; an interpolated normal can still
+     * point away from the viewer, near a silhouette. If the surface has no normals or flat shading, it is the normal of
+     * the face, which faces the viewer. Normal maps are not applied. 0 for what has no normal: lines, points without
      * normals, drawn edges, and polygons of frames that were not set up from a scene.
      */
-    NORMAL("normal", listOf("x", "y", "z"), false, 0.0, "unit normal, facing the viewer"),
+    NORMAL("normal", listOf("x", "y", "z"), false, 0.0, "unit normal, on the visible side of the face"),
 
     /** Position in world space; in pixels for what is given on the screen. 0 for drawn edges. */
     POSITION("position", listOf("x", "y", "z"), false, 0.0, "position, units of the scene"),

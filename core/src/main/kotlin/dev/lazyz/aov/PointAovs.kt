@@ -2,6 +2,7 @@ package dev.lazyz.aov
 
 import dev.lazyz.DepthTest
 import dev.lazyz.Fragment
+import dev.lazyz.Primitive
 import dev.lazyz.RecentPrimitives
 import dev.lazyz.RowSink
 import dev.lazyz.filter.SampledFrame
@@ -67,16 +68,37 @@ internal class PointAovs(private val sampled: SampledFrame, private val aovs: Li
         coverage?.set(at, covered[x].toFloat() / (factor * factor))
         indices?.set(at, index)
         objects?.set(at, if (isCovered) view.objectOf(index) else index)
-        depths?.set(at, if (isCovered) distance(keys[x]) else Float.POSITIVE_INFINITY)
-        if (isCovered && needsGeometry) {
+        depths?.set(at, Float.POSITIVE_INFINITY)
+        if (!isCovered) return
+        val primitive = primitives[index]
+        depths?.set(at, distance(x, primitive))
+        if (needsGeometry) {
             fragment.moveTo(columns[x], rows[x])
-            primitives[index].geometry(fragment)
+            primitive.geometry(fragment)
             store(at)
         }
     }
 
-    private fun distance(key: Long): Float =
-        view.distance(raster.convention.toUnit(raster.depthTest.depthOf(key))).toFloat()
+    /** Returns the distance of the winner in column [x], a sample of [primitive]. */
+    private fun distance(x: Int, primitive: Primitive): Float {
+        val form = primitive.depthForm
+        if (form != null && form.dx == 0L && form.dy == 0L) {
+            val distance = distanceOfPosition(x, primitive)
+            if (!distance.isNaN()) return distance.toFloat()
+        }
+        return view.distance(raster.convention.toUnit(raster.depthTest.depthOf(keys[x]))).toFloat()
+    }
+
+    /**
+     * Returns the distance of the position of [primitive], or NaN if it has none. Where the depth test uses a constant,
+     * the primitive may be a sliver seen edge-on, whose true depth is not constant (contract rule 3.4).
+     */
+    private fun distanceOfPosition(x: Int, primitive: Primitive): Double {
+        fragment.moveTo(columns[x], rows[x])
+        fragment.worldX = Float.NaN
+        primitive.geometry(fragment)
+        return view.distance(fragment.worldX, fragment.worldY, fragment.worldZ)
+    }
 
     private fun store(at: Int) {
         if (positions != null) {

@@ -43,8 +43,9 @@ internal class PointBlocks(private val xyz: FloatArray, uses: IntArray? = null) 
     }
 
     /**
-     * Returns the point whose dot product with [direction] is greatest, or null if there is none. The direction can
-     * have any finite length. A new vector for each call.
+     * Returns the point whose dot product with [direction] is greatest, or null if there is none; of several, the first
+     * in the order of x, then y, then z, so that the result does not depend on the order of the points. The direction
+     * can have any finite length. A new vector for each call.
      */
     fun farthest(direction: Vector3dc): Vector3d? {
         // Begin with the most promising block, so that few others remain
@@ -60,7 +61,7 @@ internal class PointBlocks(private val xyz: FloatArray, uses: IntArray? = null) 
         }
         if (first < 0) return null
         search.look(first)
-        for (block in 0 until count) if (search.reach(block) > search.most) search.look(block)
+        for (block in 0 until count) if (search.reach(block) >= search.most) search.look(block)
         val at = 3 * search.point
         return if (at < 0) null else Vector3d(xyz[at].toDouble(), xyz[at + 1].toDouble(), xyz[at + 2].toDouble())
     }
@@ -84,12 +85,18 @@ internal class PointBlocks(private val xyz: FloatArray, uses: IntArray? = null) 
         fun look(block: Int) {
             for (i in 3 * SIZE * block until minOf(3 * SIZE * (block + 1), xyz.size) step 3) {
                 val product = x * xyz[i] + y * xyz[i + 1] + z * xyz[i + 2]
-                if (product > most && counts(i)) {
+                if (product >= most && counts(i) && (product > most || isBefore(i, 3 * point))) {
                     most = product
                     point = i / 3
                 }
             }
         }
+    }
+
+    private fun isBefore(i: Int, j: Int): Boolean = when {
+        xyz[i] != xyz[j] -> xyz[i] < xyz[j]
+        xyz[i + 1] != xyz[j + 1] -> xyz[i + 1] < xyz[j + 1]
+        else -> xyz[i + 2] < xyz[j + 2]
     }
 
     private fun counts(i: Int): Boolean =
@@ -156,8 +163,15 @@ internal class PointBlocks(private val xyz: FloatArray, uses: IntArray? = null) 
         }
     }
 
-    private companion object {
+    companion object {
         /** Points in a block. */
-        const val SIZE = 256
+        private const val SIZE = 256
+
+        /** Whether [a] is before [b] in the order of x, then y, then z. */
+        fun isBefore(a: Vector3dc, b: Vector3dc): Boolean = when {
+            a.x() != b.x() -> a.x() < b.x()
+            a.y() != b.y() -> a.y() < b.y()
+            else -> a.z() < b.z()
+        }
     }
 }

@@ -2,7 +2,6 @@ package dev.lazyz.world
 
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
-import dev.lazyz.FrameContent
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
@@ -19,6 +18,7 @@ import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.StreamedMesh
 import dev.lazyz.world.surface.Surface
 import java.util.function.UnaryOperator
 import org.joml.Vector3d
@@ -156,21 +156,14 @@ public class Scene private constructor(
     /**
      * Sets up the scene for [raster], whose background replaces the scene's own. Cost: linear in the size of the scene.
      * Opaque meshes are stored as arrays, with 20 bytes a vertex and no object for each triangle; large ones are set up
-     * in parallel.
+     * in parallel. A scene with a [StreamedMesh] gives a streamed frame, see [Frame.isStreamed].
      *
      * @param options [RenderOptions.threads] and [RenderOptions.executor] are used, the others are not
      */
     @JvmOverloads
     public fun frame(raster: Raster, options: RenderOptions = RenderOptions()): Frame {
         val setUp = setUp(raster, options.workers)
-        val content = FrameContent.Builder()
-        val starts = IntArray(surfaces.size)
-        for ((number, surface) in surfaces.withIndex()) {
-            starts[number] = content.next
-            val batch = if (surface is Mesh) setUp.batch(surface, content.next) else null
-            if (batch != null) content.add(batch) else surface.primitives(setUp).forEach(content::add)
-        }
-        return Frame(raster, content.build(SceneView(setUp.camera, setUp.origin, starts)), raster.region)
+        return Frame(raster, FrameAssembly(surfaces, setUp).content(), raster.region)
     }
 
     /** Returns this scene with each material replaced by the result of [change]. */
@@ -289,6 +282,7 @@ public class Scene private constructor(
         /** Returns the material of a built-in surface, or null. */
         internal fun materialOf(surface: Surface): Material? = when (surface) {
             is Mesh -> surface.material
+            is StreamedMesh -> surface.material
             is Polygon -> surface.material
             is Sphere -> surface.material
             is Points -> surface.material
@@ -298,6 +292,7 @@ public class Scene private constructor(
 
         private fun originOf(surface: Surface): Vector3dc? = when (surface) {
             is Mesh -> surface.origin
+            is StreamedMesh -> surface.origin
             is Points -> surface.origin
             is Lines -> surface.origin
             else -> null

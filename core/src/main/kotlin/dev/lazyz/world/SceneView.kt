@@ -18,6 +18,13 @@ internal class SceneView(private val camera: Camera, private val origin: Vector3
 
     override fun distance(unit: Double): Double = camera.distanceAt(unit)
 
+    override fun distance(x: Float, y: Float, z: Float): Double {
+        val dx = camera.eye.x() - originX - x
+        val dy = camera.eye.y() - originY - y
+        val dz = camera.eye.z() - originZ - z
+        return camera.backward.x * dx + camera.backward.y * dy + camera.backward.z * dz
+    }
+
     override fun objectOf(index: Int): Int {
         // The last surface that does not begin later: surfaces without primitives begin where the next one does
         var low = 0

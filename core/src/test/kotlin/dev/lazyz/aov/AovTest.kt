@@ -76,6 +76,36 @@ class AovTest {
         }
     }
 
+    /** The depth test has the depth of the first vertex on all of it (contract rule 3.4). */
+    @Test
+    fun depthOfASliverSeenEdgeOnIsThatOfItsPosition() {
+        val pixel = 2 * tangent / raster.height
+
+        // Near to the left and right of the sample, a hundredth of a pixel below, and far, a little above it
+        fun vertex(right: Double, above: Double, t: Double) =
+            listOf((px(16) + right * pixel) * t, (py(12) + above * pixel) * t, 5 - t)
+        val corners = listOf(vertex(-2.0, -0.02, 3.0), vertex(2.0, -0.02, 3.0), vertex(0.0, 0.05, 8.0))
+        val sliver = Mesh(corners.flatten().map { it.toFloat() }.toFloatArray(), intArrayOf(0, 1, 2))
+        val masked = Mesh(sliver.positions, sliver.triangles, Material(alphaMode = AlphaMode.MASK))
+        for (surface in listOf(sliver, masked)) {
+            val aovs = render(sampled(listOf(surface)), Aov.DEPTH, Aov.POSITION)
+            val depth = aovs[Aov.DEPTH].number(16, 12, 0)
+            assertEquals(5 - aovs[Aov.POSITION].number(16, 12, 2), depth, 1e-6)
+            assertTrue(depth in 3.2..6.0) { "$depth" }
+            assertEquals(aovs[Aov.DEPTH], render(sampled(listOf(surface)), Aov.DEPTH)[Aov.DEPTH])
+        }
+    }
+
+    @Test
+    fun distancesOfPositionsAreKnownForScenesOnly() {
+        val scene = Scene(listOf(Sphere(Vector3d(), 1.0)), viewpoint = camera)
+        val view = scene.frame(raster).content.view
+        assertEquals(3.0, view.distance(1f, 2f, 2f), 1e-12)
+        val triangle = doubleArrayOf(0.0, 0.0, 0.5, 40.0, 0.0, 0.5, 0.0, 40.0, 0.5)
+        val frame = FrameBuilder(raster).polygon(Rgba.BLACK, triangle).build()
+        assertTrue(frame.content.view.distance(1f, 2f, 0.5f).isNaN())
+    }
+
     @Test
     fun depthOfASphereIsExactToSinglePrecision() {
         val depth = render(sampled(listOf(Sphere(Vector3d(), 1.0))), Aov.DEPTH)[Aov.DEPTH]

@@ -4,6 +4,7 @@ import dev.lazyz.Raster
 import dev.lazyz.lighting.LightRig
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import java.nio.file.Path
 
 /**
  * A scene that was read, and warnings about what the reader ignored.
@@ -16,6 +17,8 @@ import dev.lazyz.world.Scene
  *   scene files, whose only camera is the viewpoint, and for formats without cameras
  * @property lightRig the arrangement of lights that a scene file names, or null. [scene] has its lights for the camera
  *   of the file; for a picture from another one, use `scene.withLights(lightRig.lights(camera))`
+ * @property files the files that the scene refers to, such as textures and material libraries, as absolute paths in the
+ *   order in which they were found, each once; also those that could not be decoded. Without the file itself
  */
 public class LoadedScene @JvmOverloads constructor(
     public val scene: Scene,
@@ -24,6 +27,7 @@ public class LoadedScene @JvmOverloads constructor(
     public val depth: DepthRules = DepthRules(),
     public val cameras: List<NamedCamera> = emptyList(),
     public val lightRig: LightRig? = null,
+    public val files: List<Path> = emptyList(),
 ) {
     /**
      * Returns the raster for setting up the scene, `scene.frame(raster(...))`, with the scene's background and the
@@ -34,7 +38,8 @@ public class LoadedScene @JvmOverloads constructor(
     public fun raster(width: Int, height: Int): Raster = depth.raster(width, height, scene.background)
 
     /** Returns this input with another scene. */
-    public fun withScene(scene: Scene): LoadedScene = LoadedScene(scene, warnings, size, depth, cameras, lightRig)
+    public fun withScene(scene: Scene): LoadedScene =
+        LoadedScene(scene, warnings, size, depth, cameras, lightRig, files)
 
     override fun toString(): String = "LoadedScene($scene, ${warnings.size} warnings, size $size)"
 }

@@ -109,6 +109,20 @@ class ScenesTest {
 
     private fun file(name: String, text: String): Path = Files.writeString(folder.resolve(name), text)
 
+    /** Also those that cannot be decoded; not those that are missing. */
+    @Test
+    fun filesThatAModelRefersToAreListed() {
+        file("wood.png", "no image")
+        file("m.mtl", "newmtl m\nmap_Kd wood.png\nmap_Ks wood.png\nmap_d missing.png\n")
+        val model = file("m.obj", "mtllib m.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n")
+        val files = listOf("m.mtl", "wood.png").map { folder.resolve(it) }
+        assertEquals(files, Scenes.load(model).files)
+        val scene = file("s.json", """{"lazyz": 1, "surfaces": [{"mesh": "m.obj"}]}""")
+        assertEquals(listOf(model) + files, Scenes.load(scene).files)
+        assertEquals(files, Scenes.load(model).let { it.withScene(it.scene) }.files)
+        assertEquals(emptyList<Path>(), Scenes.load(file("p.obj", "v 0 0 0\n")).files)
+    }
+
     @Test
     fun bytesAreReadLikeAStream() {
         val bytes = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".toByteArray()

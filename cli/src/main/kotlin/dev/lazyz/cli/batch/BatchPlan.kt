@@ -3,6 +3,7 @@ package dev.lazyz.cli.batch
 import dev.lazyz.cli.input.Input
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputFile
+import dev.lazyz.cli.output.OutputPlaces
 import dev.lazyz.cli.render.Outputs
 import dev.lazyz.world.View
 import java.nio.file.Files
@@ -28,6 +29,7 @@ internal class InputPlan(val input: String, val views: List<ViewPlan>)
  * What a batch renders, and to which files: known, and checked, before anything is read.
  *
  * @throws Mistake if options contradict each other, two pictures would have the same file, or a file cannot be written
+ *   or is an input
  */
 internal class BatchPlan(private val request: BatchRequest) {
     private val series = request.series
@@ -52,12 +54,21 @@ internal class BatchPlan(private val request: BatchRequest) {
 
     val inputs: List<InputPlan>
 
+    /** The files that are replaced. */
+    val replaced: OutputPlaces
+
     init {
         requireSense()
         inputs = request.inputs.mapIndexed { number, input -> plan(number, input) }
         requireDistinct()
-        val files = inputs.flatMap { input -> input.views.flatMap { it.files } }
-        (if (kind == Kind.SHEET) listOf(sheet) else files).forEach { check(it) }
+        val files = if (kind == Kind.SHEET) {
+            listOf(sheet)
+        } else {
+            inputs.flatMap { input -> input.views.flatMap { it.files } }
+        }
+        files.forEach { check(it) }
+        replaced = OutputPlaces(files.map { "-o" to it })
+        request.inputs.forEach { request.subject(it).requireKept(replaced) }
     }
 
     /** Whether the animations are GIF files, which are in memory until they are complete. */
@@ -119,9 +130,9 @@ internal class BatchPlan(private val request: BatchRequest) {
     private fun file(number: Int, input: Input, word: String, view: View?, frame: Int): Path {
         val name = template.expand { placeholder ->
             when (placeholder) {
-                Placeholder.STEM -> named(input.baseName, placeholder)
-                Placeholder.NAME -> named(input.baseName?.let { Path.of(word).name }, placeholder)
-                Placeholder.EXT -> named(input.baseName?.let { Path.of(word).extension }, placeholder)
+                Placeholder.STEM -> named(input.baseName, placeholder, input)
+                Placeholder.NAME -> named(input.baseName?.let { Path.of(word).name }, placeholder, input)
+                Placeholder.EXT -> named(input.baseName?.let { Path.of(word).extension }, placeholder, input)
                 Placeholder.VIEW -> view?.name?.lowercase() ?: request.viewName
                 Placeholder.INDEX -> numbered(number, request.inputs.size)
                 Placeholder.FRAME -> numbered(frame, frames)
@@ -130,9 +141,14 @@ internal class BatchPlan(private val request: BatchRequest) {
         return Path.of(name)
     }
 
-    private fun named(text: String?, placeholder: Placeholder): String = text?.ifEmpty { null } ?: throw Mistake(
-        "-o: an input without a name or an extension has no ${placeholder.word}; use ${Placeholder.INDEX.word}",
-    )
+    private fun named(text: String?, placeholder: Placeholder, input: Input): String = text?.ifEmpty { null } ?: run {
+        val remedy = if (input.baseName == null) {
+            "use ${Placeholder.INDEX.word}"
+        } else {
+            "${Placeholder.NAME.word} is the name with its extension, if it has one"
+        }
+        throw Mistake("-o ${template.text}: ${input.name} has no ${placeholder.word}; $remedy")
+    }
 
     /** Returns the number from 1, with leading zeros, so that names sort in its order. */
     private fun numbered(number: Int, of: Int): String = "${number + 1}".padStart("$of".length, '0')

@@ -62,7 +62,9 @@ internal class InputJob(
         var failure: Throwable? = null
         try {
             val source = FrameSource(subject, own, step.loading)
-            val pictures = InputPictures(request, plan, shares, source, source.load(), own, ::count) { strategy, shot ->
+            val loaded = source.load()
+            source.requireKept(loaded, plan.replaced)
+            val pictures = InputPictures(request, plan, shares, source, loaded, own, ::count) { strategy, shot ->
                 memory.require(step, strategy, shot)
             }
             input.views.forEach { pictures.render(it, statistics, files) }

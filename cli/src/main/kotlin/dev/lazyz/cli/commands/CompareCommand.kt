@@ -85,6 +85,7 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
             throw Mistake("--views cannot be combined with ${directed[0]}")
         }
         val request = CompareRequest(comparing.strategies.distinct(), cost.choices(), comparing.repeat, views)
+        if (inputs.count { it == "-" } > 1) throw Mistake("standard input can be only one of the inputs")
         val named = NamedInputs(inputs, reading.format)
         if (named.isSingle && views.size < 2) return compareOne(request, inputs.single())
         return CompareSeveralJob(request, streams, ::subject, args).run(named.all, comparing.isJson)
@@ -117,8 +118,8 @@ private class ComparingOptions : OptionGroup("Comparing") {
 
     val views by option(
         "--views",
-        help = "Look from each of these sides, separated by commas, such as iso,front,back; default: the options " +
-            "of the camera",
+        help = "Look from each of these sides, separated by commas, such as iso,front,back, each at most " +
+            "once; default: the options of the camera",
     ).listOf("SIDES", words(View.entries))
 
     val repeat by option(

@@ -27,13 +27,13 @@ import java.nio.file.Path
 internal class DiffCommand(private val streams: Streams) : Command("diff") {
     private val expected by argument(
         "EXPECTED",
-        help = "The picture as it should be: an image file, such as a PNG",
+        help = "The picture as it should be: a PNG, TIFF, BMP, GIF, WBMP or JPEG file",
         completionCandidates = CompletionCandidates.Path,
     ).convert { Path.of(it) }
 
     private val actual by argument(
         "ACTUAL",
-        help = "The picture to compare with it",
+        help = "The picture to compare with it: likewise",
         completionCandidates = CompletionCandidates.Path,
     ).convert { Path.of(it) }
 
@@ -61,9 +61,11 @@ internal class DiffCommand(private val streams: Streams) : Command("diff") {
     )
 
     override fun run() {
-        diff?.let { OutputFile.check(it, "--diff", ".png") }
-        OutputFile.requireDistinct(mapOf("EXPECTED" to expected, "--diff" to diff))
-        OutputFile.requireDistinct(mapOf("ACTUAL" to actual, "--diff" to diff))
+        diff?.let {
+            OutputFile.check(it, "--diff", ".png")
+            OutputFile.requireDistinct(listOf("EXPECTED" to expected, "--diff" to it))
+            OutputFile.requireDistinct(listOf("ACTUAL" to actual, "--diff" to it))
+        }
 
         val difference = PictureDifference.between(Picture.read(expected), Picture.read(actual), threshold)
         diff?.let {

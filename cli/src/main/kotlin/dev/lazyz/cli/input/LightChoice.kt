@@ -34,7 +34,7 @@ internal class LightChoice(
     private val intensity: Float?,
     wantsOcclusion: Boolean,
     wantsGroundShadow: Boolean,
-    private val matcap: Path?,
+    val matcap: Path?,
     shading: Shading?,
     others: List<String>,
     style: PictureStyle?,
@@ -43,6 +43,14 @@ internal class LightChoice(
 
     /** Whether surfaces occlude ambient light, which makes shading expensive. */
     val hasOcclusion: Boolean = wantsOcclusion || style == PictureStyle.PRODUCT
+
+    /** An option that needs the whole model in memory, or null. */
+    val wholeModel: String? = when {
+        style == PictureStyle.PRODUCT -> "--style product"
+        wantsOcclusion -> "--ambient-occlusion"
+        wantsGroundShadow -> "--ground-shadow"
+        else -> null
+    }
 
     init {
         val lonely = listOfNotNull(

@@ -17,7 +17,8 @@ internal class NamedInputs(private val words: List<String>, private val format: 
     /**
      * All inputs, in the order of the words. A folder is replaced by the model and scene files in it and in its
      * subfolders, sorted by path, character by character. Names that begin with a dot are skipped. A folder without
-     * such files is kept as an input, and reading it then reports the error.
+     * such files is kept as an input, and reading it then reports the error. Links to folders are not followed, as they
+     * may form loops; links to files are.
      */
     val all: Sequence<String> = words.asSequence().flatMap { if (isFolder(it)) files(Path.of(it)) else listOf(it) }
 
@@ -25,7 +26,7 @@ internal class NamedInputs(private val words: List<String>, private val format: 
         word.isNotEmpty() && !Input(word, format).isBuiltin && Files.isDirectory(Path.of(word))
 
     private fun files(folder: Path): List<String> = folder.toFile().walkTopDown()
-        .onEnter { it.toPath() == folder || !it.name.startsWith('.') }
+        .onEnter { it.toPath() == folder || (!it.name.startsWith('.') && !Files.isSymbolicLink(it.toPath())) }
         .map { it.toPath() }
         .filter { !it.name.startsWith('.') && Files.isRegularFile(it) && isWanted(it) }
         .map { it.invariantSeparatorsPathString }
@@ -49,7 +50,17 @@ internal class NamedInputs(private val words: List<String>, private val format: 
         true
     }
 
-    private companion object {
-        const val HEAD = 4096
+    companion object {
+        private const val HEAD = 4096
+
+        /** Returns why [folder] cannot be read as one file of [format], or of any format if that is null. */
+        fun problem(folder: String, format: SceneFormat?): String {
+            val path = Path.of(folder)
+            if (NamedInputs(emptyList(), format).files(path) != listOf("$path")) {
+                return "$folder is a folder, and this command takes one file"
+            }
+            val endings = (if (format == null) SceneFormat.entries else listOf(format)).flatMap { it.extensions }
+            return "$folder has no models or scene files, whose names end in ${endings.joinToString { ".$it" }}"
+        }
     }
 }

@@ -4,6 +4,7 @@ import dev.lazyz.DepthConvention
 import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.Shader
+import dev.lazyz.cli.output.OutputPlaces
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadOptions
@@ -65,4 +66,15 @@ internal class Subject(
 ) {
     /** Whether an option changes the materials. */
     val changesMaterials: Boolean get() = shading != null || mipFilter != null
+
+    /**
+     * Checks that no output replaces a file that the options name.
+     *
+     * @throws Mistake otherwise
+     */
+    fun requireKept(outputs: OutputPlaces) {
+        outputs.requireNone(listOfNotNull(Input(input, format).file), "an input")
+        outputs.requireNone(listOfNotNull(texture), "the input of --texture")
+        outputs.requireNone(listOfNotNull(light.matcap), "the input of --matcap")
+    }
 }

@@ -35,7 +35,9 @@ internal class AovOptions : OptionGroup("Data of pixels (AOVs)") {
         val aovs = if (words == ALL) {
             Aov.entries
         } else {
-            words.split(',').distinct().map { word ->
+            val known = words.split(',')
+            known.groupBy { it }.values.firstOrNull { it.size > 1 }?.let { fail("'${it[0]}' is named twice: $text") }
+            known.map { word ->
                 Aov.ofId(word)
                     ?: fail("'$word' is not one of $ALL, ${ids.joinToString()}${Nearest.hint(word, ids + ALL)}")
             }

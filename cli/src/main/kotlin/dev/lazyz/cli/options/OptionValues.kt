@@ -184,9 +184,15 @@ private fun named(name: String): Rgba? {
 internal fun <T : Any> RawOption.oneOf(metavar: String, values: Map<String, T>): NullableOption<T, T> =
     convert(metavar, CompletionCandidates.Fixed(values.keys)) { text -> named(text, values) { fail(it) } }
 
-/** An option whose value is a list of names of [values], separated by commas. Duplicates are removed. */
+/** An option whose value is a list of names of [values], separated by commas, each at most once. */
 internal fun <T : Any> RawOption.listOf(metavar: String, values: Map<String, T>): NullableOption<List<T>, List<T>> =
-    convert(metavar) { text -> text.split(',').map { name -> named(name, values) { fail(it) } }.distinct() }
+    convert(metavar) { text ->
+        val found = LinkedHashSet<T>()
+        for (name in text.split(',')) {
+            if (!found.add(named(name, values) { fail(it) })) fail("'$name' is named twice: $text")
+        }
+        found.toList()
+    }
 
 /** An option whose value is a file or a folder. */
 internal fun RawOption.path(metavar: String = "FILE"): NullableOption<Path, Path> =

@@ -11,7 +11,8 @@ import dev.lazyz.world.View
 internal class SeriesOptions : OptionGroup("Several pictures") {
     val views by option(
         "--views",
-        help = "Look from each of these sides, separated by commas, such as iso,front,top; a picture for each",
+        help = "Look from each of these sides, separated by commas, such as iso,front,top, each at most once; a " +
+            "picture for each",
     ).listOf("SIDES", words(View.entries))
 
     private val turntable by option(

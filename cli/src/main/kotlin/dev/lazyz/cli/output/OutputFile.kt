@@ -1,5 +1,7 @@
 package dev.lazyz.cli.output
 
+import java.io.IOException
+import java.nio.file.FileSystemException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -8,23 +10,23 @@ internal object OutputFile {
     /**
      * Checks that [path], which is the value of [option], ends in one of [endings], and can be written.
      *
+     * @param alternative what the message offers besides the endings
      * @throws Mistake otherwise
      */
-    fun check(path: Path, option: String, vararg endings: String) {
-        requireEnding(path, option, endings.asList())
+    fun check(path: Path, option: String, vararg endings: String, alternative: String = "") {
+        requireEnding(path, option, endings.asList(), alternative)
         requirePlace(path)
     }
 
     /**
      * Checks that no file of the command line would be replaced by another.
      *
-     * @param files the files by their options
+     * @param files the files, each with its option
      * @throws Mistake if two of them are the same
      */
-    fun requireDistinct(files: Map<String, Path?>) {
-        val named = files.mapNotNull { (option, path) -> path?.let { option to it } }
-        for ((i, first) in named.withIndex()) {
-            val second = named.drop(i + 1).firstOrNull { isSame(it.second, first.second) } ?: continue
+    fun requireDistinct(files: List<Pair<String, Path>>) {
+        for ((i, first) in files.withIndex()) {
+            val second = files.drop(i + 1).firstOrNull { isSame(it.second, first.second) } ?: continue
             throw Mistake("${first.first} and ${second.first} must be different files: ${second.second}")
         }
     }
@@ -39,19 +41,29 @@ internal object OutputFile {
     /**
      * Checks that [path], the value of [option], ends in one of [endings].
      *
+     * @param alternative what the message offers besides the endings
      * @throws Mistake otherwise
      */
-    fun requireEnding(path: Path, option: String, endings: List<String>) {
+    fun requireEnding(path: Path, option: String, endings: List<String>, alternative: String = "") {
         val name = path.fileName?.toString().orEmpty()
         if (endings.none { name.endsWith(it, ignoreCase = true) && name.length > it.length }) {
-            val other = if (option == "-o") ", or be - for standard output" else ""
-            throw Mistake("$option must end in ${endings.joinToString(" or ")}$other: $path")
+            throw Mistake("$option must end in ${endings.joinToString(" or ")}$alternative: $path")
         }
     }
 
-    /** Creates the folder of [path] if there is none. */
+    /**
+     * Creates the folder of [path] if there is none.
+     *
+     * @throws Mistake if this is not possible
+     */
     fun createFolder(path: Path) {
-        path.toAbsolutePath().parent?.let { Files.createDirectories(it) }
+        val folder = path.toAbsolutePath().parent ?: return
+        try {
+            Files.createDirectories(folder)
+        } catch (failure: IOException) {
+            val reason = (failure as? FileSystemException)?.reason?.let { ": $it" }.orEmpty()
+            throw Mistake("cannot write $path: the folder $folder cannot be created$reason")
+        }
     }
 
     /**
@@ -60,8 +72,14 @@ internal object OutputFile {
      * @throws Mistake otherwise
      */
     fun requireFolderOrPlaceForIt(path: Path) {
-        var folder = path.toAbsolutePath().normalize().parent ?: path.toAbsolutePath()
-        while (!Files.exists(folder)) folder = folder.parent ?: break
+        var folder = path.toAbsolutePath().parent ?: path.toAbsolutePath()
+        while (!Files.exists(folder)) {
+            val parent = folder.parent ?: break
+            if (folder.endsWith("..")) {
+                throw Mistake("cannot write $path: there is no folder $parent, and '..' needs one that exists")
+            }
+            folder = parent
+        }
         if (!Files.isDirectory(folder)) throw Mistake("cannot write $path: $folder is not a folder")
         requirePlaceIn(folder, path)
     }

@@ -24,10 +24,9 @@ internal class AovOutputs(private val data: List<AovOutput>, private val picture
     /** All that is to be computed. */
     val aovs: Set<Aov> = (data + pictures).flatMap { it.aovs }.toSet()
 
-    /** The files by their options. */
-    val files: Map<String, Path> = (
+    /** The files, each with its option. */
+    val files: List<Pair<String, Path>> =
         data.map { "$DATA $it" to it.path } + pictures.map { "$PICTURE $it" to it.path }
-        ).toMap()
 
     /** Memory for each pixel of a picture. */
     val bytesPerPixel: Long = aovs.sumOf { Int.SIZE_BYTES * it.channels.size } + (if (pictures.isEmpty()) 0L else 12L)

@@ -7,6 +7,7 @@ import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputClosed
 import dev.lazyz.cli.output.OutputFile
+import dev.lazyz.cli.output.OutputPlaces
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.PngSink
@@ -27,19 +28,26 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
         else -> Path.of(output)
     }
 
+    /** All files that are written, each with its option. */
+    private val files: List<Pair<String, Path>> = listOfNotNull(
+        picture?.let { "-o" to it },
+        request.depthOutput?.let { "--depth-out" to it },
+        request.reference?.diff?.let { "--diff" to it },
+    ) + request.aovs.files
+
+    /** Those that exist already. */
+    val replaced = OutputPlaces(files)
+
     init {
         if (picture != null) {
-            OutputFile.check(picture, "-o", ".png", ".ppm")
+            OutputFile.check(picture, "-o", ".png", ".ppm", alternative = ", or be - for standard output")
         } else if (isStandardOutput && streams.isOutputTerminal) {
             throw Mistake("cannot write a picture to a terminal; redirect standard output, or use -o FILE.png")
         }
         request.depthOutput?.let { OutputFile.check(it, "--depth-out", ".pfm") }
-        OutputFile.requireDistinct(request.aovs.files + mapOf("-o" to picture, "--depth-out" to request.depthOutput))
-        request.reference?.let {
-            it.diff?.let { diff -> OutputFile.check(diff, "--diff", ".png") }
-            val files = mapOf("--ref" to it.file, "-o" to picture, "--diff" to it.diff)
-            OutputFile.requireDistinct(files + request.aovs.files)
-        }
+        request.reference?.diff?.let { OutputFile.check(it, "--diff", ".png") }
+        OutputFile.requireDistinct(listOfNotNull(request.reference?.let { "--ref" to it.file }) + files)
+        request.subject.requireKept(replaced)
     }
 
     /**
@@ -71,7 +79,7 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
     fun describe(region: Region) {
         if (picture != null) streams.remark("wrote $picture, ${region.width}x${region.height}")
         request.depthOutput?.let { streams.remark("wrote $it") }
-        request.aovs.files.values.forEach { streams.remark("wrote $it") }
+        request.aovs.files.forEach { (_, it) -> streams.remark("wrote $it") }
     }
 
     /** Returns the default file. Throws if it exists, because it may be, for example, a texture of the model. */

@@ -5,6 +5,7 @@ import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputFile
+import dev.lazyz.cli.output.OutputPlaces
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.MemoryNeed
 import dev.lazyz.cli.strategies.StrategyChoice
@@ -15,12 +16,18 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
         // Report mistakes in the options before anything is read
         OutputFile.check(request.output, "-o", *ENDINGS)
         if (request.strategies.size > 2) throw Mistake("--strategy: a film shows one strategy or two")
+        if (request.strategies.distinct().size < request.strategies.size) {
+            throw Mistake("--strategy: '${request.strategies[0]}' is named twice")
+        }
         val choices = request.choices.sharing(1)
         val named = request.strategies.ifEmpty { listOf(null) }.map { StrategyChoice(it, choices) }
         val source = FrameSource(request.subject, streams)
+        val replaced = OutputPlaces(listOf("-o" to request.output))
+        request.subject.requireKept(replaced)
 
         // Record the shading calls of each strategy
         val loaded = source.load()
+        source.requireKept(loaded, replaced)
         val shot = source.frame(loaded, choices.options())
         if (!shot.isPlain) throw Mistake("a film shows shading calls as pixels; use --aa 1 and --aa-filter box")
         val strategies = named.map { it.strategyFor(shot.frame) }

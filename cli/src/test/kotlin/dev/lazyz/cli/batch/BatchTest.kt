@@ -129,7 +129,7 @@ class BatchTest {
     fun mistakesInTemplates() {
         render("teapot", "-o", "$out/{stam}.png").mistake("unknown placeholder {stam}", "did you mean 'stem'")
         render("teapot", "-o", "$out/{stem.png").mistake("a brace is not closed")
-        render("teapot", "-o", "$out/{ext}.png").mistake("{ext}", "{index}")
+        render("teapot", "-o", "$out/{ext}.png").mistake("{ext}", "{name}")
         render("teapot", "-o", "$out/{frame}.png").mistake("{frame}", "--turntable")
         render("teapot", "city", "-o", "$out/{stem}.gif").mistake(".png or .ppm")
         render("teapot", "city", "-o", "-").mistake("standard output")

@@ -14,10 +14,12 @@ import dev.lazyz.cli.zcli
 import dev.lazyz.strategies.Renderers
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
+import kotlin.io.path.createSymbolicLinkPointingTo
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
 
 /** `zcli compare` on several files, folders and views. */
@@ -54,6 +56,22 @@ class CompareSeveralTest {
         assertEquals(files.take(4).size + 1, compare(folder.resolve("models"), "--format", "obj").done().lines().size)
     }
 
+    /** Two links to the own folder make exponentially many paths. */
+    @Test
+    @Timeout(60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    fun linksToFoldersAreNotFollowedInFolders() {
+        val two = folder.resolve("two").createDirectories()
+        val wedge = two.wedge()
+        listOf("l1", "l2").forEach { two.resolve(it).createSymbolicLinkPointingTo(Path.of(".")) }
+        val link = two.resolve("z.obj").createSymbolicLinkPointingTo(wedge)
+        fun names(input: Path) = compare(input).done().lines().dropLast(1).map { it.drop(9).substringBefore(": ") }
+        assertEquals(listOf("$wedge", "$link"), names(two))
+
+        // A link that is an input itself is followed
+        val other = folder.resolve("other").createSymbolicLinkPointingTo(two)
+        assertEquals(listOf("$other/wedge.obj", "$other/z.obj"), names(other))
+    }
+
     @Test
     fun jsonLinesAreThoseOfSingleComparisons() {
         fun timeless(line: String) = line.replace(Regex("\"millis\":[0-9.]+"), "")
@@ -69,7 +87,7 @@ class CompareSeveralTest {
     @Test
     fun viewsAreThoseOfSingleComparisons() {
         val wedge = folder.wedge()
-        val lines = compare(wedge, "--views", "iso,front,back,ISO", "--json").done().lines()
+        val lines = compare(wedge, "--views", "iso,front,back", "--json").done().lines()
         val sides = listOf("iso", "front", "back")
         assertEquals(sides, lines.dropLast(1).map { statIn(it, "view") })
         val hashes = sides.map { compare(wedge, "--view", it, "--json").done().stat("pixelHash") }
@@ -138,6 +156,7 @@ class CompareSeveralTest {
         compare(wedge, "city", "--views", "iso,fornt").mistake("'fornt' is not one of", "did you mean 'front'?")
         compare(wedge, "--views", "iso,front", "--view", "back").mistake("--views cannot be combined with --view")
         compare(wedge, "--views", "iso", "--azimuth", "3").mistake("--views cannot be combined with")
+        compare("-", wedge, "-", "--format", "obj").mistake("standard input can be only one of the inputs")
         zcli("compare").mistake("missing argument INPUT")
     }
 

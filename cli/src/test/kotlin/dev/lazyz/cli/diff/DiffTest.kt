@@ -13,6 +13,7 @@ import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
@@ -43,6 +44,18 @@ class DiffTest {
         val json = zcli("diff", first, second, "--json").done()
         assertEquals("true", json.stat("identical"))
         assertEquals("0", json.stat("differingPixels"))
+    }
+
+    /** All formats that the help lists, but JPEG, which loses colours. */
+    @Test
+    fun allFormatsAreRead() {
+        val image = BufferedImage(8, 8, BufferedImage.TYPE_BYTE_BINARY).apply { setRGB(1, 2, -1) }
+        val files = listOf("png", "tiff", "bmp", "gif", "wbmp").map { format ->
+            folder.resolve("a.$format").also { assertTrue(ImageIO.write(image, format, it.toFile()), format) }
+        }
+        for (file in files) zcli("diff", files[0], file).done()
+        val help = zcli("diff", "--help").text
+        for (format in listOf("PNG", "TIFF", "BMP", "GIF", "WBMP", "JPEG")) assertTrue(format in help, help)
     }
 
     @Test

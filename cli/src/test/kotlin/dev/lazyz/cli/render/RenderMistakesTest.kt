@@ -108,7 +108,11 @@ class RenderMistakesTest {
     fun inputs() {
         val out = arrayOf("-o", folder.resolve("x.png"))
         zcli("render", folder.resolve("none.obj"), *out).mistake("none.obj: no such file")
-        zcli("render", folder, *out).mistake("is a folder")
+        zcli("render", folder, *out).mistake("has no models or scene files")
+        folder.wedge()
+        zcli("trace", folder, *out).mistake("is a folder, and this command takes one file")
+        zcli("trace", folder.resolve("none").createDirectory(), *out).mistake("has no models or scene files")
+        Files.delete(folder.resolve("none"))
         zcli("render", "teapto", *out).mistake("no built-in scene and no file 'teapto'", "did you mean 'teapot'?")
         zcli("render", "", *out).mistake("no built-in scene and no file ''")
         zcli("render", folder.wedge("wedge.xyz"), *out).mistake("'.xyz' of", "--format obj|stl|ply")

@@ -87,6 +87,7 @@ class TraceTest {
     fun mistakesAreTold() {
         trace("city", "a.jpg").mistake("-o must end in .gif or .png or .apng")
         trace("city", "a.gif", "--strategy", "lasy").mistake("no strategy 'lasy'; did you mean 'lazy'?")
+        trace("city", "a.gif", "--strategy", "lazy,lazy").mistake("--strategy: 'lazy' is named twice")
         trace("city", "a.gif", "--strategy", "lazy,flow,tiled").mistake("one strategy or two")
         trace("city", "a.gif", "--threads", "2").mistake("--threads cannot be used here")
         trace("city", "a.gif", "--aa", "2").mistake("use --aa 1")

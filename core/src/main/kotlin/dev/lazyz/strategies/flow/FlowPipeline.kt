@@ -9,6 +9,7 @@ import dev.lazyz.RowSink
 import dev.lazyz.pipeline.Chain
 import dev.lazyz.pipeline.Row
 import dev.lazyz.pipeline.Stage
+import dev.lazyz.requireInMemory
 import dev.lazyz.requireOpaque
 import java.io.IOException
 import kotlin.coroutines.CoroutineContext
@@ -89,6 +90,7 @@ public class FlowPipeline @JvmOverloads constructor(private val options: RenderO
     /** The pipeline. It calls [checkpoint] before each stage; [checkpoint] throws if the pipeline must stop. */
     private fun rows(frame: Frame, checkpoint: (CoroutineContext) -> Unit): Flow<Row> {
         requireOpaque(frame, this)
+        requireInMemory(frame, this)
         return flow {
             val context = currentCoroutineContext()
             val chain = Chain(frame, options.coherence, ::Stage)

@@ -8,6 +8,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.pipeline.KeyedRows
 import dev.lazyz.raster.VisibilityOrder
+import dev.lazyz.requireInMemory
 import dev.lazyz.requireOpaque
 import dev.lazyz.shading.LateShading
 import java.io.IOException
@@ -65,6 +66,7 @@ public class HierarchicalZBuffer @JvmOverloads constructor(
     @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
         requireOpaque(frame, this)
+        requireInMemory(frame, this)
         val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()
         val test = frame.raster.depthTest

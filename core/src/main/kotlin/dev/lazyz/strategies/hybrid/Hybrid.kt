@@ -53,7 +53,8 @@ public class Hybrid @JvmOverloads constructor(private val options: RenderOptions
     @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
         requireOpaque(frame, this)
-        val samples = SuspendedSamples(frame, options, PrimitiveCost.NONE)
+        val cost = if (frame.isStreamed) PrimitiveCost.HELD else PrimitiveCost.NONE
+        val samples = SuspendedSamples(frame, options, cost)
         for (primitive in frame.primitives) samples.draw(primitive)
         return samples.finish(sink)
     }

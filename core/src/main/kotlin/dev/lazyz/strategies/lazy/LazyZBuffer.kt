@@ -8,6 +8,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.pipeline.Chain
 import dev.lazyz.pipeline.Row
+import dev.lazyz.requireInMemory
 import dev.lazyz.requireOpaque
 import java.io.IOException
 import java.util.stream.Stream
@@ -83,6 +84,7 @@ public class LazyZBuffer @JvmOverloads constructor(private val options: RenderOp
      */
     public fun rows(frame: Frame): Sequence<Row> {
         requireOpaque(frame, this)
+        requireInMemory(frame, this)
         return sequence {
             val chain = Chain(frame, options.coherence, ::LazyStage, options.memoryBudget)
             for (y in frame.region.rowStart until frame.region.rowEnd) {

@@ -7,6 +7,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Selector
+import dev.lazyz.requireInMemory
 import dev.lazyz.shading.LateShading
 import java.io.IOException
 
@@ -54,6 +55,7 @@ public class Lists @JvmOverloads constructor(private val options: RenderOptions 
 
     @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
+        requireInMemory(frame, this)
         val selector = options.selector ?: if (frame.hasTranslucency) Selector.blend() else Selector.nearest()
         val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()

@@ -5,6 +5,7 @@ import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.requireInMemory
 import java.io.IOException
 
 /**
@@ -41,6 +42,7 @@ public class Painter : Renderer {
 
     @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
+        requireInMemory(frame, this)
         val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()
         val canvas = if (frame.hasTranslucency) LayeredCanvas(frame, counters) else OpaqueCanvas(frame, counters)

@@ -6,6 +6,7 @@ import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.requireInMemory
 import dev.lazyz.shading.LateShading
 import java.io.IOException
 
@@ -59,6 +60,7 @@ public class ScanLine @JvmOverloads constructor(private val options: RenderOptio
 
     @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
+        requireInMemory(frame, this)
         val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()
         val edges = ActiveEdges(frame, counters)

@@ -9,6 +9,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Workers
+import dev.lazyz.requireOpaqueStream
 import dev.lazyz.strategies.tiled.binning.ArrayPool
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import java.io.IOException
@@ -46,7 +47,11 @@ import java.util.concurrent.atomic.AtomicReference
  * - for each thread, the keys of a tile at 8 bytes a sample, and 20 bytes for each translucent fragment of a tile;
  * - 16 bytes for each primitive of the frame that is not from a mesh.
  *
- * Memory does not grow with the number of rows. For very wide pictures use smaller tiles. Rows and bins are kept for
+ * A streamed frame (see [Frame.isStreamed]) is rendered part by part into a picture in memory, at 12 bytes a sample; if
+ * that is more than a third of the heap, into one band of rows after the other, with a pass over the parts for each.
+ * Each part is shaded where it is nearest within itself, so later parts can hide some of what was shaded.
+ *
+ * Otherwise memory does not grow with the number of rows. For very wide pictures use smaller tiles. Rows and bins are kept for
  * the next rendering through soft references: rendering a frame similar to the last one allocates no large arrays, and
  * the garbage collector can reclaim them if memory is short. So reuse the renderer.
  *
@@ -109,6 +114,7 @@ public class Tiled internal constructor(
     /**
      * Renders [frame] and passes every row to [sink], on this thread.
      *
+     * @throws IllegalArgumentException if the frame is streamed and has translucent primitives
      * @throws InterruptedException if this thread is interrupted; all threads stop at their next primitive or row, and
      *   the sink receives no further rows
      */
@@ -116,11 +122,23 @@ public class Tiled internal constructor(
     override fun render(frame: Frame, sink: RowSink): Counters {
         // Concurrent renderings each have their own pool
         val pool = kept.getAndSet(null)?.get() ?: ArrayPool()
-        pool.begin()
-        val workers = Workers(threads, executor)
-        val counters = Rendering(frame, TileGrid(frame.region, tileSize), coherence, workers, kernels(), pool).run(sink)
+        val parts = frame.content.parts
+        val counters = if (parts == null) {
+            render(frame, sink, pool)
+        } else {
+            requireOpaqueStream(frame)
+            StreamedRendering(frame, parts, Workers(threads, executor)) { part, merge ->
+                render(part, merge, pool)
+            }.run(sink)
+        }
         kept.set(SoftReference(pool))
         return counters
+    }
+
+    private fun render(frame: Frame, sink: RowSink, pool: ArrayPool): Counters {
+        pool.begin()
+        val workers = Workers(threads, executor)
+        return Rendering(frame, TileGrid(frame.region, tileSize), coherence, workers, kernels(), pool).run(sink)
     }
 
     override fun toString(): String = "Tiled($coherence, threads=$threads, tileSize=$tileSize)"

@@ -8,6 +8,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.pipeline.KeyedRows
+import dev.lazyz.requireInMemory
 import dev.lazyz.requireOpaque
 import dev.lazyz.shading.LateShading
 import java.io.IOException
@@ -53,6 +54,7 @@ public class Warnock @JvmOverloads constructor(private val options: RenderOption
     @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
         requireOpaque(frame, this)
+        requireInMemory(frame, this)
         val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()
         val region = frame.region

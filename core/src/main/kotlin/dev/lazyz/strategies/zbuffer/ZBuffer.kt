@@ -2,7 +2,6 @@ package dev.lazyz.strategies.zbuffer
 
 import dev.lazyz.Capability
 import dev.lazyz.Counters
-import dev.lazyz.DepthTest
 import dev.lazyz.Drawing
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
@@ -13,6 +12,7 @@ import dev.lazyz.RowSink
 import dev.lazyz.Spans
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.pipeline.GuardedDrawing
+import dev.lazyz.pipeline.SampleBuffer
 import dev.lazyz.raster.reaches
 import dev.lazyz.requireOpaque
 import java.io.IOException
@@ -51,24 +51,17 @@ public class ZBuffer : StreamingRenderer {
 
     override fun toString(): String = "ZBuffer()"
 
-    /** Colour and visibility key of each sample of a region. */
+    /** The picture, and the work that it took so far. */
     private class Buffer(raster: Raster, private val region: Region) {
-        private val width = region.width
         private val test = raster.depthTest
-        private val argb: IntArray
-        private val keys: LongArray
+        private val samples = SampleBuffer(raster, region)
+        private val keys = samples.keys
         private val counters = Counters.Builder()
         private val fragment = Fragment()
         private val spans = Spans(region)
 
         init {
-            require(raster.region.contains(region)) { "$region must be within $raster" }
-            require(region.size <= MAX_SAMPLES) { "the z-buffer holds at most $MAX_SAMPLES samples: ${region.size}" }
-            argb = IntArray(region.size.toInt())
-            keys = LongArray(region.size.toInt())
-            argb.fill(raster.background.toArgb())
-            keys.fill(test.key(raster.backgroundDepth, DepthTest.BACKGROUND))
-            counters.peakBytes = BYTES_PER_SAMPLE * region.size
+            counters.peakBytes = samples.bytes
         }
 
         fun draw(primitive: Primitive) {
@@ -89,7 +82,7 @@ public class ZBuffer : StreamingRenderer {
             val form = primitive.depthForm
             var z = form?.at(start, y) ?: 0L
             val step = form?.dx ?: 0L
-            var at = (y - region.rowStart) * width + (start - region.columnStart)
+            var at = samples.place(start, y)
             for (x in start until end) {
                 // Where depth is linear, each sample takes one addition
                 val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
@@ -97,7 +90,7 @@ public class ZBuffer : StreamingRenderer {
                 val key = test.key(depth, index)
                 if (key < keys[at]) {
                     keys[at] = key
-                    argb[at] = shade(primitive, x, y)
+                    samples.argb[at] = shade(primitive, x, y)
                 }
                 at++
             }
@@ -112,24 +105,8 @@ public class ZBuffer : StreamingRenderer {
         }
 
         fun finish(sink: RowSink): Counters {
-            val colors = IntArray(width)
-            val depths = IntArray(width)
-            val indices = IntArray(width)
-            for (row in 0 until region.height) {
-                argb.copyInto(colors, 0, row * width, (row + 1) * width)
-                for (x in 0 until width) {
-                    val key = keys[row * width + x]
-                    depths[x] = test.depthOf(key)
-                    indices[x] = test.indexOf(key)
-                }
-                sink.row(region.rowStart + row, colors, depths, indices)
-            }
+            samples.handOut(sink)
             return counters.build()
         }
-    }
-
-    private companion object {
-        const val BYTES_PER_SAMPLE = 12L
-        const val MAX_SAMPLES = Int.MAX_VALUE - 8L
     }
 }

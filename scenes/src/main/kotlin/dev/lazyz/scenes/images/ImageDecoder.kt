@@ -7,7 +7,7 @@ import java.io.IOException
 import javax.imageio.ImageIO
 import javax.imageio.stream.MemoryCacheImageInputStream
 
-/** Decodes image files with the readers of the JDK: PNG, JPEG, BMP, GIF. */
+/** Decodes image files with the readers of the JDK: PNG, JPEG, TIFF, BMP, GIF, WBMP; of several images, the first. */
 internal object ImageDecoder {
     /** The maximum length of an array. */
     private const val MAX_PIXELS = Int.MAX_VALUE - 8L

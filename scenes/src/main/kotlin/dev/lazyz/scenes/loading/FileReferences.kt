@@ -16,11 +16,13 @@ import java.nio.file.Path
  *
  * @param folder the folder to search, or null for a stream, which has no folder
  * @param root the folder that must contain the file, symbolic links resolved, if the [policy] requires it
+ * @param known where files that are found are added
  */
 internal class FileReferences(
     private val folder: Path?,
     private val root: Path?,
     private val policy: ReferencePolicy,
+    private val known: MutableSet<Path> = HashSet(),
 ) {
     /**
      * The result of a search.
@@ -39,7 +41,7 @@ internal class FileReferences(
         val files = folders.mapNotNull { resolve(it, reference) }
         val allowed = files.firstOrNull { isAllowed(it) }
         return when {
-            allowed != null -> Found(allowed)
+            allowed != null -> Found(allowed.also { known.add(it) })
             folders.isEmpty() -> Found(null, "cannot be looked up for a stream", "load from a file instead")
             files.isNotEmpty() -> Found(null, "lies outside $root", REMEDY)
             else -> Found(null, "is missing", "put it into ${folders.last()}")

@@ -2,6 +2,7 @@ package dev.lazyz.scenes.loading
 
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.surface.Mesh
@@ -16,6 +17,9 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
 
     /** Textures by the real path of the file; null for a texture that cannot be decoded. */
     val textures: MutableMap<Path, Texture?> = HashMap()
+
+    /** The files that the sources refer to; reported by [LoadedScene.files]. */
+    val files: MutableSet<Path> = LinkedHashSet()
 
     private val start = System.nanoTime()
     private var read = 0L
@@ -40,10 +44,15 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     }
 
     /** Adds [count] triangles; fails if [source] then exceeds a limit. Call it before allocating memory for them. */
-    fun triangles(source: Source, count: Long) {
+    fun triangles(source: Source, count: Long): Unit = triangles(source, count, TRIANGLE_BYTES)
+
+    /** Adds [count] triangles that are not kept in memory; fails if [source] then exceeds a limit. */
+    fun streamed(source: Source, count: Long): Unit = triangles(source, count, 0)
+
+    private fun triangles(source: Source, count: Long, bytes: Long) {
         used = used.copy(triangles = used.triangles + count)
         check(source, used.triangles, limits.triangles, "triangles", "triangles", "--max-triangles")
-        decode(source, count * TRIANGLE_BYTES)
+        decode(source, count * bytes)
     }
 
     /** Like [triangles], for [count] line segments, each of which counts as a triangle. */

@@ -31,7 +31,7 @@ internal class Source(
     val bytes: ByteArray get() = checkNotNull(content) { "the bytes were released" }
 
     /** Finds files that the scene refers to. */
-    val references = FileReferences(folder, root, loading.limits.references)
+    val references = FileReferences(folder, root, loading.limits.references, loading.files)
 
     init {
         loading.read(bytes.size)
@@ -42,6 +42,9 @@ internal class Source(
 
     /** Cameras of the model so far; reported by [LoadedScene.cameras]. */
     val cameras = ArrayList<NamedCamera>()
+
+    /** The files that it refers to, found so far; reported by [LoadedScene.files]. */
+    val files: List<Path> get() = loading.files.toList()
 
     /** Converts text with a byte order mark into UTF-8 without one. */
     fun decodeText() {

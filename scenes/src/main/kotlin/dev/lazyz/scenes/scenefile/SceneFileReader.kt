@@ -49,7 +49,7 @@ internal class SceneFileReader(private val source: Source) {
             .withLightIntensity(members["lightIntensity"]?.let(lights::intensity) ?: 1f)
             .withToneMapping(members["toneMapping"]?.let(lights::toneMapping))
         val depth = members["depth"]?.let(::depth) ?: DepthRules()
-        return LoadedScene(whole, source.warnings.toList(), size, depth, lightRig = rig)
+        return LoadedScene(whole, source.warnings.toList(), size, depth, lightRig = rig, files = source.files)
     }
 
     /** Returns [scene] in the light of [rig] for its camera, whose direction does not depend on the [size]. */

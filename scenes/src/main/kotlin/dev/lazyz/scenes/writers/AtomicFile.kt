@@ -15,10 +15,14 @@ import java.nio.file.StandardOpenOption.WRITE
  * Writes files either completely or not at all.
  *
  * The content is written to a temporary file in the same folder, which is renamed only when it is complete. If
- * writing fails, the old file stays unchanged and the temporary file is deleted. Symbolic links are followed. A
- * target that is not a regular file, such as `/dev/null` or a pipe, is written directly.
+ * writing fails, the old file stays unchanged and the temporary file is deleted. Symbolic links are followed, also to
+ * a file that does not exist yet: the link stays, and the temporary file is beside the file that it names. A target
+ * that is not a regular file, such as `/dev/null` or a pipe, is written directly.
  */
 internal object AtomicFile {
+    /** As many links as Linux follows. */
+    private const val MAX_LINKS = 40
+
     /**
      * Opens a temporary file, calls [produce] to fill it, and renames it to [path].
      *
@@ -46,7 +50,7 @@ internal object AtomicFile {
 
     /** Checks that the file can be created, and returns its path with symbolic links resolved. */
     private fun place(path: Path): Path {
-        val absolute = path.toAbsolutePath()
+        val absolute = linked(path)
         if (Files.isDirectory(absolute)) {
             throw IOException("cannot write $path: it is a folder; name a file in it")
         }
@@ -56,6 +60,16 @@ internal object AtomicFile {
             throw IOException("cannot write $path: there is no folder $folder; create it or choose another")
         }
         return if (Files.exists(absolute)) absolute.toRealPath() else absolute
+    }
+
+    /** Returns what [path] names, as an absolute path: if it is a link, the end of the chain. */
+    private fun linked(path: Path): Path {
+        var place = path.toAbsolutePath()
+        repeat(MAX_LINKS) {
+            if (!Files.isSymbolicLink(place)) return place
+            place = place.resolveSibling(Files.readSymbolicLink(place))
+        }
+        throw IOException("cannot write $path: it is a link that leads to itself; remove it")
     }
 
     private fun move(from: Path, to: Path) {

@@ -77,6 +77,22 @@ class AtomicFileTest {
     }
 
     @Test
+    fun aLinkToAFileThatDoesNotExistYetIsFollowed() {
+        val target = Files.createDirectory(folder.resolve("sub")).resolve("target.ppm")
+        val link = Files.createSymbolicLink(folder.resolve("link.ppm"), Path.of("next.ppm"))
+        val next = Files.createSymbolicLink(folder.resolve("next.ppm"), Path.of("sub/target.ppm"))
+        ImageFiles.write(link, 1, 1) { it.row(0, row, row, row) }
+        assertTrue(Files.isSymbolicLink(link) && Files.isSymbolicLink(next))
+        assertTrue(Files.readString(target).startsWith("P6"))
+        assertEquals(listOf(target), Files.list(target.parent).use { it.toList() })
+
+        Files.createSymbolicLink(folder.resolve("a.ppm"), Path.of("b.ppm"))
+        val loop = Files.createSymbolicLink(folder.resolve("b.ppm"), Path.of("a.ppm"))
+        val failure = assertThrows(IOException::class.java) { failingRender(loop) }
+        assertEquals("cannot write $loop: it is a link that leads to itself; remove it", failure.message)
+    }
+
+    @Test
     fun aDeviceIsWrittenDirectly() {
         val device = Path.of("/dev/null")
         assumeTrue(Files.exists(device))

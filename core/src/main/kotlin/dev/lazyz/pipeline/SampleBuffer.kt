@@ -1,0 +1,59 @@
+package dev.lazyz.pipeline
+
+import dev.lazyz.DepthTest
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.RowSink
+
+/**
+ * The nearest fragment so far of each sample of a region: its visibility key and its colour. 12 bytes a sample. Used by
+ * one thread.
+ *
+ * @throws IllegalArgumentException if [region] is not within [raster], or has too many samples
+ */
+internal class SampleBuffer(raster: Raster, val region: Region) {
+    private val width = region.width
+    private val test = raster.depthTest
+
+    /** Colours, in rows from the top of the region. */
+    val argb: IntArray
+
+    /** Visibility keys, see [DepthTest.key], in the same order. */
+    val keys: LongArray
+
+    /** Bytes held. */
+    val bytes: Long get() = BYTES_PER_SAMPLE * region.size
+
+    init {
+        require(raster.region.contains(region)) { "$region must be within $raster" }
+        require(region.size <= MAX_SAMPLES) { "an image holds at most $MAX_SAMPLES samples: ${region.size}" }
+        argb = IntArray(region.size.toInt())
+        keys = LongArray(region.size.toInt())
+        argb.fill(raster.background.toArgb())
+        keys.fill(test.key(raster.backgroundDepth, DepthTest.BACKGROUND))
+    }
+
+    /** Returns the index of the sample at column [x] of row [y]. */
+    fun place(x: Int, y: Int): Int = (y - region.rowStart) * width + (x - region.columnStart)
+
+    /** Passes every row to [sink], from top to bottom. */
+    fun handOut(sink: RowSink) {
+        val colors = IntArray(width)
+        val depths = IntArray(width)
+        val indices = IntArray(width)
+        for (row in 0 until region.height) {
+            argb.copyInto(colors, 0, row * width, (row + 1) * width)
+            for (x in 0 until width) {
+                val key = keys[row * width + x]
+                depths[x] = test.depthOf(key)
+                indices[x] = test.indexOf(key)
+            }
+            sink.row(region.rowStart + row, colors, depths, indices)
+        }
+    }
+
+    companion object {
+        const val BYTES_PER_SAMPLE: Long = 12
+        private const val MAX_SAMPLES = Int.MAX_VALUE - 8L
+    }
+}

@@ -1,0 +1,96 @@
+package dev.lazyz.world.surface
+
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.UpAxis
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import java.util.function.UnaryOperator
+import org.joml.Vector3d
+import org.joml.Vector3dc
+
+/**
+ * A mesh that is not in memory: its triangles are read from [source] part by part, once for each rendering. A frame of
+ * a scene with such a mesh is streamed, see [Frame.isStreamed].
+ *
+ * The picture is the one of a [Mesh] with the same triangles, material, normals, colours and texture coordinates, bit
+ * for bit. Functions that look at the triangles of a [Mesh], such as sections, line drawings and shadows, ignore this
+ * surface. Thread safe if the source is.
+ *
+ * @property source the triangles
+ * @property material the appearance; renderers accept it only if it is opaque
+ */
+public class StreamedMesh private constructor(
+    public val source: MeshSource,
+    public val material: Material,
+    private val up: UpAxis,
+    private val isPlain: Boolean,
+) : Surface {
+    /** Creates a mesh in which y points up. */
+    @JvmOverloads
+    public constructor(source: MeshSource, material: Material = Material()) : this(source, material, UpAxis.Y, false)
+
+    /** Number of triangles. */
+    public val triangleCount: Int get() = source.triangleCount
+
+    /** The origin of all positions, world space, see [Mesh.origin]. */
+    public val origin: Vector3dc = up.toWorld(source.origin)
+
+    /** Whether vertices have colours. */
+    public val hasColors: Boolean get() = source.hasColors && !isPlain
+
+    internal val isTranslucent: Boolean get() = material.alphaMode == AlphaMode.BLEND
+
+    private val parts by lazy { FarthestPart(source) }
+
+    override val bounds: Box? by lazy { toWorld(parts.bounds) }
+
+    /** Returns the box of part [number], see [MeshSource.bounds], in world space. */
+    internal fun bounds(number: Int): Box? = toWorld(source.bounds(number))
+
+    private fun toWorld(box: Box?): Box? {
+        val moved = box?.moved(source.origin) ?: return null
+        val least = up.toWorld(Vector3d(moved.minX, moved.minY, moved.minZ))
+        val most = up.toWorld(Vector3d(moved.maxX, moved.maxY, moved.maxZ))
+        return Box(
+            minOf(least.x, most.x), minOf(least.y, most.y), minOf(least.z, most.z),
+            maxOf(least.x, most.x), maxOf(least.y, most.y), maxOf(least.z, most.z),
+        )
+    }
+
+    /** Returns the farthest vertex, see [Surface.farthest]. Cost: it reads the parts whose boxes reach far enough. */
+    override fun farthest(direction: Vector3dc): Vector3d? =
+        parts.farthest(up.toModel(direction))?.let { up.toWorld(it.add(source.origin)) }
+
+    /** Returns part [number] of the [source], with the material and the orientation of this mesh. */
+    internal fun part(number: Int): Mesh {
+        val part = with(source.part(number)) {
+            val colors = if (isPlain) null else colors
+            Mesh(positions, triangles, this@StreamedMesh.material, normals, uvs, colors, origin, uvs2, tangents)
+        }
+        return if (up == UpAxis.Y) part else part.withUpAxis(up)
+    }
+
+    override fun primitives(setUp: SetUp): Sequence<Primitive> =
+        (0 until source.partCount).asSequence().flatMap { setUp.mesh(part(it)) }
+
+    override fun withMaterials(change: UnaryOperator<Material>): StreamedMesh =
+        StreamedMesh(source, change.apply(material), up, isPlain)
+
+    /** Returns this mesh without the colours of vertices. */
+    public fun withoutColors(): StreamedMesh = StreamedMesh(source, material, up, isPlain = true)
+
+    /**
+     * Returns this mesh rotated so that the axis [up] becomes y.
+     *
+     * @throws UnsupportedOperationException if it is rotated already
+     */
+    override fun withUpAxis(up: UpAxis): StreamedMesh = when {
+        up == UpAxis.Y -> this
+        this.up == UpAxis.Y -> StreamedMesh(source, material, up, isPlain)
+        else -> throw UnsupportedOperationException("a streamed mesh can be rotated only once")
+    }
+
+    override fun toString(): String = "StreamedMesh($triangleCount triangles, $material)"
+}

@@ -1,0 +1,198 @@
+package dev.lazyz.world.surface
+
+import dev.lazyz.Image
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.Rgba
+import dev.lazyz.filter.SuperSampling
+import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.UpAxis
+import dev.lazyz.strategies.Renderers
+import dev.lazyz.strategies.hybrid.Hybrid
+import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Scene
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import java.util.Random
+import java.util.concurrent.atomic.AtomicInteger
+import org.joml.Vector3d
+import org.joml.Vector3dc
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Meshes that are read part by part give the picture of the same mesh in memory. */
+class StreamedMeshTest {
+    private val streaming: List<Renderer> = listOf(
+        Tiled(), Tiled(RenderOptions(threads = 1, tileSize = 8)), ZBuffer(), Hybrid(),
+        Hybrid(RenderOptions(memoryBudget = 500)),
+    )
+
+    /** The triangles of a mesh, in parts of [size]. Counts how often parts are read. */
+    private class Pieces(private val mesh: Mesh, private val size: Int) : MeshSource {
+        val reads = AtomicInteger()
+
+        override val triangleCount: Int get() = mesh.triangleCount
+        override val hasColors: Boolean get() = mesh.colors != null
+        override val partCount: Int get() = (triangleCount + size - 1) / size
+        override val origin: Vector3dc get() = mesh.origin
+
+        override fun triangleCount(number: Int): Int = minOf(size, triangleCount - size * number)
+
+        override fun bounds(number: Int): Box? = Box.around(positions(number))
+
+        override fun part(number: Int): Mesh {
+            reads.incrementAndGet()
+            val corners = corners(number)
+            val colors = mesh.colors?.let { all -> FloatArray(4 * corners.size) { all[4 * corners[it / 4] + it % 4] } }
+            return Mesh(positions(number), IntArray(corners.size) { it }, colors = colors, origin = mesh.origin)
+        }
+
+        private fun corners(number: Int): IntArray =
+            mesh.triangles.copyOfRange(3 * size * number, minOf(3 * size * (number + 1), 3 * triangleCount))
+
+        private fun positions(number: Int): FloatArray {
+            val corners = corners(number)
+            return FloatArray(3 * corners.size) { mesh.positions[3 * corners[it / 3] + it % 3] }
+        }
+    }
+
+    /** Large and small triangles that cross, with some that are equal, so that the order of submission decides. */
+    private fun mesh(seed: Long, origin: Vector3d = Vector3d()): Mesh {
+        val random = Random(seed)
+        val positions = FloatArray(3 * 200) { random.nextFloat() * 2 - 1 }
+        val triangles = ArrayList<Int>()
+        repeat(150) {
+            val one = List(3) { random.nextInt(if (it == 0) 200 else 30) }
+            triangles += one
+            if (random.nextInt(4) == 0) triangles += one
+        }
+        val colors = FloatArray(4 * 200) { if (it % 4 == 3) 1f else random.nextFloat() }
+        return Mesh(positions, triangles.toIntArray(), colors = colors, origin = origin)
+    }
+
+    private fun sphere() = Sphere(Vector3d(0.3, 0.1, 0.5), 0.4, Material(Rgba(1f, 0f, 0f)))
+
+    private fun assertSame(expected: Image, actual: Image, what: String) {
+        assertEquals(expected.pixelHash(), actual.pixelHash(), what)
+        val region = expected.region
+        for (y in region.rowStart until region.rowEnd) {
+            for (x in region.columnStart until region.columnEnd) {
+                assertEquals(expected.depth(x, y), actual.depth(x, y), what)
+                assertEquals(expected.primitive(x, y), actual.primitive(x, y), what)
+            }
+        }
+        assertEquals(expected.counters.primitives, actual.counters.primitives, what)
+    }
+
+    @Test
+    fun theyGiveThePictureOfAMeshInMemory() {
+        for (seed in 1L..6L) {
+            val whole = mesh(seed)
+            for (size in listOf(1, 7, 64, 1000)) {
+                val parts = StreamedMesh(Pieces(whole, size))
+                val expected = Scene(listOf(sphere(), whole, sphere(), whole)).frame(70, 53)
+                val actual = Scene(listOf(sphere(), parts, sphere(), parts)).frame(70, 53)
+                assertTrue(actual.isStreamed)
+                for (renderer in streaming) {
+                    assertSame(renderer.render(expected), renderer.render(actual), "$renderer, $seed, $size")
+                }
+            }
+        }
+    }
+
+    @Test
+    fun regionsOptionsAndFiltersGiveTheSamePictures() {
+        val whole = mesh(8, Vector3d(4e6, 0.0, -2e5))
+        val material = Material(Rgba(0.5f, 0.9f, 0.8f))
+        for (up in listOf(UpAxis.Y, UpAxis.Z, UpAxis.MINUS_X)) {
+            val expected = Scene(listOf(whole.withMaterials { material })).withUpAxis(up)
+            val actual = Scene(listOf(StreamedMesh(Pieces(whole, 20)))).withMaterials { material }.withUpAxis(up)
+            val region = Region(11, 9, 50, 44)
+            for (renderer in streaming) {
+                assertSame(
+                    renderer.render(expected.frame(61, 47).within(region)),
+                    renderer.render(actual.frame(61, 47).within(region)), "$renderer, $up",
+                )
+                val sampling = SuperSampling(3)
+                assertSame(
+                    sampling.frame(expected, Raster(31, 17)).render(renderer),
+                    sampling.frame(actual, Raster(31, 17)).render(renderer), "$renderer, $up, filtered",
+                )
+            }
+        }
+    }
+
+    @Test
+    fun trianglesAtTheNearPlaneAreClipped() {
+        val whole = mesh(3)
+        val camera = Camera.perspective(Vector3d(0.0, 0.0, 0.4), Vector3d(), Vector3d(0.0, 1.0, 0.0), 80.0, 0.05, 5.0)
+        val expected = Scene(listOf(whole), viewpoint = camera).frame(60, 60)
+        val actual = Scene(listOf(StreamedMesh(Pieces(whole, 31))), viewpoint = camera).frame(60, 60)
+        for (renderer in streaming) assertSame(renderer.render(expected), renderer.render(actual), "$renderer")
+    }
+
+    @Test
+    fun eachRenderingReadsTheTrianglesOnce() {
+        val pieces = Pieces(mesh(4), 50)
+        val camera = Camera.fit().camera(Scene(listOf(mesh(4))), 1.0)
+        val frame = Scene(listOf(StreamedMesh(pieces)), viewpoint = camera).frame(40, 40)
+        for (renderer in streaming) {
+            pieces.reads.set(0)
+            renderer.render(frame)
+            assertEquals(pieces.partCount, pieces.reads.get(), "$renderer")
+        }
+    }
+
+    @Test
+    fun otherRenderersAndTranslucencyAreRefused() {
+        val parts = StreamedMesh(Pieces(mesh(5), 50))
+        val frame = Scene(listOf(parts)).frame(20, 20)
+        for (renderer in Renderers.builtIn.filter { it.id !in setOf("tiled", "zbuffer", "hybrid") }) {
+            val refused = assertThrows(IllegalArgumentException::class.java) { renderer.render(frame) }
+            assertTrue("the frame is streamed" in refused.message!!, refused.message)
+        }
+        val glass = Material(Rgba(1f, 1f, 1f, 0.5f)).withAlphaMode(AlphaMode.BLEND)
+        val translucent = Scene(listOf(parts.withMaterials { glass })).frame(20, 20)
+        for (renderer in streaming) {
+            val refused = assertThrows(IllegalArgumentException::class.java) { renderer.render(translucent) }
+            assertTrue("streamed" in refused.message!!, refused.message)
+            renderer.render(translucent.asOpaque())
+        }
+    }
+
+    @Test
+    fun primitivesCanOnlyBeIterated() {
+        val frame = Scene(listOf(sphere(), StreamedMesh(Pieces(mesh(6), 50)))).frame(20, 20)
+        assertEquals(frame.primitives.size, frame.primitives.count { true })
+        assertThrows(UnsupportedOperationException::class.java) { frame.primitives[0] }
+    }
+
+    @Test
+    fun theFarthestPointDoesNotDependOnTheParts() {
+        // A grid has many points that are equally far
+        val positions = FloatArray(3 * 1000) {
+            (
+                if (it % 3 ==
+                    0
+                ) {
+                    it / 300
+                } else if (it % 3 == 1) {
+                    it / 30 % 10
+                } else {
+                    it / 3 % 10
+                }
+                ).toFloat()
+        }
+        val grid = Mesh(positions, IntArray(999) { it })
+        for (direction in listOf(Vector3d(1.0, 0.0, 0.0), Vector3d(1.0, 1.0, 0.0), Vector3d(-1.0, 0.5, -0.0))) {
+            val expected = grid.farthest(direction)
+            for (size in listOf(3, 100)) assertEquals(expected, StreamedMesh(Pieces(grid, size)).farthest(direction))
+        }
+    }
+}
