@@ -8,7 +8,6 @@ import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.required
-import com.github.ajalt.clikt.parameters.options.split
 import dev.lazyz.cli.compare.CompareRequest
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
@@ -21,6 +20,7 @@ import dev.lazyz.cli.options.LineOptions
 import dev.lazyz.cli.options.PictureOptions
 import dev.lazyz.cli.options.ReadingOptions
 import dev.lazyz.cli.options.classPath
+import dev.lazyz.cli.options.comparedStrategies
 import dev.lazyz.cli.options.count
 import dev.lazyz.cli.options.path
 import dev.lazyz.cli.options.subject
@@ -49,15 +49,16 @@ internal class ReportCommand(private val streams: Streams, private val args: Lis
     private val limits by LimitOptions()
 
     override fun help(context: Context): String =
-        "Renders a model or a scene with all strategies, and writes a page of HTML: the proof that all pictures are " +
-            "the same, what each strategy did, where, and in which order.\n\nThe page is one file, without scripts " +
-            "and links. Prints its first line. Exit code 1: pictures differ, or a strategy failed; the page is " +
-            "written and says so. A sample is a pixel, unless --aa says otherwise."
+        "Renders a model or a scene with all strategies, and writes a page of HTML with pictures, counters, heat " +
+            "maps and charts.\n\nThe page shows whether all pictures are the same, what each strategy did, where, and " +
+            "in which order. It is one file, without scripts, and loads nothing. Its result is printed. Exit code 1: " +
+            "pictures differ, or a strategy failed; the page is written and says so. A sample is a pixel, unless " +
+            "--aa says otherwise."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli report city -o city.html" to "all strategies on a built-in scene",
         "zcli report model.glb --size 1024x768 --view iso --opaque -o model.html" to "your own model, opaque",
-        "zcli report part.stl --strategies zbuffer,lazy,tiled --repeat 9 -o part.html" to "some, measured longer",
+        "zcli report part.stl --strategy zbuffer --strategy lazy --repeat 9 -o part.html" to "two, measured longer",
     )
 
     override fun run() {
@@ -76,12 +77,7 @@ internal class ReportCommand(private val streams: Streams, private val args: Lis
 private class ReportOptions : OptionGroup("Report") {
     val output by option("-o", "--output", help = "The file of the page: .html").path("OUT").required()
 
-    val strategies by option(
-        "--strategies",
-        metavar = "IDS",
-        help = "The strategies, separated by commas; all others are compared with the first; default: all of " +
-            "'zcli strategies'",
-    ).split(",").default(emptyList())
+    val strategies by comparedStrategies()
 
     val classPath by classPath()
 

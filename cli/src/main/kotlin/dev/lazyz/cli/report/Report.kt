@@ -4,16 +4,15 @@ import dev.lazyz.Image
 import dev.lazyz.aov.AovImage
 import dev.lazyz.cli.compare.Comparison
 import dev.lazyz.cli.compare.Outcome
-import dev.lazyz.cli.trace.ShadingOrder
 
 /**
  * What is seen of a rendering besides its cost.
  *
  * @property image the pixels
  * @property calls the number of shading calls of each pixel
- * @property order the shading calls, if samples are pixels and there are not too many
+ * @property order the shading calls in their order, if samples are pixels and there are not too many
  */
-internal class Portrait(val image: Image, val calls: AovImage, val order: ShadingOrder?) {
+internal class Portrait(val image: Image, val calls: AovImage, val order: OrderMap?) {
     /** See [Image.pixelHash]. */
     val hash: String = image.pixelHash()
 }

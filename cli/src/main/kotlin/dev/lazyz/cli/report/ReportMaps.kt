@@ -1,11 +1,9 @@
 package dev.lazyz.cli.report
 
-import dev.lazyz.DepthTest
 import dev.lazyz.Image
 import dev.lazyz.Viridis
 import dev.lazyz.cli.compare.Outcome
 import dev.lazyz.cli.page.PictureStore
-import dev.lazyz.cli.trace.ShadingOrder
 import dev.lazyz.scenes.aov.AovPicture
 import dev.lazyz.scenes.html.Html.escaped
 import dev.lazyz.scenes.pictures.Picture
@@ -28,7 +26,7 @@ internal class ReportMaps(private val report: Report, private val pictures: Pict
         appendLine("""<div class="card"><h3>Overdraw</h3>""")
         append("<p>How many surfaces cover each pixel, hidden ones too: the work that can be saved. ")
         appendLine("It belongs to the scene, so it is the same for all strategies.</p>")
-        append(scale("Fragments:", "0", "1", "%,d".format(null, most)))
+        append(scale("Fragments:", "0", "%,d".format(null, most)))
         appendLine("</div></div>")
     }
 
@@ -36,7 +34,7 @@ internal class ReportMaps(private val report: Report, private val pictures: Pict
     fun strategies(): String = buildString {
         appendLine("<p>For each strategy: its picture; how often each pixel was shaded, on one scale for all; and ")
         appendLine("when each pixel got its colour, if one thread works.</p>")
-        append(scale("Calls:", "none", "1", "%,d a pixel".format(null, mostCalls)))
+        append(scale("Calls:", "0", "%,d a pixel".format(null, mostCalls)))
         append(scale("Order:", "none", "first", "last"))
         appendLine("""<div class="grid wide">""")
         for (entry in report.entries) card(entry)
@@ -90,25 +88,12 @@ internal class ReportMaps(private val report: Report, private val pictures: Pict
             "Shading calls of ${entry.id}: $calls in all, up to $most at a pixel",
             "calls, up to $most a pixel",
         )
-        portrait.order?.let { figure(order(it, portrait.image), "Order in which ${entry.id} shades", "order") }
+        portrait.order?.let { figure(it.toImage(), "Order in which ${entry.id} shades", "order") }
         appendLine("</div>")
     }
 
     private fun StringBuilder.figure(image: Image, description: String, caption: String) {
         appendLine("<figure>${pictures.show(image, description)}<figcaption>$caption</figcaption></figure>")
-    }
-
-    /** Returns when each pixel of [image] got its colour, from the first call to the last. */
-    private fun order(order: ShadingOrder, image: Image): Image {
-        val argb = IntArray(image.argb.size) { AovPicture.NOTHING }
-        val last = maxOf(order.size - 1, 1).toDouble()
-
-        // With several layers, the first counts
-        for (call in order.size - 1 downTo 0) {
-            if (!order.isDiscarded(call)) argb[order.place(call)] = Viridis.argb(call / last)
-        }
-        val none = IntArray(argb.size) { DepthTest.BACKGROUND }
-        return Image(image.width, image.height, argb, IntArray(argb.size), none, image.counters)
     }
 
     /** Returns the legend of the map [name]: what is grey, and the ends of the scale. */

@@ -174,32 +174,32 @@ class ReportTest {
 
     @Test
     fun aDifferenceOfDepthAloneIsOne() = withRenderers(folder, WrongDepthRenderer::class.java.name) {
-        assertEquals(ExitCode.DIFFERENT, report("teapot", "--strategies", "lazy,wrong-depth").code)
+        assertEquals(ExitCode.DIFFERENT, report("teapot", "--strategy", "lazy", "--strategy", "wrong-depth").code)
         assertEquals("different", page().rows.getValue("wrong-depth")[0])
     }
 
     @Test
     fun aDifferenceThatComesAndGoesIsOne() = withRenderers(folder, WrongLaterRenderer::class.java.name) {
         // The first picture is right, and the one on the page is not
-        assertEquals(ExitCode.DIFFERENT, report("teapot", "--strategies", "lazy,wrong-later").code)
+        assertEquals(ExitCode.DIFFERENT, report("teapot", "--strategy", "lazy", "--strategy", "wrong-later").code)
         assertEquals("different", page().rows.getValue("wrong-later")[0])
         assertTrue("it is not the same each time" in page().text)
     }
 
     @Test
     fun aFailureIsToldAndTheOthersAreThere() = withRenderers(folder, BuggyRenderer::class.java.name) {
-        val run = report("teapot", "--strategies", "buggy,lazy,zbuffer")
+        val run = report("teapot", "--strategy", "buggy", "--strategy", "lazy", "--strategy", "zbuffer")
         assertEquals(ExitCode.DIFFERENT to "", run.code to run.errors)
         assertTrue("Not identical: 2 of 3" in run.text, run.text)
         assertTrue("<p>IllegalStateException: the cursor ran away</p>" in page().text)
         assertEquals(listOf("failed", "identical"), listOf("buggy", "lazy").map { page().rows.getValue(it)[0] })
-        assertEquals(ExitCode.DIFFERENT, report("teapot", "--strategies", "buggy").code)
+        assertEquals(ExitCode.DIFFERENT, report("teapot", "--strategy", "buggy").code)
         assertTrue("0 of 1 strategies" in file.readText() && "pixel hash none" in file.readText())
     }
 
     @Test
     fun withSeveralSamplesAPixelOrdersAreLeftOut() {
-        report("teapot", "--aa", "2", "--strategies", "zbuffer,lazy").done()
+        report("teapot", "--aa", "2", "--strategy", "zbuffer", "--strategy", "lazy").done()
         val page = page()
         assertEquals(listOf("zbuffer", "lazy"), page.rows.keys.filter { it in builtIn })
         assertEquals("not counted", page.rows.getValue("zbuffer")[2])
@@ -215,7 +215,8 @@ class ReportTest {
         val page = page()
         assertTrue("<h1>$folder/a&lt;b&gt;&amp;&#39;c.obj: one picture" in page.text)
         assertFalse("<b>&'c" in page.text)
-        assertTrue("c.obj --size 40x30 --repeat 1 --view top -o report.html</code>" in page.text)
+        val word = "&#39;$folder/a&lt;b&gt;&amp;&#39;\\&#39;&#39;c.obj&#39;"
+        assertTrue("zcli report $word --size 40x30 --repeat 1 --view top -o report.html</code>" in page.text)
     }
 
     @Test
@@ -224,13 +225,17 @@ class ReportTest {
         zcli("report", wedge).mistake("missing option --output")
         zcli("report", wedge, "-o", folder.resolve("a.pdf")).mistake("-o must end in .html")
         zcli("report", wedge, "-o", folder.resolve("no/a.html")).mistake("there is no folder")
-        report(wedge, "--strategies", "lazy,zbufer").mistake("did you mean 'zbuffer'?")
+        report(wedge, "--strategy", "lazy", "--strategy", "zbufer").mistake("did you mean 'zbuffer'?")
         report(wedge, "--repeat", "0").mistake("--repeat: must be in 1..1000: 0")
-        report(wedge, "--strategies", "zbuffer", "--threads", "2").mistake("no compared strategy supports --threads")
-        report(folder.glass(), "--strategies", "zbuffer").mistake("no compared strategy blends", "--opaque")
+        report(wedge, "--strategy", "zbuffer", "--threads", "2").mistake("no compared strategy supports --threads")
+        report(folder.glass(), "--strategy", "zbuffer").mistake("no compared strategy blends", "--opaque")
         report(folder.resolve("none.obj")).mistake("none.obj: no such file")
         zcli("report", wedge, "-o", file, "--size", "262144").mistake("choose a smaller --size")
         assertFalse(file.exists())
+        val input = folder.wedge("model.html")
+        val before = input.readText()
+        zcli("report", input, "--format", "obj", "-o", input).mistake("-o would replace the input")
+        assertEquals(before, input.readText())
     }
 
     @Test
