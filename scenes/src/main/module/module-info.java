@@ -13,6 +13,7 @@ module dev.lazyz.scenes {
     requires obj;
 
     exports dev.lazyz.scenes.aov;
+    exports dev.lazyz.scenes.html;
     exports dev.lazyz.scenes.pictures;
     exports dev.lazyz.scenes.scenefile;
     exports dev.lazyz.scenes.text;

@@ -9,6 +9,7 @@ import dev.lazyz.cli.commands.ConformanceCommand
 import dev.lazyz.cli.commands.DiffCommand
 import dev.lazyz.cli.commands.ManCommand
 import dev.lazyz.cli.commands.RenderCommand
+import dev.lazyz.cli.commands.ReportCommand
 import dev.lazyz.cli.commands.ScenesCommand
 import dev.lazyz.cli.commands.StrategiesCommand
 import dev.lazyz.cli.commands.TraceCommand
@@ -36,6 +37,7 @@ internal class Zcli(streams: Streams, args: List<String>) : Command("zcli") {
             "render" to { RenderCommand(streams, args) },
             "compare" to { CompareCommand(streams, args) },
             "diff" to { DiffCommand(streams) },
+            "report" to { ReportCommand(streams, args) },
             "trace" to { TraceCommand(streams) },
             "conformance" to { ConformanceCommand(streams, args) },
             "scenes" to { ScenesCommand(streams) },

@@ -13,8 +13,9 @@ import org.junit.jupiter.api.io.TempDir
 class DocumentationTest {
     private val page: String = ProjectFiles.root.resolve("docs/cli.md").readText()
 
-    private val commands =
-        listOf("render", "compare", "diff", "trace", "conformance", "scenes", "strategies", "man", "completion")
+    private val commands = listOf(
+        "render", "compare", "diff", "report", "trace", "conformance", "scenes", "strategies", "man", "completion",
+    )
 
     private fun help(vararg command: String) = zcli(*command, "--help").done().text
 

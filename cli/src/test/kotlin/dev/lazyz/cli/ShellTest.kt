@@ -12,7 +12,7 @@ import org.junit.jupiter.api.io.TempDir
 /** What `zcli man` and `zcli completion` print. */
 class ShellTest {
     private val commands =
-        listOf("render", "compare", "diff", "trace", "conformance", "scenes", "strategies", "completion")
+        listOf("render", "compare", "diff", "report", "trace", "conformance", "scenes", "strategies", "completion")
 
     @Test
     fun theManualPageHasEachOptionOfTheHelp() {

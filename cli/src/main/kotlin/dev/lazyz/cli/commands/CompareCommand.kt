@@ -29,6 +29,7 @@ import dev.lazyz.cli.options.LineOptions
 import dev.lazyz.cli.options.PictureOptions
 import dev.lazyz.cli.options.ReadingOptions
 import dev.lazyz.cli.options.classPath
+import dev.lazyz.cli.options.comparedStrategies
 import dev.lazyz.cli.options.count
 import dev.lazyz.cli.options.listOf
 import dev.lazyz.cli.options.subject
@@ -107,12 +108,7 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
 
 /** Options that choose what to compare, and how to print the result. */
 private class ComparingOptions : OptionGroup("Comparing") {
-    val strategies by option(
-        "--strategy",
-        metavar = "ID",
-        help = "Compare this strategy; repeat the option for more; all others are compared with the first; " +
-            "default: all of 'zcli strategies'",
-    ).multiple()
+    val strategies by comparedStrategies()
 
     val classPath by classPath()
 

@@ -52,6 +52,7 @@ internal class TraceCommand(private val streams: Streams) : Command("trace") {
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli trace teapot --strategy lazy -o order.gif" to "the order of one strategy",
         "zcli trace city --strategy zbuffer,lazy -o both.png" to "two side by side, as an animated PNG",
+        "zcli trace city --strategy zbuffer,lazy -o both.html" to "the same as a page, to go step by step",
         "zcli trace model.obj --strategy hybrid --memory-budget 64k -o budget.gif" to "what a budget changes",
         "zcli trace city --strategy painter --steps 200 --frames-per-second 25 -o slow.gif" to "longer and smoother",
     )
@@ -76,7 +77,12 @@ internal class TraceCommand(private val streams: Streams) : Command("trace") {
 
 /** Options of the film. */
 private class FilmOptions : OptionGroup("Film") {
-    val output by option("-o", "--output", metavar = "OUT", help = "The file of the film: .gif, or .png or .apng")
+    val output by option(
+        "-o",
+        "--output",
+        metavar = "OUT",
+        help = "The file of the film: .gif; .png or .apng; or .html, a page with controls",
+    )
         .convert { Path.of(it) }
         .required()
 

@@ -17,9 +17,14 @@ import dev.lazyz.world.View
 /**
  * Renders frames with all strategies of [request], one after the other, and compares each picture with the first.
  *
+ * @param kept bytes for each pixel that the caller keeps besides
  * @throws Mistake if a strategy is not known, or a flag is not supported by any strategy
  */
-internal class CompareJob(private val request: CompareRequest, private val streams: Streams) {
+internal class CompareJob(
+    private val request: CompareRequest,
+    private val streams: Streams,
+    private val kept: Long = 0,
+) {
     private val strategies = strategies()
 
     /** Compares pictures of the scene [loaded] from [source], from the side [view] unless it is null. */
@@ -28,13 +33,16 @@ internal class CompareJob(private val request: CompareRequest, private val strea
         val frame = shot.frame
         val able = strategies.filter { canRender(it, frame) }
         if (able.isEmpty()) throw Mistake(noneBlends())
-        for (strategy in able) MemoryNeed.check(strategy, frame.region, kept = BYTES_PER_PIXEL, aa = shot.factor)
-
-        // Render with one after the other
-        val round = Round(shot)
-        val outcomes = strategies.map { strategy ->
-            strategy.id to if (strategy in able) round.outcome(strategy) else Outcome.NotBlending
+        for (strategy in able) {
+            MemoryNeed.check(strategy, frame.region, kept = BYTES_PER_PIXEL + kept, aa = shot.factor)
         }
+
+        // Render with one after the other, and so on for each repetition: what disturbs the machine, and Java's
+        // warm-up, then meet all strategies alike
+        val round = Round(shot)
+        val runs = strategies.map { if (it in able) Run(it) else null }
+        for (number in 1..request.repeat) runs.forEach { it?.render(number, round) }
+        val outcomes = strategies.zip(runs) { strategy, run -> strategy.id to (run?.outcome() ?: Outcome.NotBlending) }
         val warnings = loaded.warnings.size
         return Comparison(source.input.name, view, shot, request.repeat, warnings, round.reference, outcomes)
     }
@@ -55,39 +63,48 @@ internal class CompareJob(private val request: CompareRequest, private val strea
     private fun noneBlends(): String = "the scene is translucent, and no compared strategy blends " +
         "(${Strategies.supporters(Capability.TRANSPARENCY)})\nCompare others, or compare it as opaque with --opaque."
 
-    /** One frame, rendered with one strategy after the other. */
-    private inner class Round(private val shot: Shot) {
-        /** The first complete picture. No other picture is kept in memory. */
+    /** One frame, and the first complete picture of it. No other picture is kept in memory. */
+    private class Round(val shot: Shot) {
         var reference: Reference? = null
-            private set
+    }
 
-        fun outcome(strategy: Renderer): Outcome = try {
-            rendered(strategy)
-        } catch (failure: Throwable) {
-            // Continue with the other strategies
-            Outcome.Failed(failure)
+    /** The renderings of one frame with [strategy]. */
+    private inner class Run(private val strategy: Renderer) {
+        private val times = LongArray(request.repeat)
+        private var counters = Counters.NONE
+        private var difference: Difference? = null
+        private var failure: Throwable? = null
+
+        /** Renders for the time [number], from 1, unless it has failed before. */
+        fun render(number: Int, round: Round) {
+            if (failure != null) return
+            streams.progress("rendering with ${strategy.id}, $number of ${request.repeat} ...")
+            try {
+                rendered(number, round)
+            } catch (failure: Throwable) {
+                // Continue with the other strategies
+                this.failure = failure
+            }
         }
 
-        private fun rendered(strategy: Renderer): Outcome {
-            val times = LongArray(request.repeat)
-            var counters = Counters.NONE
-            var difference: Difference? = null
-            for (i in times.indices) {
-                streams.progress("rendering with ${strategy.id}, ${i + 1} of ${request.repeat} ...")
+        private fun rendered(number: Int, round: Round) {
+            // Keep the first picture, and compare all others with it, row by row
+            val shot = round.shot
+            val known = round.reference?.image
+            val collector = if (known == null) Image.Collector(shot.pixels) else null
+            val comparison = known?.let { RowComparison(it) }
+            val rows = CompleteRows(shot.pixels, listOfNotNull(collector, comparison).single())
 
-                // Keep the first picture, and compare all others with it, row by row
-                val known = reference?.image
-                val collector = if (known == null) Image.Collector(shot.pixels) else null
-                val comparison = known?.let { RowComparison(it) }
-                val rows = CompleteRows(shot.pixels, listOfNotNull(collector, comparison).single())
+            val start = System.nanoTime()
+            counters = shot.render(strategy, rows)
+            times[number - 1] = System.nanoTime() - start
+            rows.requireComplete()
+            if (collector != null) round.reference = Reference(strategy.id, collector.toImage(counters))
+            difference = difference ?: comparison?.difference
+        }
 
-                val start = System.nanoTime()
-                counters = shot.render(strategy, rows)
-                times[i] = System.nanoTime() - start
-                rows.requireComplete()
-                if (collector != null) reference = Reference(strategy.id, collector.toImage(counters))
-                difference = difference ?: comparison?.difference
-            }
+        fun outcome(): Outcome {
+            failure?.let { return Outcome.Failed(it) }
             times.sort()
             return Outcome.Rendered(counters, times[times.size / 2], difference)
         }

@@ -54,14 +54,8 @@ internal class Comparison(
         outcome is Outcome.Failed || (outcome is Outcome.Rendered && outcome.difference != null)
     }
 
-    /**
-     * Exceptions that built-in strategies threw. They are bugs in Lazy Z, except those for which [Failure] has a
-     * message.
-     */
-    val bugs: List<Throwable>
-        get() = outcomes.filter { (id, _) -> Strategies.isBuiltIn(id) }
-            .mapNotNull { (_, outcome) -> (outcome as? Outcome.Failed)?.failure }
-            .filter { Failure.mistake(it) == null }
+    /** See the function of this name. */
+    val bugs: List<Throwable> get() = bugs(outcomes)
 
     /** Returns the whole result as one line of JSON. */
     fun toJson(): String = Json.of(
@@ -115,5 +109,16 @@ internal class Comparison(
                 difference?.addTo(this)
             }
         }
+    }
+
+    companion object {
+        /**
+         * Returns the exceptions that built-in strategies threw. They are bugs in Lazy Z, except those for which
+         * [Failure] has a message.
+         */
+        fun bugs(outcomes: List<Pair<String, Outcome>>): List<Throwable> =
+            outcomes.filter { (id, _) -> Strategies.isBuiltIn(id) }
+                .mapNotNull { (_, outcome) -> (outcome as? Outcome.Failed)?.failure }
+                .filter { Failure.mistake(it) == null }
     }
 }

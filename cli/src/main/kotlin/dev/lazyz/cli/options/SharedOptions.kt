@@ -92,6 +92,14 @@ internal fun ParameterHolder.classPath() = option(
         "that it needs; repeat the option for more",
 ).multiple()
 
+/** The option `--strategy` of commands that compare strategies. */
+internal fun ParameterHolder.comparedStrategies() = option(
+    "--strategy",
+    metavar = "ID",
+    help = "Compare this strategy; repeat the option for more; all others are compared with the first; " +
+        "default: all of 'zcli strategies'",
+).multiple()
+
 /** Options for reading the input. */
 internal class ReadingOptions : OptionGroup("Reading") {
     val format by option("--format", help = "Format of INPUT: ${names(formats.keys)}; default: by its extension")

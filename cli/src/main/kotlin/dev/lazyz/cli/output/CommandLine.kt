@@ -4,7 +4,9 @@ package dev.lazyz.cli.output
 internal object CommandLine {
     /** Returns the command with the words [args], as it is typed in a shell. */
     fun of(args: List<String>): String =
-        (listOf("zcli") + args).joinToString(" ") { if (' ' in it || it.isEmpty()) "'$it'" else it }
+        (listOf("zcli") + args).joinToString(" ") { word ->
+            if (word.isEmpty() || word.any { it in SPECIAL }) "'${word.replace("'", "'\\''")}'" else word
+        }
 
     /** Returns [args] without the options [names], which have a value each, up to a word `--`. */
     fun without(args: List<String>, names: Set<String>): List<String> {
@@ -20,4 +22,7 @@ internal object CommandLine {
         }
         return kept + args.drop(end)
     }
+
+    /** What means something to a shell. */
+    private const val SPECIAL = " \t\n\"'\\$&|;<>()*?[]!~#`"
 }

@@ -26,7 +26,7 @@ internal object MemoryNeed {
         aa: Int = 1,
     ) {
         // Small pictures fit with any strategy
-        if (picture.size * PLENTY <= available && picture.size <= MAX_ARRAY) return
+        if (picture.size * (PLENTY + kept) <= available && picture.size <= MAX_ARRAY) return
         val bytes = PictureMemory.bytesPerSample(strategy) + kept
         val need = bytes * picture.size
         val what = "a picture of ${picture.width}x${picture.height} with strategy '${strategy.id}'"

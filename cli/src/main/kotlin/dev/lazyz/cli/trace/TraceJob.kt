@@ -37,7 +37,11 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
         if (picture.covered.isEmpty) streams.nothingIsVisible()
 
         streams.progress("writing ${request.output} ...")
-        Film(orders, picture, request.steps, request.framesPerSecond).write(request.output)
+        if (request.output.toString().endsWith(PAGE, ignoreCase = true)) {
+            FilmPage(orders, picture, source.input.name, request.steps, request.framesPerSecond).write(request.output)
+        } else {
+            Film(orders, picture, request.steps, request.framesPerSecond).write(request.output)
+        }
         for (order in orders) {
             val numbers = "%,d shading calls, %,d of them discarded".format(null, order.size, order.discarded)
             streams.print("${order.strategy}: $numbers\n")
@@ -56,7 +60,10 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
         /** Colours, here and in a film, and what finds the discarded calls. */
         private const val BYTES_PER_PIXEL = 20L
 
+        /** The ending of files that are pages. */
+        private const val PAGE = ".html"
+
         /** The endings of files that can be written. */
-        val ENDINGS = arrayOf(".gif", ".png", ".apng")
+        val ENDINGS = arrayOf(".gif", ".png", ".apng", PAGE)
     }
 }

@@ -1,6 +1,8 @@
 package dev.lazyz.cli.trace
 
+import dev.lazyz.Counters
 import dev.lazyz.DepthTest
+import dev.lazyz.Image
 import dev.lazyz.Region
 import dev.lazyz.RowSink
 import java.util.BitSet
@@ -23,6 +25,11 @@ internal class TracedPicture(private val region: Region) : RowSink {
             if (primitive[x] != DepthTest.BACKGROUND) covered.set(first + x)
         }
     }
+
+    /** Returns the picture, without copying its colours. It has no depth. */
+    fun toImage(): Image = Image(
+        width, height, argb, IntArray(argb.size), IntArray(argb.size) { DepthTest.BACKGROUND }, Counters.NONE,
+    )
 
     private fun beforeWhite(color: Int): Int {
         val alpha = color ushr 24

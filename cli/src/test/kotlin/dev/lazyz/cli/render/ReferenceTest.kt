@@ -112,6 +112,8 @@ class ReferenceTest {
         assertEquals("render a b", without("render -o x a --ref=y -oz b --ref q"))
         assertEquals("render --refs -- -o x", without("render --refs --ref q -- -o x"))
         assertEquals("zcli render 'a b' ''", CommandLine.of(listOf("render", "a b", "")))
+        val words = listOf("a&b", "it's", "{name}.png")
+        assertEquals("zcli 'a&b' 'it'\\''s' {name}.png", CommandLine.of(words))
     }
 
     @Test

@@ -1,11 +1,10 @@
 package dev.lazyz.cli.trace
 
+import dev.lazyz.cli.gifFrames
 import dev.lazyz.cli.image
 import dev.lazyz.cli.zcli
 import java.awt.image.BufferedImage
-import java.io.ByteArrayInputStream
 import java.nio.file.Path
-import javax.imageio.ImageIO
 import kotlin.io.path.exists
 import kotlin.io.path.readBytes
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -24,11 +23,7 @@ class TraceTest {
     private fun trace(input: Any, output: String, vararg options: Any) =
         zcli("trace", input, "-o", file(output), "--size", "240x160", "--steps", "8", *options)
 
-    private fun pictures(name: String): List<BufferedImage> {
-        val reader = ImageIO.getImageReadersByFormatName("gif").next()
-        reader.input = ImageIO.createImageInputStream(ByteArrayInputStream(file(name).readBytes()))
-        return List(reader.getNumImages(true)) { reader.read(it) }
-    }
+    private fun pictures(name: String): List<BufferedImage> = file(name).gifFrames()
 
     private fun BufferedImage.count(color: Int, columns: IntRange = 0 until 240): Int =
         columns.sumOf { x -> (0 until 160).count { y -> getRGB(x, y) == color } }

@@ -5,7 +5,8 @@ import dev.lazyz.conformance.results.RuleFailure
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.RuleResult
 import dev.lazyz.conformance.rules.ConformanceVersions
-import java.util.Base64
+import dev.lazyz.scenes.html.Html
+import dev.lazyz.scenes.html.Html.escaped
 
 /** A report as one HTML page, including pictures, without scripts. */
 internal class ReportHtml(private val report: ConformanceReport) {
@@ -92,8 +93,7 @@ internal class ReportHtml(private val report: ConformanceReport) {
         val pictures = Pictures.of(failure)?.png() ?: return
         appendLine("<div>")
         for ((name, png) in pictures) {
-            val data = Base64.getEncoder().encodeToString(png)
-            append("""<figure><img alt="$name" src="data:image/png;base64,$data">""")
+            append("""<figure><img alt="$name" src="${Html.pngUri(png)}">""")
             appendLine("<figcaption>$name</figcaption></figure>")
         }
         appendLine("</div>")

@@ -3,6 +3,7 @@ package dev.lazyz.conformance.report
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.RuleResult
 import dev.lazyz.conformance.rules.ConformanceVersions
+import dev.lazyz.scenes.html.Html.escaped
 import java.util.Locale
 
 /** A report as the XML that build servers read: a test suite with a test case for each rule. */

@@ -6,6 +6,7 @@ import dev.lazyz.conformance.broken.Throwing
 import dev.lazyz.conformance.broken.WrongColors
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.Waivers
+import dev.lazyz.scenes.html.Html.escaped
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -1,6 +1,7 @@
 package dev.lazyz.testing
 
-import java.util.Base64
+import dev.lazyz.scenes.html.Html
+import dev.lazyz.scenes.html.Html.escaped
 
 /** The page that shows failures side by side: HTML with all pictures in it, so that one file can be kept or sent. */
 internal object ReportPage {
@@ -50,11 +51,7 @@ internal object ReportPage {
 
     private fun figure(caption: String, png: ByteArray?): String {
         if (png == null) return "<figure><figcaption>$caption: none</figcaption></figure>\n"
-        val data = Base64.getEncoder().encodeToString(png)
-        val image = "<img alt=\"$caption\" src=\"data:image/png;base64,$data\">"
+        val image = "<img alt=\"$caption\" src=\"${Html.pngUri(png)}\">"
         return "<figure><figcaption>$caption</figcaption>$image</figure>\n"
     }
-
-    private fun escaped(text: String): String =
-        text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
 }

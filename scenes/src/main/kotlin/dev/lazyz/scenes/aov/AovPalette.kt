@@ -34,7 +34,7 @@ internal class AovPalette private constructor(
     class Swatch(val name: String, val argb: Int)
 
     companion object {
-        private const val NOTHING = 0xFFD8D8D8.toInt()
+        private const val NOTHING = AovPicture.NOTHING
         private const val OPAQUE = 0xFF shl 24
         private val NONE = Swatch("none", NOTHING)
         private val NAMES = listOf("x", "y", "z")
@@ -42,13 +42,19 @@ internal class AovPalette private constructor(
         fun of(image: AovImage): AovPalette = when (image.aov) {
             Aov.DEPTH -> scale(image, "depth, distance along the line of sight", null)
             Aov.COVERAGE -> scale(image, "coverage, part of the pixel", 0.0 to 1.0)
-            Aov.OVERDRAW -> counts(image, "overdraw, fragments of the pixel")
-            Aov.SHADING_CALLS -> counts(image, "shading calls, of the pixel")
+            Aov.OVERDRAW, Aov.SHADING_CALLS -> ofCounts(image, maxOf(image.ints.max(), 1))
             Aov.OBJECT -> ids(image, "objects, colours by number")
             Aov.PRIMITIVE -> ids(image, "primitives, colours by number")
             Aov.NORMAL -> normals(image)
             Aov.POSITION -> vectors(image, "position, red x, green y, blue z", NAMES.indices.map { range(image, it) })
             Aov.UV -> uvs(image)
+        }
+
+        /** Returns the colours of counts, on the scale from 0 to [most]. */
+        fun ofCounts(image: AovImage, most: Int): AovPalette {
+            val title = if (image.aov == Aov.OVERDRAW) "overdraw, fragments" else "shading calls,"
+            val sum = image.ints.sumOf { it.toLong() }
+            return scale(image, "$title of the pixel, $sum in all", 0.0 to most.toDouble())
         }
 
         private fun scale(image: AovImage, title: String, fixed: Pair<Double, Double>?): AovPalette {
@@ -62,11 +68,6 @@ internal class AovPalette private constructor(
                     Viridis.argb(place(number, least, most))
                 }
             }
-        }
-
-        private fun counts(image: AovImage, title: String): AovPalette {
-            val sum = image.ints.sumOf { it.toLong() }
-            return scale(image, "$title, $sum in all", 0.0 to maxOf(image.ints.max(), 1).toDouble())
         }
 
         private fun ids(image: AovImage, title: String): AovPalette {

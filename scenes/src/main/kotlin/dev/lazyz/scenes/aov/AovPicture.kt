@@ -23,6 +23,9 @@ import dev.lazyz.scenes.pictures.PixelFont
  * Pixels without a surface, fragment or shading call are grey.
  */
 public object AovPicture {
+    /** The colour of pixels without a surface, fragment or shading call, `0xFFRRGGBB`. */
+    public const val NOTHING: Int = 0xFFD8D8D8.toInt()
+
     private const val PAGE = 0xFFFFFFFF.toInt()
     private const val INK = 0xFF202020.toInt()
 
@@ -45,11 +48,32 @@ public object AovPicture {
         val palette = AovPalette.of(aov)
         val legend = Legend(aov, palette, scale, width)
         val canvas = Canvas(width, Math.addExact(aov.height, legend.height), PAGE)
+        paint(aov, palette, canvas)
+        legend.draw(canvas, aov.height)
+        return canvas.toImage()
+    }
+
+    /**
+     * Returns a picture of the counts of [aov] without a legend, on the scale from 0 to [most], so that pictures of
+     * several renderings can be compared: 0 is grey, and more than [most] counts as [most]. It is opaque and has no
+     * depth.
+     *
+     * @throws IllegalArgumentException if [aov] is no count ([Aov.OVERDRAW] or [Aov.SHADING_CALLS]), or [most] is not
+     *   positive
+     */
+    @JvmStatic
+    public fun ofCounts(aov: AovImage, most: Int): Image {
+        require(aov.aov == Aov.OVERDRAW || aov.aov == Aov.SHADING_CALLS) { "'${aov.aov.id}' is no count" }
+        require(most > 0) { "most must be positive: $most" }
+        val canvas = Canvas(aov.width, aov.height, PAGE)
+        paint(aov, AovPalette.ofCounts(aov, most), canvas)
+        return canvas.toImage()
+    }
+
+    private fun paint(aov: AovImage, palette: AovPalette, canvas: Canvas) {
         for (y in 0 until aov.height) {
             for (x in 0 until aov.width) canvas.set(x, y, palette.argb(y * aov.width + x))
         }
-        legend.draw(canvas, aov.height)
-        return canvas.toImage()
     }
 
     /** The legend of [aov] on a page of [width] pixels, with dots of [scale] pixels. */

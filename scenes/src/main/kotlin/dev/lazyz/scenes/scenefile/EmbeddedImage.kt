@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.scenefile
 
+import dev.lazyz.scenes.html.Html
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.scenes.loading.Source
@@ -12,8 +13,6 @@ import java.util.Base64
 
 /** An image within a scene file: a PNG as a `data:` URI (RFC 2397) that keeps every texel unchanged. */
 internal object EmbeddedImage {
-    private const val PREFIX = "data:image/png;base64,"
-
     fun isEmbedded(reference: String): Boolean = reference.startsWith("data:")
 
     fun write(texture: Texture): String {
@@ -25,16 +24,16 @@ internal object EmbeddedImage {
                 sink.row(y, row, row, row)
             }
         }
-        return PREFIX + Base64.getEncoder().encodeToString(bytes.toByteArray())
+        return Html.pngUri(bytes.toByteArray())
     }
 
     fun read(source: Source, node: JsonNode): Texture {
         val reference = node.text()
-        if (!reference.startsWith(PREFIX)) {
-            node.fail("embedded picture is not a PNG in base64: ${reference.take(40)}", "begin it with $PREFIX")
+        if (!reference.startsWith(Html.PNG_URI)) {
+            node.fail("embedded picture is not a PNG in base64: ${reference.take(40)}", "begin it with ${Html.PNG_URI}")
         }
         val bytes = try {
-            Base64.getDecoder().decode(reference.substring(PREFIX.length))
+            Base64.getDecoder().decode(reference.substring(Html.PNG_URI.length))
         } catch (e: IllegalArgumentException) {
             node.fail("embedded picture is not base64: ${e.message}", "embed it again")
         }

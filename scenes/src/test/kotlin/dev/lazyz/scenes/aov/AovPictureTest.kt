@@ -7,6 +7,7 @@ import dev.lazyz.aov.Aov
 import dev.lazyz.aov.AovImage
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
@@ -36,6 +37,17 @@ class AovPictureTest {
         assertEquals(listOf(grey, Viridis.argb(0.25), Viridis.argb(0.5), Viridis.argb(1.0)), counts)
         val coverage = pixels(image(Aov.COVERAGE, 0f, 0.25f, 0.5f, 0.5f))
         assertEquals(listOf(grey, Viridis.argb(0.25), Viridis.argb(0.5), Viridis.argb(0.5)), coverage)
+    }
+
+    @Test
+    fun countsOfSeveralPicturesShareAScale() {
+        val calls = AovPicture.ofCounts(image(Aov.SHADING_CALLS, 0, 1, 2, 9), 4)
+        val scale = listOf(0.25, 0.5, 1.0).map { Viridis.argb(it) }
+        assertEquals(listOf(grey) + scale, calls.argb.toList())
+        assertEquals(4 to 1, calls.width to calls.height)
+        assertEquals(AovPicture.NOTHING, grey)
+        assertThrows(IllegalArgumentException::class.java) { AovPicture.ofCounts(image(Aov.OVERDRAW, 0, 1, 2, 9), 0) }
+        assertThrows(IllegalArgumentException::class.java) { AovPicture.ofCounts(image(Aov.OBJECT, 0, 1, 2, 9), 9) }
     }
 
     @Test

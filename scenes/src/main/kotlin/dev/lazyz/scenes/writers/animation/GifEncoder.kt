@@ -1,9 +1,11 @@
 package dev.lazyz.scenes.writers.animation
 
+import dev.lazyz.Region
 import java.awt.image.BufferedImage
 import java.awt.image.DataBufferByte
 import java.awt.image.IndexColorModel
 import java.io.OutputStream
+import java.util.Arrays
 import javax.imageio.IIOImage
 import javax.imageio.ImageIO
 import javax.imageio.ImageTypeSpecifier
@@ -12,13 +14,17 @@ import javax.imageio.metadata.IIOMetadata
 import javax.imageio.metadata.IIOMetadataNode
 import javax.imageio.stream.MemoryCacheImageOutputStream
 
-/** Writes frames as an animated GIF, with one palette for all, by the writer of `javax.imageio`. */
+/**
+ * Writes frames as an animated GIF, with one palette for all, by the writer of `javax.imageio`. Of an opaque frame, only
+ * the rectangle is written in which it differs from the frame before.
+ */
 internal class GifEncoder(
     private val output: OutputStream,
     private val animation: Animation,
     private val palette: Palette,
 ) {
     private val colorModel = colorModel()
+    private val whole = Region(0, 0, animation.width, animation.height)
 
     fun write(frames: List<IntArray>) {
         val writer = ImageIO.getImageWritersByFormatName("gif").next()
@@ -26,7 +32,13 @@ internal class GifEncoder(
             MemoryCacheImageOutputStream(output).use { stream ->
                 writer.output = stream
                 writer.prepareWriteSequence(streamMetadata(writer))
-                for ((number, frame) in frames.withIndex()) writer.writeToSequence(image(writer, number, frame), null)
+                var before: ByteArray? = null
+                for ((number, frame) in frames.withIndex()) {
+                    val colors = palette.numbersOf(frame)
+                    val part = if (before == null || palette.transparent >= 0) whole else changed(before, colors)
+                    writer.writeToSequence(image(writer, number, colors, part), null)
+                    before = colors
+                }
                 writer.endWriteSequence()
             }
         } finally {
@@ -46,11 +58,29 @@ internal class GifEncoder(
         return IndexColorModel(8, palette.size, channels[0], channels[1], channels[2], palette.transparent)
     }
 
-    private fun image(writer: ImageWriter, number: Int, frame: IntArray): IIOImage {
-        val image =
-            BufferedImage(animation.width, animation.height, BufferedImage.TYPE_BYTE_INDEXED, colorModel)
-        palette.numbersOf(frame).copyInto((image.raster.dataBuffer as DataBufferByte).data)
-        return IIOImage(image, null, frameMetadata(writer, number))
+    /** Returns the smallest rectangle outside which two frames are the same; one pixel if they are the same. */
+    private fun changed(before: ByteArray, now: ByteArray): Region {
+        var part: Region? = null
+        for (y in 0 until animation.height) {
+            val row = y * animation.width
+            val first = Arrays.mismatch(before, row, row + animation.width, now, row, row + animation.width)
+            if (first < 0) continue
+            var end = animation.width
+            while (before[row + end - 1] == now[row + end - 1]) end--
+            val changes = Region(first, y, end, y + 1)
+            part = part?.union(changes) ?: changes
+        }
+        return part ?: Region(0, 0, 1, 1)
+    }
+
+    private fun image(writer: ImageWriter, number: Int, colors: ByteArray, part: Region): IIOImage {
+        val image = BufferedImage(part.width, part.height, BufferedImage.TYPE_BYTE_INDEXED, colorModel)
+        val target = (image.raster.dataBuffer as DataBufferByte).data
+        for (y in 0 until part.height) {
+            val from = (part.rowStart + y) * animation.width + part.columnStart
+            colors.copyInto(target, y * part.width, from, from + part.width)
+        }
+        return IIOImage(image, null, frameMetadata(writer, number, part))
     }
 
     /** The logical screen has the palette of all frames, so that no frame repeats it. */
@@ -78,16 +108,19 @@ internal class GifEncoder(
         return metadata
     }
 
-    private fun frameMetadata(writer: ImageWriter, number: Int): IIOMetadata {
+    private fun frameMetadata(writer: ImageWriter, number: Int, part: Region): IIOMetadata {
         val type = ImageTypeSpecifier(colorModel, colorModel.createCompatibleSampleModel(1, 1))
         val metadata = writer.getDefaultImageMetadata(type, null)
         val format = metadata.nativeMetadataFormatName
         val root = metadata.getAsTree(format) as IIOMetadataNode
         root.getElementsByTagName("LocalColorTable").item(0)?.let { root.removeChild(it) }
-        root.child("ImageDescriptor").setAttribute("interlaceFlag", "FALSE")
+        val descriptor = root.child("ImageDescriptor")
+        descriptor.setAttribute("imageLeftPosition", "${part.columnStart}")
+        descriptor.setAttribute("imageTopPosition", "${part.rowStart}")
+        descriptor.setAttribute("interlaceFlag", "FALSE")
         val control = root.child("GraphicControlExtension")
         val isTransparent = palette.transparent >= 0
-        control.setAttribute("disposalMethod", if (isTransparent) "restoreToBackgroundColor" else "none")
+        control.setAttribute("disposalMethod", if (isTransparent) "restoreToBackgroundColor" else "doNotDispose")
         control.setAttribute("userInputFlag", "FALSE")
         control.setAttribute("transparentColorFlag", if (isTransparent) "TRUE" else "FALSE")
         control.setAttribute("transparentColorIndex", "${maxOf(palette.transparent, 0)}")

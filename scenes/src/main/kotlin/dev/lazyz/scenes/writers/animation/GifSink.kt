@@ -16,6 +16,8 @@ import java.io.OutputStream
  * transparent if its alpha is below one half; otherwise it is opaque. The palette is computed with integers in a fixed
  * order, so it is the same on every machine.
  *
+ * Of an opaque frame, only the rectangle is stored in which it differs from the frame before.
+ *
  * A frame is shown for a whole number of hundredths of a second, alternately less and more if needed. Memory: 4 bytes
  * for each pixel of all frames. Nothing is written before [close], which also closes the stream. Not thread safe.
  *

@@ -3,6 +3,7 @@ package dev.lazyz.scenes.writers.animation
 import dev.lazyz.RowSink
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.PngSink
+import java.awt.image.BufferedImage
 import java.io.ByteArrayInputStream
 import java.io.ByteArrayOutputStream
 import java.io.IOException
@@ -54,14 +55,28 @@ class AnimationFilesTest {
         return (root.getElementsByTagName(node).item(0) as IIOMetadataNode).getAttribute(name)
     }
 
+    private fun ImageReader.place(frame: Int): Pair<Int, Int> {
+        val (x, y) = listOf("Left", "Top").map { attribute(frame, "ImageDescriptor", "image${it}Position").toInt() }
+        return x to y
+    }
+
+    /** Returns what is seen after each frame: opaque frames are drawn over those before. */
+    private fun ImageReader.seen(count: Int, width: Int, height: Int): List<BufferedImage> {
+        val canvas = BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB)
+        return List(count) { f ->
+            val (x, y) = place(f)
+            canvas.createGraphics().drawImage(read(f), x, y, null)
+            BufferedImage(canvas.colorModel, canvas.copyData(null), false, null)
+        }
+    }
+
     @Test
     fun aGifOfFewColoursIsExactAndLoops() {
         val path = folder.resolve("a.gif")
         dots(path, Animation(5, 3, 4, framesPerSecond = 3, alpha = AlphaChannel.DROP))
         val (reader, count) = gif(path)
         assertEquals(4, count)
-        for (f in 0 until 4) {
-            val image = reader.read(f)
+        for ((f, image) in reader.seen(4, 5, 3).withIndex()) {
             for (y in 0 until 3) {
                 for (x in 0 until 5) assertEquals(if (x == f && y == 1) red else white, image.getRGB(x, y), "$f $x $y")
             }
@@ -71,6 +86,29 @@ class AnimationFilesTest {
         val delays = (0 until 4).map { reader.attribute(it, "GraphicControlExtension", "delayTime").toInt() }
         assertEquals(listOf(33, 33, 34, 33), delays)
         assertEquals("NETSCAPE", reader.attribute(0, "ApplicationExtension", "applicationID"))
+    }
+
+    /** The dot is in another column each time, and is gone after the second frame. */
+    @Test
+    fun opaqueFramesOfAGifAreOnlyTheirChanges() {
+        val path = folder.resolve("a.gif")
+        AnimationFiles.write(path, Animation(6, 5, 5, alpha = AlphaChannel.DROP)) { sink ->
+            sink.frame(6, 5) { x, y -> if (x == 1 && y == 1) red else white }
+            sink.frame(6, 5) { x, y -> if (x == 4 && y == 3) red else white }
+            repeat(2) { sink.frame(6, 5) { _, _ -> white } }
+            sink.frame(6, 5) { x, y -> if (x == 0 || y == 4) red else white }
+        }
+        val (reader, count) = gif(path)
+        assertEquals(5, count)
+        assertEquals(listOf(0 to 0, 1 to 1, 4 to 3, 0 to 0, 0 to 0), (0 until 5).map { reader.place(it) })
+        val sizes = (0 until 5).map { f -> reader.getWidth(f) to reader.getHeight(f) }
+        assertEquals(listOf(6 to 5, 4 to 3, 1 to 1, 1 to 1, 6 to 5), sizes)
+        assertEquals("doNotDispose", reader.attribute(1, "GraphicControlExtension", "disposalMethod"))
+        val reds = reader.seen(5, 6, 5).map { image ->
+            (0 until 30).filter { image.getRGB(it % 6, it / 6) == red }.map { it % 6 to it / 6 }
+        }
+        assertEquals(listOf(listOf(1 to 1), listOf(4 to 3), listOf(), listOf()), reds.dropLast(1))
+        assertEquals(10, reds.last().size)
     }
 
     @Test

@@ -1,0 +1,88 @@
+package dev.lazyz.cli.commands
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.groups.OptionGroup
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
+import com.github.ajalt.clikt.parameters.options.default
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.options.required
+import dev.lazyz.cli.compare.CompareRequest
+import dev.lazyz.cli.options.CameraOptions
+import dev.lazyz.cli.options.Command
+import dev.lazyz.cli.options.CostOptions
+import dev.lazyz.cli.options.HelpText
+import dev.lazyz.cli.options.INPUT_HELP
+import dev.lazyz.cli.options.LightOptions
+import dev.lazyz.cli.options.LimitOptions
+import dev.lazyz.cli.options.LineOptions
+import dev.lazyz.cli.options.PictureOptions
+import dev.lazyz.cli.options.ReadingOptions
+import dev.lazyz.cli.options.classPath
+import dev.lazyz.cli.options.comparedStrategies
+import dev.lazyz.cli.options.count
+import dev.lazyz.cli.options.path
+import dev.lazyz.cli.options.subject
+import dev.lazyz.cli.output.CommandLine
+import dev.lazyz.cli.output.ExitCode
+import dev.lazyz.cli.output.Failure
+import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.report.ReportJob
+import dev.lazyz.cli.report.ReportRequest
+import dev.lazyz.cli.strategies.StrategyPath
+
+/**
+ * `zcli report`: declares the options. [ReportJob] does the work.
+ *
+ * @param args the words of the command line, for the page and for bug reports
+ */
+internal class ReportCommand(private val streams: Streams, private val args: List<String>) : Command("report") {
+    private val input by argument("INPUT", help = INPUT_HELP)
+    private val page by ReportOptions()
+    private val reading by ReadingOptions()
+    private val picture by PictureOptions()
+    private val light by LightOptions()
+    private val camera by CameraOptions()
+    private val lines by LineOptions()
+    private val cost by CostOptions()
+    private val limits by LimitOptions()
+
+    override fun help(context: Context): String =
+        "Renders a model or a scene with all strategies, and writes a page of HTML with pictures, counters, heat " +
+            "maps and charts.\n\nThe page shows whether all pictures are the same, what each strategy did, where, and " +
+            "in which order. It is one file, without scripts, and loads nothing. Its result is printed. Exit code 1: " +
+            "pictures differ, or a strategy failed; the page is written and says so. A sample is a pixel, unless " +
+            "--aa says otherwise."
+
+    override fun helpEpilog(context: Context): String = HelpText.examples(
+        "zcli report city -o city.html" to "all strategies on a built-in scene",
+        "zcli report model.glb --size 1024x768 --view iso --opaque -o model.html" to "your own model, opaque",
+        "zcli report part.stl --strategy zbuffer --strategy lazy --repeat 9 -o part.html" to "two, measured longer",
+    )
+
+    override fun run() {
+        val subject = subject(input, reading, limits, picture, light, camera, lines, usualSamples = 1)
+        val compared = CompareRequest(page.strategies.distinct(), cost.choices(), page.repeat, emptyList())
+        val command = CommandLine.of(CommandLine.without(args, setOf("-o", "--output")) + listOf("-o", "report.html"))
+        val report = StrategyPath.with(page.classPath) {
+            ReportJob(ReportRequest(subject, page.output, compared, command), streams).run()
+        }
+        for (bug in report.bugs) streams.messages.println(Failure.bugReport(bug, args.toTypedArray()))
+        if (!report.isGood) throw ProgramResult(ExitCode.DIFFERENT)
+    }
+}
+
+/** Options of the page. */
+private class ReportOptions : OptionGroup("Report") {
+    val output by option("-o", "--output", help = "The file of the page: .html").path("OUT").required()
+
+    val strategies by comparedStrategies()
+
+    val classPath by classPath()
+
+    val repeat by option(
+        "--repeat",
+        help = "Render this many times with each strategy, 1..1000, to measure the median time; default: 5",
+    ).count(1..1000).default(5)
+}

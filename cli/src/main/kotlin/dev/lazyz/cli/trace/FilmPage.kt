@@ -1,0 +1,74 @@
+package dev.lazyz.cli.trace
+
+import dev.lazyz.cli.page.Page
+import dev.lazyz.scenes.html.Html
+import dev.lazyz.scenes.html.Html.escaped
+import java.nio.file.Path
+
+/**
+ * A [Film] as one page of HTML: the final picture, and the order of calls, from which a script draws each step. Without
+ * the script, the page shows the last picture.
+ *
+ * @param input what is shown
+ */
+internal class FilmPage(
+    private val orders: List<ShadingOrder>,
+    private val picture: TracedPicture,
+    private val input: String,
+    private val steps: Int,
+    private val framesPerSecond: Int,
+) {
+    private val page = Page("$input: evaluation order of ${orders.joinToString(" and ") { it.strategy }}")
+    private val most = orders.maxOf { it.size }
+
+    /** Writes the page to [path]. */
+    fun write(path: Path) = Html.write(path, page.html(content(), Page.resource(FilmPage::class.java, "film.js")))
+
+    private fun content(): String = buildString {
+        appendLine("<h1>${escaped(input)}: in which order it is shaded</h1>")
+        append("<p>A step shows some more shading calls, not time: %,d calls in %,d steps. ".format(null, most, steps))
+        if (orders.size > 1) append("Both strategies have made equally many calls at each step, or are done. ")
+        appendLine("All calls are those of one thread.</p>")
+        legend()
+        controls()
+        appendLine("""<div class="grid">""")
+        for (order in orders) panel(order)
+        appendLine("</div>")
+        appendLine("<noscript><p>This is the last picture. The film needs JavaScript.</p></noscript>")
+    }
+
+    private fun StringBuilder.legend() {
+        appendLine("""<ul class="legend">""")
+        appendLine("<li>${swatch(FilmPanel.WAITING)} waits for its colour</li>")
+        val words = orders.joinToString { "%s %,d of %,d".format(null, it.strategy, it.discarded, it.size) }
+        appendLine("<li>${swatch(FilmPanel.DISCARDED)} discarded: a nearer surface hides the colour ($words)</li>")
+        appendLine("<li>other colours: final</li>")
+        appendLine("</ul>")
+    }
+
+    private fun swatch(argb: Int): String = """<span class="swatch" style="background:${css(argb)}"></span>"""
+
+    private fun css(argb: Int): String = "#%06x".format(argb and 0xFFFFFF)
+
+    private fun StringBuilder.controls() {
+        appendLine("""<div class="controls" hidden>""")
+        appendLine("""<button type="button" class="main" id="play">Play</button>""")
+        appendLine("""<button type="button" id="back" aria-label="One step back">←</button>""")
+        appendLine("""<button type="button" id="forward" aria-label="One step forward">→</button>""")
+        appendLine("""<input type="range" id="step" min="0" max="$steps" value="$steps" aria-label="Step">""")
+        appendLine("""<output for="step" id="shown">step $steps of $steps</output>""")
+        appendLine("</div>")
+    }
+
+    private fun StringBuilder.panel(order: ShadingOrder) {
+        val colors = """data-waiting="${css(FilmPanel.WAITING)}" data-discarded="${css(FilmPanel.DISCARDED)}""""
+        val speed = """data-steps="$steps" data-most="$most" data-speed="$framesPerSecond""""
+        appendLine("""<figure class="card order" $colors $speed data-calls="${CallRuns.text(order)}">""")
+        appendLine("<h2>${escaped(order.strategy)}</h2>")
+        append("""<div class="film">${page.pictures.show(picture.toImage(), "$input, shaded by ${order.strategy}")}""")
+        appendLine("""<canvas width="${picture.width}" height="${picture.height}" aria-hidden="true"></canvas></div>""")
+        append("""<figcaption><b class="calls">%,d</b> calls, """.format(null, order.size))
+        appendLine("""<b class="discarded">%,d</b> discarded</figcaption>""".format(null, order.discarded))
+        appendLine("</figure>")
+    }
+}
