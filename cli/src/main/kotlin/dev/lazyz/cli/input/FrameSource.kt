@@ -17,6 +17,7 @@ import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.View
 import dev.lazyz.world.material.Material
+import java.nio.file.Path
 
 /**
  * Reads the input that [subject] names, and creates the frame that the options describe.
@@ -29,6 +30,9 @@ internal class FrameSource(
     loading: LoadOptions = subject.loading,
 ) {
     val input = Input(subject.input, subject.format, loading)
+
+    /** The files that the options name. */
+    val files: List<Path> get() = subject.files
 
     /** Reads the input, and prints its warnings. */
     fun load(): LoadedScene {

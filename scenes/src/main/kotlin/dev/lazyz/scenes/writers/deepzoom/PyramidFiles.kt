@@ -53,7 +53,7 @@ internal class PyramidFiles(private val descriptor: Path) {
     private fun isPyramid(folder: Path): Boolean = Files.isDirectory(folder) && Files.walk(folder, 2).use { all ->
         all.allMatch {
             when (folder.relativize(it).nameCount) {
-                1 -> it == folder || LEVEL.matches("${it.fileName}") && Files.isDirectory(it)
+                1 -> it == folder || (LEVEL.matches("${it.fileName}") && Files.isDirectory(it))
                 else -> TILE.matches("${it.fileName}") && Files.isRegularFile(it)
             }
         }
