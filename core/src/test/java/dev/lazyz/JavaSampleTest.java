@@ -33,6 +33,22 @@ class JavaSampleTest {
     }
 
     @Test
+    void rowsArePulled() {
+        Frame frame = new FrameBuilder(new Raster(5, 3))
+                .polygon(Rgba.BLACK, new double[9])
+                .build();
+        int sum = 0;
+        try (RenderedRows rows = RenderedRows.of(new ZBuffer(), frame)) {
+            while (rows.hasNext()) {
+                RenderedRow row = rows.next();
+                sum += row.getY() * row.getArgb().length;
+            }
+            assertEquals(0, rows.getCounters().getFragments());
+        }
+        assertEquals(15, sum);
+    }
+
+    @Test
     void rowsGoToASink() throws InterruptedException, IOException {
         int[] rows = {0};
         Frame frame = new FrameBuilder(new Raster(5, 3))

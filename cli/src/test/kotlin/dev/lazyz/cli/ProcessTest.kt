@@ -13,7 +13,6 @@ import javax.imageio.ImageIO
 import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
-import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -29,30 +28,19 @@ class ProcessTest {
     @TempDir
     lateinit var folder: Path
 
-    private val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+    private val child by lazy { ChildZcli(folder) }
 
-    private fun start(vararg args: String): Process = start(args.asList()) {}
+    private fun start(vararg args: String): Process = child.start(args.asList())
 
     private fun start(
         args: List<String>,
         javaOptions: List<String> = listOf(),
         configure: ProcessBuilder.() -> Unit,
-    ): Process {
-        val classPath = System.getProperty("java.class.path").split(File.pathSeparator)
-            .joinToString(File.pathSeparator) { Path.of(it).toAbsolutePath().toString() }
-        val words = listOf(java) + javaOptions + listOf("-cp", classPath, "dev.lazyz.cli.MainKt") + args
-        return ProcessBuilder(words).directory(folder.toFile())
-            .redirectError(folder.resolve("errors.txt").toFile())
-            .apply(configure)
-            .start()
-    }
+    ): Process = child.start(args, javaOptions, configure)
 
-    private fun Process.code(): Int {
-        assertTrue(waitFor(60, TimeUnit.SECONDS), "the process hangs")
-        return exitValue()
-    }
+    private fun Process.code(): Int = child.code(this)
 
-    private val errors get() = folder.resolve("errors.txt").readText()
+    private val errors get() = child.errors
 
     @Test
     fun pictureThroughAPipe() {
@@ -119,12 +107,7 @@ class ProcessTest {
     private fun startLargePicture(): Process {
         val words = listOf("render", "plane", "--size", "60000x60000", "--threads", "1", "-o", "large.png")
         val process = start(words, listOf("-Xmx2g")) {}
-        val deadline = System.nanoTime() + 60_000_000_000
-        while (folder.listDirectoryEntries(".large.png.*").isEmpty()) {
-            assertTrue(process.isAlive, errors)
-            assertTrue(System.nanoTime() < deadline, "no temporary file")
-            Thread.sleep(10)
-        }
+        child.await(process, "no temporary file") { folder.listDirectoryEntries(".large.png.*").isNotEmpty() }
         return process
     }
 
@@ -166,12 +149,8 @@ class ProcessTest {
     fun aTerminatedBatchLeavesNoPartialFile() {
         val words = listOf("render", "plane", "city", "--turntable", "100", "--size", "2000x2000", "-o", "{stem}.png")
         val process = start(words, listOf("-Xmx2g")) {}
-        val deadline = System.nanoTime() + 60_000_000_000
-        while (folder.listDirectoryEntries(".*.png.*").size < minOf(2, Runtime.getRuntime().availableProcessors())) {
-            assertTrue(process.isAlive, errors)
-            assertTrue(System.nanoTime() < deadline, "no temporary file")
-            Thread.sleep(10)
-        }
+        val files = minOf(2, Runtime.getRuntime().availableProcessors())
+        child.await(process, "no temporary file") { folder.listDirectoryEntries(".*.png.*").size >= files }
         process.destroy()
         assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
         assertEquals(listOf("errors.txt"), folder.listDirectoryEntries().map { it.name })

@@ -4,13 +4,13 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.RowSink
-import dev.lazyz.Srgb
+import dev.lazyz.filter.LightSums.CHANNELS
+import dev.lazyz.filter.LightSums.LIGHT
 
 /**
  * Receives the rows of samples of [frame], and passes on the rows of [pixels]. See [SuperSampling].
  *
- * Light is added as integers of [LIGHT_BITS] bits, times the 8-bit alpha and the integer weights of [taps]: 64-bit sums
- * are exact. Belongs to one rendering.
+ * Light is added as in [LightSums], times the integer weights of [taps]: 64-bit sums are exact. Belongs to one rendering.
  */
 internal class FilterSink(
     private val taps: FilterTaps,
@@ -110,31 +110,10 @@ internal class FilterSink(
         val best = keys[row % sums.size]
         val rowWeight = taps.sum(row, samples.rowStart, samples.rowEnd)
         for (x in 0 until width) {
-            argb[x] = mean(from, CHANNELS * x, rowWeight * columnWeights[x], corners[row % sums.size][x])
+            argb[x] = LightSums.mean(from, CHANNELS * x, rowWeight * columnWeights[x], corners[row % sums.size][x])
             depths[x] = test.depthOf(best[x])
             indices[x] = test.indexOf(best[x])
         }
         sink.row(row, argb, depths, indices)
-    }
-
-    /** Returns the mean of the sums from [at] on. Where there is no alpha, it has the colour of [corner]. */
-    private fun mean(from: LongArray, at: Int, weight: Long, corner: Int): Int {
-        val alpha = from[at + 3]
-        if (alpha <= 0L) return corner and 0xFFFFFF
-        val opacity = minOf((2 * alpha + weight) / (2 * weight), 255L).toInt()
-        return opacity shl 24 or (code(from[at], alpha) shl 16) or (code(from[at + 1], alpha) shl 8) or
-            code(from[at + 2], alpha)
-    }
-
-    /** Returns the sRGB code of the light whose sum, weighted by alpha, is [sum]. */
-    private fun code(sum: Long, alpha: Long): Int =
-        Srgb.encode((sum.toDouble() / (alpha.toDouble() * (1 shl LIGHT_BITS))).toFloat())
-
-    private companion object {
-        const val CHANNELS = 4
-        const val LIGHT_BITS = 24
-
-        /** The light of each sRGB code, 0..2^[LIGHT_BITS]. */
-        val LIGHT = IntArray(256) { (Srgb.decode(it / 255.0) * (1 shl LIGHT_BITS) + 0.5).toInt() }
     }
 }

@@ -5,6 +5,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Region
+import dev.lazyz.RenderedRows
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.ShadingObserver
@@ -81,6 +82,9 @@ public class SampledFrame internal constructor(
         val collector = Image.Collector(pixels)
         return collector.toImage(render(renderer, collector))
     }
+
+    /** Returns the rows of pixels that [renderer] computes, to be read one by one. */
+    public fun rows(renderer: Renderer): RenderedRows = RenderedRows(pixels.width) { render(renderer, it) }
 
     override fun toString(): String = "SampledFrame($sampling, $pixels of $all)"
 }

@@ -1,11 +1,9 @@
 package dev.lazyz.scenes
 
-import java.io.File
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.file.Files
 import java.nio.file.Path
-import java.util.concurrent.TimeUnit
 import kotlin.random.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -98,17 +96,6 @@ internal object LoadInChild {
     }
 
     /** Returns what [main] says in a heap of so many [bytes]. */
-    fun run(path: Path, bytes: Long): String {
-        val classPath = System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path")
-        val java = File(System.getProperty("java.home"), "bin/java").path
-        val process = ProcessBuilder(
-            java, "-Xmx${bytes shr 10}k", "-XX:+UseG1GC", "-XX:TieredStopAtLevel=1", "-cp", classPath,
-            LoadInChild::class.java.name, "$path",
-        ).redirectErrorStream(true).start()
-        if (!process.waitFor(1, TimeUnit.MINUTES)) {
-            process.destroyForcibly()
-            return "does not end"
-        }
-        return process.inputStream.bufferedReader().readText().trim()
-    }
+    fun run(path: Path, bytes: Long): String =
+        ChildJava.run(LoadInChild::class.java, listOf("-Xmx${bytes shr 10}k", "-XX:+UseG1GC"), "$path")
 }

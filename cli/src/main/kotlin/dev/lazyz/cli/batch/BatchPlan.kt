@@ -5,6 +5,7 @@ import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.OutputPlaces
 import dev.lazyz.cli.render.Outputs
+import dev.lazyz.cli.render.PictureFile
 import dev.lazyz.world.View
 import java.nio.file.Files
 import java.nio.file.Path
@@ -186,7 +187,7 @@ internal class BatchPlan(private val request: BatchRequest) {
 
     private val endings: List<String>
         get() = when (kind) {
-            Kind.STILLS -> listOf(".png", ".ppm")
+            Kind.STILLS -> PictureFile.ENDINGS
             Kind.ANIMATIONS -> listOf(".png", ".apng", ".gif")
             Kind.SHEET -> listOf(".png")
         }

@@ -62,7 +62,7 @@ internal class DiffCommand(private val streams: Streams) : Command("diff") {
 
     override fun run() {
         diff?.let {
-            OutputFile.check(it, "--diff", ".png")
+            OutputFile.check(it, "--diff", listOf(".png"))
             OutputFile.requireDistinct(listOf("EXPECTED" to expected, "--diff" to it))
             OutputFile.requireDistinct(listOf("ACTUAL" to actual, "--diff" to it))
         }

@@ -41,6 +41,7 @@ import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.render.ReferenceRequest
 import dev.lazyz.cli.render.RenderJob
 import dev.lazyz.cli.render.RenderRequest
+import dev.lazyz.cli.render.Resumption
 import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.render.StreamRequest
 import dev.lazyz.cli.strategies.StrategyPath
@@ -75,8 +76,8 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     override fun help(context: Context): String =
         "Renders models or scenes to pictures.\n\nBy default the camera shows the whole model from the front " +
             "right, slightly from above, and a model without lights gets default lights. Only for a single picture: " +
-            "--depth-out, --aov, --aov-picture, --ref, --explain, --stream and -o -. Exit code 1: the picture " +
-            "differs from that of --ref; 2: an input could not be rendered, the others were."
+            "--resume, --depth-out, --aov, --aov-picture, --ref, --explain, --stream and -o -. Exit code 1: the " +
+            "picture differs from that of --ref; 2: an input could not be rendered, the others were."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli render teapot -o teapot.png" to "a built-in scene, 640x480",
@@ -85,6 +86,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         "zcli render city -o city.png --depth-out city.pfm --stats=json" to "also depth and statistics, for a script",
         "zcli render city -o city.png --aov depth,normal,object=city.npz" to "data of each pixel, for NumPy",
         "zcli render city --size 8000x6000 --region 4000,2000,640x480 -o detail.png" to "a part of a large picture",
+        "zcli render city --size 100000 -o huge.dzi --resume" to "ten gigapixels, for a viewer in a browser",
         "zcli render city --strategy auto --explain -o city.png" to "the fastest strategy for it, and why",
         "zcli render city --select count -o overdraw.png" to "the number of surfaces at each pixel",
         "zcli render city --ref city.png --diff where.png" to "is the picture still that of city.png? for tests",
@@ -120,6 +122,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         stats = output.stats,
         reference = reference.request(args),
         streaming = streaming.request,
+        resumption = if (output.isResumed) Resumption(args) else null,
     )
 
     private fun several(named: NamedInputs): BatchRequest {
@@ -132,6 +135,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
             reference.request(args)?.let { "--ref" },
             if (rendering.isExplained) "--explain" else null,
             streaming.request?.let { "--stream" },
+            if (output.isResumed) Resumption.OPTION else null,
         )
         if (alone.isNotEmpty()) throw Mistake("${alone[0]} is for a single picture, and this renders several")
         if (views.isNotEmpty() && pointOfView.directed.isNotEmpty()) {
@@ -179,10 +183,16 @@ private class OutputOptions : OptionGroup("Output") {
         "--output",
         metavar = "OUT",
         completionCandidates = CompletionCandidates.Path,
-        help = "The file for the picture: .png or .ppm, or - for PNG to standard output; default: INPUT's name " +
-            "with .png in the current folder, if that file does not exist yet; none with --ref. For several " +
+        help = "The file for the picture: .png, .ppm or .dzi (a Deep Zoom pyramid, for web viewers), or - for PNG to " +
+            "standard output; default: INPUT's name with .png in the current folder, if that file does not exist yet; none with --ref. For several " +
             "pictures, with {stem}, {name} or {ext} of INPUT, {view}, {index} or {frame}",
     )
+
+    val isResumed by option(
+        Resumption.OPTION,
+        help = "If the rendering of a .dzi picture is interrupted, keep what is done, in NAME_files.partial; if an " +
+            "earlier run with the same input and options was interrupted, go on where it stopped",
+    ).flag()
 
     val depth by option(
         "--depth-out",

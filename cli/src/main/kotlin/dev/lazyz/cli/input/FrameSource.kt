@@ -32,6 +32,9 @@ internal class FrameSource(
 ) {
     val input = Input(subject.input, subject.format, loading)
 
+    /** The files that the options name. */
+    val files: List<Path> get() = subject.files
+
     /** Reads the input, and prints its warnings. */
     fun load(): LoadedScene = read().also { warn(it.warnings) }
 

@@ -23,7 +23,7 @@ internal class Input(
     private val format: SceneFormat?,
     private val options: LoadOptions = LoadOptions(),
 ) {
-    private val isStandardInput = word == "-"
+    val isStandardInput = word == "-"
     private val builtin = if (format == null) Scenes.builtins.firstOrNull { it.id == word } else null
 
     val isBuiltin: Boolean get() = builtin != null

@@ -49,6 +49,9 @@ internal class Shot(
     /** Returns this picture, whose shading calls are reported to [observer]. */
     fun observed(observer: ShadingObserver) = Shot(sampled.observed(observer), gradient, up)
 
+    /** Returns the part of this picture with the pixels of [region]. */
+    fun within(region: Region) = Shot(sampled.within(region), gradient, up)
+
     /** Renders the frame with [strategy], and passes every row of pixels to [sink]. */
     fun render(strategy: Renderer, sink: RowSink): Counters = sampled.render(strategy, beforeGradient(sink))
 

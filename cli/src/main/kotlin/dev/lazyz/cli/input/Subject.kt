@@ -77,4 +77,7 @@ internal class Subject(
         outputs.requireNone(listOfNotNull(texture), "the input of --texture")
         outputs.requireNone(listOfNotNull(light.matcap), "the input of --matcap")
     }
+
+    /** The files that the options name. */
+    val files: List<Path> get() = listOfNotNull(Input(input, format).file, texture, light.matcap)
 }

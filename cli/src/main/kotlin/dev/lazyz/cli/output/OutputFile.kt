@@ -13,8 +13,8 @@ internal object OutputFile {
      * @param alternative what the message offers besides the endings
      * @throws Mistake otherwise
      */
-    fun check(path: Path, option: String, vararg endings: String, alternative: String = "") {
-        requireEnding(path, option, endings.asList(), alternative)
+    fun check(path: Path, option: String, endings: List<String>, alternative: String = "") {
+        requireEnding(path, option, endings, alternative)
         requirePlace(path)
     }
 

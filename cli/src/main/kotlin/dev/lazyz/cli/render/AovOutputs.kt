@@ -33,7 +33,7 @@ internal class AovOutputs(private val data: List<AovOutput>, private val picture
 
     init {
         for (output in data) {
-            OutputFile.check(output.path, DATA, *AovFormat.entries.map { ".${it.id}" }.toTypedArray())
+            OutputFile.check(output.path, DATA, AovFormat.entries.map { ".${it.id}" })
             val format = checkNotNull(AovFormat.ofPath(output.path))
             if (output.aovs.size > 1 && format != AovFormat.NPZ) {
                 throw Mistake("$DATA: a .${format.id} file has room for one AOV; use .npz for several: ${output.path}")
@@ -41,7 +41,7 @@ internal class AovOutputs(private val data: List<AovOutput>, private val picture
             for (aov in output.aovs) format.obstacle(aov)?.let { throw Mistake("$DATA ${aov.id}=${output.path}: $it") }
         }
         for (output in pictures) {
-            OutputFile.check(output.path, PICTURE, ".png")
+            OutputFile.check(output.path, PICTURE, listOf(".png"))
             if (output.aovs.size > 1) throw Mistake("$PICTURE: a picture shows one AOV; repeat the option for more")
         }
     }

@@ -40,24 +40,40 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
 
     init {
         if (picture != null) {
-            OutputFile.check(picture, "-o", ".png", ".ppm", alternative = ", or be - for standard output")
+            OutputFile.check(picture, "-o", PictureFile.ENDINGS, alternative = ", or be - for standard output")
         } else if (isStandardOutput && streams.isOutputTerminal) {
             throw Mistake("cannot write a picture to a terminal; redirect standard output, or use -o FILE.png")
         }
-        request.depthOutput?.let { OutputFile.check(it, "--depth-out", ".pfm") }
-        request.reference?.diff?.let { OutputFile.check(it, "--diff", ".png") }
+        request.depthOutput?.let { OutputFile.check(it, "--depth-out", listOf(".pfm")) }
+        request.reference?.diff?.let { OutputFile.check(it, "--diff", listOf(".png")) }
         OutputFile.requireDistinct(listOfNotNull(request.reference?.let { "--ref" to it.file }) + files)
         request.subject.requireKept(replaced)
+        request.resumption?.requirePossible(picture, input.isStandardInput, wholePictures())
     }
 
+    /** The options for which all rows are needed. */
+    private fun wholePictures(): List<String> = listOfNotNull(
+        request.depthOutput?.let { "--depth-out" },
+        request.aovs.files.firstOrNull()?.first?.substringBefore(' '),
+        request.reference?.let { "--ref" },
+    )
+
     /**
-     * Calls [render] with a sink that writes the rows of [shot] to all outputs and to [others]. The files exist after
-     * this method has returned; if it throws, they are not created.
+     * Calls [render] with a sink that writes rows to all outputs, and with the picture to be rendered: [shot], or those
+     * of its rows that are missing. The files exist after this method has returned; if it throws, they are not created.
+     *
+     * @param facts what the picture depends on, if it may be completed later, or null
      */
-    fun <T> write(shot: Shot, others: List<RowSink>, render: (RowSink) -> T): T = try {
-        // The outermost file is finished last: the file of depth appears only after the picture is complete
-        writeDepth(shot.pixels) { depth ->
-            writePicture(shot) { picture -> render(FanOut(listOfNotNull(picture, depth) + others)) }
+    fun <T> write(shot: Shot, facts: Map<String, String>?, render: (RowSink, Shot) -> T): T = try {
+        if (facts != null && picture != null) {
+            PictureFile.resume(picture, shot.pixels, shot.alpha, facts) { sink, rest ->
+                render(sink, shot.within(rest))
+            }
+        } else {
+            // The outermost file is finished last: the file of depth appears only after the picture is complete
+            writeDepth(shot.pixels) { depth ->
+                writePicture(shot) { picture -> render(FanOut(listOfNotNull(picture, depth)), shot) }
+            }
         }
     } catch (closed: OutputClosed) {
         val file = request.depthOutput ?: throw closed

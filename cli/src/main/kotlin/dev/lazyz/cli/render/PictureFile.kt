@@ -5,20 +5,46 @@ import dev.lazyz.RowSink
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.ImageFiles
+import dev.lazyz.scenes.writers.deepzoom.DeepZoomFiles
 import java.io.IOException
 import java.nio.file.Path
+import kotlin.io.path.extension
 
 /** Writes pictures to files; a file appears when it is complete. */
 internal object PictureFile {
+    private const val PYRAMID = ".${DeepZoomFiles.EXTENSION}"
+
+    /** What the names of pictures may end in. */
+    val ENDINGS: List<String> = listOf(".png", ".ppm", PYRAMID)
+
+    /** Whether [path] names a Deep Zoom pyramid: a file and a folder. */
+    fun isPyramid(path: Path): Boolean = path.extension.equals(DeepZoomFiles.EXTENSION, ignoreCase = true)
+
     /**
      * Calls [render] with a sink that writes the pixels of [region] to [path].
      *
      * @throws Mistake if the file cannot be written
      */
-    fun <T> write(path: Path, region: Region, alpha: AlphaChannel, render: (RowSink) -> T): T =
-        ImageFiles.write(path, region.width, region.height, alpha = alpha) { sink ->
-            render(PathReportingSink(path, sink))
-        }
+    fun <T> write(path: Path, region: Region, alpha: AlphaChannel, render: (RowSink) -> T): T {
+        val reporting = { sink: RowSink -> render(PathReportingSink(path, sink)) }
+        if (isPyramid(path)) return DeepZoomFiles.write(path, region.width, region.height, alpha, reporting)
+        return ImageFiles.write(path, region.width, region.height, alpha = alpha, produce = reporting)
+    }
+
+    /**
+     * Completes the pyramid [path] of the pixels of [region], which depends on [facts]. Calls [render] with a sink and
+     * the rows that are missing.
+     */
+    fun <T> resume(
+        path: Path,
+        region: Region,
+        alpha: AlphaChannel,
+        facts: Map<String, String>,
+        render: (RowSink, Region) -> T,
+    ): T = DeepZoomFiles.resume(path, region.width, region.height, alpha, facts) { sink, first ->
+        val rest = Region(region.columnStart, region.rowStart + first, region.columnEnd, region.rowEnd)
+        render(PathReportingSink(path, sink), rest)
+    }
 }
 
 /** Adds the path of the file to the message if writing fails. */

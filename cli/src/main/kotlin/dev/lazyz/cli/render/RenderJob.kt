@@ -48,19 +48,22 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         streams.progress("rendering ${frame.primitives.size} primitives with ${strategy.id} ...")
         val tally = Tally(shot.pixels.width, request.stats != null)
         val colors = reference?.let { ColorRows(shot.pixels) }
-        val sinks = listOfNotNull(tally, colors, ProgressSink.of(streams, shot.pixels.height))
         val aovs = request.aovs.aovs
-        val counters = outputs.write(shot, sinks) { sink ->
+        var rendered = shot.pixels
+        val counters = outputs.write(shot, request.resumption?.facts(source, loaded)) { sink, part ->
+            rendered = part.pixels
+            val progress = ProgressSink.of(streams, part.pixels.height)
+            val all = FanOut(listOfNotNull(sink, tally, colors, progress))
             if (aovs.isEmpty()) {
-                shot.render(strategy, sink)
+                part.render(strategy, all)
             } else {
-                shot.render(strategy, sink, aovs).also { request.aovs.write(it) }.counters
+                part.render(strategy, all, aovs).also { request.aovs.write(it) }.counters
             }
         }
         val nanoseconds = System.nanoTime() - start
 
         // Report
-        if (tally.visible == 0L) streams.nothingIsVisible()
+        if (tally.visible == 0L && rendered == shot.pixels) streams.nothingIsVisible()
         outputs.describe(shot.pixels)
         val name = source.input.name
         val difference = colors?.let { reference.compare(it) }
@@ -69,7 +72,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         if (request.stats != null) {
             val warnings = loaded.warnings.size
             val statistics =
-                Statistics(name, strategy, shot.pixels, shot.factor, counters, tally, warnings, nanoseconds)
+                Statistics(name, strategy, rendered, shot.factor, counters, tally, warnings, nanoseconds)
             printStatistics(request.stats, statistics, comparison?.toJson())
         }
         return if (difference?.isMatch == false) ExitCode.DIFFERENT else ExitCode.DONE

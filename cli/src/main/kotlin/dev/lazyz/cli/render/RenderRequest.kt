@@ -19,4 +19,5 @@ internal class RenderRequest(
     val stats: StatsForm?,
     val reference: ReferenceRequest?,
     val streaming: StreamRequest?,
+    val resumption: Resumption?,
 )

@@ -14,7 +14,7 @@ import dev.lazyz.cli.strategies.StrategyChoice
 internal class TraceJob(private val request: TraceRequest, private val streams: Streams) {
     fun run() {
         // Report mistakes in the options before anything is read
-        OutputFile.check(request.output, "-o", *ENDINGS)
+        OutputFile.check(request.output, "-o", ENDINGS)
         if (request.strategies.size > 2) throw Mistake("--strategy: a film shows one strategy or two")
         if (request.strategies.distinct().size < request.strategies.size) {
             throw Mistake("--strategy: '${request.strategies[0]}' is named twice")
@@ -64,6 +64,6 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
         private const val PAGE = ".html"
 
         /** The endings of files that can be written. */
-        val ENDINGS = arrayOf(".gif", ".png", ".apng", PAGE)
+        val ENDINGS = listOf(".gif", ".png", ".apng", PAGE)
     }
 }

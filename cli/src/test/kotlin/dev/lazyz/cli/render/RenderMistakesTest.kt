@@ -142,7 +142,8 @@ class RenderMistakesTest {
 
     @Test
     fun outputs() {
-        render("-o", folder.resolve("x.jpg")).mistake("-o must end in .png or .ppm, or be - for standard output")
+        val endings = "-o must end in .png or .ppm or .dzi, or be - for standard output"
+        render("-o", folder.resolve("x.jpg")).mistake(endings)
         render("-o", folder.resolve("png")).mistake("-o must end in .png")
         render("-o", folder.resolve(".png")).mistake("-o must end in .png")
         render("-o", "").mistake("-o must end in .png")

@@ -40,7 +40,7 @@ internal object DeepPng {
             override fun write(byte: Int) = write(byteArrayOf(byte.toByte()), 0, 1)
 
             override fun write(bytes: ByteArray, offset: Int, length: Int) =
-                chunks.write("IDAT", bytes.copyOfRange(offset, offset + length))
+                chunks.write(PngChunks.DATA, bytes.copyOfRange(offset, offset + length))
         }
         val deflater = Deflater()
         try {
@@ -51,7 +51,7 @@ internal object DeepPng {
         } finally {
             deflater.end()
         }
-        chunks.write("IEND", ByteArray(0))
+        chunks.write(PngChunks.END, ByteArray(0))
     }
 
     private fun text(chunks: PngChunks, keyword: String, value: String) =

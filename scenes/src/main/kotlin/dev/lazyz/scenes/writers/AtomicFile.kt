@@ -80,7 +80,8 @@ internal object AtomicFile {
         }
     }
 
-    private inline fun <R> explaining(path: Path, block: () -> R): R = try {
+    /** Calls [block], and explains an exception of it to those who want [path] to be written. */
+    inline fun <R> explaining(path: Path, block: () -> R): R = try {
         block()
     } catch (e: IOException) {
         throw explained(path, e)

@@ -59,12 +59,12 @@ internal class PngBlocks(
         write(compressed.bytes)
     }
 
-    private companion object {
+    companion object {
         /** Small enough to keep several threads busy with a 512 x 512 image; makes the file 1 % larger. */
-        const val BLOCK_PIXELS = 1 shl 16
-        const val MOST_WAITING = 16
+        private const val BLOCK_PIXELS = 1 shl 16
+        private const val MOST_WAITING = 16
 
-        /** Zlib header: deflate with a 32 KB window, fast compression. */
-        val HEADER = byteArrayOf(0x78, 0x5E)
+        /** Zlib header: deflate with a 32 KB window, fast compression; not to be changed. */
+        val HEADER: ByteArray = byteArrayOf(0x78, 0x5E)
     }
 }

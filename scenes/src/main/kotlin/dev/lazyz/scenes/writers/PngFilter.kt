@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.writers
 
 /**
- * Converts rows of colours to filtered rows of bytes. For each row it chooses the filter that is likely to compress
+ * Converts rows of colours to filtered rows of bytes, and back. For each row it chooses the filter that is likely to compress
  * best.
  *
  * It tries three of the five filters and takes the one with the smallest sum of absolute differences, as the
@@ -25,9 +25,7 @@ internal class PngFilter(private val width: Int, private val channels: Int) {
 
     /** Loads the next row, which begins at [offset] of [argb]. The previous row becomes the row above. */
     fun load(argb: IntArray, offset: Int) {
-        val spare = above
-        above = current
-        current = spare
+        advance()
         var i = channels
         for (x in offset until offset + width) {
             val color = argb[x]
@@ -67,24 +65,59 @@ internal class PngFilter(private val width: Int, private val channels: Int) {
         for (i in 0 until size) differences[i] = (current[i + channels] - above[i + channels]).toByte()
     }
 
-    /** Differences to the neighbour (left, above, above left) that is closest to left + above - above left. */
     private fun paeth(differences: ByteArray) {
-        for (i in 0 until size) {
-            val left = current[i].toInt() and 0xFF
-            val up = above[i + channels].toInt() and 0xFF
-            val corner = above[i].toInt() and 0xFF
-            val toLeft = StrictMath.abs(up - corner)
-            val toUp = StrictMath.abs(left - corner)
-            val toCorner = StrictMath.abs(left + up - 2 * corner)
-            val nearest = if (toLeft <= toUp && toLeft <= toCorner) {
-                left
-            } else if (toUp <= toCorner) {
-                up
-            } else {
-                corner
-            }
-            differences[i] = (current[i + channels] - nearest).toByte()
+        for (i in 0 until size) differences[i] = (current[i + channels] - nearest(i)).toByte()
+    }
+
+    /** Returns the neighbour of byte [i] (left, above, above left) that is closest to left + above - above left. */
+    private fun nearest(i: Int): Int {
+        val left = current[i].toInt() and 0xFF
+        val up = above[i + channels].toInt() and 0xFF
+        val corner = above[i].toInt() and 0xFF
+        val toLeft = StrictMath.abs(up - corner)
+        val toUp = StrictMath.abs(left - corner)
+        val toCorner = StrictMath.abs(left + up - 2 * corner)
+        return if (toLeft <= toUp && toLeft <= toCorner) {
+            left
+        } else if (toUp <= toCorner) {
+            up
+        } else {
+            corner
         }
+    }
+
+    /**
+     * Restores the next row from [filtered], as [writeBest] has written it, and unpacks it to [argb]. Returns false if
+     * this is not possible, because the type of the filter is another one.
+     */
+    fun restore(filtered: ByteArray, argb: IntArray): Boolean {
+        advance()
+        val type = filtered[0]
+        if (type !in FILTERS) return false
+        for (i in 0 until size) {
+            val predicted = when (type) {
+                SUB -> current[i].toInt()
+                UP -> above[i + channels].toInt()
+                else -> nearest(i)
+            }
+            current[i + channels] = (filtered[i + 1] + predicted).toByte()
+        }
+        var i = channels
+        for (x in 0 until width) {
+            val rgb = byteAt(i) shl 16 or (byteAt(i + 1) shl 8) or byteAt(i + 2)
+            argb[x] = rgb or ((if (channels == 4) byteAt(i + 3) else 0xFF) shl 24)
+            i += channels
+        }
+        return true
+    }
+
+    private fun byteAt(i: Int): Int = current[i].toInt() and 0xFF
+
+    /** The current row becomes the row above. */
+    private fun advance() {
+        val spare = above
+        above = current
+        current = spare
     }
 
     /** Sum of the absolute values of bytes, taken as signed. */

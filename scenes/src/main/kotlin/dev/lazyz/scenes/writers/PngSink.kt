@@ -76,7 +76,7 @@ public class PngSink @JvmOverloads constructor(
         output.use {
             order.requireComplete()
             writeCompressed()
-            chunks.write("IEND", ByteArray(0))
+            chunks.write(PngChunks.END, ByteArray(0))
             output.flush()
         }
     }
@@ -89,7 +89,7 @@ public class PngSink @JvmOverloads constructor(
     }
 
     private fun writeCompressed() {
-        chunks.write("IDAT", compressed.toByteArray())
+        chunks.write(PngChunks.DATA, compressed.toByteArray())
         compressed.reset()
     }
 

@@ -11,21 +11,26 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ThreadLocalRandom
 
 /**
- * A temporary file that exists only while it is written. It is deleted when it is closed, unless it was renamed
- * before, and when the process exits normally or on SIGINT, SIGTERM and SIGHUP. If a process is killed, its temporary
+ * A temporary file that exists only while it is written, and a temporary [folder] if a caller creates it. They are
+ * deleted when the file is closed, unless they were renamed before, and when the process exits normally or on SIGINT, SIGTERM and SIGHUP. If a process is killed, its temporary
  * files are deleted by the next process that writes to the same folder.
  *
  * The process that writes such a file holds a lock on it. A file without a lock is no longer in use.
  */
 internal class TemporaryFile private constructor(val path: Path, val channel: FileChannel) : AutoCloseable {
+    /** The place for a folder. It is not created. */
+    val folder: Path = folderOf(path)
+
     override fun close() {
         channel.close()
-        Files.deleteIfExists(path)
+        delete(path)
         open.remove(path)
     }
 
     companion object {
         private const val SUFFIX = ".lazyz-tmp"
+        private const val FOLDER_SUFFIX = ".d"
+        private const val DOOMED_SUFFIX = ".deleted"
 
         /** A new file has no lock for a moment, so files younger than this are not deleted. In milliseconds. */
         private const val MIN_AGE_MILLIS = 60_000L
@@ -34,6 +39,11 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
 
         /** Folders that were already searched for files left by other processes. */
         private val cleanedFolders: MutableSet<Path> = ConcurrentHashMap.newKeySet()
+
+        /** Whether the process is exiting, and all temporary files are or will be deleted. */
+        @Volatile
+        var isExiting: Boolean = false
+            private set
 
         init {
             try {
@@ -80,7 +90,7 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
             try {
                 val age = System.currentTimeMillis() - Files.getLastModifiedTime(path).toMillis()
                 if (age < MIN_AGE_MILLIS || path in open || !Files.isRegularFile(path)) return
-                FileChannel.open(path, WRITE).use { if (lock(it)) Files.deleteIfExists(path) }
+                FileChannel.open(path, WRITE).use { if (lock(it)) delete(path) }
             } catch (_: IOException) {
                 // The file belongs to another user, or was just deleted
             }
@@ -96,13 +106,33 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
         }
 
         private fun deleteAll() {
+            isExiting = true
             for (path in open) {
                 try {
-                    Files.deleteIfExists(path)
+                    delete(path)
                 } catch (_: IOException) {
                     // The process is exiting, so the error cannot be reported
                 }
             }
         }
+
+        /** Deletes the temporary file [path], and before that its folder. */
+        private fun delete(path: Path) {
+            val folder = folderOf(path)
+            if (Files.exists(folder)) {
+                // Other threads may still write into the folder: without its name they cannot create files there
+                val doomed = path.resolveSibling("${path.fileName}$DOOMED_SUFFIX")
+                Files.move(folder, doomed)
+                deleteTree(doomed)
+            }
+            Files.deleteIfExists(path)
+        }
+
+        /** Deletes [folder] and all that is in it. Links are deleted, and not what they name. */
+        fun deleteTree(folder: Path) {
+            Files.walk(folder).use { all -> all.sorted(Comparator.reverseOrder()).forEach(Files::deleteIfExists) }
+        }
+
+        private fun folderOf(path: Path): Path = path.resolveSibling("${path.fileName}$FOLDER_SUFFIX")
     }
 }

@@ -66,7 +66,7 @@ public class ApngSink(private val output: OutputStream, private val animation: A
             if (frame < animation.frames) {
                 throw IOException("the animation is incomplete: $frame of ${animation.frames} frames")
             }
-            chunks.write("IEND", ByteArray(0))
+            chunks.write(PngChunks.END, ByteArray(0))
             output.flush()
         }
     }
@@ -98,7 +98,7 @@ public class ApngSink(private val output: OutputStream, private val animation: A
     private fun writeCompressed() {
         if (compressed.size() == 0) return
         if (frame == 0) {
-            chunks.write("IDAT", compressed.toByteArray())
+            chunks.write(PngChunks.DATA, compressed.toByteArray())
         } else {
             val data = ByteBuffer.allocate(Int.SIZE_BYTES + compressed.size())
             chunks.write("fdAT", data.putInt(sequence++).put(compressed.toByteArray()).array())

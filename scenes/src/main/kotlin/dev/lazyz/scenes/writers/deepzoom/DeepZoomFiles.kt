@@ -1,0 +1,111 @@
+package dev.lazyz.scenes.writers.deepzoom
+
+import dev.lazyz.RowSink
+import dev.lazyz.scenes.writers.AlphaChannel
+import dev.lazyz.scenes.writers.AtomicFile
+import dev.lazyz.scenes.writers.RowProducer
+import dev.lazyz.scenes.writers.TemporaryFile
+import java.io.IOException
+import java.nio.file.Path
+
+/**
+ * Writes Deep Zoom pyramids: a descriptor, `NAME.dzi`, and a folder of tiles beside it, `NAME_files`. Viewers such as
+ * OpenSeadragon load only the tiles that they show, so a picture of any size can be looked at in a browser.
+ *
+ * Tiles are collected in a temporary folder beside their place, and get their name when they are complete; then the
+ * descriptor is written. So a failure, or a signal that ends the process, leaves no partial files. An old pyramid of the
+ * same name is replaced then. [DeepZoomSink] describes the tiles, time and memory.
+ */
+public object DeepZoomFiles {
+    /** File name extension of descriptors, lower case, without a dot. */
+    public const val EXTENSION: String = "dzi"
+
+    /**
+     * Writes the rows that [produce] renders.
+     *
+     * For example `DeepZoomFiles.write(path, frame.width, frame.height) { sink -> renderer.render(frame, sink) }`.
+     *
+     * @param path the descriptor
+     * @param width number of columns
+     * @param height number of rows
+     * @param alpha whether tiles have an alpha channel
+     * @param produce renders to the sink it is given, all rows from the top
+     * @return what [produce] returns
+     * @throws IllegalArgumentException if a side is not in the range of [DeepZoomSink]
+     * @throws IOException if a file cannot be written, or the folder of the tiles exists and has other files; the
+     *   message states which file, why, and what to do
+     */
+    @JvmStatic
+    @JvmOverloads
+    @Throws(InterruptedException::class, IOException::class)
+    public fun <R> write(
+        path: Path,
+        width: Int,
+        height: Int,
+        alpha: AlphaChannel = AlphaChannel.KEEP,
+        produce: RowProducer<R>,
+    ): R = AtomicFile.explaining(path) {
+        val files = PyramidFiles(path)
+        TemporaryFile.beside(files.folder).use { temporary ->
+            val result = DeepZoomSink(temporary.folder, width, height, alpha).use { produce.sendTo(it) }
+            files.publish(temporary.folder, width, height)
+            result
+        }
+    }
+
+    /**
+     * Writes the rows that [produce] renders, and goes on where an earlier, interrupted call of this function stopped.
+     * The files are the same, byte for byte, as if there had been no interruption.
+     *
+     * Until they are complete, tiles are in the folder `NAME_files.partial`, which stays if the call fails or the process
+     * ends, for whatever reason, even if it is killed. The next call reads the finished rows of tiles of the largest
+     * level, which takes less time than rendering and compressing them, and has the rest rendered.
+     *
+     * @param path the descriptor
+     * @param width number of columns
+     * @param height number of rows
+     * @param alpha whether tiles have an alpha channel
+     * @param facts all that the picture depends on, by name, such as a hash of the model, and the version of the program
+     * @param produce renders to the sink it is given, all rows from the one that it is told
+     * @return what [produce] returns
+     * @throws IllegalArgumentException if a side is not in the range of [DeepZoomSink]
+     * @throws IOException if a file cannot be read or written; if the folder has tiles of a picture with other facts; or
+     *   if another process is writing it. The message states which file, why, and what to do
+     */
+    @JvmStatic
+    @Throws(InterruptedException::class, IOException::class)
+    public fun <R> resume(
+        path: Path,
+        width: Int,
+        height: Int,
+        alpha: AlphaChannel,
+        facts: Map<String, String>,
+        produce: RemainingRows<R>,
+    ): R = AtomicFile.explaining(path) {
+        val files = PyramidFiles(path)
+        val all = linkedMapOf("size" to "${width}x$height", "alpha" to alpha.name.lowercase()) + facts
+        PartialPyramid(files, all).use { partial ->
+            val result = DeepZoomSink(partial.tiles, width, height, alpha).use { sink ->
+                val first = sink.resume()
+                produce.sendTo(sink, first)
+            }
+            files.publish(partial.tiles, width, height)
+            partial.delete()
+            result
+        }
+    }
+}
+
+/** Produces the rows of an image from a certain one on. */
+public fun interface RemainingRows<R> {
+    /**
+     * Passes the rows from [first] on to [sink], in order.
+     *
+     * @param first the first row, counted from the top of the image from 0; smaller than its height
+     * @return any result, for example the counters of the rendering
+     * @throws IOException if the sink throws it
+     * @throws InterruptedException if the rendering is interrupted
+     */
+    @Throws(InterruptedException::class, IOException::class)
+    public fun sendTo(sink: RowSink, first: Int): R
+}

@@ -1,0 +1,99 @@
+package dev.lazyz.scenes.writers.deepzoom
+
+import dev.lazyz.RowSink
+import dev.lazyz.filter.BoxPyramid
+import dev.lazyz.scenes.writers.AlphaChannel
+import dev.lazyz.scenes.writers.RowOrder
+import java.io.Closeable
+import java.io.IOException
+import java.nio.file.Path
+
+/**
+ * Writes the tiles of a Deep Zoom pyramid as rows arrive: PNG files, sRGB, 8 bits per channel.
+ *
+ * The pyramid has a folder for each level, `0` for a single pixel, up to the picture itself. Each level is half as large
+ * as the next one: its pixels are exact means of light, see [BoxPyramid]. The tile in column c and row r is the file
+ * `c_r.png`. It has 254 x 254 pixels of its own, and one row or column of each neighbour, so that a viewer that
+ * enlarges tiles shows no seams; tiles at the edges are smaller.
+ *
+ * Tiles are compressed in parallel on the threads of the common pool, and appended to their files in blocks of rows. The
+ * bytes are the same for any number of threads. Memory: 4 MiB for each level of 4096 or more columns, about as much for
+ * all smaller ones, and about 60 bytes a column; so 25 MiB for 100,000 columns, whatever the height. Call [close] after
+ * the last row. Not thread safe.
+ *
+ * This class writes the folder of tiles only. [DeepZoomFiles] also writes the descriptor, and leaves no partial files.
+ *
+ * Source: the Deep Zoom file format of Microsoft Silverlight, as OpenSeadragon reads it.
+ *
+ * @param folder the folder for the levels; created if it does not exist. Tiles in it that are complete are left as they
+ *   are
+ * @param width number of columns
+ * @param height number of rows
+ * @param alpha whether tiles have an alpha channel; without one, all pixels count as opaque
+ * @throws IllegalArgumentException if a side is not in the range of [BoxPyramid]
+ * @throws IOException if a folder cannot be created
+ */
+public class DeepZoomSink @JvmOverloads constructor(
+    private val folder: Path,
+    private val width: Int,
+    private val height: Int,
+    private val alpha: AlphaChannel = AlphaChannel.KEEP,
+) : RowSink,
+    Closeable {
+    private var order = RowOrder(width, height)
+    private val pyramid = BoxPyramid(width, height) { level, _, argb -> levels[level].add(argb) }
+
+    /** The levels, from the largest. */
+    private val levels: List<TileRows> = List(pyramid.levels) { level ->
+        TileRows(folder(level), BoxPyramid.side(width, level), BoxPyramid.side(height, level), alpha)
+    }
+
+    private fun folder(level: Int): Path = folder.resolve("${pyramid.levels - 1 - level}")
+
+    /**
+     * Writes row [y]; depth and primitive are ignored.
+     *
+     * @throws IllegalArgumentException if [y] does not follow the previous row (the first row may have any number),
+     *   or the row has fewer than [width] columns
+     * @throws IOException if a tile cannot be written
+     */
+    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        order.take(y, argb)
+
+        // All levels show the picture that its own tiles show
+        if (alpha == AlphaChannel.DROP) for (x in 0 until width) argb[x] = argb[x] or OPAQUE
+        pyramid.add(argb)
+    }
+
+    /**
+     * Takes the first rows from the tiles that another sink has finished. Call it before the first row.
+     *
+     * @return how many rows these were
+     * @throws IOException if a tile cannot be read
+     */
+    internal fun resume(): Int {
+        val finished = FinishedTiles(folder(0), width, height, alpha)
+        finished.forEach { pyramid.add(it) }
+        order = RowOrder(width, height - finished.rows)
+        return finished.rows
+    }
+
+    /**
+     * Ends the pyramid. Closing again does nothing.
+     *
+     * @throws IOException if rows are missing
+     */
+    override fun close(): Unit = order.requireComplete()
+
+    override fun toString(): String = "DeepZoomSink($folder, $width x $height, $alpha, $order)"
+
+    public companion object {
+        /** Width and height of a tile without what it shares with its neighbours, in pixels. */
+        public const val TILE_SIZE: Int = TileGrid.TILE
+
+        /** Width of what a tile shows of each of its neighbours, in pixels. */
+        public const val OVERLAP: Int = TileGrid.OVERLAP
+
+        private const val OPAQUE = 0xFF shl 24
+    }
+}

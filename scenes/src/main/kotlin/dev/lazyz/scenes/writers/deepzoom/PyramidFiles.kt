@@ -1,0 +1,76 @@
+package dev.lazyz.scenes.writers.deepzoom
+
+import dev.lazyz.scenes.writers.AtomicFile
+import dev.lazyz.scenes.writers.TemporaryFile
+import java.io.IOException
+import java.nio.ByteBuffer
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * The files of a pyramid: the descriptor, `NAME.dzi`, and the folder of its tiles beside it, `NAME_files`.
+ *
+ * @throws IOException if they cannot be written, or something else has the name of the folder
+ */
+internal class PyramidFiles(private val descriptor: Path) {
+    private val name = descriptor.fileName?.toString()?.substringBeforeLast('.').orEmpty()
+    private val place = descriptor.toAbsolutePath().resolveSibling("${name}_files")
+
+    /** The folder of the tiles. */
+    val folder: Path
+
+    /** The folder in which tiles are collected that a later run may complete. */
+    val partial: Path = descriptor.resolveSibling("${name}_files.partial")
+
+    init {
+        if (name.isEmpty()) throw refused("the name must have something before its extension")
+        if (Files.isDirectory(descriptor)) throw refused("it is a folder; name a file in it")
+        val parent = descriptor.toAbsolutePath().parent
+        if (!Files.isDirectory(parent)) throw refused("there is no folder $parent; create it or choose another")
+        if (Files.exists(place) && !isPyramid(place)) {
+            throw refused("$place exists and has other files than tiles; move it away, or choose another name")
+        }
+        folder = if (Files.exists(place)) place.toRealPath() else place
+    }
+
+    /** Gives [tiles], a complete folder, its name, and writes the descriptor. An old pyramid is replaced. */
+    fun publish(tiles: Path, width: Int, height: Int) {
+        TemporaryFile.beside(folder).use { old ->
+            if (Files.exists(folder)) Files.move(folder, old.folder)
+            try {
+                Files.move(tiles, folder)
+            } catch (e: IOException) {
+                if (Files.exists(old.folder)) Files.move(old.folder, folder)
+                throw e
+            }
+            AtomicFile.write(descriptor) { it.write(ByteBuffer.wrap(text(width, height).toByteArray())) }
+        }
+    }
+
+    fun refused(reason: String) = IOException("cannot write $descriptor: $reason")
+
+    /** Whether [folder] has nothing but levels of tiles. */
+    private fun isPyramid(folder: Path): Boolean = Files.isDirectory(folder) && Files.walk(folder, 2).use { all ->
+        all.allMatch {
+            when (folder.relativize(it).nameCount) {
+                1 -> it == folder || (LEVEL.matches("${it.fileName}") && Files.isDirectory(it))
+                else -> TILE.matches("${it.fileName}") && Files.isRegularFile(it)
+            }
+        }
+    }
+
+    private fun text(width: Int, height: Int) =
+        """
+        |<?xml version="1.0" encoding="UTF-8"?>
+        |<Image xmlns="http://schemas.microsoft.com/deepzoom/2008" Format="png"
+        |  Overlap="${TileGrid.OVERLAP}" TileSize="${TileGrid.TILE}">
+        |  <Size Width="$width" Height="$height"/>
+        |</Image>
+        |
+        """.trimMargin()
+
+    private companion object {
+        val LEVEL = Regex("[0-9]{1,2}")
+        val TILE = Regex("[0-9]+_[0-9]+\\.(png|jpe?g|webp)")
+    }
+}

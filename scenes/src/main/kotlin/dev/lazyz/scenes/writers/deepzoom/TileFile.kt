@@ -1,0 +1,70 @@
+package dev.lazyz.scenes.writers.deepzoom
+
+import dev.lazyz.scenes.writers.AdlerSum
+import dev.lazyz.scenes.writers.AlphaChannel
+import dev.lazyz.scenes.writers.PngBlock
+import dev.lazyz.scenes.writers.PngBlocks
+import dev.lazyz.scenes.writers.PngChunks
+import dev.lazyz.scenes.writers.channels
+import java.io.ByteArrayOutputStream
+import java.io.IOException
+import java.io.UncheckedIOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardCopyOption.REPLACE_EXISTING
+import java.nio.file.StandardOpenOption.APPEND
+import java.nio.file.StandardOpenOption.CREATE
+import java.nio.file.StandardOpenOption.TRUNCATE_EXISTING
+import java.nio.file.StandardOpenOption.WRITE
+
+/**
+ * A tile, a PNG file, to which blocks of rows are appended. It has its name only when it is complete, and is closed
+ * between blocks: there are more tiles side by side than a process can have open files.
+ */
+internal class TileFile(
+    private val path: Path,
+    private val width: Int,
+    private val height: Int,
+    private val alpha: AlphaChannel,
+) {
+    private val partial = path.resolveSibling("${path.fileName}.part")
+    private val adler = AdlerSum()
+    private var rows = 0
+
+    /**
+     * Compresses and appends the next [count] rows. [argb] begins with the row above them.
+     *
+     * @throws UncheckedIOException if the file cannot be written
+     */
+    fun append(argb: IntArray, count: Int) {
+        val isFirst = rows == 0
+        rows += count
+        val isLast = rows == height
+        val block = PngBlock(argb, width, count, alpha.channels, isLast).invoke()
+        adler.add(block.adler, block.length)
+        try {
+            val bytes = bytes(block.bytes, isFirst, isLast)
+            Files.write(partial, bytes, CREATE, WRITE, if (isFirst) TRUNCATE_EXISTING else APPEND)
+            if (isLast) Files.move(partial, path, REPLACE_EXISTING)
+        } catch (e: IOException) {
+            // The tiles of a level are written by a parallel stream
+            throw UncheckedIOException(e)
+        }
+    }
+
+    private fun bytes(compressed: ByteArray, isFirst: Boolean, isLast: Boolean): ByteArray {
+        val bytes = ByteArrayOutputStream(compressed.size + ROOM)
+        val chunks = PngChunks(bytes)
+        if (isFirst) chunks.describe(width, height, alpha)
+        val before = if (isFirst) PngBlocks.HEADER else ByteArray(0)
+        val after = if (isLast) adler.toBytes() else ByteArray(0)
+        chunks.write(PngChunks.DATA, before + compressed + after)
+        if (isLast) chunks.write(PngChunks.END, ByteArray(0))
+        return bytes.toByteArray()
+    }
+
+    private companion object {
+        /** For all but the compressed bytes. */
+        const val ROOM = 128
+    }
+}

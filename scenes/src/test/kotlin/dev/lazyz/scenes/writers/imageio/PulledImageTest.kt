@@ -1,0 +1,96 @@
+package dev.lazyz.scenes.writers.imageio
+
+import dev.lazyz.Raster as Samples
+import dev.lazyz.Region
+import dev.lazyz.Rgba
+import dev.lazyz.filter.SuperSampling
+import dev.lazyz.scenes.ChildJava
+import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.writers.toBufferedImage
+import dev.lazyz.strategies.tiled.Tiled
+import java.awt.Rectangle
+import java.awt.image.BufferedImage
+import java.io.ByteArrayInputStream
+import java.io.ByteArrayOutputStream
+import java.nio.file.Path
+import javax.imageio.ImageIO
+import kotlin.io.path.fileSize
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.assertThrows
+import org.junit.jupiter.api.io.TempDir
+
+class PulledImageTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val teapot = Scenes.builtins.first { it.id == "teapot" }.scene()
+
+    @Test
+    fun writersOfJavaWriteThePicture() {
+        for (background in listOf(Rgba.WHITE, Rgba.TRANSPARENT)) {
+            val frame = teapot.frame(Samples(300, 200, background = background))
+            val expected = Tiled().render(frame).toBufferedImage()
+            for (format in listOf("png", "tiff")) {
+                val bytes = ByteArrayOutputStream()
+                assertTrue(ImageIO.write(PulledImage.of(Tiled(), frame), format, bytes))
+                assertArrayEquals(argb(expected), argb(ImageIO.read(ByteArrayInputStream(bytes.toByteArray()))), format)
+            }
+        }
+    }
+
+    /** A band has 41 rows here. */
+    @Test
+    fun partsOfAWidePicture() {
+        val region = Region(1000, 300, 101_000, 400)
+        val frame = teapot.frame(Samples(102_000, 800)).within(region)
+        val image = PulledImage.of(Tiled(), frame)
+        assertEquals(3, image.numYTiles)
+        for (rows in listOf(0..0, 40..40, 41..41, 30..90, 82..99)) {
+            val rect = Rectangle(45_000, rows.first, 9_000, rows.count())
+            val data = image.getData(rect)
+            assertEquals(rect, data.bounds)
+            val part = Region(46_000, 300 + rows.first, 55_000, 301 + rows.last)
+            val expected = Tiled().render(frame.within(part)).argb
+            val actual = data.getDataElements(rect.x, rect.y, rect.width, rect.height, null) as IntArray
+
+            // There is no alpha
+            assertArrayEquals(IntArray(actual.size) { expected[it] shl 8 }, IntArray(actual.size) { actual[it] shl 8 })
+        }
+        assertThrows<IndexOutOfBoundsException> { image.getTile(0, 3) }
+    }
+
+    @Test
+    fun severalSamplesAPixel() {
+        val frame = SuperSampling(4).frame(teapot, Samples(90, 60))
+        val image = PulledImage.of(Tiled(), frame)
+        val expected = frame.render(Tiled()).argb
+        assertArrayEquals(expected, image.data.getDataElements(0, 0, 90, 60, null) as IntArray)
+        assertEquals(90 to 60, image.width to image.height)
+    }
+
+    /** Each picture has 137 MiB. */
+    @Test
+    fun picturesLargerThanTheHeapAreWritten() {
+        for (format in listOf("png", "tiff")) {
+            val path = folder.resolve("large.$format")
+            assertEquals("written", ChildJava.run(WriteInChild::class.java, listOf("-Xmx64m"), "$path", format))
+            assertTrue(path.fileSize() > 100_000)
+        }
+    }
+
+    private fun argb(image: BufferedImage): IntArray =
+        image.getRGB(0, 0, image.width, image.height, null, 0, image.width)
+}
+
+/** Writes a picture in a Java of its own. */
+internal object WriteInChild {
+    @JvmStatic
+    fun main(args: Array<String>) {
+        val scene = Scenes.builtins.first { it.id == "teapot" }.scene()
+        ImageIO.write(PulledImage.of(Tiled(), scene.frame(6000, 6000)), args[1], Path.of(args[0]).toFile())
+        println("written")
+    }
+}
