@@ -28,7 +28,7 @@ internal class FrameContent private constructor(
      * All primitives by submission index. Those in batches become objects when the first element is accessed. Those of
      * a streamed frame can only be iterated.
      */
-    val primitives: List<Primitive> = parts?.Primitives() ?: if (batches.isEmpty()) singles else AllPrimitives()
+    val primitives: List<Primitive> = parts?.primitives() ?: if (batches.isEmpty()) singles else AllPrimitives()
 
     /** Returns the single primitive with submission index [index]; there must be one. */
     fun single(index: Int): Primitive =
@@ -50,33 +50,31 @@ internal class FrameContent private constructor(
 
     /** Returns this content with opaque primitives, see [Frame.asOpaque]. Those in batches are opaque already. */
     fun asOpaque(): FrameContent = if (parts != null) {
-        streamed(parts.map(hasTranslucency = false) { _, part -> part.asOpaque() }, view)
+        streamed(parts.map(hasTranslucency = false) { it.content().asOpaque() }, view)
     } else {
         FrameContent(size, batches, singles.map { it.asOpaque() }, indices, view)
     }
 
     /** Returns this content without batches, with each primitive replaced by the result of [change] for its index. */
     fun withAll(change: (Int, Primitive) -> Primitive): FrameContent = if (parts != null) {
-        streamed(
-            parts.map { first, part ->
-                part.withAll { number, primitive -> change(first + number, primitive) }
-            },
-            view
-        )
+        val changed = parts.map { part ->
+            part.content().withAll { number, primitive -> change(part.first + number, primitive) }
+        }
+        streamed(changed, view)
     } else {
         of(primitives.mapIndexed(change), view)
     }
 
     /** Returns this content without colours, see [Frame.unshaded]. */
     fun unshaded(): FrameContent = if (parts != null) {
-        streamed(parts.map { _, part -> part.unshaded() }, view)
+        streamed(parts.map { it.content().unshaded() }, view)
     } else {
         FrameContent(size, batches.map { it.unshaded() }, singles.map { UnshadedPrimitive(it) }, indices, view)
     }
 
     /** Calls [action] for all primitives that can cover samples, in any order, without keeping objects of them. */
     fun forEachDrawn(action: (Primitive) -> Unit) {
-        parts?.forEach { _, part -> part.forEachDrawn(action) }
+        parts?.forEach { it.content().forEachDrawn(action) }
         for (batch in batches) {
             val read = batch.reader()
             for (number in 0 until batch.count) if (batch.isDrawn(number)) action(read(number))

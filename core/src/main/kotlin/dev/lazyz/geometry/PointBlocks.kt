@@ -163,8 +163,15 @@ internal class PointBlocks(private val xyz: FloatArray, uses: IntArray? = null) 
         }
     }
 
-    private companion object {
+    companion object {
         /** Points in a block. */
-        const val SIZE = 256
+        private const val SIZE = 256
+
+        /** Whether [a] is before [b] in the order of x, then y, then z. */
+        fun isBefore(a: Vector3dc, b: Vector3dc): Boolean = when {
+            a.x() != b.x() -> a.x() < b.x()
+            a.y() != b.y() -> a.y() < b.y()
+            else -> a.z() < b.z()
+        }
     }
 }

@@ -47,15 +47,22 @@ public enum class UpAxis(public val id: String, private val sources: IntArray, p
     internal fun toWorld(xyz: FloatArray, stride: Int = 3): FloatArray = if (this == Y) {
         xyz
     } else {
-        FloatArray(xyz.size) {
-            val row = it % stride
-            val number = if (row < 3) xyz[it - row + sources[row]] else xyz[it]
-            if (row >= 3 || signs[row] > 0) number else -number
+        val turned = FloatArray(xyz.size)
+        for (row in 0 until stride) {
+            val from = if (row < 3) sources[row] else row
+            val isNegated = row < 3 && signs[row] < 0
+            for (at in row until xyz.size step stride) {
+                val number = xyz[at - row + from]
+                turned[at] = if (isNegated) -number else number
+            }
         }
+        turned
     }
 
     private fun component(v: Vector3dc, row: Int): Double {
         val number = v.get(sources[row])
-        return if (signs[row] > 0) number else -number
+
+        // Without -0, so that the origin of the world stays what it is
+        return if (signs[row] > 0) number else 0.0 - number
     }
 }

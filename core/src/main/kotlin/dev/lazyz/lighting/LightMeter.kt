@@ -6,6 +6,8 @@ import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Shading
 import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.StreamedMesh
+import dev.lazyz.world.surface.Surface
 import kotlin.math.sqrt
 
 /**
@@ -38,11 +40,12 @@ public object LightMeter {
      */
     @JvmStatic
     public fun intensity(scene: Scene): Float {
+        if (scene.surfaces.all { it is StreamedMesh && isBright(it) }) return 1f
         var light = 0.0
         var area = 0.0
         for (surface in scene.surfaces) {
-            val material = (surface as? Mesh)?.material ?: continue
-            if (material.shading == Shading.CONSTANT || material.shader != null) continue
+            val material = Scene.materialOf(surface)
+            if (material == null || material.shading == Shading.CONSTANT || material.shader != null) continue
             measure(surface) { itsArea, luminance ->
                 area += itsArea
                 light += itsArea * luminance
@@ -52,12 +55,37 @@ public object LightMeter {
         return minOf(StrictMath.sqrt(MIDDLE_GREY * area / light), MAX_INTENSITY.toDouble()).toFloat()
     }
 
-    private inline fun measure(mesh: Mesh, use: (area: Double, luminance: Float) -> Unit) {
-        val step = (mesh.triangleCount + MOST_TRIANGLES - 1) / MOST_TRIANGLES
-        if (step == 0) return
+    /** Whether all triangles of [mesh] are middle grey or brighter, which is known without reading them. */
+    private fun isBright(mesh: StreamedMesh): Boolean {
+        val color = mesh.material.baseColor
+        val luminance = luminance(floatArrayOf(color.red, color.green, color.blue))
+        return !mesh.hasColors && mesh.material.textureMap == null && luminance >= MIDDLE_GREY
+    }
+
+    private fun measure(surface: Surface, use: (area: Double, luminance: Float) -> Unit) {
+        if (surface is Mesh) measure(surface, 0, stepOf(surface.triangleCount), use)
+        if (surface !is StreamedMesh) return
+
+        // Every step-th triangle of the whole mesh, wherever the parts begin
+        val step = stepOf(surface.triangleCount)
+        var first = 0L
+        for (number in 0 until surface.source.partCount) {
+            val count = surface.source.triangleCount(number)
+            val skipped = ((step - first % step) % step).toInt()
+            if (skipped < count) measure(surface.part(number), skipped, step, use)
+            first += count
+        }
+    }
+
+    private fun stepOf(triangles: Int): Int {
+        val step = (triangles.toLong() + MOST_TRIANGLES - 1) / MOST_TRIANGLES
+        return maxOf(1, step.toInt())
+    }
+
+    private inline fun measure(mesh: Mesh, first: Int, step: Int, use: (area: Double, luminance: Float) -> Unit) {
         val color = FloatArray(4)
         val face = FaceNormal(mesh.positions, mesh.triangles)
-        for (triangle in 0 until mesh.triangleCount step step) {
+        for (triangle in first until mesh.triangleCount step step) {
             face.compute(3 * triangle)
             val area = sqrt(face.x * face.x + face.y * face.y + face.z * face.z)
             if (!(area > 0.0 && area < Double.POSITIVE_INFINITY)) continue

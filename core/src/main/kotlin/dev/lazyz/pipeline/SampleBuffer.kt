@@ -52,8 +52,8 @@ internal class SampleBuffer(raster: Raster, val region: Region) {
         }
     }
 
-    private companion object {
-        const val BYTES_PER_SAMPLE = 12L
-        const val MAX_SAMPLES = Int.MAX_VALUE - 8L
+    companion object {
+        const val BYTES_PER_SAMPLE: Long = 12
+        private const val MAX_SAMPLES = Int.MAX_VALUE - 8L
     }
 }

@@ -2,15 +2,20 @@ package dev.lazyz.world
 
 import dev.lazyz.Frame
 import dev.lazyz.FrameContent
+import dev.lazyz.FramePart
 import dev.lazyz.FrameParts
 import dev.lazyz.FrameView
 import dev.lazyz.NoView
+import dev.lazyz.geometry.Box
 import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.MeshSource
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.StreamedMesh
 import dev.lazyz.world.surface.Surface
 
-/** From the [surfaces] of a scene to the content of a frame. Used once. */
+/**
+ * From the [surfaces] of a scene to the content of a frame. Used once.
+ */
 internal class FrameAssembly(private val surfaces: List<Surface>, private val setUp: SetUp) {
     /** Submission index of the first primitive of each surface. */
     private val starts = IntArray(surfaces.size)
@@ -40,28 +45,66 @@ internal class FrameAssembly(private val surfaces: List<Surface>, private val se
     }
 
     private fun streamed(): FrameContent {
-        var size = 0L
+        val next = NextIndex()
         var hasTranslucency = false
-        val content = ArrayList<Iterable<FrameContent>>()
+        val parts = ArrayList<FramePart>()
         for ((number, surface) in surfaces.withIndex()) {
-            starts[number] = size.toInt()
+            starts[number] = next.index
             if (surface is StreamedMesh) {
-                size += surface.triangleCount
                 hasTranslucency = hasTranslucency || surface.isTranslucent
-                content += Iterable { surface.parts().asSequence().map(::part).iterator() }
+                for (pieces in groups(surface.source)) {
+                    val size = pieces.sumOf { surface.source.triangleCount(it) }
+                    val reach = BoxReach(setUp).of(pieces.mapNotNull { surface.bounds(it) }.reduceOrNull(Box::union))
+                    parts += FramePart(next.take(size), size, reach) { part(pieces.map { surface.part(it) }) }
+                }
             } else {
                 // Surfaces in memory are set up once
-                val part = part(surface)
-                size += part.size
+                val part = part(listOf(surface))
                 hasTranslucency = hasTranslucency || part.hasTranslucency
-                content += listOf(part)
+                parts += FramePart(next.take(part.size), part.size, null) { part }
             }
-            require(size < Int.MAX_VALUE) { "a frame has at most 2^31-2 primitives: at least $size" }
         }
-        val parts = FrameParts(size.toInt(), hasTranslucency) { content.asSequence().flatten().iterator() }
-        return FrameContent.streamed(parts, view())
+        return FrameContent.streamed(FrameParts(next.index, hasTranslucency) { parts.iterator() }, view())
     }
 
-    private fun part(surface: Surface): FrameContent =
-        FrameContent.Builder().apply { add(surface) }.build(NoView)
+    private fun part(surfaces: List<Surface>): FrameContent =
+        FrameContent.Builder().apply { surfaces.forEach { add(it) } }.build(NoView)
+
+    /** Returns consecutive parts of [source] that are rendered together: small ones would each cost too much. */
+    private fun groups(source: MeshSource): List<IntRange> {
+        val groups = ArrayList<IntRange>()
+        var first = 0
+        var size = 0L
+        for (number in 0 until source.partCount) {
+            val count = source.triangleCount(number)
+            if (number > first && size + count > GROUP) {
+                groups += first until number
+                first = number
+                size = 0
+            }
+            size += count
+        }
+        if (first < source.partCount) groups += first until source.partCount
+        return groups
+    }
+
+    /** Counts primitives. */
+    private class NextIndex {
+        var index = 0
+            private set
+
+        /** Returns the index of the first of [count] primitives. */
+        fun take(count: Int): Int {
+            val first = index
+            val end = first.toLong() + count
+            require(end < Int.MAX_VALUE) { "a frame has at most 2^31-2 primitives: at least $end" }
+            index = end.toInt()
+            return first
+        }
+    }
+
+    private companion object {
+        /** Most triangles that are rendered together, unless one part has more. */
+        const val GROUP = 1 shl 17
+    }
 }

@@ -3,6 +3,7 @@ package dev.lazyz.scenes
 import dev.lazyz.scenes.builtin.Builtins
 import dev.lazyz.scenes.formats.FormatSniffer
 import dev.lazyz.scenes.formats.SceneReading
+import dev.lazyz.scenes.formats.StreamReading
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Texture
 import java.io.InputStream
@@ -119,6 +120,46 @@ public object Scenes {
         name: String = "<bytes>",
         options: LoadOptions = LoadOptions(),
     ): LoadedScene = SceneReading.read(bytes, format, name, options)
+
+    /**
+     * Opens a file that may be larger than memory. Its triangles are read part by part while the scene is rendered. They
+     * have their own normals where the file has none, as with [LoadOptions.smoothNormals] off; the picture is then the
+     * same as that of the scene that [load] returns.
+     *
+     * The file is read once here, to find its extent and its mistakes. A text file is also converted to a temporary
+     * file of 36 bytes a triangle. Memory: some megabytes, and 100 bytes for 32,768 triangles.
+     *
+     * @param format the format, or null if the extension of the name or the first bytes determine it; only STL is
+     *   supported
+     * @param limits limits on what the file can request; [LoadLimits.decodedBytes] does not apply
+     * @param spool the folder of temporary files
+     * @throws SceneFormatException as [load]; also if the format is not supported or there is no space for temporary
+     *   files
+     */
+    @JvmStatic
+    @JvmOverloads
+    public fun stream(
+        path: Path,
+        format: SceneFormat? = SceneFormat.ofFileName(path.toString()),
+        limits: LoadLimits = LoadLimits(),
+        spool: Path = Path.of(System.getProperty("java.io.tmpdir")),
+    ): StreamedScene = StreamReading.open(path, format, limits, spool)
+
+    /**
+     * Copies a stream to a temporary file, and opens it as the other [stream] does. Does not close [input].
+     *
+     * @param name name of the stream in messages
+     * @throws SceneFormatException as the other [stream], also if [input] fails
+     */
+    @JvmStatic
+    @JvmOverloads
+    public fun stream(
+        input: InputStream,
+        format: SceneFormat,
+        name: String = "<stream>",
+        limits: LoadLimits = LoadLimits(),
+        spool: Path = Path.of(System.getProperty("java.io.tmpdir")),
+    ): StreamedScene = StreamReading.open(input, format, name, limits, spool)
 
     /**
      * Returns the format that [bytes], the contents of a whole file, look like, or null. Cost: a look at the first

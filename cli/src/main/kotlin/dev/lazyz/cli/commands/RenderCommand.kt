@@ -42,6 +42,7 @@ import dev.lazyz.cli.render.ReferenceRequest
 import dev.lazyz.cli.render.RenderJob
 import dev.lazyz.cli.render.RenderRequest
 import dev.lazyz.cli.render.StatsForm
+import dev.lazyz.cli.render.StreamRequest
 import dev.lazyz.cli.strategies.StrategyPath
 import dev.lazyz.filter.ShadingRate
 import dev.lazyz.scenes.ImageSize
@@ -62,6 +63,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     private val several by SeriesOptions()
     private val reference by ReferenceOptions()
     private val reading by ReadingOptions()
+    private val streaming by StreamOptions()
     private val picture by PictureOptions()
     private val light by LightOptions()
     private val camera by CameraOptions()
@@ -73,8 +75,8 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     override fun help(context: Context): String =
         "Renders models or scenes to pictures.\n\nBy default the camera shows the whole model from the front " +
             "right, slightly from above, and a model without lights gets default lights. Only for a single picture: " +
-            "--depth-out, --aov, --aov-picture, --ref, --explain and -o -. Exit code 1: the picture differs from " +
-            "that of --ref; 2: an input could not be rendered, the others were."
+            "--depth-out, --aov, --aov-picture, --ref, --explain, --stream and -o -. Exit code 1: the picture " +
+            "differs from that of --ref; 2: an input could not be rendered, the others were."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli render teapot -o teapot.png" to "a built-in scene, 640x480",
@@ -117,6 +119,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         isExplained = rendering.isExplained,
         stats = output.stats,
         reference = reference.request(args),
+        streaming = streaming.request,
     )
 
     private fun several(named: NamedInputs): BatchRequest {
@@ -128,6 +131,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
             aovs.outputs.files.firstOrNull()?.first?.substringBefore(' '),
             reference.request(args)?.let { "--ref" },
             if (rendering.isExplained) "--explain" else null,
+            streaming.request?.let { "--stream" },
         )
         if (alone.isNotEmpty()) throw Mistake("${alone[0]} is for a single picture, and this renders several")
         if (views.isNotEmpty() && pointOfView.directed.isNotEmpty()) {
@@ -192,6 +196,28 @@ private class OutputOptions : OptionGroup("Output") {
             "standard error if the picture goes to standard output",
     ).oneOf("json", words(StatsForm.entries))
         .optionalValue(StatsForm.TABLE, acceptsUnattachedValue = false)
+}
+
+/** Options of models that are larger than memory. */
+private class StreamOptions : OptionGroup("Large models") {
+    private val isStreamed by option(
+        "--stream",
+        help = "Read the triangles while they are rendered, and do not keep them: for an .stl file of any size. " +
+            "Each triangle has its own normal. The default strategy, zbuffer and hybrid support it",
+    ).flag()
+
+    private val spool by option(
+        "--spool",
+        help = "The folder for temporary files of --stream: 36 bytes a triangle for a file of text, and a copy of " +
+            "standard input; default: the folder for temporary files of the system",
+    ).path()
+
+    /** What the options ask for, or null. */
+    val request: StreamRequest?
+        get() {
+            if (!isStreamed && spool != null) throw Mistake("--spool needs --stream")
+            return if (isStreamed) StreamRequest(spool) else null
+        }
 }
 
 /** Options of the comparison with a reference. */

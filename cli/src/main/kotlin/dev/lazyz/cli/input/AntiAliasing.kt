@@ -25,6 +25,9 @@ internal class AntiAliasing(
     /** Samples a pixel in each direction, unless that is not possible. */
     val wanted: Int get() = factor ?: usual
 
+    /** An option that needs the whole model in memory, or null. */
+    val wholeModel: String? get() = if (rate == ShadingRate.PIXEL) "--shading-rate pixel" else null
+
     /** Sets up [scene] for the samples of the pixels of [raster]. */
     fun frame(scene: Scene, raster: Raster, options: RenderOptions): SampledFrame {
         val wish = SuperSampling(wanted, filter)

@@ -11,12 +11,14 @@ import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.StreamedScene
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.View
 import dev.lazyz.world.material.Material
+import java.nio.file.Path
 
 /**
  * Reads the input that [subject] names, and creates the frame that the options describe.
@@ -31,13 +33,18 @@ internal class FrameSource(
     val input = Input(subject.input, subject.format, loading)
 
     /** Reads the input, and prints its warnings. */
-    fun load(): LoadedScene {
-        val loaded = read()
-        val warnings = loaded.warnings
+    fun load(): LoadedScene = read().also { warn(it.warnings) }
+
+    /** Opens the input to be read part by part, with temporary files in [spool], and prints its warnings. */
+    fun stream(spool: Path): StreamedScene {
+        streams.progress("looking through ${input.name} ...")
+        return input.stream(streams, spool).also { warn(it.loaded.warnings) }
+    }
+
+    private fun warn(warnings: List<String>) {
         warnings.take(MAX_WARNINGS).forEach { streams.warning(it) }
         val rest = warnings.size - MAX_WARNINGS
         if (rest > 0) streams.warning("and $rest more")
-        return loaded
     }
 
     /** Reads the input without printing its warnings. */

@@ -8,6 +8,7 @@ import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.StreamedScene
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -57,13 +58,29 @@ internal class Input(
             return Scenes.load(streams.input, known, name, null, options)
         }
         if (builtin != null) return LoadedScene(builtin.scene(), emptyList(), builtin.size)
+        val path = existingFile()
+        return if (format != null) Scenes.load(path, format, options) else Scenes.load(path, options)
+    }
+
+    /** Opens the scene to be read part by part, with temporary files in [spool]. */
+    fun stream(streams: Streams, spool: Path): StreamedScene {
+        if (isStandardInput) {
+            val known = format ?: throw Mistake("specify the format of standard input with --format $FORMATS")
+            streams.remark("standard input is copied to a temporary file in $spool, because it is read more than once")
+            return Scenes.stream(streams.input, known, name, options.limits, spool)
+        }
+        if (builtin != null) throw Mistake("--stream is for files and standard input, and $word is a built-in scene")
+        return Scenes.stream(existingFile(), statedFormat, options.limits, spool)
+    }
+
+    /** Returns the file that the input names. It exists, and its format is known from its extension or its content. */
+    private fun existingFile(): Path {
         val path = Path.of(word)
         requireFile(path)
-        if (format != null) return Scenes.load(path, format, options)
 
         // Without an extension, the first bytes determine the format. An unknown extension is a mistake
         val ending = path.fileName.toString().substringAfterLast('.', "")
-        if (ending.isEmpty() || SceneFormat.ofFileName(word) != null) return Scenes.load(path, options)
+        if (format != null || ending.isEmpty() || SceneFormat.ofFileName(word) != null) return path
         throw Mistake("'.$ending' of $word is not a known extension; specify the format with --format $FORMATS")
     }
 

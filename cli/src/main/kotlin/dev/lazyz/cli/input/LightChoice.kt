@@ -44,6 +44,14 @@ internal class LightChoice(
     /** Whether surfaces occlude ambient light, which makes shading expensive. */
     val hasOcclusion: Boolean = wantsOcclusion || style == PictureStyle.PRODUCT
 
+    /** An option that needs the whole model in memory, or null. */
+    val wholeModel: String? = when {
+        style == PictureStyle.PRODUCT -> "--style product"
+        wantsOcclusion -> "--ambient-occlusion"
+        wantsGroundShadow -> "--ground-shadow"
+        else -> null
+    }
+
     init {
         val lonely = listOfNotNull(
             rig?.let { "--light" }, intensity?.let { "--light-intensity" },

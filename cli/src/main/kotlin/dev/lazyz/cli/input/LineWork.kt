@@ -31,6 +31,15 @@ internal class LineWork(
     private val isTechnical = style == PictureStyle.TECHNICAL
     private val edges: EdgeStyle?
 
+    /** An option that needs the whole model in memory, or null. */
+    val wholeModel: String? = when {
+        hasEdges -> "--edges"
+        isWireframe -> "--wireframe"
+        isTechnical -> "--style technical"
+        cuts.isNotEmpty() -> "--cut"
+        else -> null
+    }
+
     init {
         if (color != null && color.alpha != 1f) throw Mistake("--edge-color must be opaque")
         if (capColor != null && cuts.isEmpty()) throw Mistake("--cap-color needs --cut")

@@ -9,6 +9,7 @@ import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.StreamedMesh
 import dev.lazyz.world.surface.Surface
 import dev.lazyz.world.surface.Vertex
 
@@ -33,6 +34,7 @@ internal class Paint(private val color: Rgba?, private val texture: Texture?) {
     /** Returns [surface] without colours of vertices. A mesh without texture coordinates shows no texture. */
     private fun plain(surface: Surface): Surface = when (surface) {
         is Mesh -> with(surface) { Mesh(positions, triangles, material, normals, uvs, null, origin, uvs2, tangents) }
+        is StreamedMesh -> surface.withoutColors()
         is Points -> with(surface) { Points(positions, size, material, normals, null, origin) }
         is Lines -> with(surface) { Lines(positions, segments, width, material, null, origin) }
         is Polygon -> with(surface) {

@@ -9,6 +9,7 @@ import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.Tally
 import dev.lazyz.cli.strategies.MemoryNeed
 import dev.lazyz.cli.strategies.StrategyChoice
+import dev.lazyz.scenes.LoadedScene
 import kotlinx.serialization.json.JsonObject
 
 /** One run of `zcli render`: reads, sets up, chooses a strategy, renders to all sinks at once, compares, reports. */
@@ -21,8 +22,19 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         val outputs = Outputs(request, source.input, streams)
         val reference = request.reference?.let { ReferenceCheck(it) }
 
-        // Read, set up, and choose a strategy that supports the frame
-        val loaded = source.load()
+        request.streaming?.requirePossible(request)
+        val streaming = request.streaming ?: return run(source, source.load(), choice, outputs, reference)
+        return source.stream(streaming.spool).use { run(source, it.loaded, choice, outputs, reference) }
+    }
+
+    private fun run(
+        source: FrameSource,
+        loaded: LoadedScene,
+        choice: StrategyChoice,
+        outputs: Outputs,
+        reference: ReferenceCheck?,
+    ): Int {
+        // Set up, and choose a strategy that supports the frame
         source.requireKept(loaded, outputs.replaced)
         val start = System.nanoTime()
         val shot = source.frame(loaded, request.choices.options())

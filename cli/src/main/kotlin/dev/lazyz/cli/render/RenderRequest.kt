@@ -18,4 +18,5 @@ internal class RenderRequest(
     val isExplained: Boolean,
     val stats: StatsForm?,
     val reference: ReferenceRequest?,
+    val streaming: StreamRequest?,
 )

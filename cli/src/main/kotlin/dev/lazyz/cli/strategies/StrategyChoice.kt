@@ -3,9 +3,11 @@ package dev.lazyz.cli.strategies
 import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.Renderer
+import dev.lazyz.StreamingRenderer
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.StrategyEstimates
+import dev.lazyz.strategies.tiled.Tiled
 
 /**
  * Chooses the strategy of a rendering: the one that the user named, or the first that supports what the flags and the
@@ -34,14 +36,36 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
 
     /** Returns the strategy for [frame], configured as chosen. */
     fun strategyFor(frame: Frame): Renderer {
+        if (frame.isStreamed) return streaming(frame)
         if (isAutomatic) estimates(frame).best?.let { return it.renderer }
         val configured = candidates.asSequence().map { choices.applyTo(it) }
         if (!frame.hasTranslucency) return configured.first()
         return configured.firstOrNull { Capability.TRANSPARENCY in it.capabilities } ?: throw Mistake(cannotBlend())
     }
 
+    private fun streaming(frame: Frame): Renderer {
+        if (frame.hasTranslucency) {
+            throw Mistake("the scene is translucent, and --stream renders opaque surfaces only: add --opaque")
+        }
+        val able = candidates.filter { it is StreamingRenderer || it is Tiled }
+        if (able.isNotEmpty()) return choices.applyTo(able.first())
+        val all = Strategies.all().filter { it is StreamingRenderer || it is Tiled }.joinToString { it.id }
+        val reason = if (named !=
+            null
+        ) {
+            "strategy '${named.id}' needs"
+        } else {
+            "the strategies that support ${flags()} need"
+        }
+        throw Mistake("$reason the whole model in memory; with --stream use one of $all, or omit --stream")
+    }
+
     /** Returns lines that explain why [strategy] was chosen for [frame], with the expected cost of each strategy. */
     fun explain(strategy: Renderer, frame: Frame): String {
+        if (frame.isStreamed) {
+            val why = if (named != null) "--strategy names it" else "it is the first that renders streamed models"
+            return "${frame.primitives.size} primitives are read part by part\nchosen: ${strategy.id}, because $why\n"
+        }
         val estimates = estimates(frame)
         val best = estimates.best?.renderer?.id
         val reason = when {

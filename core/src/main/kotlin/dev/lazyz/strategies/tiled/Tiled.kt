@@ -47,8 +47,9 @@ import java.util.concurrent.atomic.AtomicReference
  * - for each thread, the keys of a tile at 8 bytes a sample, and 20 bytes for each translucent fragment of a tile;
  * - 16 bytes for each primitive of the frame that is not from a mesh.
  *
- * A streamed frame is rendered part by part into a picture in memory, at 12 bytes a sample; see [Frame.isStreamed].
- * Each part is shaded where it is nearer than all of itself, so later parts can hide some of what was shaded.
+ * A streamed frame (see [Frame.isStreamed]) is rendered part by part into a picture in memory, at 12 bytes a sample; if
+ * that is more than a third of the heap, into one band of rows after the other, with a pass over the parts for each.
+ * Each part is shaded where it is nearest within itself, so later parts can hide some of what was shaded.
  *
  * Otherwise memory does not grow with the number of rows. For very wide pictures use smaller tiles. Rows and bins are kept for
  * the next rendering through soft references: rendering a frame similar to the last one allocates no large arrays, and
@@ -126,7 +127,9 @@ public class Tiled internal constructor(
             render(frame, sink, pool)
         } else {
             requireOpaqueStream(frame)
-            StreamedRendering(frame) { part, merge -> render(part, merge, pool) }.run(parts, sink)
+            StreamedRendering(frame, parts, Workers(threads, executor)) { part, merge ->
+                render(part, merge, pool)
+            }.run(sink)
         }
         kept.set(SoftReference(pool))
         return counters

@@ -1,40 +1,41 @@
 package dev.lazyz.world.surface
 
 import dev.lazyz.geometry.Box
-import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
  * Triangles that are read part by part each time they are needed, for models that are larger than memory. Shown by a
  * [StreamedMesh].
  *
- * Implementations must return the same triangles in the same order each time, and be thread safe. An exception from
- * [parts] ends the rendering and is rethrown unchanged.
+ * A part should have 5,000 to 500,000 triangles: a few parts are in memory at the same time, and each takes some time
+ * of its own. Implementations must return the same triangles each time, and be thread safe. An exception ends the
+ * rendering and is rethrown unchanged.
  */
 public interface MeshSource {
     /** Number of triangles of all parts. */
     public val triangleCount: Int
 
-    /** The smallest box around all vertices that triangles use, or null if there is none. */
-    public val bounds: Box?
+    /** Whether parts have colours of vertices. */
+    public val hasColors: Boolean
+
+    /** Number of parts. */
+    public val partCount: Int
 
     /** The origin of the positions of all parts, see [Mesh.origin]. */
     public val origin: Vector3dc
 
-    /**
-     * Returns the vertex that is farthest along [direction], as [Surface.farthest] does. The default looks at all
-     * parts; a fitted camera calls it some 30 times.
-     */
-    public fun farthest(direction: Vector3dc): Vector3d? {
-        val search = FarthestPoint(direction)
-        for (part in parts()) part.farthest(direction)?.let { search.look(it) }
-        return search.point
-    }
+    /** Returns the number of triangles of part [number], without reading it. */
+    public fun triangleCount(number: Int): Int
 
     /**
-     * Returns the triangles as meshes, in order, for one pass over them. A part should have 10,000 to 1,000,000
-     * triangles: a few parts are in memory at the same time, and each takes some time of its own. The materials of the
-     * parts are not used.
+     * Returns the smallest box around the vertices that the triangles of part [number] use, relative to [origin], or
+     * null if there are none. A fitted camera and each rendering call it for all parts, so it should not read the part.
      */
-    public fun parts(): Iterator<Mesh>
+    public fun bounds(number: Int): Box?
+
+    /**
+     * Returns part [number], 0 until [partCount]. The triangles of all parts, in order, are those of the whole mesh.
+     * The materials of the parts are not used, and their origins must be [origin].
+     */
+    public fun part(number: Int): Mesh
 }

@@ -25,10 +25,11 @@ public class StreamedMesh private constructor(
     public val source: MeshSource,
     public val material: Material,
     private val up: UpAxis,
+    private val isPlain: Boolean,
 ) : Surface {
     /** Creates a mesh in which y points up. */
     @JvmOverloads
-    public constructor(source: MeshSource, material: Material = Material()) : this(source, material, UpAxis.Y)
+    public constructor(source: MeshSource, material: Material = Material()) : this(source, material, UpAxis.Y, false)
 
     /** Number of triangles. */
     public val triangleCount: Int get() = source.triangleCount
@@ -36,30 +37,49 @@ public class StreamedMesh private constructor(
     /** The origin of all positions, world space, see [Mesh.origin]. */
     public val origin: Vector3dc = up.toWorld(source.origin)
 
+    /** Whether vertices have colours. */
+    public val hasColors: Boolean get() = source.hasColors && !isPlain
+
     internal val isTranslucent: Boolean get() = material.alphaMode == AlphaMode.BLEND
 
-    override val bounds: Box? by lazy {
-        source.bounds?.let { box ->
-            val corners = listOf(Vector3d(box.minX, box.minY, box.minZ), Vector3d(box.maxX, box.maxY, box.maxZ))
-                .map { up.toWorld(it) }
-            corners.map { Box(it.x, it.y, it.z, it.x, it.y, it.z) }.reduce(Box::union)
-        }
+    private val parts by lazy { FarthestPart(source) }
+
+    override val bounds: Box? by lazy { toWorld(parts.bounds) }
+
+    /** Returns the box of part [number], see [MeshSource.bounds], in world space. */
+    internal fun bounds(number: Int): Box? = toWorld(source.bounds(number))
+
+    private fun toWorld(box: Box?): Box? {
+        val moved = box?.moved(source.origin) ?: return null
+        val least = up.toWorld(Vector3d(moved.minX, moved.minY, moved.minZ))
+        val most = up.toWorld(Vector3d(moved.maxX, moved.maxY, moved.maxZ))
+        return Box(
+            minOf(least.x, most.x), minOf(least.y, most.y), minOf(least.z, most.z),
+            maxOf(least.x, most.x), maxOf(least.y, most.y), maxOf(least.z, most.z),
+        )
     }
 
+    /** Returns the farthest vertex, see [Surface.farthest]. Cost: it reads the parts whose boxes reach far enough. */
     override fun farthest(direction: Vector3dc): Vector3d? =
-        source.farthest(up.toModel(direction))?.let { up.toWorld(it) }
+        parts.farthest(up.toModel(direction))?.let { up.toWorld(it.add(source.origin)) }
 
-    /** Returns the triangles as meshes, in order, for one pass over them. */
-    public fun parts(): Iterator<Mesh> = source.parts().asSequence().map { part ->
-        val dyed = if (part.material == material) part else part.withMaterials { material }
-        if (up == UpAxis.Y) dyed else dyed.withUpAxis(up)
-    }.iterator()
+    /** Returns part [number] of the [source], with the material and the orientation of this mesh. */
+    internal fun part(number: Int): Mesh {
+        val part = with(source.part(number)) {
+            val colors = if (isPlain) null else colors
+            Mesh(positions, triangles, this@StreamedMesh.material, normals, uvs, colors, origin, uvs2, tangents)
+        }
+        return if (up == UpAxis.Y) part else part.withUpAxis(up)
+    }
 
     override fun primitives(setUp: SetUp): Sequence<Primitive> =
-        Sequence { parts() }.flatMap { setUp.mesh(it) }
+        (0 until source.partCount).asSequence().flatMap { setUp.mesh(part(it)) }
 
     override fun withMaterials(change: UnaryOperator<Material>): StreamedMesh =
-        StreamedMesh(source, change.apply(material), up)
+        StreamedMesh(source, change.apply(material), up, isPlain)
+
+    /** Returns this mesh without the colours of vertices. */
+    public fun withoutColors(): StreamedMesh = StreamedMesh(source, material, up, isPlain = true)
 
     /**
      * Returns this mesh rotated so that the axis [up] becomes y.
@@ -68,7 +88,7 @@ public class StreamedMesh private constructor(
      */
     override fun withUpAxis(up: UpAxis): StreamedMesh = when {
         up == UpAxis.Y -> this
-        this.up == UpAxis.Y -> StreamedMesh(source, material, up)
+        this.up == UpAxis.Y -> StreamedMesh(source, material, up, isPlain)
         else -> throw UnsupportedOperationException("a streamed mesh can be rotated only once")
     }
 

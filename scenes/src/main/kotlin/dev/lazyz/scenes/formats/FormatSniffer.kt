@@ -15,14 +15,17 @@ internal object FormatSniffer {
     private val objLine = Regex("(v|vt|vn|f|o|g|s|mtllib|usemtl)\\s.*")
 
     /** Returns the format that [bytes] look like, or null. */
-    fun format(bytes: ByteArray): SceneFormat? {
+    fun format(bytes: ByteArray): SceneFormat? = format(bytes, bytes.size.toLong())
+
+    /** Returns the format that a file of [size] bytes looks like, whose first are [bytes], or null. */
+    fun format(bytes: ByteArray, size: Long): SceneFormat? {
         val head = TextEncoding.start(bytes, HEAD)
         return when {
             head.startsWith("glTF") -> SceneFormat.GLB
             head.startsWith("ply\n") || head.startsWith("ply\r") -> SceneFormat.PLY
             head.startsWith("PK\u0003\u0004") -> SceneFormat.THREE_MF
             isOff(head) -> SceneFormat.OFF
-            isBinaryStl(bytes) -> SceneFormat.STL
+            isBinaryStl(bytes, size) -> SceneFormat.STL
             head.trimStart().startsWith("solid") && "facet" in head -> SceneFormat.STL
             head.trimStart().startsWith('{') -> jsonFormat(head)
             isObj(head) -> SceneFormat.OBJ
@@ -37,11 +40,11 @@ internal object FormatSniffer {
     }
 
     /** A binary STL has no signature, but its length must match its number of facets. */
-    private fun isBinaryStl(bytes: ByteArray): Boolean {
+    private fun isBinaryStl(bytes: ByteArray, size: Long): Boolean {
         if (bytes.size < STL_HEADER) return false
         val facets =
             ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt(STL_HEADER - 4).toLong() and 0xFFFFFFFFL
-        return STL_HEADER + STL_FACET * facets == bytes.size.toLong()
+        return STL_HEADER + STL_FACET * facets == size
     }
 
     private fun isOff(head: String): Boolean = OffHeader.isKeyword(head.trimStart().takeWhile { !it.isWhitespace() })

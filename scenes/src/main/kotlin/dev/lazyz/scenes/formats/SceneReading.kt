@@ -51,7 +51,7 @@ internal object SceneReading {
         val source = try {
             Source(bytes(input, 0, name, format), name, folder, Loading(options))
         } catch (e: IOException) {
-            throw SceneFormatException(name, null, "cannot be read: ${e.message ?: e}", cause = e)
+            throw unreadable(name, e)
         }
         return parse(source, format)
     }
@@ -93,20 +93,30 @@ internal object SceneReading {
     }
 
     private fun bytes(path: Path, name: String, format: SceneFormat?): ByteArray {
+        requireFile(path, name)
+        try {
+            val size = Files.size(path)
+            if (size > mostBytes(format)) throw tooLarge(name, size, format)
+            return Files.newInputStream(path).use { bytes(it, size.toInt(), name, format) }
+        } catch (e: IOException) {
+            throw unreadable(name, e)
+        }
+    }
+
+    /** Fails unless [path] is a regular file. */
+    fun requireFile(path: Path, name: String) {
         if (!Files.exists(path)) throw SceneFormatException(name, null, "there is no such file", "check the name")
         if (Files.isDirectory(path)) throw SceneFormatException(name, null, "is a folder", "name a file in it")
         if (!Files.isRegularFile(path)) {
             throw SceneFormatException(name, null, "is a pipe or a device, not a file", "send its bytes as a stream")
         }
-        try {
-            val size = Files.size(path)
-            if (size > mostBytes(format)) throw tooLarge(name, size, format)
-            return Files.newInputStream(path).use { bytes(it, size.toInt(), name, format) }
-        } catch (e: AccessDeniedException) {
-            throw SceneFormatException(name, null, "cannot be read: permission denied", "ask for permission", e)
-        } catch (e: IOException) {
-            throw SceneFormatException(name, null, "cannot be read: ${e.message ?: e}", cause = e)
-        }
+    }
+
+    /** Returns the exception for a file that cannot be read. */
+    fun unreadable(name: String, e: IOException): SceneFormatException = if (e is AccessDeniedException) {
+        SceneFormatException(name, null, "cannot be read: permission denied", "ask for permission", e)
+    } else {
+        SceneFormatException(name, null, "cannot be read: ${e.message ?: e}", cause = e)
     }
 
     /**

@@ -44,10 +44,15 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     }
 
     /** Adds [count] triangles; fails if [source] then exceeds a limit. Call it before allocating memory for them. */
-    fun triangles(source: Source, count: Long) {
+    fun triangles(source: Source, count: Long): Unit = triangles(source, count, TRIANGLE_BYTES)
+
+    /** Adds [count] triangles that are not kept in memory; fails if [source] then exceeds a limit. */
+    fun streamed(source: Source, count: Long): Unit = triangles(source, count, 0)
+
+    private fun triangles(source: Source, count: Long, bytes: Long) {
         used = used.copy(triangles = used.triangles + count)
         check(source, used.triangles, limits.triangles, "triangles", "triangles", "--max-triangles")
-        decode(source, count * TRIANGLE_BYTES)
+        decode(source, count * bytes)
     }
 
     /** Like [triangles], for [count] line segments, each of which counts as a triangle. */

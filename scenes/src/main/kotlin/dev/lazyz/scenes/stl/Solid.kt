@@ -27,7 +27,7 @@ internal class Solid(
     expectedTriangles: Int = 0,
     private val palette: Palette? = null,
     private val origin: Vector3dc = Vector3d(),
-) {
+) : CornerSink {
     /** Bits of x, y, z. A closed mesh has half as many vertices as triangles. */
     private val positions = DistinctTriples(expectedTriangles / 2)
     private val triangles = Ints(3 * expectedTriangles)
@@ -41,8 +41,7 @@ internal class Solid(
     /** Number of vertices so far. */
     val vertexCount: Int get() = positions.size
 
-    /** Adds the next corner. Three corners make a triangle. */
-    fun add(x: Float, y: Float, z: Float) {
+    override fun add(x: Float, y: Float, z: Float) {
         // Adding 0 turns -0 into 0, and toBits turns every NaN into the same bits
         triangles.add(positions.addPoint(x, y, z))
     }

@@ -14,9 +14,13 @@ import org.joml.Vector3dc
  * name ends at one. The format allows three vertices in a loop. Some programs write more; such a loop is triangulated.
  *
  * @param origin the point to subtract from all positions
+ * @param lines the text
  */
-internal class StlAscii(private val source: Source, private val origin: Vector3dc) {
-    private val lines = TextLines(source.bytes)
+internal class StlAscii(
+    private val source: Source,
+    private val origin: Vector3dc,
+    private val lines: TextLines = TextLines(source.bytes),
+) {
     private val decimal = Decimal()
 
     private val isFar = origin != Vector3d()
@@ -27,32 +31,29 @@ internal class StlAscii(private val source: Source, private val origin: Vector3d
     /** Whether the word that [lines] read last has not been consumed yet. */
     private var isPeeked = false
 
-    /** Reads all solids. */
-    fun read(): List<Solid> {
-        val solids = ArrayList<Solid>()
-        while (true) {
-            if (!advance()) break
+    /** Reads all solids. Calls [begin] with the name of each, and adds its corners to what it returns. */
+    fun read(begin: (name: String) -> CornerSink) {
+        while (advance()) {
             expect("solid")
-            solids.add(solid(Solid(lines.restOfLine(), origin = origin)))
+            solid(begin(lines.restOfLine()))
         }
-        return solids
     }
 
-    private fun solid(solid: Solid): Solid {
+    private fun solid(solid: CornerSink) {
         while (true) {
             take("facet or endsolid")
             if (lines.isWord("facet")) {
                 facet(solid)
             } else if (lines.isWord("endsolid")) {
-                lines.restOfLine()
-                return solid
+                lines.endLine()
+                return
             } else {
                 fail("\"${word()}\" stands where facet or endsolid should")
             }
         }
     }
 
-    private fun facet(solid: Solid) {
+    private fun facet(solid: CornerSink) {
         // Skip the normal's three numbers without parsing them
         if (advance() && lines.isWord("normal")) repeat(4) { take("the facet's normal") }
         expect("outer")
@@ -76,7 +77,7 @@ internal class StlAscii(private val source: Source, private val origin: Vector3d
         for (corner in triangles) add(corner, solid)
     }
 
-    private fun add(corner: Int, solid: Solid) =
+    private fun add(corner: Int, solid: CornerSink) =
         solid.add(corners[3 * corner], corners[3 * corner + 1], corners[3 * corner + 2])
 
     /** Moves to the next word, unless there is one that has not been consumed. Returns false at the end of the file. */
@@ -121,4 +122,9 @@ internal class StlAscii(private val source: Source, private val origin: Vector3d
 
     private fun fail(problem: String, remedy: String? = null): Nothing =
         source.fail("line ${lines.number}", problem, remedy ?: "correct the line or export the model again")
+}
+
+/** Takes the corners of triangles, three for each. */
+internal fun interface CornerSink {
+    fun add(x: Float, y: Float, z: Float)
 }

@@ -11,9 +11,15 @@ import java.nio.ByteOrder
  */
 internal object StlBinary {
     private const val HEADER = 80
-    private const val FACETS = HEADER + 4
-    private const val FACET = 50
-    private const val NORMAL = 12
+
+    /** Position of the first facet. */
+    const val FACETS: Int = HEADER + 4
+
+    /** Bytes of a facet: its normal, three corners, and a word. */
+    const val FACET: Int = 50
+
+    /** Bytes of the normal, three numbers. */
+    const val NORMAL: Int = 12
     private const val WORD = 48
 
     /** Number of bytes to search for bytes that do not occur in text. */
@@ -32,28 +38,11 @@ internal object StlBinary {
     /** Reads the single solid of the file. */
     fun read(source: Source): Solid {
         val bytes = source.bytes
-        if (bytes.size < FACETS) {
-            source.fail(
-                "byte ${bytes.size}",
-                "the file ends within the header of binary STL, which is $FACETS bytes",
-                "export the model again; an ASCII file would begin with \"solid\"",
-            )
-        }
-        val count = countOf(bytes)
-        val present = (bytes.size - FACETS) / FACET
-        if (present < count) {
-            source.fail(
-                "byte ${bytes.size}",
-                "the file ends within facet $present of the $count that byte $HEADER announces",
-                "export or copy the model again",
-            )
-        }
-        val end = FACETS + FACET * count.toInt()
-        if (end < bytes.size) source.warn("${bytes.size - end} bytes after the last of $count facets are passed over")
-
+        val count = countOf(source, bytes.size.toLong()).toInt()
+        val end = FACETS + FACET * count
         val buffer = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN)
         val colors = colors(source, buffer, end)
-        val solid = Solid("", count.toInt(), colors?.palette)
+        val solid = Solid("", count, colors?.palette)
         for (facet in FACETS until end step FACET) {
             for (corner in 0 until 3) {
                 val at = facet + NORMAL + corner * 12
@@ -70,8 +59,33 @@ internal object StlBinary {
         return StlColors.of(source, words)
     }
 
-    private fun word(buffer: ByteBuffer, facet: Int): Int = buffer.getShort(facet + WORD).toInt() and 0xFFFF
+    /** Returns the word of the facet that begins at [facet]. */
+    fun word(buffer: ByteBuffer, facet: Int): Int = buffer.getShort(facet + WORD).toInt() and 0xFFFF
 
-    private fun countOf(bytes: ByteArray): Long =
-        ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt(HEADER).toLong() and 0xFFFFFFFFL
+    /**
+     * Returns the number of facets of a file of [size] bytes, of which [source] has at least the header. Fails if they
+     * are not all there.
+     */
+    fun countOf(source: Source, size: Long): Long {
+        if (size < FACETS) {
+            source.fail(
+                "byte $size",
+                "the file ends within the header of binary STL, which is $FACETS bytes",
+                "export the model again; an ASCII file would begin with \"solid\"",
+            )
+        }
+        val header = ByteBuffer.wrap(source.bytes).order(ByteOrder.LITTLE_ENDIAN)
+        val count = header.getInt(HEADER).toLong() and 0xFFFFFFFFL
+        val present = (size - FACETS) / FACET
+        if (present < count) {
+            source.fail(
+                "byte $size",
+                "the file ends within facet $present of the $count that byte $HEADER announces",
+                "export or copy the model again",
+            )
+        }
+        val rest = size - FACETS - FACET * count
+        if (rest > 0) source.warn("$rest bytes after the last of $count facets are passed over")
+        return count
+    }
 }

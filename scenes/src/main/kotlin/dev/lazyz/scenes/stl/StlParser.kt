@@ -28,7 +28,11 @@ internal object StlParser : SceneParser {
 
     private fun ascii(source: Source): List<Solid> = FarOrigin.reading(
         source.loading,
-        read = { origin -> StlAscii(source, origin).read() },
+        read = { origin ->
+            val solids = ArrayList<Solid>()
+            StlAscii(source, origin).read { name -> Solid(name, origin = origin).also(solids::add) }
+            solids
+        },
         bounds = { solids -> solids.mapNotNull { Box.around(it.positions()) }.reduceOrNull(Box::union) },
     )
 

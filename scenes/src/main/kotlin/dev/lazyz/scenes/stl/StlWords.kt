@@ -24,6 +24,15 @@ internal class StlWords {
         if (word != firstOther) areOthersEqual = false
     }
 
+    /** Adds the words of [other], which follow. */
+    fun add(other: StlWords) {
+        nonZero += other.nonZero
+        hasColors = hasColors || other.hasColors
+        areOthersEqual = areOthersEqual && other.areOthersEqual &&
+            (firstOther < 0 || other.firstOther < 0 || firstOther == other.firstOther)
+        if (firstOther < 0) firstOther = other.firstOther
+    }
+
     private companion object {
         /** Bit 15 alone, the colour black. */
         const val BLACK = 1 shl 15

@@ -1,5 +1,7 @@
 package dev.lazyz.scenes.text
 
+import java.io.IOException
+import java.io.InputStream
 import java.util.StringTokenizer
 
 /**
@@ -8,10 +10,28 @@ import java.util.StringTokenizer
  *
  * Bytes are decoded as ISO 8859-1, which accepts any bytes. Not thread safe.
  *
+ * @param bytes the text, or its beginning
  * @param position index of the first line's first byte
  * @param firstLine number of the first line
+ * @param rest the rest of the text, or null if [bytes] is all of it. Then [bytes] holds a part of the text, at least
+ *   the current line, and changes with the line
  */
-internal class TextLines(val bytes: ByteArray, position: Int = 0, firstLine: Int = 1) {
+internal class TextLines(
+    bytes: ByteArray,
+    position: Int = 0,
+    firstLine: Int = 1,
+    private val rest: InputStream? = null,
+) {
+    /** The text around the current line. The indices below refer to it. */
+    var bytes: ByteArray = bytes
+        private set
+
+    /** Number of [bytes] that are text. */
+    private var size = bytes.size
+
+    /** Whether the text ends at [size]. */
+    private var isAtEnd = rest == null
+
     /** Index where the next line begins. */
     var position = position
         private set
@@ -32,24 +52,49 @@ internal class TextLines(val bytes: ByteArray, position: Int = 0, firstLine: Int
         private set
 
     /** Whether the line that was read last has no line terminator, because the text ends there. */
-    val isCutOff: Boolean get() = lineEnd == bytes.size
+    val isCutOff: Boolean get() = lineEnd == size
 
     /** Returns the next line without its terminator, or null after the last line. */
     fun next(): String? =
         if (nextLine()) String(bytes, lineStart, lineEnd - lineStart, Charsets.ISO_8859_1) else null
 
-    /** Moves to the next line, before its first word; returns false after the last line. */
+    /**
+     * Moves to the next line, before its first word; returns false after the last line.
+     *
+     * @throws IOException if the rest of the text cannot be read, or has a line of more than 256 MiB
+     */
     fun nextLine(): Boolean {
-        if (position >= bytes.size) return false
         var end = position
-        while (end < bytes.size && bytes[end] != LINE_FEED && bytes[end] != CARRIAGE_RETURN) end++
+        while (true) {
+            while (end < size && bytes[end] != LINE_FEED && bytes[end] != CARRIAGE_RETURN) end++
+
+            // A carriage return at the end can be half of a line's end
+            val isComplete = end < size && (bytes[end] == LINE_FEED || end + 1 < size)
+            if (isComplete || isAtEnd) break
+            end -= position
+            readMore()
+        }
+        if (position >= size) return false
         lineStart = position
         lineEnd = end
         wordEnd = position
-        val isPair = end + 1 < bytes.size && bytes[end] == CARRIAGE_RETURN && bytes[end + 1] == LINE_FEED
-        position = minOf(end + (if (isPair) 2 else 1), bytes.size)
+        val isPair = end + 1 < size && bytes[end] == CARRIAGE_RETURN && bytes[end + 1] == LINE_FEED
+        position = minOf(end + (if (isPair) 2 else 1), size)
         number++
         return true
+    }
+
+    /** Moves the text from [position] on to the front of [bytes], and reads what follows it. */
+    private fun readMore() {
+        val kept = size - position
+        val from = bytes
+        if (kept > LONGEST) throw IOException("line ${number + 1} is longer than $LONGEST bytes")
+        if (kept >= bytes.size / 2) bytes = ByteArray(maxOf(PIECE, 2 * bytes.size))
+        System.arraycopy(from, position, bytes, 0, kept)
+        position = 0
+        val count = checkNotNull(rest).readNBytes(bytes, kept, bytes.size - kept)
+        size = kept + count
+        isAtEnd = size < bytes.size
     }
 
     /** Moves to the next word of the line; returns false after the last word. */
@@ -113,6 +158,12 @@ internal class TextLines(val bytes: ByteArray, position: Int = 0, firstLine: Int
     }
 
     companion object {
+        /** Bytes of a text that are in memory at a time, unless a line is longer. */
+        private const val PIECE = 1 shl 20
+
+        /** The longest line of a text that is not in memory. */
+        private const val LONGEST = 1 shl 28
+
         private const val SPACE = ' '.code.toByte()
         private const val TAB = '\t'.code.toByte()
         private const val FORM_FEED = '\u000C'.code.toByte()

@@ -44,13 +44,18 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
         }
 
         /** Creates an empty file in the folder of [target]. */
-        fun beside(target: Path): TemporaryFile {
-            val folder = checkNotNull(target.parent) { "the target must be absolute" }
+        fun beside(target: Path): TemporaryFile =
+            create(checkNotNull(target.parent) { "the target must be absolute" }, "${target.fileName}")
+
+        /** Creates an empty file in [folder], for data that is not kept. */
+        fun within(folder: Path): TemporaryFile = create(folder.toAbsolutePath(), "spool")
+
+        private fun create(folder: Path, name: String): TemporaryFile {
             if (cleanedFolders.add(folder)) deleteAbandoned(folder)
 
             // No secure random number: loading its providers takes as long as rendering a small image
             val word = java.lang.Long.toHexString(ThreadLocalRandom.current().nextLong())
-            val path = folder.resolve(".${target.fileName}.$word$SUFFIX")
+            val path = folder.resolve(".$name.$word$SUFFIX")
             open.add(path)
             try {
                 val channel = FileChannel.open(path, CREATE_NEW, WRITE)

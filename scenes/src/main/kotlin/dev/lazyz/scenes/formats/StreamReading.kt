@@ -1,0 +1,54 @@
+package dev.lazyz.scenes.formats
+
+import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.StreamedScene
+import dev.lazyz.scenes.loading.Loading
+import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.stl.StlStreaming
+import dev.lazyz.scenes.streaming.StreamedInput
+import dev.lazyz.world.Scene
+import dev.lazyz.world.surface.StreamedMesh
+import java.io.IOException
+import java.io.InputStream
+import java.nio.file.Path
+
+/** Opens a file or a stream to be read part by part. */
+internal object StreamReading {
+    /** Opens a file of the given format, or of the format detected from its content if [format] is null. */
+    fun open(path: Path, format: SceneFormat?, limits: LoadLimits, spool: Path): StreamedScene {
+        val name = path.toString()
+        SceneReading.requireFile(path, name)
+        return opened(name, format, limits) { StreamedInput.ofFile(path, name, spool) }
+    }
+
+    /** Opens a stream of the given format. */
+    fun open(input: InputStream, format: SceneFormat, name: String, limits: LoadLimits, spool: Path): StreamedScene =
+        opened(name, format, limits) { StreamedInput.ofStream(input, name, spool) }
+
+    private fun opened(
+        name: String,
+        format: SceneFormat?,
+        limits: LoadLimits,
+        open: () -> StreamedInput,
+    ): StreamedScene = try {
+        val input = open()
+        try {
+            val head = input.head()
+            val source = Source(head, name, null, Loading(LoadOptions(limits)))
+            if (head.isEmpty()) source.fail(null, "is empty", "check that it was written completely")
+            if ((format ?: FormatSniffer.format(head, input.file.size)) != SceneFormat.STL) {
+                source.fail(null, "cannot be read part by part: only STL can", "read it whole")
+            }
+            val mesh = StreamedMesh(StlStreaming.open(source, input))
+            StreamedScene(LoadedScene(Scene(listOf(mesh)), source.warnings.toList()), input)
+        } catch (e: Throwable) {
+            input.close()
+            throw e
+        }
+    } catch (e: IOException) {
+        throw SceneReading.unreadable(name, e)
+    }
+}

@@ -1,0 +1,68 @@
+package dev.lazyz.scenes.streaming
+
+import dev.lazyz.geometry.Box
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.MeshSource
+import java.nio.ByteBuffer
+import org.joml.Vector3dc
+
+/**
+ * Triangles in a file of equally long records, each with three corners of three 32-bit numbers. The parts have
+ * [PART] triangles, the last one what remains. Memory: a box for each part.
+ *
+ * @param start position of the first record
+ * @param stride bytes of a record
+ * @param corners position of the first corner in a record
+ * @param boxes the boxes of the parts
+ * @param colors the colours of the triangles, or null if they have none
+ */
+internal class FacetFile(
+    private val file: FileBytes,
+    private val start: Long,
+    private val stride: Int,
+    private val corners: Int,
+    override val triangleCount: Int,
+    override val origin: Vector3dc,
+    private val boxes: List<Box?>,
+    private val colors: FacetColors?,
+) : MeshSource {
+    override val hasColors: Boolean get() = colors != null
+
+    override val partCount: Int get() = boxes.size
+
+    /** Vertex numbers of a whole part: no vertices are shared. */
+    private val numbers = IntArray(3 * minOf(PART, triangleCount)) { it }
+
+    override fun triangleCount(number: Int): Int = minOf(PART, triangleCount - number * PART)
+
+    override fun bounds(number: Int): Box? = boxes[number]
+
+    override fun part(number: Int): Mesh {
+        val first = number * PART
+        val count = triangleCount(number)
+        val records = file.read(start + first.toLong() * stride, count * stride)
+        val positions = FloatArray(9 * count)
+        for (facet in 0 until count) {
+            val at = facet * stride + corners
+
+            // Adding 0 turns -0 into 0, as in meshes whose vertices are merged
+            for (i in 0 until 9) positions[9 * facet + i] = records.getFloat(at + 4 * i) + 0f
+        }
+        val triangles = if (count == PART) numbers else numbers.copyOf(3 * count)
+        return Mesh(positions, triangles, colors = colors?.of(records, stride, count), origin = origin)
+    }
+
+    companion object {
+        /** Triangles of a part. */
+        const val PART: Int = 1 shl 13
+
+        /** Returns the number of parts of so many triangles. */
+        fun parts(triangles: Int): Int = ((triangles.toLong() + PART - 1) / PART).toInt()
+    }
+}
+
+/** Finds the colours of triangles in their records. Thread safe. */
+internal fun interface FacetColors {
+    /** Returns red, green, blue and alpha, in linear light, of each corner of the first [count] of [records]. */
+    fun of(records: ByteBuffer, stride: Int, count: Int): FloatArray
+}

@@ -1,0 +1,42 @@
+package dev.lazyz.scenes.streaming
+
+import dev.lazyz.scenes.SceneFormatException
+import java.io.EOFException
+import java.io.IOException
+import java.io.RandomAccessFile
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.nio.file.Path
+
+/**
+ * Reads parts of a file, in any order. Thread safe. Unlike a channel, it stays open when a thread that reads is
+ * interrupted.
+ */
+internal class FileBytes(path: Path, private val name: String) : AutoCloseable {
+    private val file = RandomAccessFile(path.toFile(), "r")
+
+    /** Number of bytes when the file was opened. */
+    val size: Long = file.length()
+
+    /**
+     * Returns [count] bytes from [position] on, little endian.
+     *
+     * @throws SceneFormatException if the file cannot be read, or has become shorter
+     */
+    fun read(position: Long, count: Int): ByteBuffer {
+        val bytes = ByteArray(count)
+        try {
+            synchronized(file) {
+                file.seek(position)
+                file.readFully(bytes)
+            }
+        } catch (e: EOFException) {
+            throw SceneFormatException(name, null, "has become shorter while it was read", "render it again", e)
+        } catch (e: IOException) {
+            throw SceneFormatException(name, null, "cannot be read: ${e.message ?: e}", cause = e)
+        }
+        return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN)
+    }
+
+    override fun close() = file.close()
+}
