@@ -35,9 +35,10 @@ class PageCommandsTest {
         return here.groupBy { it.page }.map { (page, blocks) ->
             dynamicTest(page) {
                 val place = folder.resolve(page.replace('/', '-')).createDirectories()
+                val scripts = blocks.map { smaller(it.lines.joinToString("\n")) }
                 PageShell(place.resolve("files").createDirectories(), place).use { shell ->
-                    shell.fill(onlyModels = page == "docs/real-files.md")
-                    for (block in blocks) shell.run(smaller(block.lines.joinToString("\n")))
+                    shell.fill(scripts.joinToString("\n"))
+                    for (script in scripts) shell.run(script)
                 }
             }
         }
@@ -61,10 +62,17 @@ class PageCommandsTest {
     }
 
     private companion object {
-        /** Parts of commands that would take minutes, and what is run for them. */
+        /** Parts of commands that would take long, and what is run for them. */
         val SMALLER = mapOf(
             "--turntable 120 --size 1920x1080" to "--turntable 12 --size 192x108",
+            "--turntable 36 -o" to "--turntable 36 --size 64 -o",
+            "--size 4096x4096" to "--size 256x256",
+            "--size 1024x768" to "--size 256x192",
+            "--memory-budget 64k" to "--memory-budget 64k --size 160x120",
             "--minutes 60" to "--minutes 0.01",
+            "--tries 10" to "--tries 0.5",
+            "my.jar --report report" to "my.jar --report report --tries 0.05",
+            "--explore" to "--explore --tries 0.05",
         )
 
         private const val MEASURES = "takes minutes to hours on a quiet machine; .ci/run starts each benchmark"

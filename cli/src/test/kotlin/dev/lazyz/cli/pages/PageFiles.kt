@@ -26,8 +26,8 @@ class MyRenderer : Renderer {
     override fun render(frame: Frame, sink: RowSink): Counters = ZBuffer().render(frame, sink)
 }
 
-/** Writes the files that commands of pages name; only models if [onlyModels], for commands that take all files. */
-internal fun PageShell.fill(onlyModels: Boolean) {
+/** Writes the files that [commands] name; only models if they take all files. */
+internal fun PageShell.fill(commands: String) {
     val models = folder.resolve("models").createDirectories()
     models.wedge()
     for (part in listOf(folder.resolve("part.stl"), folder.resolve("a.stl"), models.resolve("part.stl"))) {
@@ -36,7 +36,7 @@ internal fun PageShell.fill(onlyModels: Boolean) {
     for (name in listOf("model.obj", "a.obj")) folder.wedge(name)
     folder.resolve("model.glb").writeBytes(glb())
     folder.resolve("scene.json").writeText(SCENE)
-    if (onlyModels) return
+    if ("compare * " in commands) return
     folder.resolve("failures").createDirectories().resolve("RULE.json").writeText(SCENE)
     ProjectFiles.root.resolve("docs/images/flange.obj")
         .copyTo(folder.resolve("docs/images").createDirectories().resolve("flange.obj"))
@@ -47,6 +47,12 @@ internal fun PageShell.fill(onlyModels: Boolean) {
     }
     val picture = folder.resolve("pictures").createDirectories().resolve("part.png")
     zcli("render", models.resolve("part.stl"), "--size", "512", "-o", picture).done()
+    folder.resolve("new").createDirectories()
+    if ("report.json" in commands) {
+        val options = listOf("--strategy", "my-id", "--tries", "0.05", "--in-process", "--quiet")
+        val jar = folder.resolve("my.jar")
+        zcli("conformance", "--classpath", jar, "--report", folder.resolve("report"), *options.toTypedArray()).done()
+    }
 }
 
 private const val STL = """solid part
@@ -60,7 +66,8 @@ endfacet
 endsolid part
 """
 
-private const val SCENE = """{"lazyz": 1, "size": [64, 48], "surfaces": [{"sphere": {"center": [0, 0, 0], "radius": 1}}]}"""
+private const val SCENE =
+    """{"lazyz": 1, "size": [64, 48], "surfaces": [{"sphere": {"center": [0, 0, 0], "radius": 1}}]}"""
 
 /** A triangle, and two cameras. */
 private fun glb(): ByteArray {
