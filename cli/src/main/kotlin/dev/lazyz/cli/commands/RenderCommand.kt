@@ -184,8 +184,8 @@ private class OutputOptions : OptionGroup("Output") {
         metavar = "OUT",
         completionCandidates = CompletionCandidates.Path,
         help = "The file for the picture: .png, .ppm or .dzi (a Deep Zoom pyramid, for web viewers), or - for PNG to " +
-            "standard output; default: INPUT's name with .png in the current folder, if that file does not exist yet; none with --ref. For several " +
-            "pictures, with {stem}, {name} or {ext} of INPUT, {view}, {index} or {frame}",
+            "standard output; default: INPUT's name with .png in the current folder, if that file does not exist " +
+            "yet; none with --ref. For several pictures, with {stem}, {name} or {ext} of INPUT, {view}, {index} or {frame}",
     )
 
     val isResumed by option(

@@ -50,10 +50,10 @@ internal class ReportCommand(private val streams: Streams, private val args: Lis
 
     override fun help(context: Context): String =
         "Renders a model or a scene with all strategies, and writes a page of HTML with pictures, counters, heat " +
-            "maps and charts.\n\nThe page shows whether all pictures are the same, what each strategy did, where, and " +
-            "in which order. It is one file, without scripts, and loads nothing. Its result is printed. Exit code 1: " +
-            "pictures differ, or a strategy failed; the page is written and says so. A sample is a pixel, unless " +
-            "--aa says otherwise."
+            "maps and charts.\n\nThe page shows whether all pictures are the same, what each strategy did, where, " +
+            "and in which order. It is one file, without scripts, and loads nothing. Its result is printed. Exit " +
+            "code 1: pictures differ, or a strategy failed; the page is written and says so. A sample is a pixel, " +
+            "unless --aa says otherwise."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli report city -o city.html" to "all strategies on a built-in scene",

@@ -21,7 +21,7 @@ internal class ReportJob(private val request: ReportRequest, private val streams
 
     fun run(): Report {
         // Report mistakes in the options before anything is read
-        OutputFile.check(request.output, "-o", ".html")
+        OutputFile.check(request.output, "-o", listOf(".html"))
         val source = FrameSource(request.subject, streams)
         val replaced = OutputPlaces(listOf("-o" to request.output))
         request.subject.requireKept(replaced)

@@ -26,7 +26,7 @@ internal class ReportMaps(private val report: Report, private val pictures: Pict
         appendLine("""<div class="card"><h3>Overdraw</h3>""")
         append("<p>How many surfaces cover each pixel, hidden ones too: the work that can be saved. ")
         appendLine("It belongs to the scene, so it is the same for all strategies.</p>")
-        append(scale("Fragments:", "0", "%,d".format(null, most)))
+        append(scale("Fragments:", "0", "1", "%,d".format(null, most)))
         appendLine("</div></div>")
     }
 
@@ -34,7 +34,7 @@ internal class ReportMaps(private val report: Report, private val pictures: Pict
     fun strategies(): String = buildString {
         appendLine("<p>For each strategy: its picture; how often each pixel was shaded, on one scale for all; and ")
         appendLine("when each pixel got its colour, if one thread works.</p>")
-        append(scale("Calls:", "0", "%,d a pixel".format(null, mostCalls)))
+        append(scale("Calls:", "0", "1", "%,d a pixel".format(null, mostCalls)))
         append(scale("Order:", "none", "first", "last"))
         appendLine("""<div class="grid wide">""")
         for (entry in report.entries) card(entry)

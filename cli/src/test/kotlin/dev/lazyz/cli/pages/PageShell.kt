@@ -35,7 +35,8 @@ internal class PageShell(val folder: Path, private val exchange: Path) : AutoClo
             .joinToString(File.pathSeparator) { Path.of(it).toAbsolutePath().toString() }
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
         // Commands are short: the optimizing compiler would take longer than it saves
-        zcli = ProcessBuilder(java, "-XX:TieredStopAtLevel=1", "-cp", classPath, PageShell::class.java.name, exchange.toString())
+        val name = PageShell::class.java.name
+        zcli = ProcessBuilder(java, "-XX:TieredStopAtLevel=1", "-cp", classPath, name, exchange.toString())
             .directory(folder.toFile())
             .redirectErrorStream(true)
             .redirectOutput(exchange.resolve("log.txt").toFile())
