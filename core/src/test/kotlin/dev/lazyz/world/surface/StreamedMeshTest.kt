@@ -194,19 +194,10 @@ class StreamedMeshTest {
 
     @Test
     fun theFarthestPointDoesNotDependOnTheParts() {
-        // A grid has many points that are equally far
+        // A grid has many points that are equally far; here the last of them in the order of x, y, z is the first
         val positions = FloatArray(3 * 1000) {
-            (
-                if (it % 3 ==
-                    0
-                ) {
-                    it / 300
-                } else if (it % 3 == 1) {
-                    it / 30 % 10
-                } else {
-                    it / 3 % 10
-                }
-                ).toFloat()
+            val point = 999 - it / 3
+            listOf(point / 100, point / 10 % 10, point % 10)[it % 3].toFloat()
         }
         val grid = Mesh(positions, IntArray(999) { it })
         for (direction in listOf(Vector3d(1.0, 0.0, 0.0), Vector3d(1.0, 1.0, 0.0), Vector3d(-1.0, 0.5, -0.0))) {
