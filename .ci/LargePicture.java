@@ -17,9 +17,10 @@ import java.util.zip.InflaterInputStream;
 import javax.imageio.ImageIO;
 
 /**
- * java .ci/LargePicture.java [input [side [heap [rows]]]]: renders a picture larger than memory to a PNG, decodes it with a
- * decoder of its own, row by row, and compares random rows with what --region renders of them. Prints time, memory and size.
- * Fails if a row differs. By default ten gigapixels of the teapot with 256 MB: java .ci/LargePicture.java teapot 100000 256m 12
+ * java .ci/LargePicture.java [input [side [heap [rows]]]]: renders a picture larger than memory to a PNG, decodes it
+ * with a decoder of its own, row by row, and compares random rows with what --region renders of them. Prints time,
+ * memory and size. Fails if a row differs. By default ten gigapixels of the teapot with 256 MB: java
+ * .ci/LargePicture.java teapot 100000 256m 12
  *
  * Needs zcli.jar, and some gigabytes in target/large-picture, which is deleted at the end. Not a part of .ci/run.
  */

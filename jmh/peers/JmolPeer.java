@@ -19,12 +19,12 @@ import org.jmol.viewer.Viewer;
 /**
  * Draws a file of triangles with the software renderer of Jmol, and prints one line of JSON.
  *
- * <p>{@code java -Djava.awt.headless=true -cp jmol.jar JmolPeer.java FILE [--side N] [--warm-up SECONDS] [--measure SECONDS]
- * [--picture FILE]}
+ * <p>{@code java -Djava.awt.headless=true -cp jmol.jar JmolPeer.java FILE [--side N] [--warm-up SECONDS] [--measure
+ * SECONDS] [--picture FILE]}
  *
- * <p>Options and output are those of {@code llvmpipe.c}. Jmol moves vertices to whole pixels and lets neighbours overlap by
- * one, interpolates no colour that is not of its palette (so each triangle gets that of its first vertex), and neither
- * clips nor divides by w here: scenes under perspective and rounds of shading are refused.
+ * <p>Options and output are those of {@code llvmpipe.c}. Jmol moves vertices to whole pixels and lets neighbours
+ * overlap by one, interpolates no colour that is not of its palette (so each triangle gets that of its first vertex),
+ * and neither clips nor divides by w here: scenes under perspective and rounds of shading are refused.
  */
 public final class JmolPeer {
     private static final int LEAST_FRAMES = 5;

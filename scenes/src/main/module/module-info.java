@@ -19,5 +19,7 @@ module dev.lazyz.scenes {
     exports dev.lazyz.scenes.text;
     exports dev.lazyz.scenes.writers;
     exports dev.lazyz.scenes.writers.animation;
+    exports dev.lazyz.scenes.writers.deepzoom;
+    exports dev.lazyz.scenes.writers.imageio;
     exports dev.lazyz.scenes;
 }

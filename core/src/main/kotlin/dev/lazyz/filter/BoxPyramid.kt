@@ -14,11 +14,11 @@ import java.io.IOException
  * renderer.render(frame) { _, argb, _, _ -> pyramid.add(argb) }
  * ```
  *
- * Level 0 is the picture itself. A pixel of level k is the mean of the pixels of the picture that it covers, 2^k x 2^k of
- * them, or fewer at the right and the lower edge: the mean of light, weighted by alpha, as for [SuperSampling] with
- * [PixelFilter.BOX]. It is not made of the rounded pixels of the level below, but of their sums: these are integers, exact
- * up to level 15; from there on, they keep 60 bits. So each level is rounded once. A pixel without alpha has the colour
- * of its upper left pixel.
+ * Level 0 is the picture itself. A pixel of level k is the mean of the pixels of the picture that it covers, 2^k x 2^k
+ * of them, or fewer at the right and the lower edge: the mean of light, weighted by alpha, as for [SuperSampling] with
+ * [PixelFilter.BOX]. It is not made of the rounded pixels of the level below, but of their sums: these are integers,
+ * exact up to level 15; from there on, they keep 60 bits. So each level is rounded once. A pixel without alpha has the
+ * colour of its upper left pixel.
  *
  * Rows of a level are passed on as soon as they are complete. Memory: 40 bytes a column of the picture, whatever its
  * height. Time: one pass over the pixels. Not thread safe.

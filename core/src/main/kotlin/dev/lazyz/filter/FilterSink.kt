@@ -10,7 +10,8 @@ import dev.lazyz.filter.LightSums.LIGHT
 /**
  * Receives the rows of samples of [frame], and passes on the rows of [pixels]. See [SuperSampling].
  *
- * Light is added as in [LightSums], times the integer weights of [taps]: 64-bit sums are exact. Belongs to one rendering.
+ * Light is added as in [LightSums], times the integer weights of [taps]: 64-bit sums are exact. Belongs to one
+ * rendering.
  */
 internal class FilterSink(
     private val taps: FilterTaps,

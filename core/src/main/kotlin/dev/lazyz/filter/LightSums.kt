@@ -3,8 +3,8 @@ package dev.lazyz.filter
 import dev.lazyz.Srgb
 
 /**
- * Means of colours in linear light. Light is added as integers of [LIGHT_BITS] bits, times the 8-bit alpha and a weight:
- * sums are exact, and their order does not matter.
+ * Means of colours in linear light. Light is added as integers of [LIGHT_BITS] bits, times the 8-bit alpha and a
+ * weight: sums are exact, and their order does not matter.
  */
 internal object LightSums {
     /** Red, green, blue and alpha. */

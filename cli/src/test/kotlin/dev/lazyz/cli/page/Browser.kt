@@ -34,9 +34,9 @@ internal class Browser(private val folder: Path) {
     class Visit(val facts: JsonObject, val console: List<String>)
 
     /**
-     * Shows [page] in a frame of [width] columns, and runs [probe] in it: statements of JavaScript that return an object.
-     * They see `doc`, the document of the page, and `view`, its window, when it is loaded. The frame is there because
-     * windows of Chromium are at least 500 columns wide.
+     * Shows [page] in a frame of [width] columns, and runs [probe] in it: statements of JavaScript that return an
+     * object. They see `doc`, the document of the page, and `view`, its window, when it is loaded. The frame is there
+     * because windows of Chromium are at least 500 columns wide.
      */
     fun visit(page: String, width: Int, probe: String): Visit {
         val program = NAMES.flatMap { name -> PLACES.map { it.resolve(name) } }.firstOrNull { it.exists() }

@@ -18,7 +18,9 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
-/** `-o NAME.dzi`, and `--resume` where it is an error or has nothing to resume. [dev.lazyz.cli.ResumeTest] interrupts. */
+/**
+ * `-o NAME.dzi`, and `--resume` where it is an error or has nothing to resume. [dev.lazyz.cli.ResumeTest] interrupts.
+ */
 class DeepZoomOptionsTest {
     @TempDir
     lateinit var folder: Path

@@ -234,7 +234,7 @@ class ReportTest {
         assertFalse(file.exists())
         val input = folder.wedge("model.html")
         val before = input.readText()
-        zcli("report", input, "--format", "obj", "-o", input).mistake("-o would replace the input")
+        zcli("report", input, "--format", "obj", "-o", input).mistake("-o would replace an input")
         assertEquals(before, input.readText())
     }
 

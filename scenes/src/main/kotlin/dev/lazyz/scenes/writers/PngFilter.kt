@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.writers
 
 /**
- * Converts rows of colours to filtered rows of bytes, and back. For each row it chooses the filter that is likely to compress
- * best.
+ * Converts rows of colours to filtered rows of bytes, and back. For each row it chooses the filter that is likely to
+ * compress best.
  *
  * It tries three of the five filters and takes the one with the smallest sum of absolute differences, as the
  * specification recommends. The sum of the Paeth filter is multiplied by 1.5: its differences are small but less

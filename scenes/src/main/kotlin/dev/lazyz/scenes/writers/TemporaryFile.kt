@@ -12,8 +12,9 @@ import java.util.concurrent.ThreadLocalRandom
 
 /**
  * A temporary file that exists only while it is written, and a temporary [folder] if a caller creates it. They are
- * deleted when the file is closed, unless they were renamed before, and when the process exits normally or on SIGINT, SIGTERM and SIGHUP. If a process is killed, its temporary
- * files are deleted by the next process that writes to the same folder.
+ * deleted when the file is closed, unless they were renamed before, and when the process exits normally or on SIGINT,
+ * SIGTERM and SIGHUP. If a process is killed, its temporary files are deleted by the next process that writes to the
+ * same folder.
  *
  * The process that writes such a file holds a lock on it. A file without a lock is no longer in use.
  */

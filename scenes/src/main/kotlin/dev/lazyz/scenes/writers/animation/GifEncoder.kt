@@ -15,8 +15,8 @@ import javax.imageio.metadata.IIOMetadataNode
 import javax.imageio.stream.MemoryCacheImageOutputStream
 
 /**
- * Writes frames as an animated GIF, with one palette for all, by the writer of `javax.imageio`. Of an opaque frame, only
- * the rectangle is written in which it differs from the frame before.
+ * Writes frames as an animated GIF, with one palette for all, by the writer of `javax.imageio`. Of an opaque frame,
+ * only the rectangle is written in which it differs from the frame before.
  */
 internal class GifEncoder(
     private val output: OutputStream,

@@ -13,8 +13,8 @@ import java.nio.file.Path
  * OpenSeadragon load only the tiles that they show, so a picture of any size can be looked at in a browser.
  *
  * Tiles are collected in a temporary folder beside their place, and get their name when they are complete; then the
- * descriptor is written. So a failure, or a signal that ends the process, leaves no partial files. An old pyramid of the
- * same name is replaced then. [DeepZoomSink] describes the tiles, time and memory.
+ * descriptor is written. So a failure, or a signal that ends the process, leaves no partial files. An old pyramid of
+ * the same name is replaced then. [DeepZoomSink] describes the tiles, time and memory.
  */
 public object DeepZoomFiles {
     /** File name extension of descriptors, lower case, without a dot. */
@@ -57,20 +57,21 @@ public object DeepZoomFiles {
      * Writes the rows that [produce] renders, and goes on where an earlier, interrupted call of this function stopped.
      * The files are the same, byte for byte, as if there had been no interruption.
      *
-     * Until they are complete, tiles are in the folder `NAME_files.partial`, which stays if the call fails or the process
-     * ends, for whatever reason, even if it is killed. The next call reads the finished rows of tiles of the largest
-     * level, which takes less time than rendering and compressing them, and has the rest rendered.
+     * Until they are complete, tiles are in the folder `NAME_files.partial`, which stays if the call fails or the
+     * process ends, for whatever reason, even if it is killed. The next call reads the finished rows of tiles of the
+     * largest level, which takes less time than rendering and compressing them, and has the rest rendered.
      *
      * @param path the descriptor
      * @param width number of columns
      * @param height number of rows
      * @param alpha whether tiles have an alpha channel
-     * @param facts all that the picture depends on, by name, such as a hash of the model, and the version of the program
+     * @param facts all that the picture depends on, by name, such as a hash of the model, and the version of the
+     *   program
      * @param produce renders to the sink it is given, all rows from the one that it is told
      * @return what [produce] returns
      * @throws IllegalArgumentException if a side is not in the range of [DeepZoomSink]
-     * @throws IOException if a file cannot be read or written; if the folder has tiles of a picture with other facts; or
-     *   if another process is writing it. The message states which file, why, and what to do
+     * @throws IOException if a file cannot be read or written; if the folder has tiles of a picture with other facts;
+     *   or if another process is writing it. The message states which file, why, and what to do
      */
     @JvmStatic
     @Throws(InterruptedException::class, IOException::class)

@@ -11,15 +11,15 @@ import java.nio.file.Path
 /**
  * Writes the tiles of a Deep Zoom pyramid as rows arrive: PNG files, sRGB, 8 bits per channel.
  *
- * The pyramid has a folder for each level, `0` for a single pixel, up to the picture itself. Each level is half as large
- * as the next one: its pixels are exact means of light, see [BoxPyramid]. The tile in column c and row r is the file
- * `c_r.png`. It has 254 x 254 pixels of its own, and one row or column of each neighbour, so that a viewer that
+ * The pyramid has a folder for each level, `0` for a single pixel, up to the picture itself. Each level is half as
+ * large as the next one: its pixels are exact means of light, see [BoxPyramid]. The tile in column c and row r is the
+ * file `c_r.png`. It has 254 x 254 pixels of its own, and one row or column of each neighbour, so that a viewer that
  * enlarges tiles shows no seams; tiles at the edges are smaller.
  *
- * Tiles are compressed in parallel on the threads of the common pool, and appended to their files in blocks of rows. The
- * bytes are the same for any number of threads. Memory: 4 MiB for each level of 4096 or more columns, about as much for
- * all smaller ones, and about 60 bytes a column; so 25 MiB for 100,000 columns, whatever the height. Call [close] after
- * the last row. Not thread safe.
+ * Tiles are compressed in parallel on the threads of the common pool, and appended to their files in blocks of rows.
+ * The bytes are the same for any number of threads. Memory: 4 MiB for each level of 4096 or more columns, about as much
+ * for all smaller ones, and about 60 bytes a column; so 25 MiB for 100,000 columns, whatever the height. Call [close]
+ * after the last row. Not thread safe.
  *
  * This class writes the folder of tiles only. [DeepZoomFiles] also writes the descriptor, and leaves no partial files.
  *

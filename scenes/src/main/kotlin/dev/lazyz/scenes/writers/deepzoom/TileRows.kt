@@ -12,8 +12,8 @@ import java.util.stream.IntStream
  * left as they are.
  *
  * Rows are collected until they are about [BLOCK_PIXELS] pixels, or the tiles are complete; then each tile's part of
- * them is compressed, on the threads of the common pool, and appended to the tile's file. How rows are divided depends on
- * the size of the level only. So the bytes are the same for any number of threads.
+ * them is compressed, on the threads of the common pool, and appended to the tile's file. How rows are divided depends
+ * on the size of the level only. So the bytes are the same for any number of threads.
  */
 internal class TileRows(
     private val folder: Path,

@@ -25,14 +25,15 @@ import java.util.Vector
  * ```
  *
  * Its tiles are bands of whole rows, of about 4 million pixels. A band is rendered when a pixel of it is read, and kept
- * until another one is. So readers that go from the top to the bottom, such as the writers of `javax.imageio`, have each
- * band rendered once; others work, but may take long. Memory: the band, at 4 bytes a pixel, and that of the renderer. Use
- * a renderer with constant memory, such as `Tiled`. Time: that of the rendering, and the set-up of the renderer for each
- * band, which goes through all primitives.
+ * until another one is. So readers that go from the top to the bottom, such as the writers of `javax.imageio`, have
+ * each band rendered once; others work, but may take long. Memory: the band, at 4 bytes a pixel, and that of the
+ * renderer. Use a renderer with constant memory, such as `Tiled`. Time: that of the rendering, and the set-up of the
+ * renderer for each band, which goes through all primitives.
  *
- * The pixel at column 0 and row 0 is the first one of the frame's region. Pixels are as in [BufferedImage.TYPE_INT_ARGB],
- * or, if the background is opaque, as in [BufferedImage.TYPE_INT_RGB], which has no alpha. Exceptions of the renderer,
- * [InterruptedException] too, are thrown by the method that reads pixels. Thread safe: one thread renders at a time.
+ * The pixel at column 0 and row 0 is the first one of the frame's region. Pixels are as in
+ * [BufferedImage.TYPE_INT_ARGB], or, if the background is opaque, as in [BufferedImage.TYPE_INT_RGB], which has no
+ * alpha. Exceptions of the renderer, [InterruptedException] too, are thrown by the method that reads pixels. Thread
+ * safe: one thread renders at a time.
  */
 public class PulledImage private constructor(
     private val region: Region,
@@ -82,7 +83,8 @@ public class PulledImage private constructor(
     override fun getPropertyNames(): Array<String>? = null
 
     /**
-     * Returns the band [tileY]. It has [getTileHeight] rows, also the last one, where those below the picture are black.
+     * Returns the band [tileY]. It has [getTileHeight] rows, also the last one, where those below the picture are
+     * black.
      *
      * @throws IndexOutOfBoundsException if there is no such tile
      */
