@@ -57,7 +57,8 @@ public class RenderPlanner @JvmOverloads constructor(
         val filter = frame.filterBytes
         val around = if (filter == 0L) others else others + MemoryItem("samples to pixels", filter)
         var least: RenderPlan? = null
-        for (plan in renderers.asSequence().filter { isAble(it, frame.frame) }.flatMap { plans(it, frame.frame, around) }) {
+        val able = renderers.asSequence().filter { isAble(it, frame.frame) }
+        for (plan in able.flatMap { plans(it, frame.frame, around) }) {
             if (plan.fits) return plan
             if (least == null || plan.leastMemory < least.leastMemory) least = plan
         }
@@ -76,9 +77,10 @@ public class RenderPlanner @JvmOverloads constructor(
     }
 
     /** The options with all threads and ever smaller tiles, and then the same for one thread. */
-    private fun variants(): Sequence<RenderOptions> = listOf(options.threads, 1).distinct().asSequence().flatMap { threads ->
-        generateSequence(options.tileSize) { it / 2 }.takeWhile { it >= LEAST_TILE }
-            .map { options.withThreads(threads).withTileSize(it) }
+    private fun variants(): Sequence<RenderOptions> {
+        val tiles = generateSequence(options.tileSize) { it / 2 }.takeWhile { it >= LEAST_TILE }
+        return listOf(options.threads, 1).distinct().asSequence()
+            .flatMap { threads -> tiles.map { options.withThreads(threads).withTileSize(it) } }
     }
 
     private fun tiled(renderer: Tiled, frame: Frame, others: List<MemoryItem>, chosen: RenderOptions): RenderPlan {
@@ -111,7 +113,8 @@ public class RenderPlanner @JvmOverloads constructor(
         val band = MemoryItem("a band of $bandRows rows", rowBytes * bandRows)
         val configured = renderer.configured(chosen.withBandBytes(band.bytes))
         val how = if (passes == 1) "one pass" else "$passes passes"
-        return RenderPlan(configured, memory, parts + band, passes, "${words(renderer, chosen)}, in $how over the model")
+        val summary = "${words(renderer, chosen)}, in $how over the model"
+        return RenderPlan(configured, memory, parts + band, passes, summary)
     }
 
     private fun other(renderer: Renderer, frame: Frame, others: List<MemoryItem>): RenderPlan {

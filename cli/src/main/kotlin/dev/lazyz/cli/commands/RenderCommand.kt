@@ -78,8 +78,8 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     override fun help(context: Context): String =
         "Renders models or scenes to pictures.\n\nBy default the camera shows the whole model from the front " +
             "right, slightly from above, and a model without lights gets default lights. Only for a single picture: " +
-            "--resume, --depth-out, --aov, --aov-picture, --ref, --explain, --stream, --memory and -o -. Exit code 1: the " +
-            "picture differs from that of --ref; 2: an input could not be rendered, the others were."
+            "--resume, --depth-out, --aov, --aov-picture, --ref, --explain, --stream, --memory and -o -. Exit " +
+            "code 1: the picture differs from that of --ref; 2: an input could not be rendered, the others were."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli render teapot -o teapot.png" to "a built-in scene, 640x480",
@@ -239,7 +239,8 @@ private class StreamOptions : OptionGroup("Large models") {
 private class MemoryOptions : OptionGroup("Memory") {
     val bytes by option(
         "--memory",
-        help = "Stay within this memory for Java's objects: bytes, or with k, m, g. Chooses strategy, threads, tiles and " +
+        help =
+        "Stay within this memory for Java's objects: bytes, or with k, m, g. Chooses strategy, threads, tiles and " +
             "passes accordingly, or refuses and says what would fit; --explain prints the plan. The script zcli " +
             "starts Java with -Xmx of this size; with java -jar, add it yourself. --memory-budget, in contrast, is " +
             "for the working memory of some strategies",

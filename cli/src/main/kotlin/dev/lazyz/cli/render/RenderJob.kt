@@ -51,7 +51,8 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         planning?.requireSetUp(source, loaded)
         val shot = prepared(source) { source.frame(loaded, request.choices.options()) }
         val frame = shot.frame
-        val keptBytes = (reference?.bytesPerPixel ?: 0) * shot.pixels.size + request.aovs.bytesPerPixel * shot.pixels.size
+        val keptBytes =
+            (reference?.bytesPerPixel ?: 0) * shot.pixels.size + request.aovs.bytesPerPixel * shot.pixels.size
         val plan = planning?.plan(source, shot, choice, outputs.memory(shot.pixels) + kept(keptBytes))
         val strategy = plan?.renderer ?: choice.strategyFor(frame)
         if (request.isExplained) {

@@ -24,7 +24,8 @@ internal class TiledMemory(private val frame: Frame, tileSize: Int, private val 
     private val groups = (grid.bands - 1) / bandsAtOnce + 1
 
     /** How many bands are in progress at a time. */
-    private val bandsAtWork = Rendering.bandsAtWork(grid, minOf(threads.toLong(), grid.columns.toLong() * grid.bands).toInt())
+    private val bandsAtWork =
+        Rendering.bandsAtWork(grid, minOf(threads.toLong(), grid.columns.toLong() * grid.bands).toInt())
 
     /** Bytes of one row of samples, as an array, of which there are [rowArrays]. */
     val rowBytes: Long = Int.SIZE_BYTES * region.width.toLong()
@@ -137,7 +138,12 @@ internal class TiledMemory(private val frame: Frame, tileSize: Int, private val 
             val firstRow = top / cell
             val lastRow = (bottom - 1) / cell
             if (area < grid.size.toLong() * grid.size) {
-                for (row in firstRow..lastRow) for (column in firstColumn..lastColumn) small[row * across + column] += area
+                for (row in firstRow..lastRow) {
+                    for (column in firstColumn..lastColumn) {
+                        small[row * across + column] +=
+                            area
+                    }
+                }
             } else {
                 large[firstRow * (across + 1) + firstColumn]++
                 large[firstRow * (across + 1) + lastColumn + 1]--
@@ -184,7 +190,7 @@ internal class TiledMemory(private val frame: Frame, tileSize: Int, private val 
         const val LAYER_BYTES = 30L
 
         /** The buffers of a thread for colours. See docs/memory.md for the measurement of the whole. */
-        const val THREAD_BYTES = 512L shl 10
+        const val THREAD_BYTES = 1L shl 20
 
         /** A sample of a tile: key, and the end of its layers, and blocks. */
         const val PLACE_BYTES = 16L

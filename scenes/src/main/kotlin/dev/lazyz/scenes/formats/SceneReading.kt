@@ -37,7 +37,8 @@ internal object SceneReading {
     /** Reads a file as part of a larger [loading]. Its references must not lead out of [root]. */
     fun read(path: Path, format: SceneFormat?, loading: Loading, root: Path?): LoadedScene {
         val name = path.toString()
-        val source = Source(bytes(path, name, format, loading.limits), name, path.toAbsolutePath().parent, loading, root)
+        val source =
+            Source(bytes(path, name, format, loading.limits), name, path.toAbsolutePath().parent, loading, root)
         return parse(source, format ?: sniffed(source))
     }
 
