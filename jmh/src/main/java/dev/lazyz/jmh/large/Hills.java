@@ -8,11 +8,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /** A hilly square as a binary STL file, row by row, as programs for maps and scans write it. */
-final class Hills {
+public final class Hills {
     private Hills() {}
 
     /** Writes about so many triangles; returns how many. */
-    static int write(Path file, int triangles) throws IOException {
+    public static int write(Path file, int triangles) throws IOException {
         int side = Math.max(1, (int) Math.sqrt(triangles / 2.0));
         ByteBuffer row = ByteBuffer.allocate(100 * side).order(ByteOrder.LITTLE_ENDIAN);
         try (OutputStream output = Files.newOutputStream(file)) {

@@ -15,7 +15,12 @@ import org.joml.Vector3dc
  *
  * @param folder where to create the file
  */
-internal class FacetSpool(folder: Path, private val source: Source, private val origin: Vector3dc) : AutoCloseable {
+internal class FacetSpool(
+    folder: Path,
+    private val source: Source,
+    private val origin: Vector3dc,
+    private val space: SpoolSpace,
+) : AutoCloseable {
     private val temporary = TemporaryFile.within(folder)
     private val buffer = ByteBuffer.allocate(FacetFile.PART * STRIDE).order(ByteOrder.LITTLE_ENDIAN)
     private val boxes = ArrayList<Box?>()
@@ -40,6 +45,7 @@ internal class FacetSpool(folder: Path, private val source: Source, private val 
         count += triangles
         source.loading.streamed(source, triangles.toLong())
         if (count > MOST) source.fail(null, "has more than $MOST triangles", "split it")
+        space.take(triangles.toLong() * STRIDE)
         while (buffer.hasRemaining()) temporary.channel.write(buffer)
         buffer.clear()
         boxes += box.toBox()
@@ -57,6 +63,7 @@ internal class FacetSpool(folder: Path, private val source: Source, private val 
     override fun close() {
         reader?.close()
         temporary.close()
+        space.release(count * STRIDE)
     }
 
     companion object {
