@@ -25,20 +25,43 @@ internal class StreamedInput private constructor(
     val file: FileBytes = FileBytes(path, name)
 
     private var spool: FacetSpool? = null
+    private var vertices: VertexSpool? = null
 
     /** Returns the first bytes of the file, which determine its format. */
     fun head(): ByteArray = file.read(0, minOf(HEAD, file.size).toInt()).array()
 
-    /** Opens the file from its beginning. */
-    fun bytes(): InputStream = Files.newInputStream(path)
+    /** Opens the file from byte [position] on. */
+    fun bytes(position: Long = 0): InputStream {
+        val bytes = Files.newInputStream(path)
+        try {
+            bytes.skipNBytes(position)
+            return bytes
+        } catch (e: Throwable) {
+            bytes.close()
+            throw e
+        }
+    }
 
     /** Creates a temporary file of triangles, which are read from [source]. An earlier one is deleted. */
-    fun spool(source: Source, origin: Vector3dc): FacetSpool {
+    fun spool(source: Source, origin: Vector3dc, hasColors: Boolean = false): FacetSpool {
         spool?.close()
-        return FacetSpool(folder, source, origin).also { spool = it }
+        return FacetSpool(folder, source, origin, hasColors).also { spool = it }
+    }
+
+    /** Creates temporary files of vertices, which are read from [source]. Earlier ones are deleted. */
+    fun vertices(source: Source, origin: Vector3dc): VertexSpool {
+        dropVertices()
+        return VertexSpool(folder, source, origin).also { vertices = it }
+    }
+
+    /** Deletes the temporary files of vertices. */
+    fun dropVertices() {
+        vertices?.close()
+        vertices = null
     }
 
     override fun close() {
+        dropVertices()
         spool?.close()
         file.close()
         copy?.close()
