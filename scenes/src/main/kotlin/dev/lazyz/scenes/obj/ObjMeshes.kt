@@ -3,7 +3,6 @@ package dev.lazyz.scenes.obj
 import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.MeshParts
-import dev.lazyz.scenes.meshes.Triangulation
 import dev.lazyz.world.surface.Mesh
 
 /**
@@ -32,6 +31,8 @@ internal class ObjMeshes(
     private val positions = model.positions.toArray()
     private val textures = model.textures.toArray()
     private val normals = model.normals.toArray()
+    private val cutting = FaceCutting(source, faces) { vertex, axis -> positions[3 * vertex + axis] }
+    private val corners = Ints()
 
     fun build(): List<Mesh> = batchesByObject().flatMap { batches ->
         batches.flatMap(::meshes).sortedBy { it.firstFace }.map { it.mesh }
@@ -127,21 +128,9 @@ internal class ObjMeshes(
     }
 
     private fun addTriangles(face: Int, vertices: CornerVertices, triangles: Ints) {
-        val start = faces.start(face)
-        val count = faces.end(face) - start
-        if (count == 3) {
-            for (corner in start until start + 3) triangles.add(vertex(corner, vertices))
-            return
-        }
-        val local = Triangulation.triangles(
-            DoubleArray(3 * count) { positions[3 * faces.positions[start + it / 3] + it % 3].toDouble() },
-        )
-        if (local == null) {
-            val most = Triangulation.MAX_CONCAVE_CORNERS
-            source.warn("line ${faces.line(face)}: a concave face of $count corners, more than $most, is left out")
-            return
-        }
-        for (number in local) triangles.add(vertex(start + number, vertices))
+        corners.clear()
+        cutting.cut(face, corners)
+        for (i in 0 until corners.size) triangles.add(vertex(corners[i], vertices))
     }
 
     private fun vertex(corner: Int, vertices: CornerVertices): Int =

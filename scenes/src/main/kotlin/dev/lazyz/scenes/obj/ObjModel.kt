@@ -6,7 +6,9 @@ import dev.lazyz.scenes.loading.Source
 import org.joml.Vector3dc
 
 /** The content of an OBJ file, as plain arrays. */
-internal class ObjModel(private val source: Source, val origin: Vector3dc) {
+internal class ObjModel(private val source: Source, val origin: Vector3dc) :
+    ObjVertexSink,
+    ObjCounts {
     /** x, y, z of each `v`, relative to [origin]. */
     val positions = Floats()
 
@@ -19,12 +21,41 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) {
     /** x, y, z of each `vn`. */
     val normals = Floats()
 
+    override val vertexCount: Int get() = positions.size / 3
+    override val textureCount: Int get() = textures.size / 2
+    override val normalCount: Int get() = normals.size / 3
+
     val faces = FaceTable()
 
     val points = ObjPoints()
 
     /** The arguments of the `mtllib` statements, in order. */
     val libraries = ArrayList<String>()
+
+    override fun vertex(x: Float, y: Float, z: Float) {
+        positions.add(x)
+        positions.add(y)
+        positions.add(z)
+    }
+
+    override fun color(red: Float, green: Float, blue: Float) {
+        // Vertices before the first coloured one are white
+        while (colors.size < positions.size - 3) colors.add(1f)
+        colors.add(red)
+        colors.add(green)
+        colors.add(blue)
+    }
+
+    override fun texture(u: Float, v: Float) {
+        textures.add(u)
+        textures.add(v)
+    }
+
+    override fun normal(x: Float, y: Float, z: Float) {
+        normals.add(x)
+        normals.add(y)
+        normals.add(z)
+    }
 
     /**
      * Returns red, green, blue, alpha of [count] vertices, or null if the file has no colours. [positionOf] returns the
@@ -43,16 +74,10 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) {
      * texture coordinates or normals are removed from the face, with a warning.
      */
     fun checkReferences() {
-        val count = positions.size / 3
-        points.check(source, count)
-        if (!faces.positions.areBelow(count)) {
-            val corner = (0 until faces.positions.size).first { faces.positions[it] >= count }
-            val face = (0 until faces.size).first { corner < faces.end(it) }
-            val problem = "the face refers to number ${faces.positions[corner] + 1} of $count vertices"
-            source.fail("line ${faces.line(face)}", problem, REFERENCE_REMEDY)
-        }
-        drop(faces.textures, textures.size / 2, "texture coordinates")
-        drop(faces.normals, normals.size / 3, "normals")
+        points.check(source, vertexCount)
+        faces.requirePositions(source, vertexCount)
+        drop(faces.textures, textureCount, "texture coordinates")
+        drop(faces.normals, normalCount, "normals")
     }
 
     private fun drop(numbers: Ints, count: Int, what: String) {
@@ -74,4 +99,11 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) {
         /** A number that no element has: a reference to it is always invalid. */
         const val NOWHERE = Int.MAX_VALUE
     }
+}
+
+/** The numbers of elements of an OBJ file so far. */
+internal interface ObjCounts {
+    val vertexCount: Int
+    val textureCount: Int
+    val normalCount: Int
 }

@@ -1,17 +1,29 @@
 package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.ByteWindow
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
 /** A body in one of the binary forms: numbers without separators. */
-internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder) : PlyBody(source, header) {
-    private val buffer = ByteBuffer.wrap(source.bytes).order(order)
-    val end = source.bytes.size
+internal class PlyBinaryBody(
+    source: Source,
+    header: PlyHeader,
+    private val window: ByteWindow,
+    size: Long,
+    private val order: ByteOrder,
+) : PlyBody(source, header) {
+    private var buffer = ByteBuffer.wrap(window.bytes).order(order)
+
+    /** Position where the file ends, in bytes from the start of the file. */
+    private var end = size
+
+    /** Index of the next number in [window]. */
+    var at = (header.bodyPosition - window.passed).toInt()
+        private set
 
     /** Position of the next number, in bytes from the start of the file. */
-    var position = header.bodyPosition
-        private set
+    private val position: Long get() = window.passed + at
 
     override val location get() = "byte $position"
 
@@ -20,12 +32,12 @@ internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder
 
     override fun read(row: PlyRow): Boolean {
         for ((column, property) in row.properties.withIndex()) {
-            if (end - position < property.leastSize) return cutOff()
+            if (!has(property.leastSize)) return cutOff()
             if (property.countType == null) {
                 row.numbers[column] = next(property.type)
             } else {
                 val count = listLength(property, next(property.countType))
-                if (count > (end - position) / property.type.size) return cutOff()
+                if (!hasList(property, count)) return cutOff()
                 val list = row.lists[column]
                 list.resize(count)
                 for (i in 0 until count) list.numbers[i] = next(property.type)
@@ -40,20 +52,41 @@ internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder
         return 3 * minOf(element.count.toLong(), (end - position) / triangle).toInt()
     }
 
+    /** Whether there are [count] more bytes; they are then in memory. */
+    private fun has(count: Int): Boolean = window.size - at >= count || (end - position >= count && fetched(count))
+
+    private fun fetched(count: Int): Boolean {
+        if (window.isAtEnd) return false
+        window.readMore(at, count)
+        at = 0
+        buffer = ByteBuffer.wrap(window.bytes).order(order)
+        return window.size >= count
+    }
+
+    /** Whether the [count] numbers of a list are there; they are then in memory. */
+    private fun hasList(list: PlyProperty, count: Int): Boolean {
+        if (count > (end - position) / list.type.size) return false
+        val bytes = count.toLong() * list.type.size
+        if (window.isPart && bytes > LONGEST_LIST) {
+            source.fail(location, "list ${list.name} has $count numbers, too many to be read part by part", "split it")
+        }
+        return has(bytes.toInt())
+    }
+
     /** Whether each row of [element] is just one list of 32-bit integers, which [readLists] can read. */
     fun areLists(element: PlyElement): Boolean =
         element.properties.size == 1 && element.hasLists && element.properties[0].type == PlyType.INT
 
     /**
-     * A fast path for [readRows] that reads lists. Calls [use] for each list, with the position of its first number in
-     * bytes and the count of its numbers.
+     * A fast path for [readRows] that reads lists. Calls [use] for each list, with the index of its first number, and
+     * the count of its numbers.
      */
     inline fun readLists(element: PlyElement, use: (Int, Int) -> Unit) {
         var rows = 0
         while (rows < element.count) {
             val count = nextList(element.properties[0])
             if (count < 0) break
-            use(position - Int.SIZE_BYTES * count, count)
+            use(at - Int.SIZE_BYTES * count, count)
             rows++
         }
         note(element, rows)
@@ -61,57 +94,68 @@ internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder
 
     /** Moves past the current list and returns its length, or -1 if the file ends within it. */
     fun nextList(list: PlyProperty): Int {
-        if (end - position < list.leastSize) return -1.also { cutOff() }
+        if (!has(list.leastSize)) return -1.also { cutOff() }
         val count = listLength(list, next(checkNotNull(list.countType)))
-        if (count > (end - position) / Int.SIZE_BYTES) return -1.also { cutOff() }
-        position += Int.SIZE_BYTES * count
+        if (!hasList(list, count)) return -1.also { cutOff() }
+        at += Int.SIZE_BYTES * count
         return count
     }
 
-    /** Returns the number of type [PlyType.INT] at byte [at]. */
-    fun int(at: Int): Int = buffer.getInt(at)
+    /** Returns the number of type [PlyType.INT] at [index]. */
+    fun int(index: Int): Int = buffer.getInt(index)
 
     /**
      * A fast path for [readRows] that reads rows without lists, which all have the same size. Calls [use] for each row
-     * that is present, with its number and its position in bytes. Returns the number of rows.
+     * that is present, with its index. Returns the number of rows.
      */
-    inline fun eachRow(element: PlyElement, use: (Int, Int) -> Unit): Int {
+    inline fun eachRow(element: PlyElement, use: (Int) -> Unit): Int {
         val size = element.properties.sumOf { it.type.size }
-        val start = position
-        val count = minOf(element.count, (end - start) / size)
-        for (row in 0 until count) use(row, start + row * size)
-        endRows(element, count, if (count < element.count) end else start + count * size)
+        var count = 0
+        while (count < element.count && nextRow(size)) {
+            use(at - size)
+            count++
+        }
+        note(element, count)
         return count
     }
 
-    fun endRows(element: PlyElement, count: Int, position: Int) {
-        note(element, count)
-        this.position = position
+    /** Moves past a row of [size] bytes; returns false if the file ends within it. */
+    fun nextRow(size: Int): Boolean {
+        if (!has(size)) return cutOff()
+        at += size
+        return true
     }
 
-    /** Returns the number of type [PlyType.FLOAT] at byte [at]. */
-    fun float(at: Int): Float = buffer.getFloat(at)
+    /** Returns the number of type [PlyType.FLOAT] at [index]. */
+    fun float(index: Int): Float = buffer.getFloat(index)
 
-    /** Returns the number of type [PlyType.UCHAR] at byte [at]. */
-    fun code(at: Int): Int = buffer.get(at).toInt() and 0xFF
+    /** Returns the number of type [PlyType.UCHAR] at [index]. */
+    fun code(index: Int): Int = buffer.get(index).toInt() and 0xFF
 
+    /** Ends the body here: what follows does not count. */
     private fun cutOff(): Boolean {
-        position = end
+        at = window.size
+        end = position
         return false
     }
 
     private fun next(type: PlyType): Double {
-        val at = position
-        position += type.size
+        val index = at
+        at += type.size
         return when (type) {
-            PlyType.CHAR -> buffer.get(at).toDouble()
-            PlyType.UCHAR -> (buffer.get(at).toInt() and 0xFF).toDouble()
-            PlyType.SHORT -> buffer.getShort(at).toDouble()
-            PlyType.USHORT -> (buffer.getShort(at).toInt() and 0xFFFF).toDouble()
-            PlyType.INT -> buffer.getInt(at).toDouble()
-            PlyType.UINT -> (buffer.getInt(at).toLong() and 0xFFFFFFFFL).toDouble()
-            PlyType.FLOAT -> buffer.getFloat(at).toDouble()
-            PlyType.DOUBLE -> buffer.getDouble(at)
+            PlyType.CHAR -> buffer.get(index).toDouble()
+            PlyType.UCHAR -> (buffer.get(index).toInt() and 0xFF).toDouble()
+            PlyType.SHORT -> buffer.getShort(index).toDouble()
+            PlyType.USHORT -> (buffer.getShort(index).toInt() and 0xFFFF).toDouble()
+            PlyType.INT -> buffer.getInt(index).toDouble()
+            PlyType.UINT -> (buffer.getInt(index).toLong() and 0xFFFFFFFFL).toDouble()
+            PlyType.FLOAT -> buffer.getFloat(index).toDouble()
+            PlyType.DOUBLE -> buffer.getDouble(index)
         }
+    }
+
+    private companion object {
+        /** Most bytes of a list in a file that is not in memory. */
+        const val LONGEST_LIST = 1 shl 25
     }
 }

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.ByteWindow
 import java.nio.ByteOrder
 import kotlin.math.round
 
@@ -77,11 +78,18 @@ internal abstract class PlyBody(protected val source: Source, private val header
     }
 
     companion object {
-        /** Returns the body in the form that [header] specifies. */
-        fun of(source: Source, header: PlyHeader): PlyBody = when (header.format) {
-            PlyFormat.ASCII -> PlyTextBody(source, header)
-            PlyFormat.LITTLE_ENDIAN -> PlyBinaryBody(source, header, ByteOrder.LITTLE_ENDIAN)
-            PlyFormat.BIG_ENDIAN -> PlyBinaryBody(source, header, ByteOrder.BIG_ENDIAN)
+        /**
+         * Returns the body in the form that [header] specifies, in a file of [size] bytes. The body begins in [window].
+         */
+        fun of(
+            source: Source,
+            header: PlyHeader,
+            window: ByteWindow = ByteWindow(source.bytes),
+            size: Long = source.bytes.size.toLong(),
+        ): PlyBody = when (header.format) {
+            PlyFormat.ASCII -> PlyTextBody(source, header, window, size)
+            PlyFormat.LITTLE_ENDIAN -> PlyBinaryBody(source, header, window, size, ByteOrder.LITTLE_ENDIAN)
+            PlyFormat.BIG_ENDIAN -> PlyBinaryBody(source, header, window, size, ByteOrder.BIG_ENDIAN)
         }
     }
 }

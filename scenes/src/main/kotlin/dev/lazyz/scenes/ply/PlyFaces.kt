@@ -5,12 +5,20 @@ import dev.lazyz.scenes.meshes.Polygons
 
 /**
  * Reads the faces of a file: polygons, and triangle strips, which are separated by -1. They are stored until the
- * vertices are known, because the vertices may follow them in the file. Not thread safe.
+ * vertices are known, because the vertices may follow them in the file, or passed on in blocks. Not thread safe.
  *
  * @param vertexCount number of vertices that the header declares
+ * @param use takes the polygons that were read, whenever there are some thousands; call [end] for the last ones. Null
+ *   to keep all polygons, with their texture coordinates
  */
-internal class PlyFaces(private val source: Source, private val vertexCount: Int) {
-    val polygons = Polygons()
+internal class PlyFaces(
+    private val source: Source,
+    private val vertexCount: Int,
+    private val use: ((Polygons) -> Unit)? = null,
+) {
+    /** The polygons so far that were not passed on. */
+    var polygons = Polygons()
+        private set
     private var tooSmall = 0
     private var wrongTexture = 0
 
@@ -24,11 +32,14 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
     fun readFaces(element: PlyElement, body: PlyBody): Set<Int> {
         val column = indexColumn(element)
         val color = PlyColor.of(element)
-        val texture = element.column(listOf("texcoord"), isList = true)
+        val texture = if (use == null) element.column(listOf("texcoord"), isList = true) else null
         val textureNumber = texture?.let { element.column(listOf("texnumber")) }
-        polygons.expect(body.cornerRoom(element))
+        expect(element, body)
         if (body is PlyBinaryBody && body.areLists(element)) {
-            body.readLists(element) { at, count -> face(body, at, count) }
+            body.readLists(element) { at, count ->
+                face(body, at, count)
+                passOn()
+            }
             return setOf(column)
         }
         body.readRows(element) { _, row ->
@@ -54,12 +65,29 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
                 } else if (texture != null && row.lists[texture].size > 0) {
                     wrongTexture++
                 }
+                passOn()
             }
         }
         return setOf(column) + (color?.columns ?: emptyList()) + listOfNotNull(texture, textureNumber)
     }
 
-    /** Adds a face of [count] corners, whose numbers begin at byte [at] of [body]. */
+    /** Reserves memory for the rows of [element]. */
+    private fun expect(element: PlyElement, body: PlyBody) {
+        val room = body.cornerRoom(element)
+        polygons.expect(if (use == null) room else minOf(room, BLOCK))
+    }
+
+    private fun passOn() {
+        if (use != null && polygons.cornerCount >= BLOCK) end()
+    }
+
+    /** Passes on the polygons that were read and not passed on yet. */
+    fun end() {
+        checkNotNull(use)(polygons)
+        polygons = Polygons()
+    }
+
+    /** Adds a face of [count] corners, whose numbers begin at index [at] of [body]. */
     private fun face(body: PlyBinaryBody, at: Int, count: Int) {
         if (count == 3) {
             val size = Int.SIZE_BYTES
@@ -86,7 +114,7 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
     /** Reads all rows of element `tristrips`. Returns the numbers of the columns that were used. */
     fun readStrips(element: PlyElement, body: PlyBody): Set<Int> {
         val column = indexColumn(element)
-        polygons.expect(body.cornerRoom(element))
+        expect(element, body)
         if (body is PlyBinaryBody && body.areLists(element)) {
             body.readLists(element) { at, count ->
                 strip(IntArray(count) { body.int(at + Int.SIZE_BYTES * it) }, count, body)
@@ -117,6 +145,7 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
             if (a == b || b == c || a == c) continue
             val isTurned = (i - start) % 2 == 1
             polygons.addTriangle(if (isTurned) b else a, if (isTurned) a else b, c)
+            passOn()
         }
     }
 
@@ -137,5 +166,8 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
 
     private companion object {
         const val RESTART = -1
+
+        /** Corners of polygons that are passed on at a time. */
+        const val BLOCK = 1 shl 14
     }
 }

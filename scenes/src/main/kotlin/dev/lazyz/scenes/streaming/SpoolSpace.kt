@@ -10,10 +10,11 @@ import java.nio.file.Path
  * The room that temporary files may take in [folder]: at most [most] bytes together, and never the last
  * [KEPT_BYTES] of the disk. Not thread safe.
  *
+ * @property folder where temporary files are created
  * @param name name of the model in messages
  * @param most most bytes, or null
  */
-internal class SpoolSpace(private val folder: Path, private val name: String, private val most: Long?) {
+internal class SpoolSpace(val folder: Path, private val name: String, private val most: Long?) {
     private var taken = 0L
     private var checked = 0L
 

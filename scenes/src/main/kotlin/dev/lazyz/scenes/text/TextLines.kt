@@ -1,7 +1,6 @@
 package dev.lazyz.scenes.text
 
 import java.io.IOException
-import java.io.InputStream
 import java.util.StringTokenizer
 
 /**
@@ -10,27 +9,22 @@ import java.util.StringTokenizer
  *
  * Bytes are decoded as ISO 8859-1, which accepts any bytes. Not thread safe.
  *
- * @param bytes the text, or its beginning
+ * @param window the text, or its beginning; holds at least the current line, and changes with the line
  * @param position index of the first line's first byte
  * @param firstLine number of the first line
- * @param rest the rest of the text, or null if [bytes] is all of it. Then [bytes] holds a part of the text, at least
- *   the current line, and changes with the line
  */
-internal class TextLines(
-    bytes: ByteArray,
-    position: Int = 0,
-    firstLine: Int = 1,
-    private val rest: InputStream? = null,
-) {
+internal class TextLines(private val window: ByteWindow, position: Int = 0, firstLine: Int = 1) {
+    /** Lines of all of [bytes]. */
+    constructor(bytes: ByteArray) : this(ByteWindow(bytes))
+
     /** The text around the current line. The indices below refer to it. */
-    var bytes: ByteArray = bytes
-        private set
+    val bytes: ByteArray get() = window.bytes
 
     /** Number of [bytes] that are text. */
-    private var size = bytes.size
+    private val size: Int get() = window.size
 
-    /** Whether the text ends at [size]. */
-    private var isAtEnd = rest == null
+    /** Number of bytes of the text before the next line. */
+    val passed: Long get() = window.passed + position
 
     /** Index where the next line begins. */
     var position = position
@@ -61,18 +55,22 @@ internal class TextLines(
     /**
      * Moves to the next line, before its first word; returns false after the last line.
      *
-     * @throws IOException if the rest of the text cannot be read, or has a line of more than 256 MiB
+     * @throws IOException if the rest of the text cannot be read, or has a line of 32 MiB or more
      */
     fun nextLine(): Boolean {
         var end = position
         while (true) {
+            val bytes = bytes
+            val size = size
             while (end < size && bytes[end] != LINE_FEED && bytes[end] != CARRIAGE_RETURN) end++
 
             // A carriage return at the end can be half of a line's end
             val isComplete = end < size && (bytes[end] == LINE_FEED || end + 1 < size)
-            if (isComplete || isAtEnd) break
+            if (isComplete || window.isAtEnd) break
+            if (size - position >= LONGEST) throw tooLong(number + 1)
             end -= position
-            readMore()
+            window.readMore(position)
+            position = 0
         }
         if (position >= size) return false
         lineStart = position
@@ -82,19 +80,6 @@ internal class TextLines(
         position = minOf(end + (if (isPair) 2 else 1), size)
         number++
         return true
-    }
-
-    /** Moves the text from [position] on to the front of [bytes], and reads what follows it. */
-    private fun readMore() {
-        val kept = size - position
-        val from = bytes
-        if (kept > LONGEST) throw IOException("line ${number + 1} is longer than $LONGEST bytes")
-        if (kept >= bytes.size / 2) bytes = ByteArray(maxOf(PIECE, 2 * bytes.size))
-        System.arraycopy(from, position, bytes, 0, kept)
-        position = 0
-        val count = checkNotNull(rest).readNBytes(bytes, kept, bytes.size - kept)
-        size = kept + count
-        isAtEnd = size < bytes.size
     }
 
     /** Moves to the next word of the line; returns false after the last word. */
@@ -158,11 +143,11 @@ internal class TextLines(
     }
 
     companion object {
-        /** Bytes of a text that are in memory at a time, unless a line is longer. */
-        private const val PIECE = 1 shl 20
-
         /** The longest line of a text that is not in memory. */
-        private const val LONGEST = 1 shl 28
+        const val LONGEST: Int = 1 shl 25
+
+        /** Returns the exception for line [number] of a text that is not in memory. */
+        fun tooLong(number: Int): IOException = IOException("line $number has $LONGEST bytes or more")
 
         private const val SPACE = ' '.code.toByte()
         private const val TAB = '\t'.code.toByte()
