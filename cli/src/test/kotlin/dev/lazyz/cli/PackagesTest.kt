@@ -118,7 +118,7 @@ class PackagesTest {
             "shading.light", "shading.pbr", "shading", "setup", "setup.planar",
             "sections", "drawing.strokes", "drawing", "pipeline", "filter",
             "strategies.tiled.raster", "strategies.tiled.binning", "strategies.tiled.resolve",
-            "strategies.*", "strategies", "lighting", "aov",
+            "strategies.*", "strategies", "planning", "lighting", "aov",
         ).map { if (it.isEmpty()) "dev.lazyz" else "dev.lazyz.$it" }
 
         val MODULES = listOf("core", "scenes", "conformance", "testing", "server", "cli", "jmh")

@@ -15,8 +15,15 @@ internal class MemoryAdvice(private val request: RenderRequest, private val allo
      * @param what what does not fit
      * @param need how many bytes it needs, if that is known
      * @param plan the plan that needs the least, if there is one
+     * @param isStreamed whether the model is read part by part already
      */
-    fun refusal(what: String, need: Long?, input: Input, plan: RenderPlan? = null): Mistake {
+    fun refusal(
+        what: String,
+        need: Long?,
+        input: Input,
+        plan: RenderPlan? = null,
+        isStreamed: Boolean = false,
+    ): Mistake {
         val memory = Bytes.readable(allowed)
         val problem = if (need == null) {
             "$what does not fit into --memory $memory"
@@ -26,7 +33,7 @@ internal class MemoryAdvice(private val request: RenderRequest, private val allo
         val enough = if (need == null) 2 * allowed else need + need / MARGIN
         val remedies = listOfNotNull(
             "--memory ${(enough shr 20) + 1}m" + if (plan == null) " or more" else "",
-            "--stream (each triangle then has its own normal)".takeIf { canStream(input) },
+            "--stream (each triangle then has its own normal)".takeIf { !isStreamed && canStream(input) },
             "--aa 1".takeIf { plan != null && request.subject.antiAliasing.wanted > 1 },
             "a smaller --size or a --region".takeIf { plan != null },
             "-o with .ppm".takeIf { plan != null && request.output?.endsWith(".ppm") == false },

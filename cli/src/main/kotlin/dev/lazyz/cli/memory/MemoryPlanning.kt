@@ -71,7 +71,9 @@ internal class MemoryPlanning(private val allowed: Long, private val request: Re
         val others = listOf(MemoryItem("program, scene and primitives", held())) + outputs
         val planner = RenderPlanner(memory, request.choices.options())
         val plan = shot.plan(planner, choice.rendererChoices(shot.frame, memory), others)
-        if (!plan.fits) throw advice.refusal("the picture", plan.leastMemory, source.input, plan)
+        if (!plan.fits) {
+            throw advice.refusal("the picture", plan.leastMemory, source.input, plan, shot.frame.isStreamed)
+        }
         return plan
     }
 

@@ -22,10 +22,9 @@ import java.util.stream.Stream;
  * <p>{@code java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.memory.MemoryGrid}
  *
  * <p>Options: {@code --jar}, that of zcli; {@code --page}; {@code --memory}, mebibytes, repeated; {@code --java}, an
- * option of Java, repeated; {@code --seconds}, the longest time of a cell.
+ * option of Java, repeated; {@code --seconds}, the longest time of a cell; {@code --formats}, of pictures, png,ppm,dzi.
  */
 public final class MemoryGrid {
-    private static final List<String> FORMATS = List.of("png", "ppm", "dzi");
     private static final List<List<String>> SIZES = List.of(
             List.of("--size", "640x480"),
             List.of("--size", "3000x3000", "--aa", "1"),
@@ -34,20 +33,22 @@ public final class MemoryGrid {
     private final Path jar;
     private final List<String> javaOptions;
     private final int seconds;
+    private final List<String> formats;
     private final Path folder;
     private int failed;
     private int rendered;
     private int refused;
 
-    private MemoryGrid(Path jar, List<String> javaOptions, int seconds, Path folder) {
+    private MemoryGrid(Path jar, List<String> javaOptions, int seconds, List<String> formats, Path folder) {
         this.jar = jar;
         this.javaOptions = javaOptions;
         this.seconds = seconds;
+        this.formats = formats;
         this.folder = folder;
     }
 
     public static void main(String[] args) throws IOException, InterruptedException {
-        Options options = new Options(args, Set.of("jar", "page", "memory", "java", "seconds"));
+        Options options = new Options(args, Set.of("jar", "page", "memory", "java", "seconds", "formats"));
         List<String> chosen = options.all("memory");
         List<Integer> amounts = (chosen.isEmpty() ? List.of("16", "32", "64", "128", "256") : chosen)
                 .stream().map(Integer::valueOf).toList();
@@ -56,6 +57,7 @@ public final class MemoryGrid {
                 Path.of(options.get("jar", "cli/target/zcli.jar")),
                 options.all("java"),
                 Integer.parseInt(options.get("seconds", "120")),
+                options.list("formats", "png,ppm,dzi"),
                 folder);
         try {
             String table = grid.table(amounts);
@@ -127,7 +129,7 @@ public final class MemoryGrid {
     private String cell(List<String> input, List<String> size, int amount, String expected)
             throws IOException, InterruptedException {
         List<String> done = new ArrayList<>();
-        for (String format : FORMATS) {
+        for (String format : formats) {
             Path picture = folder.resolve("picture." + format);
             List<String> words = words(input, size, picture);
             words.addAll(List.of("--memory", amount + "m"));
@@ -147,7 +149,7 @@ public final class MemoryGrid {
             delete(picture);
             delete(folder.resolve("picture_files"));
         }
-        return done.isEmpty() ? "–" : done.equals(FORMATS) ? "all" : String.join(", ", done);
+        return done.isEmpty() ? "–" : done.equals(formats) ? "all" : String.join(", ", done);
     }
 
     private static List<String> words(List<String> input, List<String> size, Path picture) {

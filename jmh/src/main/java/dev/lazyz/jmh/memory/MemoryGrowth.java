@@ -34,7 +34,9 @@ public final class MemoryGrowth {
     /** The smallest heap is found to within one part in so many. */
     private static final int PRECISION = 4;
 
-    private static final int LEAST = 4;
+    /** Where the search begins. */
+    private static final int FIRST = 12;
+
     private static final int MOST = 2048;
 
     private final Path jar;
@@ -57,24 +59,36 @@ public final class MemoryGrowth {
         Path page = Path.of(options.get("page", "docs/memory.md"));
         Path charts = Path.of(options.get("charts", "docs/images"));
         try {
-            for (String axis : options.all("axis").isEmpty() ? List.of("pixels", "triangles") : options.all("axis")) {
+            for (String axis : options.list("axis", "pixels,triangles")) {
                 boolean isPixels = axis.equals("pixels");
                 List<Integer> points = isPixels ? SIDES : TRIANGLES;
-                Map<String, List<Integer>> curves = isPixels ? growth.pixels() : growth.triangles();
-                String table = table(isPixels ? "side of the picture" : "triangles", points, curves);
-                System.out.println(table);
-                Path chart = charts.resolve("memory-" + axis + ".png");
-                ChartEncoder.saveChart(chart(axis, points, curves), chart.toString(), "png");
-                if (Files.exists(page)) {
-                    String filled =
-                            GeneratedPage.fill(Files.readString(page), name -> name.equals(axis) ? table : null);
-                    Files.writeString(page, filled);
+                Map<String, List<Integer>> curves = new LinkedHashMap<>();
+                for (Map.Entry<String, List<String>> contender : contenders().entrySet()) {
+                    List<Integer> curve =
+                            isPixels ? growth.pixels(contender.getValue()) : growth.triangles(contender.getValue());
+                    curves.put(contender.getKey(), curve);
+                    System.out.println(contender.getKey() + " " + curve);
+
+                    // If a long run is stopped, the results so far are kept
+                    write(axis, points, curves, page, charts);
                 }
             }
         } finally {
-            Files.delete(folder.resolve("model.stl"));
-            Files.delete(folder.resolve("picture.ppm"));
+            Files.deleteIfExists(folder.resolve("model.stl"));
+            Files.deleteIfExists(folder.resolve("picture.ppm"));
             Files.delete(folder);
+        }
+    }
+
+    private static void write(
+            String axis, List<Integer> points, Map<String, List<Integer>> curves, Path page, Path charts)
+            throws IOException {
+        String table = table(axis.equals("pixels") ? "side of the picture" : "triangles", points, curves);
+        Path chart = charts.resolve("memory-" + axis + ".png");
+        ChartEncoder.saveChart(chart(axis, points, curves), chart.toString(), "png");
+        if (Files.exists(page)) {
+            String filled = GeneratedPage.fill(Files.readString(page), name -> name.equals(axis) ? table : null);
+            Files.writeString(page, filled);
         }
     }
 
@@ -88,48 +102,40 @@ public final class MemoryGrowth {
         return all;
     }
 
-    private Map<String, List<Integer>> pixels() throws IOException, InterruptedException {
+    private List<Integer> pixels(List<String> contender) throws IOException, InterruptedException {
         Hills.write(folder.resolve("model.stl"), TRIANGLES.get(0));
-        Map<String, List<Integer>> curves = new LinkedHashMap<>();
-        for (Map.Entry<String, List<String>> contender : contenders().entrySet()) {
-            List<Integer> curve = new ArrayList<>();
-            for (int side : SIDES) {
-                curve.add(least(contender.getValue(), side));
-            }
-            curves.put(contender.getKey(), curve);
-            System.out.println(contender.getKey() + " " + curve);
+        List<Integer> curve = new ArrayList<>();
+        for (int side : SIDES) {
+            curve.add(least(contender, side, curve));
         }
-        return curves;
+        return curve;
     }
 
-    private Map<String, List<Integer>> triangles() throws IOException, InterruptedException {
-        Map<String, List<Integer>> curves = new LinkedHashMap<>();
+    private List<Integer> triangles(List<String> contender) throws IOException, InterruptedException {
+        List<Integer> curve = new ArrayList<>();
         for (int triangles : TRIANGLES) {
             Hills.write(folder.resolve("model.stl"), triangles);
-            for (Map.Entry<String, List<String>> contender : contenders().entrySet()) {
-                int least = least(contender.getValue(), 512);
-                curves.computeIfAbsent(contender.getKey(), key -> new ArrayList<>())
-                        .add(least);
-                System.out.println(triangles + " triangles, " + contender.getKey() + " " + least);
-            }
+            curve.add(least(contender, SIDES.get(0), curve));
         }
-        return curves;
+        return curve;
     }
 
-    /** Returns the smallest heap that is enough, mebibytes, or 0 if none is. */
-    private int least(List<String> contender, int side) throws IOException, InterruptedException {
+    /** Returns the smallest heap that is enough, mebibytes, or 0 if none is. It is about that of the point {@code before}. */
+    private int least(List<String> contender, int side, List<Integer> before) throws IOException, InterruptedException {
         List<String> words = new ArrayList<>(List.of(folder.resolve("model.stl").toString()));
         words.addAll(contender);
         words.addAll(List.of("--shading", "flat", "--aa", "1", "--size", String.valueOf(side)));
         words.addAll(List.of("-o", folder.resolve("picture.ppm").toString()));
-        int enough = LEAST;
+        int last = before.isEmpty() ? FIRST : before.get(before.size() - 1);
+        int tooLittle = last == 0 ? MOST : last * 3 / 4;
+        int enough = last == 0 ? MOST : last;
         while (enough <= MOST && !isEnough(enough, words)) {
+            tooLittle = enough;
             enough *= 2;
         }
         if (enough > MOST) {
             return 0;
         }
-        int tooLittle = enough / 2;
         while (enough - tooLittle > Math.max(1, enough / PRECISION)) {
             int middle = (enough + tooLittle) / 2;
             if (isEnough(middle, words)) {
