@@ -126,11 +126,19 @@ public object Scenes {
      * Each has its own normal, as with [LoadOptions.smoothNormals] off; the picture is the one of the scene that [load]
      * returns with that option.
      *
-     * The file is read once here, to find its extent and its mistakes. A text file is also converted to a temporary
-     * file of 36 bytes a triangle. Memory: some megabytes, and about 100 bytes for each 1024 triangles.
+     * The file is read here, once or twice, to find its extent and its mistakes. A binary STL file stays as it is. The
+     * triangles of other files go to a temporary file of 36 bytes a triangle, or 84 if there are colours. For PLY and
+     * OBJ files, another temporary file has 12 bytes a vertex, or 28 with a colour, until this method returns. Memory:
+     * some megabytes, and about 100 bytes for each 1024 triangles.
      *
-     * @param format the format, or null if the extension of the name or the first bytes determine it; only STL is
-     *   supported
+     * Of PLY and OBJ files, polygons and their colours, or those of their vertices, are read. A warning counts what is
+     * not: normals, texture coordinates, materials, points and lines. The triangles are in the order of the file, which
+     * for OBJ files with several materials or kinds of normals is not always the order of the meshes that [load]
+     * returns: of surfaces at the same place, another one may be visible. Lines of text, joined ones too, must be
+     * shorter than 32 MiB, and lists of binary files have at most 32 MiB.
+     *
+     * @param format the format, or null if the extension of the name or the first bytes determine it; STL, PLY and OBJ
+     *   are supported
      * @param limits limits on what the file can request; [LoadLimits.decodedBytes] does not apply
      * @param spool the folder of temporary files
      * @throws SceneFormatException as [load]; also if the format is not supported or there is no space for temporary

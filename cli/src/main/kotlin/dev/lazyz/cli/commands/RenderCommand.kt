@@ -217,14 +217,15 @@ private class OutputOptions : OptionGroup("Output") {
 private class StreamOptions : OptionGroup("Large models") {
     private val isStreamed by option(
         "--stream",
-        help = "Read the triangles while they are rendered, and do not keep them: for an .stl file of any size. " +
-            "Each triangle has its own normal. The default strategy, zbuffer and hybrid support it",
+        help = "Read the triangles while they are rendered, and do not keep them: for an .stl, .ply or .obj file of " +
+            "any size. Each triangle has its own normal; materials and textures are not read. The default strategy, " +
+            "zbuffer and hybrid support it",
     ).flag()
 
     private val spool by option(
         "--spool",
-        help = "The folder for temporary files of --stream: 36 bytes a triangle for a file of text, and a copy of " +
-            "standard input; default: the folder for temporary files of the system",
+        help = "The folder for temporary files of --stream, which take about as much space as the model, and a copy " +
+            "of standard input; default: the folder for temporary files of the system",
     ).path()
 
     /** What the options ask for, or null. */

@@ -106,8 +106,11 @@ class StreamTest {
         zcli("render", "teapot", "--stream", "-o", out).mistake("teapot is a built-in scene")
         zcli("render", model, "--spool", folder, "-o", out).mistake("--spool needs --stream")
         zcli("render", "-", "--stream", "-o", out).mistake("specify the format of standard input")
-        folder.resolve("a.obj").writeText("v 0 0 0\n")
-        zcli("render", folder.resolve("a.obj"), "--stream", "-o", out).mistake("only STL can", "a.obj")
+        folder.resolve("a.off").writeText("OFF\n0 0 0\n")
+        zcli("render", folder.resolve("a.off"), "--stream", "-o", out).mistake("only STL, PLY and OBJ can", "a.off")
+        folder.resolve("a.obj").writeText("v 0 0 0\nf 1 2 1\n")
+        zcli("render", folder.resolve("a.obj"), "--stream", "-o", out).mistake("line 2", "number 2 of 1 vertices")
+        assertTrue(!out.exists())
     }
 
     @Test
@@ -131,12 +134,56 @@ class StreamTest {
         assertEquals(whole, folder.resolve("small.png").image.argb())
     }
 
-    private fun run(javaOption: String, vararg args: String): Int {
+    /** The same for files of shared vertices, which are also sent to standard input. */
+    @Test
+    fun objAndPlyFilesLargerThanTheHeapAreShown() {
+        val options = arrayOf("--shading", "flat", "--aa", "1", "--size", "80x60", "-o", "small.png")
+        for ((name, text) in listOf("hills.obj" to indexed(500, isPly = false), "hills.ply" to indexed(500, isPly = true))) {
+            val file = folder.resolve(name)
+            file.writeText(text)
+            zcli("render", file, "-o", out, *options.sliceArray(0..5)).done()
+            val whole = out.image.argb()
+            assertEquals(2, run("-Xmx40m", "render", name, *options), name)
+            assertTrue("-Xmx" in folder.resolve("errors.txt").readText(), folder.resolve("errors.txt").readText())
+            assertEquals(0, run("-Xmx40m", "render", name, "--stream", *options), name)
+            assertEquals(whole, folder.resolve("small.png").image.argb(), name)
+            val format = name.takeLast(3)
+            val code = run("-Xmx40m", "render", "-", "--format", format, "--stream", *options, input = file.toFile())
+            assertEquals(0, code, folder.resolve("errors.txt").readText())
+            assertEquals(whole, folder.resolve("small.png").image.argb(), name)
+        }
+    }
+
+    /** A hilly square of 2 x [side] x [side] triangles as text. */
+    private fun indexed(side: Int, isPly: Boolean): String = buildString {
+        val count = (side + 1) * (side + 1)
+        if (isPly) {
+            append("ply\nformat ascii 1.0\nelement vertex $count\nproperty float x\nproperty float y\n")
+            append("property float z\nelement face ${2 * side * side}\nproperty list uchar int vertex_index\nend_header\n")
+        }
+        for (vertex in 0 until count) {
+            val x = vertex % (side + 1) / side.toFloat()
+            val y = vertex / (side + 1) / side.toFloat()
+            val z = (StrictMath.sin(11.0 * x) * StrictMath.cos(8.0 * y) / 6).toFloat()
+            append(if (isPly) "" else "v ").append(x).append(' ').append(y).append(' ').append(z).append('\n')
+        }
+        val first = if (isPly) 0 else 1
+        for (cell in 0 until side * side) {
+            val a = cell / side * (side + 1) + cell % side + first
+            val c = a + side + 1
+            val start = if (isPly) "3 " else "f "
+            append(start).append(a).append(' ').append(a + 1).append(' ').append(c + 1).append('\n')
+            append(start).append(a).append(' ').append(c + 1).append(' ').append(c).append('\n')
+        }
+    }
+
+    private fun run(javaOption: String, vararg args: String, input: File? = null): Int {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
         val classPath = System.getProperty("java.class.path").split(File.pathSeparator)
             .joinToString(File.pathSeparator) { Path.of(it).toAbsolutePath().toString() }
         val process = ProcessBuilder(listOf(java, javaOption, "-cp", classPath, "dev.lazyz.cli.MainKt") + args)
-            .directory(folder.toFile()).redirectError(folder.resolve("errors.txt").toFile()).start()
+            .directory(folder.toFile()).redirectError(folder.resolve("errors.txt").toFile())
+            .also { if (input != null) it.redirectInput(input) }.start()
         assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
         return process.exitValue()
     }

@@ -7,13 +7,34 @@ import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** A hilly square as a binary STL file, row by row, as programs for maps and scans write it. */
+/** A hilly square as a file, row by row, as programs for maps and scans write it. */
 public final class Hills {
     private Hills() {}
 
-    /** Writes about so many triangles; returns how many. */
+    /** Writes about so many triangles in a {@code format} of {@link LargeModel}; returns how many. */
+    static int write(Path file, int triangles, String format) throws IOException {
+        switch (format) {
+            case "stl":
+                return write(file, triangles);
+            case "ply":
+                return IndexedHills.writePly(file, triangles);
+            case "ply-text":
+                return IndexedHills.writeText(file, triangles, true);
+            case "obj":
+                return IndexedHills.writeText(file, triangles, false);
+            default:
+                throw new IllegalArgumentException("--format: stl, ply, ply-text or obj: " + format);
+        }
+    }
+
+    /** Returns the number of cells along a side of the square. */
+    static int side(int triangles) {
+        return Math.max(1, (int) Math.sqrt(triangles / 2.0));
+    }
+
+    /** Writes about so many triangles as binary STL; returns how many. */
     public static int write(Path file, int triangles) throws IOException {
-        int side = Math.max(1, (int) Math.sqrt(triangles / 2.0));
+        int side = side(triangles);
         ByteBuffer row = ByteBuffer.allocate(100 * side).order(ByteOrder.LITTLE_ENDIAN);
         try (OutputStream output = Files.newOutputStream(file)) {
             ByteBuffer header = ByteBuffer.allocate(84).order(ByteOrder.LITTLE_ENDIAN);
@@ -38,11 +59,11 @@ public final class Hills {
         return 2 * side * side;
     }
 
-    private static void point(ByteBuffer row, int side, int x, int y, float height) {
+    static void point(ByteBuffer row, int side, int x, int y, float height) {
         row.putFloat(2f * x / side - 1).putFloat(2f * y / side - 1).putFloat(height);
     }
 
-    private static float[] heights(int side, int row) {
+    static float[] heights(int side, int row) {
         double y = 2.0 * row / side - 1;
         float[] heights = new float[side + 1];
         for (int column = 0; column <= side; column++) {

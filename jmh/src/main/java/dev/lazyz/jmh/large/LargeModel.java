@@ -5,6 +5,8 @@ import dev.lazyz.Frame;
 import dev.lazyz.Image;
 import dev.lazyz.Raster;
 import dev.lazyz.jmh.report.Options;
+import dev.lazyz.scenes.LoadLimits;
+import dev.lazyz.scenes.LoadOptions;
 import dev.lazyz.scenes.Scenes;
 import dev.lazyz.scenes.StreamedScene;
 import dev.lazyz.strategies.tiled.Tiled;
@@ -15,9 +17,6 @@ import dev.lazyz.world.surface.MeshSource;
 import dev.lazyz.world.surface.StreamedMesh;
 import java.io.File;
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -26,18 +25,18 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * Renders a binary STL file that is larger than memory, and compares the time with a plain loop over its bytes, and the
- * picture with that of the same triangles rendered in pieces and merged. Each step has a process of its own.
+ * Renders a file that is larger than memory, and compares the time with a plain loop over its numbers, and the picture
+ * with that of the same triangles: rendered in pieces and merged, or, if vertices are shared, in memory. Each step has
+ * a process of its own.
  *
  * <p>{@code java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.large.LargeModel --triangles 100000000 --heap 256m}
  *
- * <p>Other options: {@code --side}, the side of the picture, 1024 samples; {@code --rounds}, 2; {@code --folder}, where
- * the file is written and deleted, by default that of temporary files; {@code --pieces no}, without the comparison.
+ * <p>Other options: {@code --format}, {@code stl} and {@code ply}, which are binary, {@code ply-text} or {@code obj};
+ * {@code --side}, the side of the picture, 1024 samples; {@code --rounds}, 2; {@code --folder}, where
+ * the file is written and deleted, by default that of temporary files; {@code --pieces no}, without the comparison of
+ * pictures.
  */
 public final class LargeModel {
-    private static final int RECORD = 50;
-    private static final int HEADER = 84;
-
     /** Parts of a file that are rendered at a time: a million triangles. */
     private static final int PARTS = 1024;
 
@@ -48,14 +47,15 @@ public final class LargeModel {
             System.out.println(step(args[0], Path.of(args[1]), Integer.parseInt(args[2])));
             return;
         }
-        Options options = new Options(args, Set.of("triangles", "heap", "side", "rounds", "folder", "pieces"));
+        Options options = new Options(args, Set.of("triangles", "format", "heap", "side", "rounds", "folder", "pieces"));
         int triangles = Integer.parseInt(options.get("triangles", "10000000"));
         String heap = "-Xmx" + options.get("heap", "256m");
         String side = options.get("side", "1024");
         Path folder = Path.of(options.get("folder", System.getProperty("java.io.tmpdir")));
-        Path file = Files.createTempFile(folder, "hills", ".stl");
+        String format = options.get("format", "stl");
+        Path file = Files.createTempFile(folder, "hills", "." + format.replace("-text", ""));
         try {
-            int written = Hills.write(file, triangles);
+            int written = Hills.write(file, triangles, format);
             System.out.printf(
                     Locale.ROOT,
                     "%,d triangles, %,d bytes, %s, %s x %s samples%n",
@@ -65,11 +65,15 @@ public final class LargeModel {
                     side,
                     side);
             for (int round = 0; round < Integer.parseInt(options.get("rounds", "2")); round++) {
-                System.out.println("plain loop   " + run(heap, "plain", file, side));
+                System.out.println("plain loop   " + run(heap, "plain-" + format, file, side));
                 System.out.println("streamed     " + run(heap, "stream", file, side));
             }
             if (!options.get("pieces", "yes").equals("no")) {
-                System.out.println("in pieces    " + run("-Xmx2g", "pieces", file, side));
+                if (format.equals("stl")) {
+                    System.out.println("in pieces    " + run("-Xmx2g", "pieces", file, side));
+                } else {
+                    System.out.println("in memory    " + run("-Xmx6g", "whole", file, side));
+                }
             }
         } finally {
             Files.delete(file);
@@ -102,8 +106,15 @@ public final class LargeModel {
 
     private static String step(String step, Path file, int side) throws IOException, InterruptedException {
         switch (step) {
-            case "plain":
-                return plain(file);
+            case "plain-stl":
+                return plain(PlainLoop::stl, file);
+            case "plain-ply":
+                return plain(PlainLoop::ply, file);
+            case "plain-obj":
+            case "plain-ply-text":
+                return plain(PlainLoop::text, file);
+            case "whole":
+                return whole(file, side);
             case "stream":
                 return stream(file, side);
             case "pieces":
@@ -113,23 +124,24 @@ public final class LargeModel {
         }
     }
 
-    /** Reads all bytes and all coordinates, one after the other, on one thread. */
-    private static String plain(Path file) throws IOException {
+    private interface Loop {
+        double least(Path file) throws IOException;
+    }
+
+    private static String plain(Loop loop, Path file) throws IOException {
         long start = System.nanoTime();
-        float least = Float.POSITIVE_INFINITY;
-        ByteBuffer buffer = ByteBuffer.allocate(8192 * RECORD).order(ByteOrder.LITTLE_ENDIAN);
-        try (InputStream input = Files.newInputStream(file)) {
-            input.readNBytes(HEADER);
-            int count;
-            while ((count = input.readNBytes(buffer.array(), 0, buffer.capacity())) > 0) {
-                for (int facet = 0; facet < count; facet += RECORD) {
-                    for (int i = 12; i < 48; i += 4) {
-                        least = Math.min(least, buffer.getFloat(facet + i));
-                    }
-                }
-            }
-        }
-        return seconds(start) + ", least coordinate " + least;
+        double least = loop.least(file);
+        return seconds(start) + ", least number " + least;
+    }
+
+    /** Renders the whole model in memory. */
+    private static String whole(Path file, int side) throws IOException, InterruptedException {
+        long start = System.nanoTime();
+        LoadOptions flat = new LoadOptions(new LoadLimits(), null, false);
+        Frame frame = Scenes.load(file, flat).getScene().frame(side, side);
+        String loaded = seconds(start);
+        Image image = new Tiled().render(frame);
+        return seconds(start) + " (loaded after " + loaded + "), " + image.pixelHash();
     }
 
     private static String stream(Path file, int side) throws IOException, InterruptedException {
