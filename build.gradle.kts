@@ -18,7 +18,7 @@ val catalog = libs
 val javaRelease = 17
 
 /** Modules of many short tests, which would mostly wait for the optimizing compiler. */
-val shortTests = listOf("scenes", "testing", "server", "cli")
+val shortTests = listOf("scenes", "testing", "server", "spark", "cli")
 
 /** A jar that runs alone: its file name and main class, by module. */
 val fatJars = mapOf(
@@ -102,7 +102,7 @@ configure(subprojects.filter { it.name != "bom" }) {
 }
 
 // The libraries that go to Maven Central, with sources and documentation.
-for (module in listOf("core", "scenes", "conformance", "testing", "server")) {
+for (module in listOf("core", "scenes", "conformance", "testing", "server", "spark")) {
     project(":$module") {
         apply(plugin = catalog.plugins.dokka.get().pluginId)
 
