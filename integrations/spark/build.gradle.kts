@@ -21,7 +21,7 @@ tasks.test {
     maxParallelForks = 1
     maxHeapSize = "2g"
     // Spark reads private fields of these packages, see its class JavaModuleOptions
-    for (name in listOf("java.lang", "java.lang.invoke", "java.nio", "java.util", "sun.nio.ch")) {
+    for (name in listOf("java.io", "java.lang", "java.lang.invoke", "java.nio", "java.util", "sun.nio.ch")) {
         jvmArgs("--add-opens=java.base/$name=ALL-UNNAMED")
     }
 }
