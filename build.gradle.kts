@@ -18,7 +18,7 @@ val catalog = libs
 val javaRelease = 17
 
 /** Modules of many short tests, which would mostly wait for the optimizing compiler. */
-val shortTests = listOf("scenes", "testing", "server", "spark", "cli")
+val shortTests = listOf("scenes", "testing", "server", "cli")
 
 /** A jar that runs alone: its file name and main class, by module. */
 val fatJars = mapOf(

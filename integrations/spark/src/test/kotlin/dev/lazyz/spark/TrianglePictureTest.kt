@@ -122,10 +122,10 @@ class TrianglePictureTest {
     @Test
     fun severalBandsAreThoseOfOneJvm(@TempDir folder: Path) {
         val file = stl(folder)
-        val expected = ZBuffer().render(frame(file, 3000, 1000))
+        val expected = ZBuffer().render(frame(file, 1300, 1000))
         val triangles = TriangleTable.readStl(spark, "$file", partitionBytes = 40_000).cache()
         for (order in SortOrder.entries) {
-            val (image, _) = image(TrianglePicture(triangles, 3000, 1000, Upright(3000, 1000), order))
+            val (image, _) = image(TrianglePicture(triangles, 1300, 1000, Upright(1300, 1000), order))
             assertEquals(expected.pixelHash(), image.pixelHash(), "$order")
         }
     }
