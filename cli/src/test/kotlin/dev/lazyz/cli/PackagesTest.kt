@@ -121,7 +121,7 @@ class PackagesTest {
             "strategies.*", "strategies", "planning", "lighting", "aov",
         ).map { if (it.isEmpty()) "dev.lazyz" else "dev.lazyz.$it" }
 
-        val MODULES = listOf("core", "scenes", "conformance", "testing", "server", "cli", "jmh")
+        val MODULES = listOf("core", "scenes", "conformance", "testing", "server", "spark", "cli", "jmh")
 
         /**
          * Files whose dependencies are ignored, each with the reason. They connect packages so that no other file has
