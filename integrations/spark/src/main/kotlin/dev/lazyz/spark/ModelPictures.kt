@@ -63,7 +63,13 @@ public object ModelPictures {
         }
         require("content" in columns) { "the models have no column 'content': ${columns.joinToString()}" }
         val words = PictureOptions(options).words
-        val chosen = if ("options" in columns) models.select(name, "content", "options") else models.select(name, "content")
+        val chosen = if ("options" in
+            columns
+        ) {
+            models.select(name, "content", "options")
+        } else {
+            models.select(name, "content")
+        }
         return chosen.mapPartitions(RenderRows(words, SerializableLimits(limits)), Encoders.row(schema))
     }
 

@@ -56,14 +56,14 @@ fun main(arguments: Array<String>) {
         .getOrCreate()
     val drill = FaultDrill(spark, Path.of(folder))
     try {
-        drill.aKilledExecutorChangesNoPicture()
-        drill.aKilledExecutorChangesNoTriangles()
         drill.aSlowWorkerIsOvertaken()
         if (smallDisk == "-") {
             println("SKIPPED a disk is full: there is no small disk")
         } else {
             drill.aFullDiskLeavesNothing(Path.of(smallDisk))
         }
+        drill.aKilledExecutorChangesNoTriangles()
+        drill.aKilledExecutorChangesNoPicture()
     } finally {
         spark.stop()
     }
@@ -88,7 +88,7 @@ private object SlowTriangles : TriangleScene {
     private const val serialVersionUID = 1L
 
     override fun scene(triangles: Surface): Scene {
-        if (SparkEnv.get()?.executorId() != "driver") Thread.sleep(500)
+        if (SparkEnv.get()?.executorId() != "driver") Thread.sleep(100)
         return Scene(listOf(triangles), viewpoint = Camera.fit()).withUpAxis(UpAxis.Z)
     }
 }
