@@ -76,7 +76,8 @@ private fun processorTime() {
             }
         }
         check(Files.mismatch(folder.resolve("a.png"), folder.resolve("b.png")) < 0)
-        println("$id ${width}x$height aa=$factor: Tiled $alone s, Spark $spark s, ratio %.2f".format(spark.min() / alone.min()))
+        val ratio = "%.2f".format(spark.min() / alone.min())
+        println("$id ${width}x$height aa=$factor: Tiled $alone s, Spark $spark s, ratio $ratio")
     }
     folder.toFile().deleteRecursively()
 }
