@@ -28,7 +28,7 @@ import org.apache.spark.sql.types.StructType
  * |---|---|
  * | `name`, `options` | as given |
  * | `width`, `height` | of the picture, in pixels |
- * | `png`, `pixels`, `depth` | what the options ask for: a PNG file; colours, 8-bit sRGB in the order alpha, red, green, blue; depths, 32-bit numbers, highest byte first |
+ * | `png`, `pixels`, `depth` | as `output` says: a PNG file; alpha, red, green, blue, 8-bit sRGB; 32-bit depths |
  * | `hash` | the pixel hash of contract rule 7.2 |
  * | `counters` | primitives, fragments, depth evaluations, depth passes and shading calls |
  * | `warnings` | what the reader ignored |
@@ -63,12 +63,19 @@ public object ModelPictures {
         }
         require("content" in columns) { "the models have no column 'content': ${columns.joinToString()}" }
         val words = PictureOptions(options).words
-        val chosen = if ("options" in columns) models.select(name, "content", "options") else models.select(name, "content")
+        val chosen = if ("options" in
+            columns
+        ) {
+            models.select(name, "content", "options")
+        } else {
+            models.select(name, "content")
+        }
         return chosen.mapPartitions(RenderRows(words, SerializableLimits(limits)), Encoders.row(schema))
     }
 
     /**
-     * Returns contact sheets of pictures: rows with the columns `sheet`, its number from 0; `png`, the picture; `names`,
+     * Returns contact sheets of pictures: rows with the columns `sheet`, its number from 0; `png`, the picture;
+     * `names`,
      * what it shows, in rows from the top. Models without a picture have a cell that says so. The order is that of the
      * names.
      *

@@ -13,7 +13,8 @@ import org.apache.spark.sql.api.java.UDF3
  *
  * ```python
  * schema = spark._jvm.dev.lazyz.spark.ModelPictures.getSchema().json()
- * spark.udf.registerJavaFunction("lazyz_render", "dev.lazyz.spark.RenderModel", StructType.fromJson(json.loads(schema)))
+ * spark.udf.registerJavaFunction("lazyz_render", "dev.lazyz.spark.RenderModel",
+ * StructType.fromJson(json.loads(schema)))
  * ```
  *
  * Limits are those of [LoadLimits], with the share of a task as the limit of decoded data. Thread safe.

@@ -45,7 +45,8 @@ public enum class SortedShading {
 }
 
 /**
- * A picture of a Dataset of triangles, see [TriangleTable], which may be larger than the memory of any machine. The bits
+ * A picture of a Dataset of triangles, see [TriangleTable], which may be larger than the memory of any machine. The
+ * bits
  * are those of one JVM with all triangles in one `Mesh`.
  *
  * ```
@@ -55,10 +56,12 @@ public enum class SortedShading {
  * picture.writePng(Path.of("scan.png"))
  * ```
  *
- * The fragments of a sample are merged by the minimum of their keys, which is associative and commutative (contract rule
+ * The fragments of a sample are merged by the minimum of their keys, which is associative and commutative (contract
+ * rule
  * 5.1); so partitions, their order, failures and repeated tasks have no effect on the picture.
  *
- * A fitted camera needs about 30 jobs over all triangles, when it is first needed. Cache the Dataset, or give the scene a
+ * A fitted camera needs about 30 jobs over all triangles, when it is first needed. Cache the Dataset, or give the scene
+ * a
  * [dev.lazyz.world.Camera], which needs one. Memory of a task: 131,072 triangles, which take some 50 MB while they are
  * drawn, and for [SortOrder.LAST] bands at 12 bytes a sample, up to a fifth of the heap for all tasks of an executor.
  * Thread safe.

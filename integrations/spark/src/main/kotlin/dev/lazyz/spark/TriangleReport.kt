@@ -8,7 +8,8 @@ import dev.lazyz.Counters
  * @property order the order that was used
  * @property shading when colours were computed
  * @property counters the work of all tasks
- * @property movedBytes bytes of fragments or triangles that crossed from task to task, before Spark compressed them; not
+ * @property movedBytes bytes of fragments or triangles that crossed from task to task, before Spark compressed them;
+ *   not
  *   counted are finished rows on their way to the driver
  */
 public class TriangleReport internal constructor(

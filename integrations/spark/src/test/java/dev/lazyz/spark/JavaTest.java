@@ -17,7 +17,7 @@ class JavaTest {
         Models.collection(folder.resolve("models"));
 
         Dataset<Row> models = spark.read().format("binaryFile").load(folder.resolve("models") + "");
-        Dataset<Row> pictures = ModelPictures.render(models, "size=64 view=iso aa=2");
+        Dataset<Row> pictures = ModelPictures.render(models, "size=256 view=iso");
         pictures.write().parquet(folder.resolve("pictures") + "");
 
         Dataset<Row> read = spark.read().parquet(folder.resolve("pictures") + "");

@@ -68,7 +68,10 @@ class ModelPicturesTest {
     fun badModelsAreRowsWithTheirErrors(@TempDir folder: Path) {
         val rows = ModelPictures.render(files(folder), plain).byName()
         assertEquals(5, rows.size)
-        for ((name, words) in listOf("cut.stl" to "ends within facet", "missing.obj" to "no vertex", "words.ply" to "ply")) {
+        for ((name, words) in listOf(
+            "cut.stl" to "ends within facet", "missing.obj" to "no vertex",
+            "words.ply" to "ply"
+        )) {
             val row = rows.getValue(name)
             assertTrue(words in row.string("error")!!, row.string("error"))
             assertNull(row.string("hash"), name)

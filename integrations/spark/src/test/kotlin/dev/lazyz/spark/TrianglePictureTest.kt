@@ -51,7 +51,8 @@ class TrianglePictureTest {
         companion object {
             private const val serialVersionUID = 1L
             private val teapot by lazy {
-                Scenes.load(Models.stl(), SceneFormat.STL, options = LoadOptions(smoothNormals = false)).scene.surfaces[0]
+                val plain = LoadOptions(smoothNormals = false)
+                Scenes.load(Models.stl(), SceneFormat.STL, options = plain).scene.surfaces[0]
             }
 
             fun fitted(triangles: Surface): Scene =
@@ -236,7 +237,8 @@ class TrianglePictureTest {
         val readStl = { path: String -> TriangleTable.readStl(spark, path) }
         val readPly = { path: String -> TriangleTable.readPly(spark, path) }
         assertTrue("byte 1000: the file ends within facet 18" in problem("cut.stl", stl.copyOf(1000), readStl))
-        assertTrue("byte 182: the facet has a colour" in problem("color.stl", stl.clone().also { it[182] = 1 }, readStl))
+        val colored = stl.clone().also { it[182] = 1 }
+        assertTrue("byte 182: the facet has a colour" in problem("color.stl", colored, readStl))
         val ply = ply(ByteOrder.LITTLE_ENDIAN)
         assertTrue("would have" in problem("cut.ply", ply.copyOf(ply.size - 1), readPly))
         assertTrue("corners, and not 3" in problem("quads.ply", ply(ByteOrder.LITTLE_ENDIAN, 4), readPly))

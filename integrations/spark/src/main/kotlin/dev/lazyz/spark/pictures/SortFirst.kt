@@ -12,7 +12,8 @@ import org.apache.spark.broadcast.Broadcast
 import org.apache.spark.storage.StorageLevel
 
 /**
- * Divides a picture into rectangles, each of which a task renders ("sort-first"). Regions of a frame are exact, so their
+ * Divides a picture into rectangles, each of which a task renders ("sort-first"). Regions of a frame are exact, so
+ * their
  * pixels are those of the whole picture. The source is broadcast, and makes its frame once in each JVM.
  *
  * Source: Steven Molnar, Michael Cox, David Ellsworth, Henry Fuchs, "A Sorting Classification of Parallel Rendering",

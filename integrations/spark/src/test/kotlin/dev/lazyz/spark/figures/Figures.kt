@@ -51,7 +51,7 @@ private fun seconds(work: () -> Unit): Double {
 /** The same PNG file by `local[2]` and by `Tiled` with two threads, in turns; the first turn is not counted. */
 private fun processorTime() {
     val folder = Files.createTempDirectory("figures")
-    for ((id, factor, width, height) in listOf(listOf("city", 2, 6000, 4000), listOf("teapot", 4, 4000, 3000))) {
+    for ((id, factor, width, height) in listOf(listOf("city", 2, 3000, 2000), listOf("teapot", 4, 2000, 1500))) {
         val source = PictureSource {
             SuperSampling(factor as Int).frame(
                 Scenes.builtin("$id")!!,
@@ -63,7 +63,7 @@ private fun processorTime() {
         val picture = DistributedPicture(TestSpark.session, source)
         val spark = ArrayList<Double>()
         val alone = ArrayList<Double>()
-        repeat(4) { turn ->
+        repeat(3) { turn ->
             val one = seconds {
                 ImageFiles.write(
                     folder.resolve("a.png"), width as Int, height as Int, ImageFormat.PNG, AlphaChannel.DROP,
@@ -76,7 +76,8 @@ private fun processorTime() {
             }
         }
         check(Files.mismatch(folder.resolve("a.png"), folder.resolve("b.png")) < 0)
-        println("$id ${width}x$height aa=$factor: Tiled $alone s, Spark $spark s, ratio %.2f".format(spark.min() / alone.min()))
+        val ratio = "%.2f".format(spark.min() / alone.min())
+        println("$id ${width}x$height aa=$factor: Tiled $alone s, Spark $spark s, ratio $ratio")
     }
     folder.toFile().deleteRecursively()
 }
@@ -88,7 +89,7 @@ private fun moved() {
     val fitted = TriangleScene { Scene(listOf(it)).withUpAxis(UpAxis.Z) }
     val near = TriangleTable.readStl(TestSpark.session, "$file", partitionBytes = 800_000).cache()
     val mixed = near.repartition(16, col("index")).cache()
-    for ((width, height) in listOf(1000 to 750, 4000 to 3000)) {
+    for ((width, height) in listOf(1000 to 750, 2000 to 1500)) {
         val camera = CameraValues(fitted.scene(loaded).camera(width, height))
         val scene = TriangleScene { fitted.scene(it).withViewpoint(camera.camera()) }
         val expected = Tiled().render(scene.scene(loaded).frame(width, height))

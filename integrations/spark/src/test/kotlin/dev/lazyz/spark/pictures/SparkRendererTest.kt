@@ -5,9 +5,9 @@ import dev.lazyz.scenes.Scenes
 import dev.lazyz.spark.TestSpark
 import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.zbuffer.ZBuffer
-import dev.lazyz.world.scene
 import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -91,8 +91,13 @@ internal class SplitPly private constructor(
             val vertex = properties(elements[0])
             val face = properties(elements[1])
             val names = vertex.map { it.last() }
-            names.firstOrNull { it in OTHERS }?.let { fail(path, "header", "vertices have '$it', which tables do not have") }
-            val offsets = vertex.runningFold(0) { at, property -> at + (SIZES[property[1]] ?: fail(path, "header", "lists")) }
+            names.firstOrNull {
+                it in OTHERS
+            }?.let { fail(path, "header", "vertices have '$it', which tables do not have") }
+            val offsets = vertex.runningFold(0) { at, property ->
+                at +
+                    (SIZES[property[1]] ?: fail(path, "header", "lists"))
+            }
             val places = IntArray(3) { axis ->
                 val number = names.indexOf("xyz"[axis].toString())
                 val isFloat = number >= 0 && vertex[number][1] in setOf("float", "float32")

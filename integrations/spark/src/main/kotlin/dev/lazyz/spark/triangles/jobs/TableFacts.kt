@@ -3,8 +3,8 @@ package dev.lazyz.spark.triangles.jobs
 import dev.lazyz.Primitive
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
-import dev.lazyz.spark.triangles.TriangleScene
 import dev.lazyz.spark.triangles.TriangleChunk
+import dev.lazyz.spark.triangles.TriangleScene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Surface
@@ -35,7 +35,8 @@ internal class PartFacts(val triangles: Long, val greatestIndex: Long, private v
 }
 
 /**
- * All triangles as one surface, for a camera that is fitted: it knows where they are. Its answers are those of a mesh in
+ * All triangles as one surface, for a camera that is fitted: it knows where they are. Its answers are those of a mesh
+ * in
  * memory. Each new direction is a job of Spark over all triangles.
  *
  * @param rows the triangles
@@ -54,7 +55,11 @@ internal class TableExtent private constructor(
     override fun farthest(direction: Vector3dc): Vector3d? = known.getOrPut(Vector3d(direction)) {
         val (x, y, z) = listOf(direction.x(), direction.y(), direction.z())
         rows.mapPartitions(FarthestOf(scene, x, y, z)).collect().map { Vector3d(it[0], it[1], it[2]) }
-            .minWithOrNull(compareByDescending<Vector3d> { x * it.x + y * it.y + z * it.z }.thenBy { it.x }.thenBy { it.y }.thenBy { it.z })
+            .minWithOrNull(
+                compareByDescending<Vector3d> {
+                    x * it.x + y * it.y + z * it.z
+                }.thenBy { it.x }.thenBy { it.y }.thenBy { it.z }
+            )
     }?.let { Vector3d(it) }
 
     override fun primitives(setUp: SetUp): Sequence<Primitive> = emptySequence()
