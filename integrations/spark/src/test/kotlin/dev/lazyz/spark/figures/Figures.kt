@@ -105,8 +105,10 @@ private fun moved() {
                     hash.add(argb, width)
                 }
                 check(hash.digest() == expected.pixelHash())
-                println("$name ${table.javaRDD().numPartitions} $order $shading: moved ${report.movedBytes}, " +
-                    "shading calls ${report.counters.shadingCalls}")
+                println(
+                    "$name ${table.javaRDD().numPartitions} $order $shading: moved ${report.movedBytes}, " +
+                        "shading calls ${report.counters.shadingCalls}"
+                )
             }
             println(TrianglePicture(table, width, height, scene).explain())
         }
