@@ -149,7 +149,7 @@ public final class MemoryGrid {
             delete(picture);
             delete(folder.resolve("picture_files"));
         }
-        return done.isEmpty() ? "–" : done.equals(formats) ? "all" : String.join(", ", done);
+        return done.isEmpty() ? "–" : String.join(", ", done);
     }
 
     private static List<String> words(List<String> input, List<String> size, Path picture) {

@@ -27,7 +27,7 @@ internal class SpoolSpace(private val folder: Path, private val name: String, pr
         if (most != null && taken > most) {
             throw SceneFormatException(
                 name, null, "needs temporary files of more than $most bytes",
-                "raise LoadLimits.spoolBytes (zcli: --max-spool), or choose a binary file",
+                "raise LoadLimits.spoolBytes (zcli: --max-spool), or name a binary file, which needs none",
             )
         }
         if (taken < checked) return
