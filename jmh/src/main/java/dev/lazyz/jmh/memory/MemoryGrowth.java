@@ -25,7 +25,8 @@ import org.knowm.xchart.style.Styler;
  *
  * <p>{@code java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.memory.MemoryGrowth}
  *
- * <p>Options: {@code --jar}, that of zcli; {@code --page}; {@code --charts}, the folder of charts; {@code --axis}, pixels
+ * <p>Options: {@code --jar}, that of zcli; {@code --page}; {@code --charts}, the folder of charts; {@code --axis},
+ * pixels
  * or triangles, by default both; {@code --seconds}, the longest time of a run.
  */
 public final class MemoryGrowth {
@@ -126,7 +127,10 @@ public final class MemoryGrowth {
         return curve;
     }
 
-    /** Returns the smallest heap that is enough, mebibytes, or 0 if none is. It is about that of the point {@code before}. */
+    /**
+     * Returns the smallest heap that is enough, mebibytes, or 0 if none is. It is about that of the point {@code
+     * before}.
+     */
     private int least(List<String> contender, int side, List<Integer> before) throws IOException, InterruptedException {
         List<String> words = new ArrayList<>(List.of(folder.resolve("model.stl").toString()));
         words.addAll(contender);

@@ -1,4 +1,4 @@
-package dev.lazyz.cli.memory
+package dev.lazyz.cli.render
 
 import dev.lazyz.cli.ChildZcli
 import dev.lazyz.cli.statIn
