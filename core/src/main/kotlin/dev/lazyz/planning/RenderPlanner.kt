@@ -120,7 +120,7 @@ public class RenderPlanner @JvmOverloads constructor(
     private fun other(renderer: Renderer, frame: Frame, others: List<MemoryItem>): RenderPlan {
         val isStreamed = frame.isStreamed
         val numbers = if (isStreamed) pictureOnly(frame) else FrameNumbers.of(frame)
-        val parts = if (isStreamed) others + MemoryItem("parts of the model", STREAM_BYTES) else others
+        val parts = if (isStreamed) others + MemoryItem("parts of the model", OBJECTS_BYTES) else others
         val whole = bytes(renderer, numbers, frame, options.memoryBudget)
         var chosen = options.withBandBytes(null)
         var need = whole
@@ -162,6 +162,9 @@ public class RenderPlanner @JvmOverloads constructor(
 
         /** Three groups of triangles, and their bins, see docs/large-models.md. */
         const val STREAM_BYTES = 48L shl 20
+
+        /** The same with an object for each triangle, which other strategies need. */
+        const val OBJECTS_BYTES = 160L shl 20
 
         /** The model gives what is to be expected; this is what is reserved. */
         const val MODEL_MARGIN = 2.0

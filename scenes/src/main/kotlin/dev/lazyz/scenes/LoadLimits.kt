@@ -1,6 +1,5 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.scenes.loading.LoadingMemory
 import java.time.Duration
 
 /** Which files a model or a scene file may refer to. */
@@ -119,14 +118,5 @@ public class LoadLimits @JvmOverloads constructor(
         @JvmOverloads
         public fun defaultDecodedBytes(bytesRead: Long, memory: Long = Runtime.getRuntime().maxMemory()): Long =
             minOf(FREE_BYTES + bytesRead * BYTES_PER_BYTE, memory / 2)
-
-        /**
-         * The memory that reading a file of so many [bytes] takes at least, including a reserve for the garbage
-         * collector. A file for which this is more than [memory] is refused.
-         *
-         * @param format the format of the file, or null if it is not known
-         */
-        @JvmStatic
-        public fun leastMemory(format: SceneFormat?, bytes: Long): Long = LoadingMemory.perByte(format) * bytes
     }
 }

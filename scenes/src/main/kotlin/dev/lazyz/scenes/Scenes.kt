@@ -4,6 +4,7 @@ import dev.lazyz.scenes.builtin.Builtins
 import dev.lazyz.scenes.formats.FormatSniffer
 import dev.lazyz.scenes.formats.SceneReading
 import dev.lazyz.scenes.formats.StreamReading
+import dev.lazyz.scenes.loading.LoadingMemory
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Texture
 import java.io.InputStream
@@ -219,4 +220,13 @@ public object Scenes {
     @JvmStatic
     @JvmOverloads
     public fun layers(count: Int = 100): Scene = Builtins.layers(count)
+
+    /**
+     * The memory that reading a file of so many [bytes] takes at least, including a reserve for the garbage collector.
+     * A file for which this is more than [LoadLimits.memory] is refused.
+     *
+     * @param format the format of the file, or null if it is not known
+     */
+    @JvmStatic
+    public fun leastMemory(format: SceneFormat?, bytes: Long): Long = LoadingMemory.perByte(format) * bytes
 }

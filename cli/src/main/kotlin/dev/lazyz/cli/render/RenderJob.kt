@@ -2,7 +2,6 @@ package dev.lazyz.cli.render
 
 import dev.lazyz.cli.diff.DifferenceText
 import dev.lazyz.cli.input.FrameSource
-import dev.lazyz.cli.memory.MemoryPlanning
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Statistics
 import dev.lazyz.cli.output.StatisticsTable

@@ -35,7 +35,8 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
     val usual: Renderer get() = candidates.first()
 
     /**
-     * Returns the strategies that can be used for [frame] with [memory] bytes: first the one that [strategyFor] returns,
+     * Returns the strategies that can be used for [frame] with [memory] bytes: first the one that [strategyFor]
+     * returns,
      * then the others in the order of the list.
      */
     fun rendererChoices(frame: Frame, memory: Long): List<Renderer> {

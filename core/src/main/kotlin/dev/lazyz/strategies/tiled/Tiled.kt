@@ -48,7 +48,8 @@ import java.util.concurrent.atomic.AtomicReference
  * - 16 bytes for each primitive of the frame that is not from a mesh.
  *
  * A streamed frame (see [Frame.isStreamed]) is rendered part by part into a picture in memory, at 12 bytes a sample. If
- * that is more than [RenderOptions.bandBytes], by default a third of the heap, into one band of rows after the other, with
+ * that is more than [RenderOptions.bandBytes], by default a third of the heap, into one band of rows after the other,
+ * with
  * a pass over the parts for each.
  * Each part is shaded where it is nearest within itself, so later parts can hide some of what was shaded.
  *

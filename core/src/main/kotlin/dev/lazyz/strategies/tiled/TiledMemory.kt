@@ -12,7 +12,8 @@ import dev.lazyz.strategies.tiled.raster.SmallCoverage
 import dev.lazyz.strategies.tiled.raster.TileGrid
 
 /**
- * Upper bounds of the memory that [Tiled] takes for a frame in memory, in bytes, from the bounds of its primitives. What
+ * Upper bounds of the memory that [Tiled] takes for a frame in memory, in bytes, from the bounds of its primitives.
+ * What
  * is hidden counts like what is visible, so a scene of many layers takes less. Cost: one pass over all primitives.
  *
  * @param threads number of threads, including the calling thread
@@ -60,7 +61,9 @@ internal class TiledMemory(private val frame: Frame, tileSize: Int, private val 
         return minOf(groups, 2) * most
     }
 
-    /** Adds the tiles that a triangle may reach, or the samples that it may cover if it is small, to those of groups. */
+    /**
+     * Adds the tiles that a triangle may reach, or the samples that it may cover if it is small, to those of groups.
+     */
     private fun add(batch: TriangleBatch, triangle: Int, pairs: LongArray, fragments: LongArray) {
         val values = batch.grid
         val a = batch.place(triangle, 0)

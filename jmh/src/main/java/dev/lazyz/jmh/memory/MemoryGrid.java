@@ -16,7 +16,8 @@ import java.util.stream.Stream;
 
 /**
  * Checks the promise of {@code zcli render --memory}: renders scenes in several sizes to several formats with several
- * amounts of memory, each in a JVM with a heap of that size. Each picture must have the same hash as without a limit, or
+ * amounts of memory, each in a JVM with a heap of that size. Each picture must have the same hash as without a limit,
+ * or
  * be refused before it is rendered. Prints a table, and writes it into a page. Fails if a cell fails.
  *
  * <p>{@code java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.memory.MemoryGrid}
@@ -149,7 +150,7 @@ public final class MemoryGrid {
             delete(picture);
             delete(folder.resolve("picture_files"));
         }
-        return done.isEmpty() ? "–" : done.equals(formats) ? "all" : String.join(", ", done);
+        return done.isEmpty() ? "–" : String.join(", ", done);
     }
 
     private static List<String> words(List<String> input, List<String> size, Path picture) {

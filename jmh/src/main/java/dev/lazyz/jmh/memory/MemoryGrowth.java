@@ -1,5 +1,6 @@
 package dev.lazyz.jmh.memory;
 
+import dev.lazyz.Renderer;
 import dev.lazyz.jmh.large.Hills;
 import dev.lazyz.jmh.report.GeneratedPage;
 import dev.lazyz.jmh.report.Options;
@@ -24,12 +25,15 @@ import org.knowm.xchart.style.Styler;
  *
  * <p>{@code java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.memory.MemoryGrowth}
  *
- * <p>Options: {@code --jar}, that of zcli; {@code --page}; {@code --charts}, the folder of charts; {@code --axis}, pixels
+ * <p>Options: {@code --jar}, that of zcli; {@code --page}; {@code --charts}, the folder of charts; {@code --axis},
+ * pixels
  * or triangles, by default both; {@code --seconds}, the longest time of a run.
  */
 public final class MemoryGrowth {
     private static final List<Integer> SIDES = List.of(512, 1448, 4096);
     private static final List<Integer> TRIANGLES = List.of(10_000, 60_000, 360_000);
+
+    private static final Set<String> STREAMING = Set.of("tiled", "zbuffer", "hybrid");
 
     /** The smallest heap is found to within one part in so many. */
     private static final int PRECISION = 4;
@@ -92,12 +96,15 @@ public final class MemoryGrowth {
         }
     }
 
-    /** The strategies, each with the options that choose it. */
+    /** The strategies, each with the options that choose it; those that can read a model part by part also do that. */
     private static Map<String, List<String>> contenders() {
         Map<String, List<String>> all = new LinkedHashMap<>();
-        Renderers.getBuiltIn().forEach(it -> all.put(it.getId(), List.of("--strategy", it.getId())));
-        for (String id : List.of("tiled", "zbuffer", "hybrid")) {
-            all.put(id + " --stream", List.of("--strategy", id, "--stream"));
+        for (Renderer renderer : Renderers.getBuiltIn()) {
+            String id = renderer.getId();
+            all.put(id, List.of("--strategy", id));
+            if (STREAMING.contains(id)) {
+                all.put(id + " --stream", List.of("--strategy", id, "--stream"));
+            }
         }
         return all;
     }
@@ -120,7 +127,10 @@ public final class MemoryGrowth {
         return curve;
     }
 
-    /** Returns the smallest heap that is enough, mebibytes, or 0 if none is. It is about that of the point {@code before}. */
+    /**
+     * Returns the smallest heap that is enough, mebibytes, or 0 if none is. It is about that of the point {@code
+     * before}.
+     */
     private int least(List<String> contender, int side, List<Integer> before) throws IOException, InterruptedException {
         List<String> words = new ArrayList<>(List.of(folder.resolve("model.stl").toString()));
         words.addAll(contender);

@@ -1,10 +1,8 @@
-package dev.lazyz.cli.memory
+package dev.lazyz.cli.render
 
 import dev.lazyz.cli.input.Input
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Mistake
-import dev.lazyz.cli.render.RenderRequest
-import dev.lazyz.cli.render.StreamRequest
 import dev.lazyz.planning.RenderPlan
 
 /** What to do if a rendering of [request] does not fit into the [allowed] bytes of `--memory`. */

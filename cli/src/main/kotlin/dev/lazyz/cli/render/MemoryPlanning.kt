@@ -1,22 +1,21 @@
-package dev.lazyz.cli.memory
+package dev.lazyz.cli.render
 
 import dev.lazyz.Frame
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Mistake
-import dev.lazyz.cli.render.RenderRequest
-import dev.lazyz.cli.render.StreamRequest
 import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.planning.MemoryItem
 import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.planning.SetUpMemory
-import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.Scenes
 
 /**
- * The option `--memory`: plans a rendering of [request] that stays within [allowed] bytes of Java's memory, or refuses it
+ * The option `--memory`: plans a rendering of [request] that stays within [allowed] bytes of Java's memory, or refuses
+ * it
  * before it begins. What is already in memory is measured after a garbage collection.
  */
 internal class MemoryPlanning(private val allowed: Long, private val request: RenderRequest) {
@@ -24,14 +23,15 @@ internal class MemoryPlanning(private val allowed: Long, private val request: Re
     private val advice = MemoryAdvice(request, allowed)
 
     /**
-     * Returns how to read the model of [source]: null for as a whole, if it fits, or if nobody knows; or part by part, if
+     * Returns how to read the model of [source]: null for as a whole, if it fits, or if nobody knows; or part by part,
+     * if
      * the picture is the same.
      *
      * @throws Mistake if the model does not fit
      */
     fun streaming(source: FrameSource): StreamRequest? {
         val input = source.input
-        val need = PROGRAM_BYTES + LoadLimits.leastMemory(input.statedFormat, input.fileBytes ?: return null)
+        val need = PROGRAM_BYTES + Scenes.leastMemory(input.statedFormat, input.fileBytes ?: return null)
         if (need <= memory) return null
         if (input.canStream && request.subject.hasFaceNormals) {
             val streaming = StreamRequest(null)

@@ -1,4 +1,4 @@
-package dev.lazyz.cli.memory
+package dev.lazyz.cli.render
 
 import dev.lazyz.cli.ChildZcli
 import dev.lazyz.cli.statIn
@@ -90,9 +90,13 @@ class MemoryOptionTest {
 
     @Test
     fun theMemoryThatTheMessageNamesIsEnough() {
-        val refused = zcli("render", "city", "--size", "3000", "--memory", "12m", "-o", folder.resolve("a.png"))
-        refused.mistake(", and --memory allows 12.0 MiB", "reserve for the garbage collector", "--aa 1", "--size")
-        val enough = checkNotNull(Regex("--memory (\\d+)m").find(refused.errors.substringAfter("Use"))).groupValues[1]
+        val refused = render(12, "a.png", listOf("city", "--size", "3000"))
+        assertEquals(2, refused.code)
+        for (part in listOf("--memory allows 12.0 MiB", "reserve for the garbage collector", "--aa 1", "--size")) {
+            assertTrue(part in refused.errors, refused.errors)
+        }
+        val use = refused.errors.substringAfter("Use ")
+        val enough = checkNotNull(Regex("--memory (\\d+)m").find(use)).groupValues[1]
         val outcome = render(enough.toInt(), "a.png", listOf("city", "--size", "3000"))
         assertEquals(0, outcome.code, outcome.errors)
     }
@@ -114,9 +118,9 @@ class MemoryOptionTest {
 
     @Test
     fun thePlanIsExplained() {
-        val result = zcli("render", "teapot", "--memory", "256m", "--explain", "-o", folder.resolve("a.png"))
+        val result = render(64, "a.png", listOf("teapot", "--explain"))
         assertEquals(0, result.code, result.errors)
-        for (part in listOf("memory: 256.0 MiB may be used", "rows of tiles", "output -o", "plan: tiled", "disk: ")) {
+        for (part in listOf("memory: 64.0 MiB may be used", "rows of tiles", "output -o", "plan: tiled", "disk: ")) {
             assertTrue(part in result.errors, result.errors)
         }
         val out = folder.resolve("b.png")
