@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.streaming
 
 import dev.lazyz.scenes.writers.TemporaryFile
+import java.io.IOException
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.MappedByteBuffer
@@ -58,7 +59,11 @@ internal class FloatSpool(folder: Path, private val width: Int) : AutoCloseable 
     /** Deletes the file. Its space on the disk becomes free when the garbage collector has found that it is unused. */
     override fun close() {
         pieces = emptyArray()
-        temporary.close()
+        try {
+            temporary.close()
+        } catch (_: IOException) {
+            // Some systems delete no file that is mapped; then it is deleted when the process exits, or by the next one
+        }
     }
 
     private companion object {
