@@ -102,7 +102,7 @@ configure(subprojects.filter { it.name != "bom" }) {
 }
 
 // The libraries that go to Maven Central, with sources and documentation.
-for (module in listOf("core", "scenes", "conformance", "testing", "server")) {
+for (module in listOf("core", "scenes", "conformance", "testing", "server", "spark")) {
     project(":$module") {
         apply(plugin = catalog.plugins.dokka.get().pluginId)
 

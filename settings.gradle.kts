@@ -12,8 +12,9 @@ dependencyResolutionManagement {
 
 rootProject.name = "lazyz"
 
-include("bom", "core", "scenes", "conformance", "testing", "server", "cli", "jmh")
+include("bom", "core", "scenes", "conformance", "testing", "server", "spark", "cli", "jmh")
 
 // Modules that connect Lazy Z with other libraries are in a folder of their own
 project(":testing").projectDir = file("integrations/testing")
 project(":server").projectDir = file("integrations/server")
+project(":spark").projectDir = file("integrations/spark")

@@ -7,5 +7,6 @@ dependencies {
         api(project(":conformance"))
         api(project(":testing"))
         api(project(":server"))
+        api(project(":spark"))
     }
 }

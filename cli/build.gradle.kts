@@ -18,6 +18,7 @@ dependencies {
     implementation(libs.mordant)
     testImplementation(project(":testing"))
     testImplementation(project(":server"))
+    testImplementation(project(":spark"))
     testImplementation(libs.abi.tools)
 }
 

@@ -12,6 +12,7 @@ module dev.lazyz.core {
     exports dev.lazyz.geometry;
     exports dev.lazyz.lighting;
     exports dev.lazyz.pipeline;
+    exports dev.lazyz.planning;
     exports dev.lazyz.sections;
     exports dev.lazyz.strategies.flow;
     exports dev.lazyz.strategies.hierarchical;

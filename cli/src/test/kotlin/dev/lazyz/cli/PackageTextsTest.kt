@@ -27,7 +27,7 @@ class PackageTextsTest {
         }
 
     @ParameterizedTest
-    @ValueSource(strings = ["core", "scenes", "conformance", "testing", "server"])
+    @ValueSource(strings = ["core", "scenes", "conformance", "testing", "server", "spark"])
     fun eachPublicPackageHasAText(module: String) {
         val packages = publicPackages(module)
         assertTrue("dev.lazyz" in packages || "dev.lazyz.$module" in packages) { "$packages" }
@@ -42,7 +42,7 @@ class PackageTextsTest {
         val page = ProjectFiles.root.resolve("docs/architecture.md").readText()
         val rows = row.findAll(page).associate { it.groupValues[1] to it.groupValues[2] }
         var compared = 0
-        for (module in listOf("core", "scenes", "conformance", "testing", "server")) {
+        for (module in listOf("core", "scenes", "conformance", "testing", "server", "spark")) {
             for ((heading, text) in texts(module)) {
                 val name = heading.substringAfter("dev.lazyz", "none").removePrefix(".")
                 val words = rows[name] ?: continue

@@ -118,10 +118,10 @@ class PackagesTest {
             "shading.light", "shading.pbr", "shading", "setup", "setup.planar",
             "sections", "drawing.strokes", "drawing", "pipeline", "filter",
             "strategies.tiled.raster", "strategies.tiled.binning", "strategies.tiled.resolve",
-            "strategies.*", "strategies", "lighting", "aov",
+            "strategies.*", "strategies", "planning", "lighting", "aov",
         ).map { if (it.isEmpty()) "dev.lazyz" else "dev.lazyz.$it" }
 
-        val MODULES = listOf("core", "scenes", "conformance", "testing", "server", "cli", "jmh")
+        val MODULES = listOf("core", "scenes", "conformance", "testing", "server", "spark", "cli", "jmh")
 
         /**
          * Files whose dependencies are ignored, each with the reason. They connect packages so that no other file has

@@ -4,6 +4,7 @@ import dev.lazyz.Image
 import dev.lazyz.conformance.Conformance
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.server.RenderServer
+import dev.lazyz.spark.ModelPictures
 import dev.lazyz.testing.PictureAssertion
 import java.io.File
 import java.nio.file.Path
@@ -70,6 +71,7 @@ class PublicApiTest {
             "conformance" to Conformance::class.java,
             "testing" to PictureAssertion::class.java,
             "server" to RenderServer::class.java,
+            "spark" to ModelPictures::class.java,
         )
     }
 }

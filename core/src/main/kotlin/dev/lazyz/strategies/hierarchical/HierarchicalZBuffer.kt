@@ -36,7 +36,7 @@ import java.io.IOException
  * octree yields the primitives from near to far and rejects many at once; here they are sorted, and rejected one by
  * one.
  *
- * @param options only [RenderOptions.coherence] is used
+ * @param options only [RenderOptions.coherence] and [RenderOptions.bandBytes] are used
  * @param order the order in which primitives are drawn; changes the cost and never the image
  */
 public class HierarchicalZBuffer @JvmOverloads constructor(
@@ -72,7 +72,8 @@ public class HierarchicalZBuffer @JvmOverloads constructor(
     override fun render(frame: Frame, sink: RowSink): Counters {
         requireOpaque(frame, this)
         val parts = frame.content.parts ?: return renderWhole(frame, sink)
-        return StreamedRendering(frame, parts, Workers(1, LibraryThreads), renderPart = ::renderWhole).run(sink)
+        val most = options.bandBytes ?: (Runtime.getRuntime().maxMemory() / 3)
+        return StreamedRendering(frame, parts, Workers(1, LibraryThreads), most, ::renderWhole).run(sink)
     }
 
     private fun renderWhole(frame: Frame, sink: RowSink): Counters {

@@ -49,7 +49,8 @@ import java.util.concurrent.atomic.AtomicReference
  * - 16 bytes for each primitive of the frame that is not from a mesh.
  *
  * A streamed frame (see [Frame.isStreamed]) is rendered part by part into a picture in memory, at 12 bytes a sample. If
- * that is more than a third of the heap, into one band of rows after the other, with a pass over the parts for each.
+ * that is more than [RenderOptions.bandBytes], by default a third of the heap, into one band of rows after the other, with
+ * a pass over the parts for each.
  * Each part is shaded where it is nearest within itself, so later parts can hide some of what was shaded.
  *
  * Otherwise memory does not grow with the number of rows. For very wide pictures use smaller tiles. Rows and bins are
@@ -80,17 +81,21 @@ public class Tiled internal constructor(
     private val tileSize: Int,
     private val kernels: () -> Kernels = Kernels::best,
     private val executor: Executor = LibraryThreads,
+    private val bandBytes: Long? = null,
 ) : Renderer {
     /** The arrays of the last rendering, as long as there is enough memory. */
     private val kept = AtomicReference<SoftReference<ArrayPool>>()
 
     /**
-     * Creates a renderer that uses [RenderOptions.coherence], [RenderOptions.threads], [RenderOptions.executor] and
-     * [RenderOptions.tileSize].
+     * Creates a renderer that uses [RenderOptions.coherence], [RenderOptions.threads], [RenderOptions.executor],
+     * [RenderOptions.tileSize] and [RenderOptions.bandBytes].
      */
     @JvmOverloads
     public constructor(options: RenderOptions = RenderOptions()) :
-        this(options.coherence, options.threads, options.tileSize, executor = options.workers.executor) {
+        this(
+            options.coherence, options.threads, options.tileSize, executor = options.workers.executor,
+            bandBytes = options.bandBytes,
+        ) {
         options.requireSupportedBy(this)
     }
 
@@ -128,7 +133,8 @@ public class Tiled internal constructor(
             render(frame, sink, pool)
         } else {
             requireOpaqueStream(frame)
-            StreamedRendering(frame, parts, Workers(threads, executor)) { part, merge ->
+            val most = bandBytes ?: (Runtime.getRuntime().maxMemory() / 3)
+            StreamedRendering(frame, parts, Workers(threads, executor), most) { part, merge ->
                 render(part, merge, pool)
             }.run(sink)
         }

@@ -8,14 +8,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /** A hilly square as a file, row by row, as programs for maps and scans write it. */
-final class Hills {
+public final class Hills {
     private Hills() {}
 
     /** Writes about so many triangles in a {@code format} of {@link LargeModel}; returns how many. */
     static int write(Path file, int triangles, String format) throws IOException {
         switch (format) {
             case "stl":
-                return writeStl(file, triangles);
+                return write(file, triangles);
             case "ply":
                 return IndexedHills.writePly(file, triangles);
             case "ply-text":
@@ -32,7 +32,8 @@ final class Hills {
         return Math.max(1, (int) Math.sqrt(triangles / 2.0));
     }
 
-    private static int writeStl(Path file, int triangles) throws IOException {
+    /** Writes about so many triangles as binary STL; returns how many. */
+    public static int write(Path file, int triangles) throws IOException {
         int side = side(triangles);
         ByteBuffer row = ByteBuffer.allocate(100 * side).order(ByteOrder.LITTLE_ENDIAN);
         try (OutputStream output = Files.newOutputStream(file)) {

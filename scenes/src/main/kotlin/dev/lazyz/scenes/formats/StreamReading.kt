@@ -23,12 +23,12 @@ internal object StreamReading {
     fun open(path: Path, format: SceneFormat?, limits: LoadLimits, spool: Path): StreamedScene {
         val name = path.toString()
         SceneReading.requireFile(path, name)
-        return opened(name, format, limits) { StreamedInput.ofFile(path, name, spool) }
+        return opened(name, format, limits) { StreamedInput.ofFile(path, name, spool, limits.spoolBytes) }
     }
 
     /** Opens a stream of the given format. */
     fun open(input: InputStream, format: SceneFormat, name: String, limits: LoadLimits, spool: Path): StreamedScene =
-        opened(name, format, limits) { StreamedInput.ofStream(input, name, spool) }
+        opened(name, format, limits) { StreamedInput.ofStream(input, name, spool, limits.spoolBytes) }
 
     private fun opened(
         name: String,

@@ -6,23 +6,22 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.writers.TemporaryFile
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
-import java.nio.file.Path
 import org.joml.Vector3dc
 
 /**
  * A temporary file of triangles, so that they can be read again in parts: 36 bytes each, and 48 more for the colours of
  * their corners. Not thread safe while it is written.
  *
- * @param folder where to create the file
+ * @param space where to create the file, and the room that it may take
  * @param hasColors whether corners have colours
  */
 internal class FacetSpool(
-    folder: Path,
+    private val space: SpoolSpace,
     private val source: Source,
     private val origin: Vector3dc,
     private val hasColors: Boolean,
 ) : AutoCloseable {
-    private val temporary = TemporaryFile.within(folder)
+    private val temporary = TemporaryFile.within(space.folder)
     private val stride = if (hasColors) CORNERS + COLORS else CORNERS
     private val buffer = ByteBuffer.allocate(FacetFile.PART * stride).order(ByteOrder.LITTLE_ENDIAN)
     private val boxes = ArrayList<Box?>()
@@ -56,6 +55,7 @@ internal class FacetSpool(
         count += triangles
         source.loading.streamed(source, triangles.toLong())
         if (count > MOST) source.fail(null, "has more than $MOST triangles", "split it")
+        space.take(triangles.toLong() * stride)
         while (buffer.hasRemaining()) temporary.channel.write(buffer)
         buffer.clear()
         boxes += box.toBox()
@@ -73,6 +73,7 @@ internal class FacetSpool(
     override fun close() {
         reader?.close()
         temporary.close()
+        space.release(count * stride)
     }
 
     companion object {

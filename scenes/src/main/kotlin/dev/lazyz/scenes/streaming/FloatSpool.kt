@@ -6,19 +6,19 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.MappedByteBuffer
 import java.nio.channels.FileChannel
-import java.nio.file.Path
 import java.nio.file.StandardOpenOption.READ
 
 /**
  * A temporary file of records of [width] numbers, which are read in any order after all have been written. The file is
  * mapped into memory in pieces: the operating system keeps what fits, and none of it is in the heap. Not thread safe.
  *
- * @param folder where to create the file
+ * @param space where to create the file, and the room that it may take
  * @param width numbers of a record, 1..4
  * @param pieceBits logarithm of the records of a mapping, 2^30 bytes at most
  */
-internal class FloatSpool(folder: Path, private val width: Int, private val pieceBits: Int = 26) : AutoCloseable {
-    private val temporary = TemporaryFile.within(folder)
+internal class FloatSpool(private val space: SpoolSpace, private val width: Int, private val pieceBits: Int = 26) :
+    AutoCloseable {
+    private val temporary = TemporaryFile.within(space.folder)
     private val buffer = ByteBuffer.allocate(BLOCK * width * Float.SIZE_BYTES).order(ByteOrder.LITTLE_ENDIAN)
     private val mask = (1 shl pieceBits) - 1
     private var written = 0L
@@ -35,6 +35,7 @@ internal class FloatSpool(folder: Path, private val width: Int, private val piec
 
     private fun flush() {
         buffer.flip()
+        space.take(buffer.remaining().toLong())
         written += buffer.remaining()
         while (buffer.hasRemaining()) temporary.channel.write(buffer)
         buffer.clear()
@@ -66,6 +67,7 @@ internal class FloatSpool(folder: Path, private val width: Int, private val piec
         } catch (_: IOException) {
             // Some systems delete no file that is mapped; then it is deleted when the process exits, or by the next one
         }
+        space.release(written)
     }
 
     private companion object {

@@ -13,13 +13,13 @@ import org.joml.Vector3dc
  *
  * @param name name of the file in messages
  * @param copy the temporary file at [path], or null if the user's own file is there
- * @param folder where temporary files are created
+ * @param space where temporary files are created, and the room that they may take
  */
 internal class StreamedInput private constructor(
     private val path: Path,
     name: String,
     private val copy: TemporaryFile?,
-    private val folder: Path,
+    private val space: SpoolSpace,
 ) : AutoCloseable {
     /** The whole file. */
     val file: FileBytes = FileBytes(path, name)
@@ -45,13 +45,13 @@ internal class StreamedInput private constructor(
     /** Creates a temporary file of triangles, which are read from [source]. An earlier one is deleted. */
     fun spool(source: Source, origin: Vector3dc, hasColors: Boolean = false): FacetSpool {
         spool?.close()
-        return FacetSpool(folder, source, origin, hasColors).also { spool = it }
+        return FacetSpool(space, source, origin, hasColors).also { spool = it }
     }
 
     /** Creates temporary files of vertices, which are read from [source]. Earlier ones are deleted. */
     fun vertices(source: Source, origin: Vector3dc): VertexSpool {
         dropVertices()
-        return VertexSpool(folder, source, origin).also { vertices = it }
+        return VertexSpool(space, source, origin).also { vertices = it }
     }
 
     /** Deletes the temporary files of vertices. */
@@ -71,14 +71,16 @@ internal class StreamedInput private constructor(
         private const val HEAD = 4096L
 
         /** Opens the file at [path]. */
-        fun ofFile(path: Path, name: String, folder: Path): StreamedInput = StreamedInput(path, name, null, folder)
+        fun ofFile(path: Path, name: String, folder: Path, most: Long?): StreamedInput =
+            StreamedInput(path, name, null, SpoolSpace(folder, name, most))
 
         /** Copies all of [input] to a temporary file, and opens it. */
-        fun ofStream(input: InputStream, name: String, folder: Path): StreamedInput {
+        fun ofStream(input: InputStream, name: String, folder: Path, most: Long?): StreamedInput {
+            val space = SpoolSpace(folder, name, most)
             val copy = TemporaryFile.within(folder)
             try {
-                input.transferTo(Channels.newOutputStream(copy.channel))
-                return StreamedInput(copy.path, name, copy, folder)
+                input.transferTo(space.counting(Channels.newOutputStream(copy.channel)))
+                return StreamedInput(copy.path, name, copy, space)
             } catch (e: Throwable) {
                 copy.close()
                 throw e

@@ -4,19 +4,18 @@ import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.VertexArrays
 import dev.lazyz.scenes.meshes.VertexPositions
-import java.nio.file.Path
 import org.joml.Vector3dc
 
 /**
  * Temporary files of the positions and colours of vertices, so that faces can refer to them. Not thread safe.
  *
- * @param folder where to create the files
+ * @param space where to create the files, and the room that they may take
  * @property origin what positions are relative to
  */
-internal class VertexSpool(private val folder: Path, private val source: Source, val origin: Vector3dc) :
+internal class VertexSpool(private val space: SpoolSpace, private val source: Source, val origin: Vector3dc) :
     VertexPositions,
     AutoCloseable {
-    private val positions = FloatSpool(folder, 3)
+    private val positions = FloatSpool(space, 3)
     private var colors: FloatSpool? = null
     private val box = PartBox()
     private var counted = 0
@@ -56,7 +55,7 @@ internal class VertexSpool(private val folder: Path, private val source: Source,
 
     /** Sets the colour of the vertex that was added last. Vertices without one are white. */
     fun color(red: Float, green: Float, blue: Float, alpha: Float) {
-        val to = colors ?: FloatSpool(folder, 4).also { colors = it }
+        val to = colors ?: FloatSpool(space, 4).also { colors = it }
         to.fill(size - 1)
         to.add(red)
         to.add(green)

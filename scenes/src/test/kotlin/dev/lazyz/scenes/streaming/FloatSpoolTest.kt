@@ -15,7 +15,7 @@ class FloatSpoolTest {
     fun recordsOfAllPiecesAreFound() {
         for (width in 1..4) {
             for (count in listOf(0, 1, 15, 16, 17, 32, 40_000)) {
-                FloatSpool(folder, width, pieceBits = 4).use { spool ->
+                FloatSpool(SpoolSpace(folder, "model", null), width, pieceBits = 4).use { spool ->
                     for (i in 0 until count * width) spool.add(i.toFloat())
                     assertEquals(count, spool.size)
                     spool.finish()

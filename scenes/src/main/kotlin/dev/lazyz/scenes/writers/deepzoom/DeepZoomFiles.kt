@@ -95,6 +95,23 @@ public object DeepZoomFiles {
             result
         }
     }
+
+    /**
+     * Makes a pyramid of tiles that are complete: for tiles that several processes have written. The folder [tiles] gets
+     * its name, and then the descriptor is written. An old pyramid of the same name is replaced.
+     *
+     * @param path the descriptor
+     * @param tiles the folder of the levels, as [DeepZoomSink] writes it, in the same file system as [path]
+     * @param width number of columns
+     * @param height number of rows
+     * @throws IOException if a file cannot be moved or written, or the folder of the tiles exists and has other files;
+     *   the message states which file, why, and what to do
+     */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun publish(path: Path, tiles: Path, width: Int, height: Int): Unit = AtomicFile.explaining(path) {
+        PyramidFiles(path).publish(tiles, width, height)
+    }
 }
 
 /** Produces the rows of an image from a certain one on. */

@@ -1,0 +1,194 @@
+package dev.lazyz.spark
+
+import dev.lazyz.RowSink
+import dev.lazyz.scenes.writers.AlphaChannel
+import dev.lazyz.scenes.writers.ImageFiles
+import dev.lazyz.scenes.writers.ImageFormat
+import dev.lazyz.spark.triangles.BandSamples
+import dev.lazyz.spark.triangles.CameraValues
+import dev.lazyz.spark.triangles.PartDrawing
+import dev.lazyz.spark.triangles.PictureSetUp
+import dev.lazyz.spark.triangles.TriangleScene
+import dev.lazyz.spark.triangles.jobs.FinishedBand
+import dev.lazyz.spark.triangles.jobs.Planner
+import dev.lazyz.spark.triangles.jobs.SortLast
+import dev.lazyz.spark.triangles.jobs.SortMiddle
+import dev.lazyz.spark.triangles.jobs.TableExtent
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.surface.Mesh
+import java.io.IOException
+import java.nio.file.Path
+import org.apache.spark.api.java.JavaPairRDD
+import org.apache.spark.api.java.JavaSparkContext
+import org.apache.spark.broadcast.Broadcast
+import org.apache.spark.sql.Dataset
+import org.apache.spark.sql.Row
+import org.apache.spark.sql.functions.col
+import org.apache.spark.storage.StorageLevel
+
+/** Where work is sorted by what is in front, see [TrianglePicture]. */
+public enum class SortOrder {
+    /** Each partition is drawn where it is, and the nearest fragments are merged. */
+    LAST,
+
+    /** Triangles are sent to the bands of rows that they reach, and each band is drawn by one task. */
+    MIDDLE,
+}
+
+/** When colours are computed, for [SortOrder.LAST]. */
+public enum class SortedShading {
+    /** Each partition shades what is nearest within itself, and colours are merged with keys. */
+    EAGER,
+
+    /** Keys are merged first; then what is visible is shaded, once each sample. */
+    LAZY,
+}
+
+/**
+ * A picture of a Dataset of triangles, see [TriangleTable], which may be larger than the memory of any machine. The bits
+ * are those of one JVM with all triangles in one `Mesh`.
+ *
+ * ```
+ * val triangles = TriangleTable.readStl(spark, "scan.stl")
+ * val picture = TrianglePicture(triangles, 4000, 3000) { Scene(listOf(it)).withUpAxis(UpAxis.Z) }
+ * println(picture.explain())
+ * picture.writePng(Path.of("scan.png"))
+ * ```
+ *
+ * The fragments of a sample are merged by the minimum of their keys, which is associative and commutative (contract rule
+ * 5.1); so partitions, their order, failures and repeated tasks have no effect on the picture.
+ *
+ * A fitted camera needs about 30 jobs over all triangles, when it is first needed. Cache the Dataset, or give the scene a
+ * [dev.lazyz.world.Camera], which needs one. Memory of a task: 131,072 triangles, which take some 50 MB while they are
+ * drawn, and for [SortOrder.LAST] bands at 12 bytes a sample, up to a fifth of the heap for all tasks of an executor.
+ * Thread safe.
+ *
+ * @param triangles a table of triangles
+ * @property width number of columns
+ * @property height number of rows
+ * @param scene makes the scene around the triangles
+ * @param order which order to use; null for the one that moves fewer bytes, as far as can be estimated
+ * @param shading when to shade
+ * @throws IllegalArgumentException if a column of [triangles] is missing or has another type
+ */
+public class TrianglePicture @JvmOverloads constructor(
+    triangles: Dataset<Row>,
+    public val width: Int,
+    public val height: Int,
+    private val scene: TriangleScene,
+    private val order: SortOrder? = null,
+    private val shading: SortedShading = SortedShading.EAGER,
+) {
+    private val context = JavaSparkContext.fromSparkContext(triangles.sparkSession().sparkContext())
+
+    init {
+        val types = triangles.schema().fields().associate { it.name() to it.dataType() }
+        for (field in TriangleTable.schema.fields()) {
+            require(types[field.name()] == field.dataType()) {
+                "the table must have a column '${field.name()}' of type ${field.dataType().simpleString()}: it has " +
+                    triangles.schema().simpleString()
+            }
+        }
+    }
+
+    private val rows = triangles.select(col("index"), *TriangleTable.CORNERS.map { col(it) }.toTypedArray()).javaRDD()
+    private val extent by lazy { TableExtent.of(rows, scene) }
+    private val camera by lazy { scene.scene(extent).camera(width, height) }
+    private val setUp by lazy {
+        val bandRows = (BAND / width).coerceIn(1, height)
+        PictureSetUp(scene, CameraValues(camera), width, height, bandRows)
+    }
+    private val planner by lazy { Planner(extent.parts, setUp.drawing().raster, camera) }
+    private val chosen: SortOrder
+        get() = order ?: if (planner.lastBytes <= planner.middleBytes) SortOrder.LAST else SortOrder.MIDDLE
+
+    /** Returns which order is used, and why: the bytes that each is estimated to move. Looks at all triangles. */
+    public fun explain(): String = planner.explain(
+        when {
+            order != null -> "$order is used: it was asked for."
+            else -> "$chosen is used: it moves fewer bytes."
+        },
+    )
+
+    /**
+     * Renders the picture, and passes its rows to [sink] on this thread, from the top.
+     *
+     * @throws IllegalArgumentException if the scene is translucent, or has other surfaces
+     * @throws org.apache.spark.SparkException if a task has failed too often
+     * @throws IOException if the sink throws it
+     */
+    @Throws(IOException::class)
+    public fun render(sink: RowSink): TriangleReport {
+        requireOpaque()
+        val known = setUp
+        val broadcast: Broadcast<PictureSetUp> = context.broadcast(known)
+        val used = chosen
+        val bands = bands(used, broadcast).sortByKey().persist(StorageLevel.DISK_ONLY())
+        try {
+            bands.count()
+            val report = TriangleReport.Builder(used, shading)
+            var next = 0
+            for (band in bands.toLocalIterator()) {
+                while (next < band._1()) background(known, next++, sink)
+                pass(band._2(), sink)
+                report.add(band._2().pixels.counters, band._2().moved)
+                next++
+            }
+            while (next < known.bands) background(known, next++, sink)
+            return report.build(extent.parts.sumOf { it.triangles })
+        } finally {
+            bands.unpersist(false)
+            broadcast.destroy()
+        }
+    }
+
+    private fun bands(used: SortOrder, broadcast: Broadcast<PictureSetUp>): JavaPairRDD<Int, FinishedBand> =
+        when (used) {
+            SortOrder.LAST -> SortLast(rows, broadcast).bands(shading == SortedShading.LAZY)
+            SortOrder.MIDDLE -> SortMiddle(rows, broadcast).bands()
+        }
+
+    /** Fails here and not in a task. */
+    private fun requireOpaque() {
+        val own = scene.scene(Mesh(FloatArray(9), intArrayOf(0, 1, 2)))
+        require((own.surfaces.singleOrNull() as? Mesh)?.triangleCount == 1) { PartDrawing.otherSurfaces(own) }
+        require((own.surfaces.single() as Mesh).material.alphaMode != AlphaMode.BLEND) { PartDrawing.TRANSLUCENT }
+    }
+
+    private fun pass(band: FinishedBand, sink: RowSink) {
+        val argb = IntArray(width)
+        val depth = IntArray(width)
+        val primitive = IntArray(width)
+        band.pixels.forEachRow { y, row ->
+            row.copyInto(argb, 0, 0, width)
+            row.copyInto(depth, 0, width, 2 * width)
+            row.copyInto(primitive, 0, 2 * width, 3 * width)
+            sink.row(y, argb, depth, primitive)
+        }
+    }
+
+    /** Passes the rows of a band that shows nothing. */
+    private fun background(known: PictureSetUp, band: Int, sink: RowSink) {
+        val samples = BandSamples(known.drawing().raster, known.region(band))
+        samples.forEachRow { y, argb, depth, primitive -> sink.row(y, argb, depth, primitive) }
+    }
+
+    /**
+     * Writes the picture to a PNG file on the driver, which appears when it is complete. Throws like [render].
+     *
+     * @throws IOException if the file cannot be written; the message states which file, why, and what to do
+     */
+    @Throws(IOException::class)
+    public fun writePng(path: Path): TriangleReport {
+        val isOpaque = setUp.drawing().raster.background.alpha >= 1f
+        val alpha = if (isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
+        return ImageFiles.write(path, width, height, ImageFormat.PNG, alpha) { render(it) }
+    }
+
+    override fun toString(): String = "TrianglePicture($width x $height, order=$order, $shading)"
+
+    private companion object {
+        /** Samples of a band, at 12 bytes each. */
+        const val BAND = 1 shl 20
+    }
+}

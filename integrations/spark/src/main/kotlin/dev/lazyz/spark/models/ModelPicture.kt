@@ -1,0 +1,91 @@
+package dev.lazyz.spark.models
+
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.filter.SampledFrame
+import dev.lazyz.filter.SuperSampling
+import dev.lazyz.lighting.LightMeter
+import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.Scenes
+import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.world.Scene
+import org.apache.spark.SparkEnv
+import org.apache.spark.sql.Row
+
+/**
+ * Renders models, each on the calling thread alone, as Spark runs a task for each core. Thread safe.
+ *
+ * @param limits limits on what a model can request; without a limit of decoded data, the [share] of a task
+ */
+internal class ModelPicture(limits: LoadLimits) {
+    private val options = RenderOptions(threads = 1)
+    private val renderer: Renderer = Tiled(options)
+    private val limits = if (limits.decodedBytes == null) limits.withDecodedBytes(share()) else limits
+
+    /**
+     * Returns the row of a picture, see [PictureColumns]. A model that cannot be shown is a row with its error.
+     *
+     * @param name name of the model in the row and in messages
+     * @throws InterruptedException if the task is being killed
+     */
+    fun row(name: String, bytes: ByteArray?, words: String): Row = try {
+        picture(name, requireNotNull(bytes) { "$name: there are no bytes" }, PictureOptions(words))
+    } catch (e: InterruptedException) {
+        throw e
+    } catch (e: Exception) {
+        // A reader that is interrupted reports this as a problem of the file
+        if (Thread.currentThread().isInterrupted) throw InterruptedException("interrupted while rendering $name")
+        PictureColumns.failure(name, words, e.message ?: e.toString())
+    }
+
+    private fun picture(name: String, bytes: ByteArray, wish: PictureOptions): Row {
+        val format = wish.format ?: SceneFormat.ofFileName(name) ?: Scenes.formatOf(bytes)
+        requireNotNull(format) { "$name: no known format; state it, such as format=stl" }
+        val loaded = Scenes.load(bytes, format, name, LoadOptions(limits))
+        val scene = scene(loaded, wish, format)
+        val image = frame(scene, loaded, wish).render(renderer)
+        return PictureColumns.row(name, wish, image, loaded.warnings)
+    }
+
+    /** The same steps as `zcli render`. */
+    private fun scene(loaded: LoadedScene, wish: PictureOptions, format: SceneFormat): Scene {
+        if (format == SceneFormat.SCENE && loaded.scene.isOnScreen) return loaded.scene
+        val upright = loaded.scene.withViewpoint(wish.viewpoint()).withUpAxis(wish.up ?: format.usualUp)
+        val camera = upright.camera(wish.width, wish.height)
+        val viewed = upright.withViewpoint(camera)
+        val rigged = wish.light?.on(viewed, camera) ?: viewed
+        val isMetered = LightMeter.appliesTo(viewed, wish.light)
+        return rigged.withLightIntensity(
+            wish.intensity ?: if (isMetered) LightMeter.intensity(viewed) else viewed.lightIntensity,
+        )
+    }
+
+    private fun frame(scene: Scene, loaded: LoadedScene, wish: PictureOptions): SampledFrame {
+        val raster = loaded.depth.raster(wish.width, wish.height, wish.background ?: scene.background)
+        val sampling = SuperSampling(wish.factor ?: USUAL_FACTOR)
+        val obstacle = sampling.obstacle(scene, raster) ?: return sampling.frame(scene, raster, options)
+        require(wish.factor == null) { "aa=${wish.factor}: $obstacle; use aa=1" }
+        return SuperSampling.NONE.frame(scene, raster, options)
+    }
+
+    companion object {
+        /** Samples a pixel in each direction, as for `zcli render`. */
+        private const val USUAL_FACTOR = 4
+
+        /** Bytes of heap for each byte of decoded data while a model is read and rendered, see docs/server.md. */
+        private const val MEMORY_PER_DECODED = 4
+
+        /** The part of the heap that Spark leaves to the code of users: `spark.memory.fraction` is 0.6. */
+        private const val USER_PART = 0.4
+
+        /** Returns the bytes of decoded data that a model may have if all tasks of this JVM read one. */
+        private fun share(): Long {
+            val slots = SparkEnv.get()?.conf()?.getInt("spark.executor.cores", 0)?.takeIf { it > 0 }
+                ?: Runtime.getRuntime().availableProcessors()
+            return (Runtime.getRuntime().maxMemory() * USER_PART / MEMORY_PER_DECODED / slots).toLong()
+        }
+    }
+}

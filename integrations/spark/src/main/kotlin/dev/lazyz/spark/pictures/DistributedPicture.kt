@@ -1,0 +1,92 @@
+package dev.lazyz.spark.pictures
+
+import dev.lazyz.Counters
+import dev.lazyz.RowSink
+import dev.lazyz.scenes.writers.AlphaChannel
+import dev.lazyz.scenes.writers.ImageFiles
+import dev.lazyz.scenes.writers.ImageFormat
+import java.io.IOException
+import java.nio.file.Path
+import org.apache.spark.api.java.JavaSparkContext
+import org.apache.spark.sql.SparkSession
+
+/**
+ * One large picture, of which each task renders a part. The bits are those of one JVM.
+ *
+ * ```
+ * val picture = DistributedPicture(spark) { SuperSampling.NONE.of(Scenes.city().frame(20000, 10000)) }
+ * picture.writePng(Path.of("city.png"))
+ * ```
+ *
+ * Every JVM has the whole scene in memory, and shows a part of it at a time on each of its threads, with `Tiled`. All
+ * scenes are possible, also translucent and anti-aliased ones. For scenes larger than the memory of an executor see
+ * `TrianglePicture`.
+ *
+ * If a task fails or an executor is lost, Spark renders its parts again; a part that is rendered twice has the same
+ * bits. Thread safe.
+ *
+ * @param spark where to render
+ * @param source makes the frame; the driver calls it once, too, to know the size
+ */
+public class DistributedPicture(spark: SparkSession, source: PictureSource) {
+    private val context = JavaSparkContext.fromSparkContext(spark.sparkContext())
+    private val source = OncePerJvm(source)
+    private val region = this.source.picture().pixels
+    private val alpha: AlphaChannel
+        get() = if (source.picture().frame.raster.background.alpha >= 1f) AlphaChannel.DROP else AlphaChannel.KEEP
+
+    /** Number of columns, in pixels. */
+    public val width: Int get() = region.width
+
+    /** Number of rows, in pixels. */
+    public val height: Int get() = region.height
+
+    /**
+     * Renders the picture, and passes its rows to [sink] on this thread, from the top, as `SampledFrame.render`
+     * does.
+     *
+     * Memory of the driver: one band of some rows. The executors keep finished bands on disk until they are read.
+     *
+     * @throws org.apache.spark.SparkException if a task has failed too often
+     * @throws IOException if the sink throws it
+     */
+    @Throws(IOException::class)
+    public fun render(sink: RowSink): Counters = SortFirst(context, source, SortFirst.ALL_PLANES).use {
+        it.render(SortFirst.bands(region, context.defaultParallelism()), sink)
+    }
+
+    /**
+     * Writes the picture to a PNG file on the driver. The file appears when it is complete, and has the bytes that one
+     * JVM writes. The executors render, and the driver compresses; a pyramid, [writeDeepZoom], is compressed by all.
+     *
+     * @throws IOException if the file cannot be written; the message states which file, why, and what to do
+     * @throws org.apache.spark.SparkException if a task has failed too often
+     */
+    @Throws(IOException::class)
+    public fun writePng(path: Path): Counters = SortFirst(context, source, planes = 1).use { parts ->
+        ImageFiles.write(path, width, height, ImageFormat.PNG, alpha) { sink ->
+            parts.render(SortFirst.bands(region, context.defaultParallelism()), sink)
+        }
+    }
+
+    /**
+     * Writes the picture as a Deep Zoom pyramid: a descriptor, `NAME.dzi`, and a folder of tiles beside it,
+     * `NAME_files`, whose pixels are those that `DeepZoomFiles` writes.
+     *
+     * The executors write the tiles into a folder beside the place of the pyramid, which all of them and the driver
+     * must see under the same path. The pyramid appears when it is complete; if the job fails, the folder is deleted.
+     * Each attempt of a task writes to files of its own first, so attempts do not disturb each other.
+     *
+     * Levels below 1/1024 of the size, which have up to 256 x 256 pixels, are made by the driver of all pixels.
+     *
+     * @param path the descriptor
+     * @throws IOException if a file cannot be written; the message states which file, why, and what to do
+     * @throws org.apache.spark.SparkException if a task has failed too often
+     */
+    @Throws(IOException::class)
+    public fun writeDeepZoom(path: Path): Counters = SortFirst(context, source, planes = 1).use { parts ->
+        PyramidJob(path, width, height, alpha).write(parts)
+    }
+
+    override fun toString(): String = "DistributedPicture($width x $height)"
+}

@@ -1,0 +1,116 @@
+package dev.lazyz.spark.pictures
+
+import dev.lazyz.Counters
+import dev.lazyz.Region
+import dev.lazyz.RenderOptions
+import dev.lazyz.RowSink
+import dev.lazyz.strategies.tiled.Tiled
+import org.apache.spark.api.java.JavaRDD
+import org.apache.spark.api.java.JavaSparkContext
+import org.apache.spark.api.java.function.Function
+import org.apache.spark.broadcast.Broadcast
+import org.apache.spark.storage.StorageLevel
+
+/**
+ * Divides a picture into rectangles, each of which a task renders ("sort-first"). Regions of a frame are exact, so their
+ * pixels are those of the whole picture. The source is broadcast, and makes its frame once in each JVM.
+ *
+ * Source: Steven Molnar, Michael Cox, David Ellsworth, Henry Fuchs, "A Sorting Classification of Parallel Rendering",
+ * IEEE Computer Graphics and Applications 14 (1994).
+ *
+ * @param planes see [PixelBlock]
+ */
+internal class SortFirst(private val context: JavaSparkContext, source: OncePerJvm, private val planes: Int) :
+    AutoCloseable {
+    private val broadcast: Broadcast<OncePerJvm> = context.broadcast(source)
+
+    /** Returns the rendered regions, a partition for each, which Spark computes when they are needed. */
+    fun blocks(regions: List<Region>): JavaRDD<PixelBlock> {
+        val numbers = regions.map { intArrayOf(it.columnStart, it.rowStart, it.columnEnd, it.rowEnd) }
+        return context.parallelize(numbers, numbers.size).map(RenderRegion(broadcast, planes))
+    }
+
+    /**
+     * Renders all [regions], which are bands of whole rows from the top, in parallel; then passes their rows to [sink]
+     * on this thread. Finished bands are on the disks of the executors; if they are lost, Spark renders them again.
+     */
+    fun render(regions: List<Region>, sink: RowSink): Counters {
+        val bands = blocks(regions).persist(StorageLevel.DISK_ONLY())
+        try {
+            bands.count()
+            return handOut(bands.toLocalIterator(), regions.first().width, sink)
+        } finally {
+            bands.unpersist(false)
+        }
+    }
+
+    private fun handOut(bands: Iterator<PixelBlock>, width: Int, sink: RowSink): Counters {
+        val sum = Counters.Builder()
+        val argb = IntArray(width)
+        val depth = IntArray(width)
+        val primitive = IntArray(width)
+        for (band in bands) {
+            band.forEachRow { y, row ->
+                row.copyInto(argb, 0, 0, width)
+                if (planes == ALL_PLANES) {
+                    row.copyInto(depth, 0, width, 2 * width)
+                    row.copyInto(primitive, 0, 2 * width, 3 * width)
+                }
+                sink.row(y, argb, depth, primitive)
+            }
+            sum.add(band.counters)
+            sum.primitives = band.counters.primitives
+        }
+        return sum.build()
+    }
+
+    override fun close(): Unit = broadcast.destroy()
+
+    /** Renders a region, given as its four sides. */
+    private class RenderRegion(private val source: Broadcast<OncePerJvm>, private val planes: Int) :
+        Function<IntArray, PixelBlock> {
+        override fun call(sides: IntArray): PixelBlock {
+            val region = Region(sides[0], sides[1], sides[2], sides[3])
+            val block = PixelBlock.Builder(region, planes)
+            val renderer = Tiled(RenderOptions(threads = 1))
+            return source.value().rendering { picture ->
+                val counters = picture.within(region).render(renderer) { _, argb, depth, primitive ->
+                    block.add(argb)
+                    if (planes == ALL_PLANES) {
+                        block.add(depth)
+                        block.add(primitive)
+                    }
+                }
+                block.build(counters)
+            }
+        }
+
+        private companion object {
+            const val serialVersionUID = 1L
+        }
+    }
+
+    companion object {
+        /** Colours, depths and primitives. */
+        const val ALL_PLANES: Int = 3
+
+        /** Bands for each thread of the cluster, so that fast ones can take more of them. */
+        private const val BANDS_PER_THREAD = 4
+
+        /** A multiple of the rows of tiles, so that few tiles are cut. */
+        private const val ROWS = 64
+
+        /** Most pixels of a band, which is in memory while it is compressed. */
+        private const val MOST_PIXELS = 1L shl 24
+
+        /** Returns bands of whole rows of [region], for [threads] threads. */
+        fun bands(region: Region, threads: Int): List<Region> {
+            val wished = region.height / (BANDS_PER_THREAD * threads)
+            val most = (MOST_PIXELS / region.width).coerceAtLeast(1).toInt()
+            val rows = maxOf((wished + ROWS - 1) / ROWS * ROWS, ROWS).coerceAtMost(most)
+            return (region.rowStart until region.rowEnd step rows).map { top ->
+                Region(region.columnStart, top, region.columnEnd, minOf(top + rows, region.rowEnd))
+            }
+        }
+    }
+}

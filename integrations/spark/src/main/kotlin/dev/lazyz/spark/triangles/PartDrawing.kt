@@ -1,0 +1,140 @@
+package dev.lazyz.spark.triangles
+
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.RenderOptions
+import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Scene
+import dev.lazyz.world.surface.Mesh
+import java.io.Serializable
+
+/**
+ * What all tasks of a picture know: the scene without its triangles, the camera and the raster.
+ *
+ * @param bandRows rows of a band
+ */
+internal class PictureSetUp(
+    private val scene: TriangleScene,
+    private val camera: CameraValues,
+    val width: Int,
+    val height: Int,
+    private val bandRows: Int,
+) : Serializable {
+    /** Number of bands. */
+    val bands: Int get() = (height + bandRows - 1) / bandRows
+
+    /** Returns the samples of a band. */
+    fun region(band: Int): Region = Region(0, band * bandRows, width, minOf((band + 1) * bandRows, height))
+
+    /** Returns the bands that [region] reaches. */
+    fun bands(region: Region): IntRange = region.rowStart / bandRows..(region.rowEnd - 1) / bandRows
+
+    /** Returns what draws triangles. */
+    fun drawing(): PartDrawing = PartDrawing(this, scene, camera.camera())
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
+}
+
+/**
+ * Draws some of the triangles of a picture. Used by one thread.
+ */
+internal class PartDrawing(
+    private val setUp: PictureSetUp,
+    private val scene: TriangleScene,
+    private val camera: Camera,
+) {
+    private val options = RenderOptions(threads = 1)
+    private val renderer = Tiled(options)
+    private val counters = Counters.Builder()
+
+    /** The raster of the whole picture. */
+    val raster: Raster = Raster(setUp.width, setUp.height, scene.scene(NOTHING).background)
+    private val reach = ScreenReach(raster, camera)
+
+    /** The work so far. */
+    fun work(): Counters = counters.build()
+
+    /** Returns triangles that can be drawn band by band. */
+    fun part(chunk: TriangleChunk): Part = Part(chunk)
+
+    /** Some triangles, set up for the picture. */
+    inner class Part(private val chunk: TriangleChunk) {
+        private val mesh: Mesh
+        private val frame: Frame
+
+        init {
+            val own = scene.scene(chunk.mesh()).withViewpoint(camera)
+            val surface = own.surfaces.singleOrNull() as? Mesh
+            require(surface != null && surface.triangleCount == chunk.size) { otherSurfaces(own) }
+            mesh = surface
+            frame = own.frame(raster, options)
+            require(!frame.hasTranslucency) { TRANSLUCENT }
+        }
+
+        /** Where the triangles are, or null if they cover no sample. */
+        val region: Region? = region(0, 3 * chunk.size)
+
+        private fun region(from: Int, until: Int): Region? {
+            reach.clear()
+            val origin = mesh.origin
+            for (i in from until until) {
+                val at = 3 * mesh.triangles[i]
+                reach.add(
+                    origin.x() + mesh.positions[at],
+                    origin.y() + mesh.positions[at + 1],
+                    origin.z() + mesh.positions[at + 2],
+                )
+            }
+            return reach.region()
+        }
+
+        /** Draws the samples of a band that the triangles can cover. */
+        fun draw(into: BandSamples, isShaded: Boolean) {
+            val seen = region?.let { common(it, into.region) } ?: return
+            val test = raster.depthTest
+            val seenFrame = frame.within(seen)
+            val work = renderer.render(if (isShaded) seenFrame else seenFrame.unshaded()) { y, argb, depth, primitive ->
+                for (i in 0 until seen.width) {
+                    if (primitive[i] == DepthTest.BACKGROUND) continue
+                    into.add(seen.columnStart + i, y, test.key(depth[i], chunk.index(primitive[i])), argb[i])
+                }
+            }
+            counters.add(if (isShaded) work else work.toBuilder().apply { shadingCalls = 0 }.build())
+        }
+
+        /** Returns the triangles that can cover samples of each band, by the number of the band. */
+        fun byBand(): Map<Int, TriangleChunk> {
+            val numbers = HashMap<Int, ArrayList<Int>>()
+            for (triangle in 0 until chunk.size) {
+                val region = region(3 * triangle, 3 * triangle + 3) ?: continue
+                for (band in setUp.bands(region)) numbers.getOrPut(band) { ArrayList() }.add(triangle)
+            }
+            return numbers.mapValues { chunk.select(it.value.toIntArray()) }
+        }
+    }
+
+    companion object {
+        /** What is wrong with translucent triangles, and what to do. */
+        const val TRANSLUCENT: String = "translucent triangles must be blended in one place, and parts cannot be " +
+            "merged: make the material opaque, or render the whole scene with DistributedPicture (sort-first)"
+
+        /** What is wrong with a scene that has other surfaces. */
+        fun otherSurfaces(scene: Scene): String = "the scene must have the given triangles as its only surface: $scene"
+
+        private val NOTHING = Mesh(FloatArray(0), IntArray(0))
+
+        private fun common(a: Region, b: Region): Region? {
+            val left = maxOf(a.columnStart, b.columnStart)
+            val top = maxOf(a.rowStart, b.rowStart)
+            val right = minOf(a.columnEnd, b.columnEnd)
+            val bottom = minOf(a.rowEnd, b.rowEnd)
+            return if (left < right && top < bottom) Region(left, top, right, bottom) else null
+        }
+    }
+}

@@ -1,0 +1,210 @@
+package dev.lazyz.spark.triangles.jobs
+
+import dev.lazyz.Counters
+import dev.lazyz.spark.triangles.BandSamples
+import dev.lazyz.spark.triangles.PictureSetUp
+import dev.lazyz.spark.triangles.TriangleChunk
+import org.apache.spark.api.java.JavaPairRDD
+import org.apache.spark.api.java.JavaRDD
+import org.apache.spark.api.java.function.Function2
+import org.apache.spark.api.java.function.PairFlatMapFunction
+import org.apache.spark.api.java.function.PairFunction
+import org.apache.spark.broadcast.Broadcast
+import org.apache.spark.sql.Row
+import scala.Tuple2
+
+/**
+ * Each partition draws its triangles, and the nearest fragments of all are merged in a tree: eight parts of a band at a
+ * time ("sort-last"). With lazy shading only keys are merged; then the triangles that are visible are sent to their
+ * bands, and drawn again with colours: each visible sample is shaded once, and no colour crosses the network before.
+ *
+ * Source: Steven Molnar, Michael Cox, David Ellsworth, Henry Fuchs, "A Sorting Classification of Parallel Rendering",
+ * IEEE Computer Graphics and Applications 14 (1994); Michael Deering et al., "The Triangle Processor and Normal Vector
+ * Shader", SIGGRAPH 1988, for shading after visibility.
+ */
+internal class SortLast(private val rows: JavaRDD<Row>, private val setUp: Broadcast<PictureSetUp>) {
+    /** Returns the bands that show triangles. */
+    fun bands(isLazy: Boolean): JavaPairRDD<Int, FinishedBand> {
+        val merged = tree(!isLazy)
+        if (!isLazy) return merged.mapToPair(FinishBand(MergeParts(setUp, true)))
+
+        // Two outputs of one job: keep the keys, so that they are merged once
+        val visible = merged.flatMapToPair(VisibleIndices(MergeParts(setUp, false)))
+        val triangles = rows.mapToPair(ByIndex())
+        val shown = visible.join(triangles).mapToPair(ByBand()).groupByKey()
+        val costs = merged.mapToPair(CostOf(MergeParts(setUp, false)))
+        return shown.join(costs).mapToPair(ShadeBand(setUp))
+    }
+
+    /** Returns the last parts to be merged, by band. */
+    private fun tree(isShaded: Boolean): JavaPairRDD<Int, Iterable<BandPart>> {
+        val merge = MergeParts(setUp, isShaded)
+        var groups = rows.numPartitions
+        var parts = rows.mapPartitionsWithIndex(DrawPart(setUp, isShaded), false).mapToPair(Same<BandPart>())
+        while (groups > FAN_IN) {
+            groups = (groups + FAN_IN - 1) / FAN_IN
+            parts = parts.mapToPair(Grouped()).groupByKey().mapToPair(MergeGroup(merge))
+        }
+        return parts.mapToPair(OfBand()).groupByKey()
+    }
+
+    companion object {
+        /** Parts that are merged at a time. */
+        const val FAN_IN: Int = 8
+    }
+}
+
+/** Draws the triangles of a partition. Returns the parts of all bands that they reach. */
+private class DrawPart(private val setUp: Broadcast<PictureSetUp>, private val isShaded: Boolean) :
+    Function2<Int, Iterator<Row>, Iterator<Tuple2<BandKey, BandPart>>> {
+    override fun call(number: Int, rows: Iterator<Row>): Iterator<Tuple2<BandKey, BandPart>> {
+        val known = setUp.value()
+        val drawing = known.drawing()
+        val most = mostBands(known)
+        val finished = ArrayList<Tuple2<BandKey, BandPart>>()
+        val bands = LinkedHashMap<Int, BandSamples>(16, 0.75f, true)
+        fun finish(band: Int) {
+            val runs = bands.remove(band)!!.toRuns(isShaded)
+            finished += Tuple2(BandKey(band, number), BandPart(runs, 0, BandPart.work(Counters.NONE)))
+        }
+        for (chunk in TriangleChunk.chunks(rows)) {
+            val part = drawing.part(chunk)
+            for (band in part.region?.let(known::bands) ?: continue) {
+                // A band that is finished early is merged with what follows, like any other part
+                if (band !in bands && bands.size == most) finish(bands.keys.first())
+                part.draw(bands.getOrPut(band) { BandSamples(drawing.raster, known.region(band)) }, isShaded)
+            }
+        }
+        bands.keys.toList().forEach(::finish)
+        if (finished.isNotEmpty()) {
+            val last = finished.removeLast()
+            finished += Tuple2(last._1(), BandPart(last._2().runs, 0, BandPart.work(drawing.work())))
+        }
+        return finished.iterator()
+    }
+
+    private companion object {
+        const val serialVersionUID = 1L
+
+        /** The part of the heap for the bands of all tasks. */
+        const val PART = 0.2
+        const val BYTES_PER_SAMPLE = 12L
+
+        fun mostBands(known: PictureSetUp): Int {
+            val share = Runtime.getRuntime().maxMemory() * PART / Runtime.getRuntime().availableProcessors()
+            return (share / (BYTES_PER_SAMPLE * known.region(0).size)).toInt().coerceAtLeast(1)
+        }
+    }
+}
+
+private class Same<V> : PairFunction<Tuple2<BandKey, V>, BandKey, V> {
+    override fun call(pair: Tuple2<BandKey, V>): Tuple2<BandKey, V> = pair
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
+}
+
+private class Grouped : PairFunction<Tuple2<BandKey, BandPart>, BandKey, BandPart> {
+    override fun call(pair: Tuple2<BandKey, BandPart>): Tuple2<BandKey, BandPart> =
+        Tuple2(BandKey(pair._1().band, pair._1().group / SortLast.FAN_IN), pair._2())
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
+}
+
+private class OfBand : PairFunction<Tuple2<BandKey, BandPart>, Int, BandPart> {
+    override fun call(pair: Tuple2<BandKey, BandPart>): Tuple2<Int, BandPart> = Tuple2(pair._1().band, pair._2())
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
+}
+
+private class MergeGroup(private val merge: MergeParts) :
+    PairFunction<Tuple2<BandKey, Iterable<BandPart>>, BandKey, BandPart> {
+    override fun call(parts: Tuple2<BandKey, Iterable<BandPart>>): Tuple2<BandKey, BandPart> =
+        Tuple2(parts._1(), merge.part(parts._1().band, parts._2()))
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
+}
+
+private class FinishBand(private val merge: MergeParts) :
+    PairFunction<Tuple2<Int, Iterable<BandPart>>, Int, FinishedBand> {
+    override fun call(parts: Tuple2<Int, Iterable<BandPart>>): Tuple2<Int, FinishedBand> {
+        val merged = merge.merged(parts._1(), parts._2())
+        return Tuple2(parts._1(), FinishedBand.of(merged.samples, merged.moved, merged.work))
+    }
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
+}
+
+/** Returns the indices of the triangles that a band shows, each with the band. */
+private class VisibleIndices(private val merge: MergeParts) :
+    PairFlatMapFunction<Tuple2<Int, Iterable<BandPart>>, Long, Int> {
+    override fun call(parts: Tuple2<Int, Iterable<BandPart>>): Iterator<Tuple2<Long, Int>> =
+        merge.merged(parts._1(), parts._2()).samples.visible().asSequence()
+            .map { Tuple2(it.toLong(), parts._1()) }.iterator()
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
+}
+
+/** Returns what merging the keys of a band took. */
+private class CostOf(private val merge: MergeParts) : PairFunction<Tuple2<Int, Iterable<BandPart>>, Int, LongArray> {
+    override fun call(parts: Tuple2<Int, Iterable<BandPart>>): Tuple2<Int, LongArray> {
+        val moved = parts._2().sumOf { it.moved + it.runs.size }
+        return Tuple2(parts._1(), BandPart.sum(parts._2().map { it.work }) + moved)
+    }
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
+}
+
+private class ByIndex : PairFunction<Row, Long, Row> {
+    override fun call(row: Row): Tuple2<Long, Row> = Tuple2(row.getLong(0), row)
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
+}
+
+private class ByBand : PairFunction<Tuple2<Long, Tuple2<Int, Row>>, Int, Row> {
+    override fun call(shown: Tuple2<Long, Tuple2<Int, Row>>): Tuple2<Int, Row> = shown._2()
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
+}
+
+/** Draws the visible triangles of a band, with colours. */
+private class ShadeBand(private val setUp: Broadcast<PictureSetUp>) :
+    PairFunction<Tuple2<Int, Tuple2<Iterable<Row>, LongArray>>, Int, FinishedBand> {
+    override fun call(band: Tuple2<Int, Tuple2<Iterable<Row>, LongArray>>): Tuple2<Int, FinishedBand> {
+        val known = setUp.value()
+        val drawing = known.drawing()
+        val samples = BandSamples(drawing.raster, known.region(band._1()))
+        var triangles = 0L
+        for (chunk in TriangleChunk.chunks(band._2()._1().iterator())) {
+            drawing.part(chunk).draw(samples, isShaded = true)
+            triangles += chunk.size
+        }
+        val keys = band._2()._2()
+        val work = BandPart.sum(listOf(keys.copyOf(keys.size - 1), BandPart.work(drawing.work())))
+
+        // The index of a triangle goes to its partition, and the triangle comes back
+        val moved = keys.last() + triangles * (Long.SIZE_BYTES + Int.SIZE_BYTES + TriangleChunk.BYTES)
+        return Tuple2(band._1(), FinishedBand.of(samples, moved, work))
+    }
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
+}

@@ -1,0 +1,27 @@
+package dev.lazyz.spark;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.nio.file.Path;
+import org.apache.spark.sql.Dataset;
+import org.apache.spark.sql.Row;
+import org.apache.spark.sql.SparkSession;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The library from Java. */
+class JavaTest {
+    @Test
+    void modelsBecomePictures(@TempDir Path folder) {
+        SparkSession spark = TestSpark.getSession();
+        Models.collection(folder.resolve("models"));
+
+        Dataset<Row> models = spark.read().format("binaryFile").load(folder.resolve("models") + "");
+        Dataset<Row> pictures = ModelPictures.render(models, "size=64 view=iso aa=2");
+        pictures.write().parquet(folder.resolve("pictures") + "");
+
+        Dataset<Row> read = spark.read().parquet(folder.resolve("pictures") + "");
+        assertEquals(2, read.filter("error IS NULL").count());
+        assertEquals(3, read.filter("png IS NULL").count());
+    }
+}

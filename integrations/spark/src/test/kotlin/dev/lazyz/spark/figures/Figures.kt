@@ -1,0 +1,113 @@
+package dev.lazyz.spark.figures
+
+import com.sun.management.OperatingSystemMXBean
+import dev.lazyz.PixelHash
+import dev.lazyz.Raster
+import dev.lazyz.RenderOptions
+import dev.lazyz.filter.SuperSampling
+import dev.lazyz.geometry.UpAxis
+import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.writers.AlphaChannel
+import dev.lazyz.scenes.writers.ImageFiles
+import dev.lazyz.scenes.writers.ImageFormat
+import dev.lazyz.spark.Models
+import dev.lazyz.spark.SortOrder
+import dev.lazyz.spark.SortedShading
+import dev.lazyz.spark.TestSpark
+import dev.lazyz.spark.TrianglePicture
+import dev.lazyz.spark.TriangleTable
+import dev.lazyz.spark.pictures.DistributedPicture
+import dev.lazyz.spark.pictures.PictureSource
+import dev.lazyz.spark.triangles.CameraValues
+import dev.lazyz.spark.triangles.TriangleScene
+import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.world.Scene
+import java.lang.management.ManagementFactory
+import java.nio.file.Files
+import kotlin.io.path.writeBytes
+import org.apache.spark.sql.functions.col
+
+/**
+ * Prints the figures of `docs/spark.md`: processor time with Spark and without, in one run; and what the orders of
+ * [TrianglePicture] move and shade.
+ */
+fun main() {
+    processorTime()
+    moved()
+    System.exit(0)
+}
+
+private val system = ManagementFactory.getOperatingSystemMXBean() as OperatingSystemMXBean
+
+private fun seconds(work: () -> Unit): Double {
+    System.gc()
+    val before = system.processCpuTime
+    work()
+    return (system.processCpuTime - before) / 1e9
+}
+
+/** The same PNG file by `local[2]` and by `Tiled` with two threads, in turns; the first turn is not counted. */
+private fun processorTime() {
+    val folder = Files.createTempDirectory("figures")
+    for ((id, factor, width, height) in listOf(listOf("city", 2, 6000, 4000), listOf("teapot", 4, 4000, 3000))) {
+        val source = PictureSource {
+            SuperSampling(factor as Int).frame(
+                Scenes.builtin("$id")!!,
+                Raster(width as Int, height as Int),
+            )
+        }
+        val frame = source.picture()
+        val renderer = Tiled(RenderOptions(threads = 2))
+        val picture = DistributedPicture(TestSpark.session, source)
+        val spark = ArrayList<Double>()
+        val alone = ArrayList<Double>()
+        repeat(4) { turn ->
+            val one = seconds {
+                ImageFiles.write(
+                    folder.resolve("a.png"), width as Int, height as Int, ImageFormat.PNG, AlphaChannel.DROP,
+                ) { frame.render(renderer, it) }
+            }
+            val two = seconds { picture.writePng(folder.resolve("b.png")) }
+            if (turn > 0) {
+                alone += one
+                spark += two
+            }
+        }
+        check(Files.mismatch(folder.resolve("a.png"), folder.resolve("b.png")) < 0)
+        println("$id ${width}x$height aa=$factor: Tiled $alone s, Spark $spark s, ratio %.2f".format(spark.min() / alone.min()))
+    }
+    folder.toFile().deleteRecursively()
+}
+
+private fun moved() {
+    val file = TestSpark.folder.resolve("teapot.stl").also { it.writeBytes(Models.stl(64)) }
+    val plain = LoadOptions(smoothNormals = false)
+    val loaded = Scenes.load(Files.readAllBytes(file), SceneFormat.STL, options = plain).scene.surfaces.single()
+    val fitted = TriangleScene { Scene(listOf(it)).withUpAxis(UpAxis.Z) }
+    val near = TriangleTable.readStl(TestSpark.session, "$file", partitionBytes = 800_000).cache()
+    val mixed = near.repartition(16, col("index")).cache()
+    for ((width, height) in listOf(1000 to 750, 4000 to 3000)) {
+        val camera = CameraValues(fitted.scene(loaded).camera(width, height))
+        val scene = TriangleScene { fitted.scene(it).withViewpoint(camera.camera()) }
+        val expected = Tiled().render(scene.scene(loaded).frame(width, height))
+        println("${width}x$height: ${expected.visible} visible, ${expected.counters.primitives} triangles")
+        for ((name, table) in listOf("near" to near, "mixed" to mixed)) {
+            for ((order, shading) in listOf(
+                SortOrder.LAST to SortedShading.EAGER,
+                SortOrder.LAST to SortedShading.LAZY,
+                SortOrder.MIDDLE to SortedShading.EAGER,
+            )) {
+                val hash = PixelHash()
+                val report = TrianglePicture(table, width, height, scene, order, shading).render { _, argb, _, _ ->
+                    hash.add(argb, width)
+                }
+                check(hash.digest() == expected.pixelHash())
+                println("$name ${table.javaRDD().numPartitions} $order $shading: moved ${report.movedBytes}, " +
+                    "shading calls ${report.counters.shadingCalls}")
+            }
+            println(TrianglePicture(table, width, height, scene).explain())
+        }
+    }
+}

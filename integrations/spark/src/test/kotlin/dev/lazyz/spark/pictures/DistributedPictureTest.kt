@@ -1,0 +1,144 @@
+package dev.lazyz.spark.pictures
+
+import dev.lazyz.PixelHash
+import dev.lazyz.Raster
+import dev.lazyz.RenderOptions
+import dev.lazyz.Rgba
+import dev.lazyz.filter.SampledFrame
+import dev.lazyz.filter.SuperSampling
+import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.pictures.Picture
+import dev.lazyz.scenes.writers.AlphaChannel
+import dev.lazyz.scenes.writers.deepzoom.DeepZoomFiles
+import dev.lazyz.scenes.writers.toPng
+import dev.lazyz.spark.TestSpark
+import dev.lazyz.strategies.tiled.Tiled
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.atomic.AtomicInteger
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+import kotlin.io.path.readBytes
+import kotlin.io.path.readText
+import org.apache.spark.SparkException
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.ValueSource
+
+class DistributedPictureTest {
+    private val spark = TestSpark.session
+
+    /** A built-in scene; what is sent to tasks is its name. */
+    private class Builtin(
+        private val id: String,
+        private val width: Int,
+        private val height: Int,
+        private val factor: Int,
+        private val isTransparent: Boolean = false,
+    ) : PictureSource {
+        override fun picture(): SampledFrame {
+            made.incrementAndGet()
+            val scene = Scenes.builtin(id)!!
+            val clear = if (isTransparent) scene.withBackground(Rgba.TRANSPARENT) else scene
+            val raster = Raster(width, height, clear.background)
+            return SuperSampling(factor).frame(clear, raster)
+        }
+
+        companion object {
+            private const val serialVersionUID = 1L
+            val made = AtomicInteger()
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = [1, 4])
+    fun bitsAreThoseOfOneJvm(factor: Int) {
+        val source = Builtin("city", 300, 500, factor)
+        val image = source.picture().render(Tiled())
+        val picture = DistributedPicture(spark, source)
+        assertEquals("300 x 500", "${picture.width} x ${picture.height}")
+        val hash = PixelHash()
+        val before = Builtin.made.get()
+        var rows = 0
+        val counters = picture.render { y, argb, depth, primitive ->
+            assertEquals(rows++, y)
+            hash.add(argb, 300)
+            for (x in 0 until 300) {
+                assertEquals(image.depth(x, y), depth[x])
+                assertEquals(image.primitive(x, y), primitive[x])
+            }
+        }
+        assertEquals(image.pixelHash(), hash.digest())
+        assertEquals(500, rows)
+        assertEquals(image.counters.primitives, counters.primitives)
+        assertEquals(image.counters.fragments > 0, counters.fragments > 0)
+        if (factor == 1) assertEquals(image.counters.shadingCalls, counters.shadingCalls)
+
+        // The scene is made once in each JVM, not once for each task
+        assertEquals(before, Builtin.made.get())
+    }
+
+    @Test
+    fun filesHaveTheBytesOfOneJvm(@TempDir folder: Path) {
+        val source = Builtin("teapot", 200, 150, 2)
+        DistributedPicture(spark, source).writePng(folder.resolve("teapot.png"))
+        val image = source.picture().render(Tiled())
+        assertArrayEquals(image.toPng(), folder.resolve("teapot.png").readBytes())
+        assertEquals(listOf("teapot.png"), folder.listDirectoryEntries().map { it.name })
+    }
+
+    /** Sides just above and below multiples of tiles and blocks, and more levels than blocks have. */
+    @ParameterizedTest
+    @ValueSource(strings = ["300x200", "1x1", "4097x1025", "5000x2100", "254x255"])
+    fun pyramidsHaveThePixelsOfOneJvm(size: String, @TempDir folder: Path) {
+        val (width, height) = size.split('x').map { it.toInt() }
+        val source = Builtin("star", width, height, 1, isTransparent = size == "300x200")
+        val alpha = if (size == "300x200") AlphaChannel.KEEP else AlphaChannel.DROP
+        DistributedPicture(spark, source).writeDeepZoom(folder.resolve("spark.dzi"))
+        DeepZoomFiles.write(folder.resolve("one.dzi"), width, height, alpha) {
+            source.picture().render(Tiled(RenderOptions()), it)
+        }
+        assertEquals(folder.resolve("one.dzi").readText(), folder.resolve("spark.dzi").readText())
+        val names = setOf("one.dzi", "one_files", "spark.dzi", "spark_files")
+        assertEquals(names, folder.listDirectoryEntries().map { it.name }.toSet())
+        assertEquals(tiles(folder.resolve("one_files")), tiles(folder.resolve("spark_files")))
+    }
+
+    /** Names and pixels of all tiles. */
+    private fun tiles(folder: Path): Map<String, List<Int>> = Files.walk(folder).use { all ->
+        all.filter { Files.isRegularFile(it) }.toList().associate { file ->
+            val picture = Picture.read(file)
+            val pixels = (0 until picture.height).flatMap { y -> (0 until picture.width).map { picture.argb(it, y) } }
+            "${folder.relativize(file)}" to listOf(picture.width, picture.height, pixels.hashCode())
+        }
+    }
+
+    @Test
+    fun failuresLeaveNothing(@TempDir folder: Path) {
+        val picture = DistributedPicture(spark, FailsInTasks())
+        assertThrows(SparkException::class.java) { picture.writePng(folder.resolve("a.png")) }
+        assertThrows(SparkException::class.java) { picture.writeDeepZoom(folder.resolve("a.dzi")) }
+        assertEquals(listOf<Path>(), folder.listDirectoryEntries())
+        val missing = folder.resolve("missing/a.dzi")
+        val error = assertThrows(IOException::class.java) { picture.writeDeepZoom(missing) }
+        assertTrue("no folder" in error.message!!, error.message)
+    }
+
+    /** Primitives that throw when they are drawn. */
+    private class FailsInTasks : PictureSource {
+        override fun picture(): SampledFrame {
+            val frame = Scenes.builtin("teapot")!!.frame(40, 40)
+            return SuperSampling.NONE.of(frame.observed { _, _, _ -> error("no colour today") })
+        }
+
+        private companion object {
+            const val serialVersionUID = 1L
+        }
+    }
+}
