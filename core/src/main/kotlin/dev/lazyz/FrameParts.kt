@@ -65,7 +65,7 @@ internal class Reach(private val left: Int, private val top: Int, private val ri
 internal fun requireInMemory(frame: Frame, renderer: Renderer) {
     require(!frame.isStreamed) {
         "the frame is streamed, and the renderer '${renderer.id}' needs all primitives in memory: " +
-            "use 'tiled', 'zbuffer' or 'hybrid', or load the whole model"
+            "use 'tiled', 'zbuffer', 'hybrid' or 'hierarchical', or load the whole model"
     }
 }
 

@@ -17,9 +17,9 @@ import java.util.concurrent.Executor
  *   shows its visible fragment, or all fragments blended if the frame has translucent primitives
  * @property executor runs the threads other than the calling one; null for threads of the library. Renderers do not
  *   wait for the executor to begin a task: if it is busy, the calling thread does the work
- * @property bandBytes most bytes of the rows that `Tiled` keeps of a streamed frame, at 12 a sample, but at least one
- *   row:
- *   a larger picture is rendered in bands, with a pass over the primitives for each. Null for a third of the heap
+ * @property bandBytes most bytes of the rows that `Tiled` and `HierarchicalZBuffer` keep of a streamed frame, at 12 a
+ *   sample, but at least one row: a larger picture is rendered in bands, with a pass over the primitives for each. Null
+ *   for a third of the heap
  * @throws IllegalArgumentException if a number is out of range
  */
 public class RenderOptions @JvmOverloads constructor(

@@ -9,6 +9,7 @@ import dev.lazyz.filter.SampledFrame
 import dev.lazyz.strategies.FrameNumbers
 import dev.lazyz.strategies.PictureMemory
 import dev.lazyz.strategies.StrategyModel
+import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.tiled.TiledMemory
 
@@ -68,7 +69,10 @@ public class RenderPlanner @JvmOverloads constructor(
     private fun isAble(renderer: Renderer, frame: Frame): Boolean =
         renderer.capabilities.containsAll(options.needs) &&
             (!frame.hasTranslucency || Capability.TRANSPARENCY in renderer.capabilities) &&
-            (!frame.isStreamed || renderer is StreamingRenderer || renderer is Tiled)
+            (!frame.isStreamed || renderer is StreamingRenderer || keepsNearest(renderer))
+
+    /** Whether [renderer] renders the parts of a streamed frame one by one, and keeps the nearest samples. */
+    private fun keepsNearest(renderer: Renderer): Boolean = renderer is Tiled || renderer is HierarchicalZBuffer
 
     private fun plans(renderer: Renderer, frame: Frame, others: List<MemoryItem>): Sequence<RenderPlan> = when {
         renderer !is Tiled -> sequenceOf(other(renderer, frame, others))
@@ -132,7 +136,8 @@ public class RenderPlanner @JvmOverloads constructor(
             chosen = chosen.withMemoryBudget(budget)
             need = fixed + budget
         }
-        val items = parts + MemoryItem("strategy ${renderer.id}", need)
+        val kept = if (isStreamed && keepsNearest(renderer)) SAMPLE_BYTES * frame.region.size else 0
+        val items = parts + MemoryItem("strategy ${renderer.id}", need + kept)
         val words = words(renderer, chosen)
         return RenderPlan(renderer.configured(chosen.supportedBy(renderer)), memory, items, 1, "$words, in one pass")
     }

@@ -7,6 +7,7 @@ import dev.lazyz.StreamingRenderer
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.StrategyEstimates
+import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.tiled.Tiled
 
 /**
@@ -57,9 +58,9 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
         if (frame.hasTranslucency) {
             throw Mistake("the scene is translucent, and --stream renders opaque surfaces only: add --opaque")
         }
-        val able = candidates.filter { it is StreamingRenderer || it is Tiled }
+        val able = candidates.filter(::takesStreams)
         if (able.isNotEmpty()) return choices.applyTo(able.first())
-        val all = Strategies.all().filter { it is StreamingRenderer || it is Tiled }.joinToString { it.id }
+        val all = Strategies.all().filter(::takesStreams).joinToString { it.id }
         val reason = if (named !=
             null
         ) {
@@ -111,6 +112,10 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
         return "the scene is translucent, and $reason (${Strategies.supporters(Capability.TRANSPARENCY)})\n" +
             "Omit $flag, or render the scene as opaque with --opaque."
     }
+
+    /** Whether [renderer] renders frames whose primitives are not in memory. */
+    private fun takesStreams(renderer: Renderer): Boolean =
+        renderer is StreamingRenderer || renderer is Tiled || renderer is HierarchicalZBuffer
 
     private fun capable(needs: Collection<Capability>): List<Renderer> =
         Strategies.all().filter { it.capabilities.containsAll(needs) }

@@ -64,7 +64,7 @@ class StreamTest {
             listOf("--shading", "flat", "--up", "-x", "--background", "red,blue", "--aa-filter", "mitchell"),
         )) {
             val whole = pixels(*options.toTypedArray())
-            for (strategy in listOf("tiled", "zbuffer", "hybrid")) {
+            for (strategy in listOf("tiled", "zbuffer", "hybrid", "hierarchical")) {
                 assertEquals(whole, pixels("--stream", "--strategy", strategy, *options.toTypedArray()), "$options")
             }
         }
@@ -94,7 +94,7 @@ class StreamTest {
             "--style technical" to "--style technical", "--style product" to "--style product",
             "--cut z=50%" to "--cut", "--ambient-occlusion" to "--ambient-occlusion",
             "--ground-shadow" to "--ground-shadow", "--shading-rate pixel" to "--shading-rate pixel",
-            "--aov depth=a.pfm" to "--aov", "--strategy lazy" to "with --stream use one of tiled, zbuffer, hybrid",
+            "--aov depth=a.pfm" to "--aov", "--strategy lazy" to "with --stream use one of tiled, zbuffer, hybrid, hierarchical",
             "--select count" to "--select", "--coherence incremental --strategy scanline" to "'scanline' needs",
             "--turntable 4" to "--stream is for a single picture", "--views iso,top" to "--stream",
             "--spool nowhere" to "nowhere is not a folder",
@@ -143,12 +143,12 @@ class StreamTest {
             file.writeText(text)
             zcli("render", file, "-o", out, *options.sliceArray(0..5)).done()
             val whole = out.image.argb()
-            assertEquals(2, run("-Xmx40m", "render", name, *options), name)
+            assertEquals(2, run("-Xmx64m", "render", name, *options), name)
             assertTrue("-Xmx" in folder.resolve("errors.txt").readText(), folder.resolve("errors.txt").readText())
-            assertEquals(0, run("-Xmx40m", "render", name, "--stream", *options), name)
+            assertEquals(0, run("-Xmx64m", "render", name, "--stream", *options), name)
             assertEquals(whole, folder.resolve("small.png").image.argb(), name)
             val format = name.takeLast(3)
-            val code = run("-Xmx40m", "render", "-", "--format", format, "--stream", *options, input = file.toFile())
+            val code = run("-Xmx64m", "render", "-", "--format", format, "--stream", *options, input = file.toFile())
             assertEquals(0, code, folder.resolve("errors.txt").readText())
             assertEquals(whole, folder.resolve("small.png").image.argb(), name)
         }

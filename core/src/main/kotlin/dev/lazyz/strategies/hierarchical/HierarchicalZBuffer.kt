@@ -3,12 +3,14 @@ package dev.lazyz.strategies.hierarchical
 import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.Frame
+import dev.lazyz.LibraryThreads
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.Workers
 import dev.lazyz.pipeline.KeyedRows
+import dev.lazyz.pipeline.StreamedRendering
 import dev.lazyz.raster.VisibilityOrder
-import dev.lazyz.requireInMemory
 import dev.lazyz.requireOpaque
 import dev.lazyz.shading.LateShading
 import java.io.IOException
@@ -23,6 +25,9 @@ import java.io.IOException
  * Use it where much is hidden and the picture fits into memory. Where little is hidden, it is a depth buffer with an
  * additional sort. For pictures larger than memory use a renderer that streams rows.
  *
+ * A streamed frame (see [Frame.isStreamed]) is rendered part by part, each under a pyramid of its own, into a picture
+ * in memory of 12 bytes a sample. What is behind the parts before is not rejected.
+ *
  * Memory: 8 bytes a sample, 12 a block of 64 samples, and 8 a primitive to sort it. Time: the fragments in blocks where
  * they are not hidden, plus one step for each row of a hidden primitive, plus n log n to sort n primitives. Thread
  * safe; no state between calls.
@@ -31,7 +36,7 @@ import java.io.IOException
  * octree yields the primitives from near to far and rejects many at once; here they are sorted, and rejected one by
  * one.
  *
- * @param options only [RenderOptions.coherence] is used
+ * @param options only [RenderOptions.coherence] and [RenderOptions.bandBytes] are used
  * @param order the order in which primitives are drawn; changes the cost and never the image
  */
 public class HierarchicalZBuffer @JvmOverloads constructor(
@@ -66,7 +71,12 @@ public class HierarchicalZBuffer @JvmOverloads constructor(
     @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
         requireOpaque(frame, this)
-        requireInMemory(frame, this)
+        val parts = frame.content.parts ?: return renderWhole(frame, sink)
+        val most = options.bandBytes ?: (Runtime.getRuntime().maxMemory() / 3)
+        return StreamedRendering(frame, parts, Workers(1, LibraryThreads), most, ::renderWhole).run(sink)
+    }
+
+    private fun renderWhole(frame: Frame, sink: RowSink): Counters {
         val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()
         val test = frame.raster.depthTest

@@ -9,6 +9,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Workers
+import dev.lazyz.pipeline.StreamedRendering
 import dev.lazyz.requireOpaqueStream
 import dev.lazyz.strategies.tiled.binning.ArrayPool
 import dev.lazyz.strategies.tiled.raster.TileGrid

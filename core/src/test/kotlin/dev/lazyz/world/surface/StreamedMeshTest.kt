@@ -11,6 +11,7 @@ import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.LightMeter
 import dev.lazyz.strategies.Renderers
+import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.hybrid.Hybrid
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.zbuffer.ZBuffer
@@ -31,7 +32,7 @@ import org.junit.jupiter.api.Test
 class StreamedMeshTest {
     private val streaming: List<Renderer> = listOf(
         Tiled(), Tiled(RenderOptions(threads = 1, tileSize = 8)), ZBuffer(), Hybrid(),
-        Hybrid(RenderOptions(memoryBudget = 500)),
+        Hybrid(RenderOptions(memoryBudget = 500)), HierarchicalZBuffer(),
     )
 
     /** The triangles of a mesh, in parts of [size]. Counts how often parts are read. */
@@ -155,7 +156,7 @@ class StreamedMeshTest {
     fun otherRenderersAndTranslucencyAreRefused() {
         val parts = StreamedMesh(Pieces(mesh(5), 50))
         val frame = Scene(listOf(parts)).frame(20, 20)
-        for (renderer in Renderers.builtIn.filter { it.id !in setOf("tiled", "zbuffer", "hybrid") }) {
+        for (renderer in Renderers.builtIn.filter { it.id !in setOf("tiled", "zbuffer", "hybrid", "hierarchical") }) {
             val refused = assertThrows(IllegalArgumentException::class.java) { renderer.render(frame) }
             assertTrue("the frame is streamed" in refused.message!!, refused.message)
         }

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.obj
 
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.Statements
 import dev.lazyz.scenes.text.TextLines
 
 /**

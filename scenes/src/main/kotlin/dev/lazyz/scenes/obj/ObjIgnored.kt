@@ -2,6 +2,7 @@ package dev.lazyz.scenes.obj
 
 import dev.lazyz.scenes.collections.KindCounts
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.Statements
 
 /** Counts the statements that have no effect, for one warning about each kind. */
 internal class ObjIgnored {

@@ -3,6 +3,7 @@ package dev.lazyz.scenes.obj
 import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.MeshParts
+import dev.lazyz.scenes.obj.materials.MtlMaterial
 import dev.lazyz.world.surface.Mesh
 
 /**

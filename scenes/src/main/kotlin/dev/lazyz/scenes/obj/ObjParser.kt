@@ -4,6 +4,7 @@ import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.loading.FarOrigin
 import dev.lazyz.scenes.loading.SceneParser
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.obj.materials.MtlLibrary
 import dev.lazyz.world.Scene
 
 /**

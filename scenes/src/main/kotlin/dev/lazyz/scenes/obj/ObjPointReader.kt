@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.obj
 
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.Statements
 
 /**
  * Reads the statements `p v1 v2 ...` and `l v1 v2 ...`. Vertices may be written as `v/vt`; texture coordinates are not

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.obj
 
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.Statements
 
 /**
  * Reads the statements of an OBJ file for polygons, points and lines into [model].

@@ -3,6 +3,7 @@ package dev.lazyz.scenes.obj
 import dev.lazyz.scenes.images.SrgbDecoding
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.text.Decimal
+import dev.lazyz.scenes.text.Statements
 import dev.lazyz.scenes.text.TextNumbers
 import org.joml.Vector3d
 import org.joml.Vector3dc

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.streaming
 
 import dev.lazyz.scenes.writers.TemporaryFile
+import java.io.IOException
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.MappedByteBuffer
@@ -13,10 +14,13 @@ import java.nio.file.StandardOpenOption.READ
  *
  * @param space where to create the file, and the room that it may take
  * @param width numbers of a record, 1..4
+ * @param pieceBits logarithm of the records of a mapping, 2^30 bytes at most
  */
-internal class FloatSpool(private val space: SpoolSpace, private val width: Int) : AutoCloseable {
+internal class FloatSpool(private val space: SpoolSpace, private val width: Int, private val pieceBits: Int = 26) :
+    AutoCloseable {
     private val temporary = TemporaryFile.within(space.folder)
     private val buffer = ByteBuffer.allocate(BLOCK * width * Float.SIZE_BYTES).order(ByteOrder.LITTLE_ENDIAN)
+    private val mask = (1 shl pieceBits) - 1
     private var written = 0L
     private var pieces: Array<MappedByteBuffer> = emptyArray()
 
@@ -40,7 +44,7 @@ internal class FloatSpool(private val space: SpoolSpace, private val width: Int)
     /** Ends writing: from now on [get] works. */
     fun finish() {
         flush()
-        val piece = PIECE.toLong() * width * Float.SIZE_BYTES
+        val piece = (1L shl pieceBits) * width * Float.SIZE_BYTES
         FileChannel.open(temporary.path, READ).use { channel ->
             pieces = Array(((written + piece - 1) / piece).toInt()) { number ->
                 val start = number * piece
@@ -53,21 +57,21 @@ internal class FloatSpool(private val space: SpoolSpace, private val width: Int)
 
     /** Returns number [place] of [record]. */
     fun get(record: Int, place: Int): Float =
-        pieces[record ushr PIECE_BITS].getFloat(((record and PIECE - 1) * width + place) * Float.SIZE_BYTES)
+        pieces[record ushr pieceBits].getFloat(((record and mask) * width + place) * Float.SIZE_BYTES)
 
     /** Deletes the file. Its space on the disk becomes free when the garbage collector has found that it is unused. */
     override fun close() {
         pieces = emptyArray()
-        temporary.close()
+        try {
+            temporary.close()
+        } catch (_: IOException) {
+            // Some systems delete no file that is mapped; then it is deleted when the process exits, or by the next one
+        }
         space.release(written)
     }
 
     private companion object {
         /** Records that are written at a time. */
         const val BLOCK = 1 shl 14
-
-        /** Records of a mapping: at most 2^30 bytes. */
-        const val PIECE_BITS = 26
-        const val PIECE = 1 shl PIECE_BITS
     }
 }

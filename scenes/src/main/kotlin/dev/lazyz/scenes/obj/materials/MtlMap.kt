@@ -1,4 +1,4 @@
-package dev.lazyz.scenes.obj
+package dev.lazyz.scenes.obj.materials
 
 import dev.lazyz.scenes.text.TextLines
 

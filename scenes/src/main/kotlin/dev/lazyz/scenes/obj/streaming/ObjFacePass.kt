@@ -1,9 +1,14 @@
-package dev.lazyz.scenes.obj
+package dev.lazyz.scenes.obj.streaming
 
 import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.obj.FaceCutting
+import dev.lazyz.scenes.obj.FaceTable
+import dev.lazyz.scenes.obj.ObjCounts
+import dev.lazyz.scenes.obj.ObjFaceReader
 import dev.lazyz.scenes.streaming.FacetSpool
 import dev.lazyz.scenes.streaming.VertexSpool
+import dev.lazyz.scenes.text.Statements
 
 /** Reads the faces of an OBJ file, whose [vertices] are known, and adds their triangles to [facets]. */
 internal class ObjFacePass(

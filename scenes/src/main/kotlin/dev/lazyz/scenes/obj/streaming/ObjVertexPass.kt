@@ -1,8 +1,12 @@
-package dev.lazyz.scenes.obj
+package dev.lazyz.scenes.obj.streaming
 
 import dev.lazyz.scenes.collections.KindCounts
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.obj.ObjIgnored
+import dev.lazyz.scenes.obj.ObjVertexReader
+import dev.lazyz.scenes.obj.ObjVertexSink
 import dev.lazyz.scenes.streaming.VertexSpool
+import dev.lazyz.scenes.text.Statements
 
 /** Reads the vertices of an OBJ file into [vertices], and counts the statements that are ignored. */
 internal class ObjVertexPass(private val source: Source, val vertices: VertexSpool) : ObjVertexSink {

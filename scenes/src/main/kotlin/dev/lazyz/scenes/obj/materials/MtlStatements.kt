@@ -1,6 +1,7 @@
-package dev.lazyz.scenes.obj
+package dev.lazyz.scenes.obj.materials
 
 import dev.lazyz.scenes.collections.KindCounts
+import dev.lazyz.scenes.text.Statements
 import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.scenes.text.TextNumbers
 import java.io.BufferedReader

@@ -1,4 +1,4 @@
-package dev.lazyz.strategies.tiled
+package dev.lazyz.pipeline
 
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
@@ -11,7 +11,6 @@ import dev.lazyz.Reach
 import dev.lazyz.Region
 import dev.lazyz.RowSink
 import dev.lazyz.Workers
-import dev.lazyz.pipeline.SampleBuffer
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.setup.planar.triangleBatch

@@ -1,7 +1,5 @@
-package dev.lazyz.scenes.obj
+package dev.lazyz.scenes.text
 
-import dev.lazyz.scenes.text.ByteWindow
-import dev.lazyz.scenes.text.TextLines
 import java.io.ByteArrayOutputStream
 import java.nio.ByteBuffer
 import java.nio.CharBuffer

@@ -1,10 +1,12 @@
-package dev.lazyz.scenes.obj
+package dev.lazyz.scenes.obj.streaming
 
 import dev.lazyz.scenes.loading.FarOrigin
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.obj.ObjParser
 import dev.lazyz.scenes.streaming.FacetFile
 import dev.lazyz.scenes.streaming.StreamedInput
 import dev.lazyz.scenes.text.ByteWindow
+import dev.lazyz.scenes.text.Statements
 import dev.lazyz.world.surface.MeshSource
 
 /**

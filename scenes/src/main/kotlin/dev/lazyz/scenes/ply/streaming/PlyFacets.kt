@@ -1,4 +1,4 @@
-package dev.lazyz.scenes.ply
+package dev.lazyz.scenes.ply.streaming
 
 import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source

@@ -1,7 +1,15 @@
-package dev.lazyz.scenes.ply
+package dev.lazyz.scenes.ply.streaming
 
 import dev.lazyz.scenes.loading.FarOrigin
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.ply.PlyBody
+import dev.lazyz.scenes.ply.PlyColor
+import dev.lazyz.scenes.ply.PlyElement
+import dev.lazyz.scenes.ply.PlyFaces
+import dev.lazyz.scenes.ply.PlyHeaderReader
+import dev.lazyz.scenes.ply.PlyParser
+import dev.lazyz.scenes.ply.PlyUnused
+import dev.lazyz.scenes.ply.PlyVertices
 import dev.lazyz.scenes.streaming.FacetFile
 import dev.lazyz.scenes.streaming.StreamedInput
 import dev.lazyz.scenes.streaming.VertexSpool
