@@ -31,6 +31,10 @@ internal class Ints(capacity: Int = INITIAL_CAPACITY) {
         size += 3
     }
 
+    fun clear() {
+        size = 0
+    }
+
     /** Whether all numbers are below [limit]. */
     fun areBelow(limit: Int): Boolean {
         for (i in 0 until size) if (values[i] >= limit) return false

@@ -7,6 +7,8 @@ import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.StreamedScene
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.obj.ObjStreaming
+import dev.lazyz.scenes.ply.PlyStreaming
 import dev.lazyz.scenes.stl.StlStreaming
 import dev.lazyz.scenes.streaming.StreamedInput
 import dev.lazyz.world.Scene
@@ -39,11 +41,13 @@ internal object StreamReading {
             val head = input.head()
             val source = Source(head, name, null, Loading(LoadOptions(limits)))
             if (head.isEmpty()) source.fail(null, "is empty", "check that it was written completely")
-            if ((format ?: FormatSniffer.format(head, input.file.size)) != SceneFormat.STL) {
-                source.fail(null, "cannot be read part by part: only STL can", "read it whole")
+            val mesh = when (format ?: FormatSniffer.format(head, input.file.size)) {
+                SceneFormat.STL -> StlStreaming.open(source, input)
+                SceneFormat.OBJ -> ObjStreaming.open(source, input)
+                SceneFormat.PLY -> PlyStreaming.open(source, input)
+                else -> source.fail(null, "cannot be read part by part: only STL, OBJ and PLY can", "read it whole")
             }
-            val mesh = StreamedMesh(StlStreaming.open(source, input))
-            StreamedScene(LoadedScene(Scene(listOf(mesh)), source.warnings.toList()), input)
+            StreamedScene(LoadedScene(Scene(listOf(StreamedMesh(mesh))), source.warnings.toList()), input)
         } catch (e: Throwable) {
             input.close()
             throw e

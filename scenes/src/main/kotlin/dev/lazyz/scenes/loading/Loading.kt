@@ -37,10 +37,15 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     }
 
     /** Adds [count] vertices; fails if [source] then exceeds a limit. Call it before allocating memory for them. */
-    fun vertices(source: Source, count: Long) {
+    fun vertices(source: Source, count: Long): Unit = vertices(source, count, VERTEX_BYTES)
+
+    /** Adds [count] vertices that are not kept in memory; fails if [source] then exceeds a limit. */
+    fun spooled(source: Source, count: Long): Unit = vertices(source, count, 0)
+
+    private fun vertices(source: Source, count: Long, bytes: Long) {
         used = used.copy(vertices = used.vertices + count)
         check(source, used.vertices, limits.vertices, "vertices", "vertices", "--max-vertices")
-        decode(source, count * VERTEX_BYTES)
+        decode(source, count * bytes)
     }
 
     /** Adds [count] triangles; fails if [source] then exceeds a limit. Call it before allocating memory for them. */

@@ -53,6 +53,13 @@ internal class Source(
         content = TextEncoding.utf8(bytes)
     }
 
+    /** Fails if the text has a byte order mark, for files that are not decoded as a whole. */
+    fun requireNoMark() {
+        if (TextEncoding.hasMark(bytes)) {
+            fail(null, "begins with a byte order mark", "save it as plain ASCII to stream it")
+        }
+    }
+
     /** Releases the bytes after they have been read, to free memory for the decoded data. */
     fun release() {
         content = null

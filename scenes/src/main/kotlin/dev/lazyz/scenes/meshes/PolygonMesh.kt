@@ -55,40 +55,12 @@ internal class PolygonMesh(
 
     private fun polygon(triangle: Int): Int = if (areTriangles) triangle else polygonOf[triangle]
 
-    /** Triangulates all polygons whose vertices exist. */
     private fun cut() {
-        var withoutVertices = 0
+        val cutting = PolygonCutting(source, vertices.count) { vertex, axis -> vertices.positions[3 * vertex + axis] }
         for (polygon in 0 until polygons.count) {
-            val start = polygons.start(polygon)
-            val end = polygons.end(polygon)
-            if (!haveVertices(start, end)) {
-                withoutVertices++
-            } else if (end - start == 3) {
-                for (corner in start until end) corners.add(corner)
-            } else {
-                cut(start, end - start)
-            }
+            cutting.cut(polygons, polygon) { corner -> corners.add(corner) }
             while (3 * polygonOf.size < corners.size) polygonOf.add(polygon)
         }
-        if (withoutVertices > 0) {
-            source.warn("$withoutVertices faces are left out, because some of their vertices are missing")
-        }
-    }
-
-    private fun haveVertices(from: Int, until: Int): Boolean {
-        for (corner in from until until) if (polygons.vertex(corner) >= vertices.count) return false
-        return true
-    }
-
-    private fun cut(start: Int, count: Int) {
-        val local = Triangulation.triangles(
-            DoubleArray(3 * count) { vertices.positions[3 * polygons.vertex(start + it / 3) + it % 3].toDouble() },
-        )
-        if (local == null) {
-            val most = Triangulation.MAX_CONCAVE_CORNERS
-            source.warn("a concave face of $count corners, more than $most, is left out")
-            return
-        }
-        for (corner in local) corners.add(start + corner)
+        cutting.warn()
     }
 }

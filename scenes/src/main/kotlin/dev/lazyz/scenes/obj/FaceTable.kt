@@ -44,6 +44,11 @@ internal class FaceTable {
         partOfFace.add(part)
     }
 
+    /** Removes all faces. Parts keep their numbers. */
+    fun clear() {
+        for (numbers in listOf(starts, lines, partOfFace, positions, textures, normals)) numbers.clear()
+    }
+
     fun addCorner(position: Int, texture: Int, normal: Int) {
         positions.add(position)
         textures.add(texture)

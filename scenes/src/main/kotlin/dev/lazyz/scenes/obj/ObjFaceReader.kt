@@ -109,8 +109,8 @@ internal class ObjFaceReader(
         if (third < statements.wordEnd) fail("\"${statements.word()}\" is more than three numbers")
         model.faces.addCorner(
             position(statements.wordStart, first),
-            if (hasTextures) number(first + 1, second, model.textures.size / 2) else -1,
-            if (hasNormals) number(second + 1, third, model.normals.size / 3) else -1,
+            if (hasTextures) number(first + 1, second, model.textureCount) else -1,
+            if (hasNormals) number(second + 1, third, model.normalCount) else -1,
         )
     }
 
@@ -125,7 +125,7 @@ internal class ObjFaceReader(
     }
 
     private fun position(from: Int, until: Int, what: String = "face"): Int {
-        val count = model.positions.size / 3
+        val count = model.vertexCount
         val number = number(from, until, count)
         if (number != ObjModel.NOWHERE) return number
         val word = statements.decoded(from, until)

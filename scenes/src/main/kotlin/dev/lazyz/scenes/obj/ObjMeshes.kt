@@ -3,7 +3,6 @@ package dev.lazyz.scenes.obj
 import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.MeshParts
-import dev.lazyz.scenes.meshes.Triangulation
 import dev.lazyz.world.surface.Mesh
 
 /**
@@ -128,20 +127,16 @@ internal class ObjMeshes(
 
     private fun addTriangles(face: Int, vertices: CornerVertices, triangles: Ints) {
         val start = faces.start(face)
-        val count = faces.end(face) - start
-        if (count == 3) {
+        if (faces.end(face) - start == 3) {
             for (corner in start until start + 3) triangles.add(vertex(corner, vertices))
             return
         }
-        val local = Triangulation.triangles(
-            DoubleArray(3 * count) { positions[3 * faces.positions[start + it / 3] + it % 3].toDouble() },
-        )
-        if (local == null) {
-            val most = Triangulation.MAX_CONCAVE_CORNERS
-            source.warn("line ${faces.line(face)}: a concave face of $count corners, more than $most, is left out")
-            return
+        val corners = ObjTriangles.of(faces, face) { position, axis -> positions[3 * position + axis] }
+        if (corners == null) {
+            source.warn(ObjTriangles.tooConcave(faces, face))
+        } else {
+            for (corner in corners) triangles.add(vertex(corner, vertices))
         }
-        for (number in local) triangles.add(vertex(start + number, vertices))
     }
 
     private fun vertex(corner: Int, vertices: CornerVertices): Int =

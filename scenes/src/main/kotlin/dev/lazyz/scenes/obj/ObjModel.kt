@@ -23,6 +23,45 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) {
 
     val points = ObjPoints()
 
+    /** Returns red, green, blue, alpha of all vertices. */
+    fun colors(): FloatArray = FloatArray(4 * (positions.size / 3)) { color(it / 4, it % 4) }
+
+    /** Returns a channel of the colour of a vertex; white after the last one that has a colour. */
+    private fun color(vertex: Int, channel: Int): Float {
+        val at = 3 * vertex + channel
+        return if (channel < 3 && at < colors.size) colors[at] else 1f
+    }
+
+    /** What was removed by [clear]. */
+    private var earlierVertices = 0
+    private var earlierTextures = 0
+    private var earlierNormals = 0
+
+    /** Number of `v` so far. */
+    val vertexCount: Int get() = earlierVertices + positions.size / 3
+
+    /** Number of `vt` so far. */
+    val textureCount: Int get() = earlierTextures + textures.size / 2
+
+    /** Number of `vn` so far. */
+    val normalCount: Int get() = earlierNormals + normals.size / 3
+
+    /** Number of numbers in the lists. */
+    val pending: Int get() = positions.size + textures.size + normals.size + faces.positions.size + points.size
+
+    /** Removes vertices, texture coordinates, normals, faces, points and lines, and keeps their counts. */
+    fun clear() {
+        earlierVertices = vertexCount
+        earlierTextures = textureCount
+        earlierNormals = normalCount
+        positions.clear()
+        colors.clear()
+        textures.clear()
+        normals.clear()
+        faces.clear()
+        points.clear()
+    }
+
     /** The arguments of the `mtllib` statements, in order. */
     val libraries = ArrayList<String>()
 
@@ -32,10 +71,7 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) {
      */
     fun colors(count: Int, positionOf: (Int) -> Int): FloatArray? {
         if (colors.size == 0) return null
-        return FloatArray(4 * count) {
-            val at = 3 * positionOf(it / 4) + it % 4
-            if (it % 4 < 3 && at < colors.size) colors[at] else 1f
-        }
+        return FloatArray(4 * count) { color(positionOf(it / 4), it % 4) }
     }
 
     /**
@@ -48,11 +84,16 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) {
         if (!faces.positions.areBelow(count)) {
             val corner = (0 until faces.positions.size).first { faces.positions[it] >= count }
             val face = (0 until faces.size).first { corner < faces.end(it) }
-            val problem = "the face refers to number ${faces.positions[corner] + 1} of $count vertices"
-            source.fail("line ${faces.line(face)}", problem, REFERENCE_REMEDY)
+            failAt(face, faces.positions[corner], count)
         }
         drop(faces.textures, textures.size / 2, "texture coordinates")
         drop(faces.normals, normals.size / 3, "normals")
+    }
+
+    /** Fails because [face] refers to [vertex], which is not one of the [count] vertices. */
+    fun failAt(face: Int, vertex: Int, count: Int): Nothing {
+        val problem = "the face refers to number ${vertex + 1} of $count vertices"
+        source.fail("line ${faces.line(face)}", problem, REFERENCE_REMEDY)
     }
 
     private fun drop(numbers: Ints, count: Int, what: String) {

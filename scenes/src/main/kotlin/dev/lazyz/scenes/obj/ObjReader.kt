@@ -12,8 +12,11 @@ import org.joml.Vector3d
  *
  * Free-form geometry and unknown statements are ignored, with a warning for each kind.
  */
-internal class ObjReader(private val source: Source, val model: ObjModel) {
-    private val statements = Statements(source.bytes)
+internal class ObjReader(
+    private val source: Source,
+    val model: ObjModel,
+    private val statements: Statements = Statements(source.bytes),
+) {
     private val faces = ObjFaceReader(source, statements, model)
     private val points = ObjPointReader(source, statements, model, faces)
     private val decimal = Decimal()
@@ -26,8 +29,11 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
     private var material: String? = null
     private var isSmooth = true
 
-    /** Reads all statements. */
-    fun read() {
+    /**
+     * Reads all statements. If there is a function [take], it is called after some thousand of them, and after the last,
+     * to take what the model has so far.
+     */
+    fun read(take: (() -> Unit)? = null) {
         beginPart()
         while (statements.next()) {
             when {
@@ -37,7 +43,9 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
                 statements.hasKeyword("vn") -> normal()
                 else -> readOther()
             }
+            if (take != null && model.pending >= TAKEN) take()
         }
+        take?.invoke()
     }
 
     /** Reports the statements that were ignored. */
@@ -147,6 +155,9 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
         source.fail("line ${statements.number}", problem, remedy ?: "correct the line or export the model again")
 
     private companion object {
+        /** Numbers of the model that are taken at a time. */
+        const val TAKEN = 1 shl 14
+
         /** The characters that numbers consist of. */
         const val NUMBER_CHARACTERS = "0123456789+-.eE"
         val FREE_FORM = setOf(

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.obj
 
+import dev.lazyz.scenes.text.ByteWindow
 import dev.lazyz.scenes.text.TextLines
 import java.io.ByteArrayOutputStream
 import java.nio.ByteBuffer
@@ -11,10 +12,13 @@ import java.nio.CharBuffer
  * A line that ends with a backslash is joined with the next one. White space around a statement is removed. Empty lines
  * and comment lines are skipped. The text must not have a byte order mark. Names are UTF-8, or ISO 8859-1 if the text
  * is not valid UTF-8. Not thread safe.
+ *
+ * @param text the text; if not all of it is in memory, that part determines how names are decoded
  */
-internal class Statements(private val text: ByteArray) {
-    private val charset by lazy { if (isUtf8(text)) Charsets.UTF_8 else Charsets.ISO_8859_1 }
-    private var position = 0
+internal class Statements(private val text: ByteWindow) {
+    constructor(text: ByteArray) : this(ByteWindow(text))
+
+    private val charset by lazy { if (isUtf8(text.bytes)) Charsets.UTF_8 else Charsets.ISO_8859_1 }
     private var lines = 0
 
     /** The first line of the statement that was read last, counted from 1. */
@@ -22,7 +26,7 @@ internal class Statements(private val text: ByteArray) {
         private set
 
     /** The bytes that contain the statement's words: the text, or a copy of several joined lines. */
-    var bytes: ByteArray = text
+    var bytes: ByteArray = text.bytes
         private set
     private var start = 0
     private var end = 0
@@ -42,10 +46,9 @@ internal class Statements(private val text: ByteArray) {
     /** Moves to the next statement, before its first word. Returns false after the last one. */
     fun next(): Boolean {
         do {
-            if (position >= text.size) return false
-            bytes = text
             mayHaveComment = false
-            readLine()
+            if (!readLine()) return false
+            bytes = text.bytes
             number = lines
             if (start < end && bytes[end - 1] == BACKSLASH) join()
         } while (start == end || bytes[start] == HASH)
@@ -119,41 +122,53 @@ internal class Statements(private val text: ByteArray) {
 
     private fun isComment(at: Int): Boolean = bytes[at] == HASH && (at == start || bytes[at - 1] != POINT)
 
-    /** Finds the next line of the text, without the white space around it. */
-    private fun readLine() {
-        var after = position
-        while (after < text.size) {
-            val byte = text[after]
-            if (byte == LINE_FEED || byte == CARRIAGE_RETURN) break
-            if (byte == HASH) mayHaveComment = true
-            after++
+    /** Finds the next line of the text, without the white space around it. Returns false after the last line. */
+    private fun readLine(): Boolean {
+        var after = text.position
+        while (true) {
+            val bytes = text.bytes
+            val size = text.size
+            while (after < size) {
+                val byte = bytes[after]
+                if (byte == LINE_FEED || byte == CARRIAGE_RETURN) break
+                if (byte == HASH) mayHaveComment = true
+                after++
+            }
+
+            // A carriage return at the end can be half of a line's end
+            val isComplete = after < size && (bytes[after] == LINE_FEED || after + 1 < size)
+            if (isComplete || text.isAtEnd) break
+            after -= text.position
+            text.more()
         }
-        start = position
+        val bytes = text.bytes
+        val size = text.size
+        if (text.position >= size) return false
+        start = text.position
         end = after
-        trim()
-        val isPair = after + 1 < text.size && text[after] == CARRIAGE_RETURN && text[after + 1] == LINE_FEED
-        position = minOf(after + (if (isPair) 2 else 1), text.size)
+        trim(bytes)
+        val isPair = after + 1 < size && bytes[after] == CARRIAGE_RETURN && bytes[after + 1] == LINE_FEED
+        text.position = minOf(after + (if (isPair) 2 else 1), size)
         lines++
+        return true
     }
 
     /** Joins the line with the next one, separated by a space, for as long as lines end with a backslash. */
     private fun join() {
         val joined = ByteArrayOutputStream()
-        var isOpen = true
-        while (isOpen) {
-            isOpen = start < end && text[end - 1] == BACKSLASH
-            joined.write(text, start, end - start - (if (isOpen) 1 else 0))
-            if (!isOpen || position >= text.size) break
+        while (true) {
+            val isOpen = start < end && text.bytes[end - 1] == BACKSLASH
+            joined.write(text.bytes, start, end - start - (if (isOpen) 1 else 0))
+            if (!isOpen || !readLine()) break
             joined.write(SPACE.toInt())
-            readLine()
         }
         bytes = joined.toByteArray()
         start = 0
         end = bytes.size
-        trim()
+        trim(bytes)
     }
 
-    private fun trim() {
+    private fun trim(bytes: ByteArray) {
         while (start < end && isBlank(bytes[start])) start++
         while (start < end && isBlank(bytes[end - 1])) end--
     }

@@ -1,31 +1,53 @@
 package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.ByteWindow
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
-/** A body in one of the binary forms: numbers without separators. */
-internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder) : PlyBody(source, header) {
-    private val buffer = ByteBuffer.wrap(source.bytes).order(order)
-    val end = source.bytes.size
+/**
+ * A body in one of the binary forms: numbers without separators.
+ *
+ * @param window the bytes of the body
+ * @param size size of the file, in bytes
+ */
+internal class PlyBinaryBody(
+    source: Source,
+    header: PlyHeader,
+    private val order: ByteOrder,
+    private val window: ByteWindow,
+    private val size: Long,
+) : PlyBody(source, header) {
+    private var buffer = ByteBuffer.wrap(window.bytes).order(order)
 
-    /** Position of the next number, in bytes from the start of the file. */
-    var position = header.bodyPosition
-        private set
+    /** Index of the next number in the bytes that are in memory. */
+    val position: Int get() = window.position
 
-    override val location get() = "byte $position"
+    override val location get() = "byte ${window.offset}"
 
     override fun room(element: PlyElement): Int =
-        minOf(element.count.toLong(), (end - position) / element.properties.sumOf { it.leastSize.toLong() }).toInt()
+        minOf(element.count.toLong(), left / element.properties.sumOf { it.leastSize.toLong() }).toInt()
+
+    /** Number of bytes that follow. */
+    private val left: Long get() = size - window.offset
+
+    /** Whether the file has [count] more bytes. If so, they are in memory. */
+    private fun has(count: Long): Boolean {
+        if (window.size - window.position >= count) return true
+        if (count > left) return false
+        val isThere = window.has(count)
+        buffer = ByteBuffer.wrap(window.bytes).order(order)
+        return isThere
+    }
 
     override fun read(row: PlyRow): Boolean {
         for ((column, property) in row.properties.withIndex()) {
-            if (end - position < property.leastSize) return cutOff()
+            if (!has(property.leastSize.toLong())) return cutOff()
             if (property.countType == null) {
                 row.numbers[column] = next(property.type)
             } else {
                 val count = listLength(property, next(property.countType))
-                if (count > (end - position) / property.type.size) return cutOff()
+                if (!has(count.toLong() * property.type.size)) return cutOff()
                 val list = row.lists[column]
                 list.resize(count)
                 for (i in 0 until count) list.numbers[i] = next(property.type)
@@ -37,7 +59,7 @@ internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder
     override fun cornerRoom(element: PlyElement): Int {
         val list = element.properties.singleOrNull { it.countType != null } ?: return 0
         val triangle = element.properties.sumOf { it.leastSize.toLong() } + 3 * list.type.size
-        return 3 * minOf(element.count.toLong(), (end - position) / triangle).toInt()
+        return 3 * minOf(element.count.toLong(), left / triangle).toInt()
     }
 
     /** Whether each row of [element] is just one list of 32-bit integers, which [readLists] can read. */
@@ -45,8 +67,8 @@ internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder
         element.properties.size == 1 && element.hasLists && element.properties[0].type == PlyType.INT
 
     /**
-     * A fast path for [readRows] that reads lists. Calls [use] for each list, with the position of its first number in
-     * bytes and the count of its numbers.
+     * A fast path for [readRows] that reads lists. Calls [use] for each list, with the index of its first number
+     * in the bytes that are in memory and the count of its numbers.
      */
     inline fun readLists(element: PlyElement, use: (Int, Int) -> Unit) {
         var rows = 0
@@ -61,10 +83,10 @@ internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder
 
     /** Moves past the current list and returns its length, or -1 if the file ends within it. */
     fun nextList(list: PlyProperty): Int {
-        if (end - position < list.leastSize) return -1.also { cutOff() }
+        if (!has(list.leastSize.toLong())) return -1.also { cutOff() }
         val count = listLength(list, next(checkNotNull(list.countType)))
-        if (count > (end - position) / Int.SIZE_BYTES) return -1.also { cutOff() }
-        position += Int.SIZE_BYTES * count
+        if (!has(Int.SIZE_BYTES * count.toLong())) return -1.also { cutOff() }
+        window.position += Int.SIZE_BYTES * count
         return count
     }
 
@@ -73,20 +95,36 @@ internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder
 
     /**
      * A fast path for [readRows] that reads rows without lists, which all have the same size. Calls [use] for each row
-     * that is present, with its number and its position in bytes. Returns the number of rows.
+     * that is present, with its number and its index in the bytes that are in memory. Returns the number of rows.
      */
     inline fun eachRow(element: PlyElement, use: (Int, Int) -> Unit): Int {
         val size = element.properties.sumOf { it.type.size }
-        val start = position
-        val count = minOf(element.count, (end - start) / size)
-        for (row in 0 until count) use(row, start + row * size)
-        endRows(element, count, if (count < element.count) end else start + count * size)
+        val count = room(element)
+        var row = 0
+        while (row < count) {
+            val ready = minOf(count - row, rowsReady(size))
+            val start = position
+            for (i in 0 until ready) use(row + i, start + i * size)
+            endRows(ready * size)
+            row += ready
+        }
+        endElement(element, count)
         return count
     }
 
-    fun endRows(element: PlyElement, count: Int, position: Int) {
+    /** Returns the number of rows of [size] bytes that are in memory. It is at least one: there must be one. */
+    fun rowsReady(size: Int): Int {
+        if (!has(size.toLong())) source.fail(location, "the file has become shorter while it was read", "read it again")
+        return (window.size - window.position) / size
+    }
+
+    fun endRows(bytes: Int) {
+        window.position += bytes
+    }
+
+    fun endElement(element: PlyElement, count: Int) {
         note(element, count)
-        this.position = position
+        if (count < element.count) window.end()
     }
 
     /** Returns the number of type [PlyType.FLOAT] at byte [at]. */
@@ -96,13 +134,13 @@ internal class PlyBinaryBody(source: Source, header: PlyHeader, order: ByteOrder
     fun code(at: Int): Int = buffer.get(at).toInt() and 0xFF
 
     private fun cutOff(): Boolean {
-        position = end
+        window.end()
         return false
     }
 
     private fun next(type: PlyType): Double {
-        val at = position
-        position += type.size
+        val at = window.position
+        window.position = at + type.size
         return when (type) {
             PlyType.CHAR -> buffer.get(at).toDouble()
             PlyType.UCHAR -> (buffer.get(at).toInt() and 0xFF).toDouble()

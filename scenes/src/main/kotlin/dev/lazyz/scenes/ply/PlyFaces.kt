@@ -8,9 +8,16 @@ import dev.lazyz.scenes.meshes.Polygons
  * vertices are known, because the vertices may follow them in the file. Not thread safe.
  *
  * @param vertexCount number of vertices that the header declares
+ * @param take takes some thousand polygons at a time, without texture coordinates; null to keep all of them
  */
-internal class PlyFaces(private val source: Source, private val vertexCount: Int) {
-    val polygons = Polygons()
+internal class PlyFaces(
+    private val source: Source,
+    private val vertexCount: Int,
+    private val take: ((Polygons) -> Unit)? = null,
+) {
+    /** The polygons that are kept. */
+    var polygons = Polygons()
+        private set
     private var tooSmall = 0
     private var wrongTexture = 0
 
@@ -24,11 +31,15 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
     fun readFaces(element: PlyElement, body: PlyBody): Set<Int> {
         val column = indexColumn(element)
         val color = PlyColor.of(element)
-        val texture = element.column(listOf("texcoord"), isList = true)
+        val texture = if (take != null) null else element.column(listOf("texcoord"), isList = true)
         val textureNumber = texture?.let { element.column(listOf("texnumber")) }
-        polygons.expect(body.cornerRoom(element))
+        if (take == null) polygons.expect(body.cornerRoom(element))
         if (body is PlyBinaryBody && body.areLists(element)) {
-            body.readLists(element) { at, count -> face(body, at, count) }
+            body.readLists(element) { at, count ->
+                face(body, at, count)
+                if (isFull()) handOn()
+            }
+            handOn()
             return setOf(column)
         }
         body.readRows(element) { _, row ->
@@ -55,8 +66,19 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
                     wrongTexture++
                 }
             }
+            if (isFull()) handOn()
         }
+        handOn()
         return setOf(column) + (color?.columns ?: emptyList()) + listOfNotNull(texture, textureNumber)
+    }
+
+    private fun isFull(): Boolean = take != null && polygons.cornerCount >= TAKEN
+
+    /** Passes on the polygons, unless they are kept. */
+    private fun handOn() {
+        if (take == null) return
+        take.invoke(polygons)
+        polygons = Polygons()
     }
 
     /** Adds a face of [count] corners, whose numbers begin at byte [at] of [body]. */
@@ -86,17 +108,21 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
     /** Reads all rows of element `tristrips`. Returns the numbers of the columns that were used. */
     fun readStrips(element: PlyElement, body: PlyBody): Set<Int> {
         val column = indexColumn(element)
-        polygons.expect(body.cornerRoom(element))
+        if (take == null) polygons.expect(body.cornerRoom(element))
         if (body is PlyBinaryBody && body.areLists(element)) {
             body.readLists(element) { at, count ->
                 strip(IntArray(count) { body.int(at + Int.SIZE_BYTES * it) }, count, body)
+                if (isFull()) handOn()
             }
+            handOn()
             return setOf(column)
         }
         body.readRows(element) { _, row ->
             val list = row.lists[column]
             strip(IntArray(list.size) { cornerOfStrip(list.numbers[it], body) }, list.size, body)
+            if (isFull()) handOn()
         }
+        handOn()
         return setOf(column)
     }
 
@@ -137,5 +163,8 @@ internal class PlyFaces(private val source: Source, private val vertexCount: Int
 
     private companion object {
         const val RESTART = -1
+
+        /** Corners that are passed on at a time. */
+        const val TAKEN = 1 shl 14
     }
 }

@@ -5,9 +5,18 @@ import dev.lazyz.scenes.text.Decimal
 import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.scenes.text.TextNumbers
 
-/** A body in the ASCII form: one line for each row. */
-internal class PlyTextBody(source: Source, header: PlyHeader) : PlyBody(source, header) {
-    private val lines = TextLines(source.bytes, header.bodyPosition, header.bodyLine)
+/**
+ * A body in the ASCII form: one line for each row.
+ *
+ * @param lines the lines of the body
+ * @param size size of the file, in bytes
+ */
+internal class PlyTextBody(
+    source: Source,
+    header: PlyHeader,
+    private val lines: TextLines,
+    private val size: Long,
+) : PlyBody(source, header) {
     private val decimal = Decimal()
 
     /** Number of words of the line that have not been read yet. It is valid only for rows with lists. */
@@ -23,8 +32,8 @@ internal class PlyTextBody(source: Source, header: PlyHeader) : PlyBody(source, 
 
     override fun room(element: PlyElement): Int {
         // A number and the space after it take two bytes, except for the last number of the file
-        val remaining = source.bytes.size - lines.position
-        return minOf(element.count.toLong(), (remaining + 1L) / (2L * element.properties.size)).toInt()
+        val remaining = size - lines.offset
+        return minOf(element.count.toLong(), (remaining + 1) / (2L * element.properties.size)).toInt()
     }
 
     override fun read(row: PlyRow): Boolean {
@@ -68,7 +77,7 @@ internal class PlyTextBody(source: Source, header: PlyHeader) : PlyBody(source, 
             source.fail(location, "the line ends before property ${property.name}", "complete the line")
         }
         wordsLeft--
-        val number = decimal.double(source.bytes, lines.wordStart, lines.wordEnd)
+        val number = decimal.double(lines.bytes, lines.wordStart, lines.wordEnd)
         if (!number.isNaN()) return number
         val word = lines.word()
         return TextNumbers.parse(word) ?: source.fail(

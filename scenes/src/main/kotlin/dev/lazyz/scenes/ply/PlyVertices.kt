@@ -2,6 +2,7 @@ package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.VertexArrays
+import dev.lazyz.scenes.streaming.IndexedSpool
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
@@ -36,16 +37,34 @@ internal class PlyVertices(
             color?.let { FloatArray(4 * room) },
             origin,
         )
-        val count = if (body is PlyBinaryBody && areFloats()) {
-            readFloats(body, vertices)
+        return vertices.first(rows(body, vertices, -1) {})
+    }
+
+    /** The numbers of the columns that [stream] uses. */
+    val streamedColumns: Set<Int> = position.toSet() + (color?.columns ?: emptyList())
+
+    /** Adds positions and colours of all rows that are present to [spool]. */
+    fun stream(body: PlyBody, spool: IndexedSpool) {
+        val block = VertexArrays(FloatArray(3 * BLOCK), colors = color?.let { FloatArray(4 * BLOCK) }, origin = origin)
+        val count = rows(body, block, BLOCK - 1) { spool.vertices(block, BLOCK) }
+        spool.vertices(block, count and BLOCK - 1)
+    }
+
+    /**
+     * Reads all rows that are present to [to], at their numbers and [mask], and calls [full] after those whose place is
+     * [mask]. Returns the number of rows.
+     */
+    private inline fun rows(body: PlyBody, to: VertexArrays, mask: Int, full: () -> Unit): Int =
+        if (body is PlyBinaryBody && areFloats()) {
+            floats(body, to, mask, full)
         } else {
             body.readRows(element) { i, row ->
-                set(vertices, i, row)
-                setColor(vertices, i, row)
+                val place = i and mask
+                set(to, place, row)
+                setColor(to, place, row)
+                if (place == mask) full()
             }
         }
-        return vertices.first(count)
-    }
 
     /** Whether all columns in use are floats, and bytes for colours. */
     private fun areFloats(): Boolean {
@@ -55,11 +74,12 @@ internal class PlyVertices(
     }
 
     /** A fast path that reads all rows directly from the bytes. Returns the number of rows that are present. */
-    private fun readFloats(body: PlyBinaryBody, to: VertexArrays): Int {
+    private inline fun floats(body: PlyBinaryBody, to: VertexArrays, mask: Int, full: () -> Unit): Int {
         val places = element.properties.runningFold(0) { place, property -> place + property.type.size }.toIntArray()
         val positionPlaces = IntArray(3) { places[position[it]] }
         val row = PlyRow(element)
-        return body.eachRow(element) { vertex, at ->
+        return body.eachRow(element) { number, at ->
+            val vertex = number and mask
             for (axis in 0 until 3) {
                 val number = body.float(at + positionPlaces[axis])
                 to.positions[3 * vertex + axis] = if (isFar) (number - origin.get(axis)).toFloat() else number
@@ -75,6 +95,7 @@ internal class PlyVertices(
                 for (column in colorColumns) row.numbers[column] = body.code(at + places[column]).toDouble()
                 setColor(to, vertex, row)
             }
+            if (vertex == mask) full()
         }
     }
 
@@ -101,6 +122,9 @@ internal class PlyVertices(
         names.mapNotNull { element.column(listOf(it)) }.takeIf { it.size == names.size }?.toIntArray()
 
     private companion object {
+        /** Vertices that are spooled at a time, a power of two. */
+        const val BLOCK = 1 shl 12
+
         val texturePairs = listOf("s", "t", "u", "v", "texture_u", "texture_v", "texture_s", "texture_t").chunked(2)
     }
 }

@@ -9,7 +9,6 @@ import dev.lazyz.scenes.streaming.FacetSpool
 import dev.lazyz.scenes.streaming.FileBytes
 import dev.lazyz.scenes.streaming.PartBox
 import dev.lazyz.scenes.streaming.StreamedInput
-import dev.lazyz.scenes.text.TextEncoding
 import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.world.surface.MeshSource
 import java.nio.ByteBuffer
@@ -30,9 +29,7 @@ internal object StlStreaming {
     }
 
     private fun ascii(source: Source, input: StreamedInput): FacetFile {
-        if (TextEncoding.hasMark(source.bytes)) {
-            source.fail(null, "begins with a byte order mark", "save it as plain ASCII to stream it")
-        }
+        source.requireNoMark()
         val spool = FarOrigin.reading(
             source.loading,
             read = { origin -> spooled(source, input, origin) },

@@ -24,7 +24,7 @@ internal class StreamedInput private constructor(
     /** The whole file. */
     val file: FileBytes = FileBytes(path, name)
 
-    private var spool: FacetSpool? = null
+    private var spool: AutoCloseable? = null
 
     /** Returns the first bytes of the file, which determine its format. */
     fun head(): ByteArray = file.read(0, minOf(HEAD, file.size).toInt()).array()
@@ -38,6 +38,12 @@ internal class StreamedInput private constructor(
         return FacetSpool(folder, source, origin).also { spool = it }
     }
 
+    /** Creates temporary files of vertices and triangles, which are read from [source]. Earlier ones are deleted. */
+    fun indexed(source: Source, origin: Vector3dc): IndexedSpool {
+        spool?.close()
+        return IndexedSpool(folder, source, origin).also { spool = it }
+    }
+
     override fun close() {
         spool?.close()
         file.close()
@@ -45,7 +51,7 @@ internal class StreamedInput private constructor(
     }
 
     companion object {
-        private const val HEAD = 4096L
+        private const val HEAD = 65_536L
 
         /** Opens the file at [path]. */
         fun ofFile(path: Path, name: String, folder: Path): StreamedInput = StreamedInput(path, name, null, folder)

@@ -15,26 +15,25 @@ import java.util.StringTokenizer
  * @param firstLine number of the first line
  * @param rest the rest of the text, or null if [bytes] is all of it. Then [bytes] holds a part of the text, at least
  *   the current line, and changes with the line
+ * @param dropped number of bytes of the text that stand before [bytes]
  */
 internal class TextLines(
     bytes: ByteArray,
     position: Int = 0,
     firstLine: Int = 1,
-    private val rest: InputStream? = null,
+    rest: InputStream? = null,
+    dropped: Long = 0,
 ) {
+    private val window = ByteWindow(bytes, position, rest, dropped)
+
     /** The text around the current line. The indices below refer to it. */
-    var bytes: ByteArray = bytes
-        private set
-
-    /** Number of [bytes] that are text. */
-    private var size = bytes.size
-
-    /** Whether the text ends at [size]. */
-    private var isAtEnd = rest == null
+    val bytes: ByteArray get() = window.bytes
 
     /** Index where the next line begins. */
-    var position = position
-        private set
+    val position: Int get() = window.position
+
+    /** The position in the text where the next line begins. */
+    val offset: Long get() = window.offset
 
     /** Number of the line that was read last; lines are numbered from 1. */
     var number = firstLine - 1
@@ -52,7 +51,7 @@ internal class TextLines(
         private set
 
     /** Whether the line that was read last has no line terminator, because the text ends there. */
-    val isCutOff: Boolean get() = lineEnd == size
+    val isCutOff: Boolean get() = lineEnd == window.size
 
     /** Returns the next line without its terminator, or null after the last line. */
     fun next(): String? =
@@ -64,37 +63,36 @@ internal class TextLines(
      * @throws IOException if the rest of the text cannot be read, or has a line of more than 256 MiB
      */
     fun nextLine(): Boolean {
-        var end = position
+        var end = window.position
         while (true) {
+            val bytes = window.bytes
+            val size = window.size
             while (end < size && bytes[end] != LINE_FEED && bytes[end] != CARRIAGE_RETURN) end++
 
             // A carriage return at the end can be half of a line's end
             val isComplete = end < size && (bytes[end] == LINE_FEED || end + 1 < size)
-            if (isComplete || isAtEnd) break
-            end -= position
+            if (isComplete || window.isAtEnd) break
+            end -= window.position
             readMore()
         }
-        if (position >= size) return false
-        lineStart = position
+        val bytes = window.bytes
+        val size = window.size
+        val start = window.position
+        if (start >= size) return false
+        lineStart = start
         lineEnd = end
-        wordEnd = position
+        wordEnd = start
         val isPair = end + 1 < size && bytes[end] == CARRIAGE_RETURN && bytes[end + 1] == LINE_FEED
-        position = minOf(end + (if (isPair) 2 else 1), size)
+        window.position = minOf(end + (if (isPair) 2 else 1), size)
         number++
         return true
     }
 
-    /** Moves the text from [position] on to the front of [bytes], and reads what follows it. */
     private fun readMore() {
-        val kept = size - position
-        val from = bytes
-        if (kept > LONGEST) throw IOException("line ${number + 1} is longer than $LONGEST bytes")
-        if (kept >= bytes.size / 2) bytes = ByteArray(maxOf(PIECE, 2 * bytes.size))
-        System.arraycopy(from, position, bytes, 0, kept)
-        position = 0
-        val count = checkNotNull(rest).readNBytes(bytes, kept, bytes.size - kept)
-        size = kept + count
-        isAtEnd = size < bytes.size
+        if (window.size - window.position > ByteWindow.LONGEST) {
+            throw IOException("line ${number + 1} is longer than ${ByteWindow.LONGEST} bytes")
+        }
+        window.more()
     }
 
     /** Moves to the next word of the line; returns false after the last word. */
@@ -158,12 +156,6 @@ internal class TextLines(
     }
 
     companion object {
-        /** Bytes of a text that are in memory at a time, unless a line is longer. */
-        private const val PIECE = 1 shl 20
-
-        /** The longest line of a text that is not in memory. */
-        private const val LONGEST = 1 shl 28
-
         private const val SPACE = ' '.code.toByte()
         private const val TAB = '\t'.code.toByte()
         private const val FORM_FEED = '\u000C'.code.toByte()

@@ -198,10 +198,10 @@ class StreamedSceneTest {
         assertRefused("the file ends where")
         file.writeBytes(byteArrayOf(-1, -2) + "solid".toByteArray(Charsets.UTF_16LE))
         assertRefused("byte order mark")
-        val obj = folder.resolve("a.obj")
-        obj.writeText("v 0 0 0\n")
+        val obj = folder.resolve("a.off")
+        obj.writeText("OFF\n0 0 0\n")
         val refused = assertThrows(SceneFormatException::class.java) { Scenes.stream(obj, spool = spool) }
-        assertTrue("only STL can" in refused.message!!, refused.message)
+        assertTrue("only STL, OBJ and PLY can" in refused.message!!, refused.message)
     }
 
     @Test
