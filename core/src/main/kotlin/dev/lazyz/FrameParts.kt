@@ -65,18 +65,6 @@ internal class Reach(private val left: Int, private val top: Int, private val ri
 internal fun requireInMemory(frame: Frame, renderer: Renderer) {
     require(!frame.isStreamed) {
         "the frame is streamed, and the renderer '${renderer.id}' needs all primitives in memory: " +
-            "use 'tiled', 'zbuffer' or 'hybrid', or load the whole model"
-    }
-}
-
-/**
- * Checks that the streamed [frame] has no translucent primitives: they would all have to be kept.
- *
- * @throws IllegalArgumentException otherwise
- */
-internal fun requireOpaqueStream(frame: Frame) {
-    require(!frame.hasTranslucency) {
-        "the frame is streamed and has translucent primitives, which must be in memory: make it opaque with " +
-            "asOpaque(), or load the whole model"
+            "use 'tiled', 'zbuffer', 'hybrid' or 'hierarchical', or load the whole model"
     }
 }

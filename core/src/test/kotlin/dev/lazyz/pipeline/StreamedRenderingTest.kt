@@ -1,4 +1,4 @@
-package dev.lazyz.strategies.tiled
+package dev.lazyz.pipeline
 
 import dev.lazyz.Counters
 import dev.lazyz.Frame
@@ -9,6 +9,7 @@ import dev.lazyz.Image
 import dev.lazyz.Reach
 import dev.lazyz.SampleScenes
 import dev.lazyz.Workers
+import dev.lazyz.strategies.tiled.Tiled
 import java.util.Random
 import java.util.concurrent.atomic.AtomicInteger
 import org.junit.jupiter.api.Assertions.assertEquals
