@@ -20,7 +20,7 @@ internal class LayeredRendering(
     private val frame: Frame,
     private val parts: FrameParts,
     private val workers: Workers,
-    private val mostBytes: Long = Runtime.getRuntime().maxMemory() / 3,
+    private val mostBytes: Long = minOf(Runtime.getRuntime().maxMemory() / 3, MOST_BYTES),
 ) {
     private val counters = Counters.Builder()
     private val region = frame.region
@@ -86,5 +86,10 @@ internal class LayeredRendering(
         }
 
         fun handOut(y: Int, sink: RowSink) = sink.row(y, argb, depths, indices)
+    }
+
+    private companion object {
+        /** With more memory, the colours of an area would not fit into one array. */
+        const val MOST_BYTES = 1L shl 34
     }
 }

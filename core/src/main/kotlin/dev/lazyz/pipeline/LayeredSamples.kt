@@ -25,7 +25,7 @@ import dev.lazyz.raster.reaches
 internal class LayeredSamples(
     private val raster: Raster,
     private val region: Region,
-    private val mostBytes: Long,
+    mostBytes: Long,
     private val counters: Counters.Builder,
 ) {
     private val test = raster.depthTest

@@ -3,11 +3,9 @@ package dev.lazyz.pipeline
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Primitive
-import dev.lazyz.SampleScenes
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.tiled.Tiled
-import java.util.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 
@@ -23,7 +21,7 @@ class GroupedPrimitivesTest {
     @Test
     fun manyPrimitivesGiveThePictureOfTheFrame() {
         // So many that hidden ones are dropped several times
-        val frame = SampleScenes.mixed(Random(3)).frame(40, 37)
+        val frame = glazed(3).frame(40, 37)
         val count = frame.primitives.size
         val many = List(50_000) { frame.primitives[it * 7 % count] }
         val opaque = many.filter { !it.isTranslucent }

@@ -7,15 +7,27 @@ import dev.lazyz.Image
 import dev.lazyz.SampleScenes
 import dev.lazyz.Workers
 import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.world.Scene
+import dev.lazyz.world.material.AlphaMode
 import java.util.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
+/** Returns a scene in which every third surface is translucent. */
+internal fun glazed(seed: Long): Scene {
+    val scene = SampleScenes.mixed(Random(seed))
+    return scene.withSurfaces(
+        scene.surfaces.mapIndexed { number, surface ->
+            if (number % 3 > 0) surface else surface.withMaterials { it.withAlphaMode(AlphaMode.BLEND) }
+        },
+    )
+}
+
 /** Streamed frames with translucent primitives: the same picture, however little memory there is. */
 class LayeredRenderingTest {
-    private val frame = SampleScenes.mixed(Random(7)).frame(40, 37)
+    private val frame = glazed(7).frame(40, 37)
 
     private fun render(mostBytes: Long, reversed: Boolean = false): Image {
         val pieces = frame.primitives.chunked(3).withIndex().toList()

@@ -6,11 +6,13 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
+import dev.lazyz.StreamingRenderer
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.LightMeter
 import dev.lazyz.strategies.Renderers
+import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.hybrid.Hybrid
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.zbuffer.ZBuffer
@@ -31,7 +33,7 @@ import org.junit.jupiter.api.Test
 class StreamedMeshTest {
     private val streaming: List<Renderer> = listOf(
         Tiled(), Tiled(RenderOptions(threads = 1, tileSize = 8)), ZBuffer(), Hybrid(),
-        Hybrid(RenderOptions(memoryBudget = 500)),
+        Hybrid(RenderOptions(memoryBudget = 500)), HierarchicalZBuffer(),
     )
 
     /** The triangles of a mesh, in parts of [size]. Counts how often parts are read. */
@@ -152,19 +154,29 @@ class StreamedMeshTest {
     }
 
     @Test
-    fun otherRenderersAndTranslucencyAreRefused() {
-        val parts = StreamedMesh(Pieces(mesh(5), 50))
-        val frame = Scene(listOf(parts)).frame(20, 20)
-        for (renderer in Renderers.builtIn.filter { it.id !in setOf("tiled", "zbuffer", "hybrid") }) {
+    fun otherRenderersRefuse() {
+        val frame = Scene(listOf(StreamedMesh(Pieces(mesh(5), 50)))).frame(20, 20)
+        for (renderer in Renderers.builtIn.filter { it !is StreamingRenderer }) {
             val refused = assertThrows(IllegalArgumentException::class.java) { renderer.render(frame) }
             assertTrue("the frame is streamed" in refused.message!!, refused.message)
         }
+    }
+
+    @Test
+    fun translucentMeshesBlend() {
         val glass = Material(Rgba(1f, 1f, 1f, 0.5f)).withAlphaMode(AlphaMode.BLEND)
-        val translucent = Scene(listOf(parts.withMaterials { glass })).frame(20, 20)
+        val whole = mesh(5).withMaterials { glass }
+        val parts = StreamedMesh(Pieces(mesh(5), 50), glass)
+        val expected = Tiled().render(Scene(listOf(sphere(), whole)).frame(60, 60))
+        val frame = Scene(listOf(sphere(), parts)).frame(60, 60)
         for (renderer in streaming) {
-            val refused = assertThrows(IllegalArgumentException::class.java) { renderer.render(translucent) }
-            assertTrue("streamed" in refused.message!!, refused.message)
-            renderer.render(translucent.asOpaque())
+            if (renderer is Tiled) {
+                assertSame(expected, renderer.render(frame), "$renderer")
+            } else {
+                val refused = assertThrows(IllegalArgumentException::class.java) { renderer.render(frame) }
+                assertTrue("streamed" in refused.message!! && "use 'tiled'" in refused.message!!, refused.message)
+            }
+            renderer.render(frame.asOpaque())
         }
     }
 
