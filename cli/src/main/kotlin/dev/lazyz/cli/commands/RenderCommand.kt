@@ -212,14 +212,16 @@ private class OutputOptions : OptionGroup("Output") {
 private class StreamOptions : OptionGroup("Large models") {
     private val isStreamed by option(
         "--stream",
-        help = "Read the triangles while they are rendered, and do not keep them: for an .stl file of any size. " +
-            "Each triangle has its own normal. The default strategy, zbuffer and hybrid support it",
+        help = "Read the triangles while they are rendered, and do not keep them: for an .stl, .obj or .ply file of " +
+            "any size. Each triangle has its own normal. The default strategy, zbuffer, hybrid and hierarchical " +
+            "support it; only the default strategy blends translucent surfaces",
     ).flag()
 
     private val spool by option(
         "--spool",
-        help = "The folder for temporary files of --stream: 36 bytes a triangle for a file of text, and a copy of " +
-            "standard input; default: the folder for temporary files of the system",
+        help = "The folder for temporary files of --stream: 36 bytes a triangle for an .stl file of text, 12 bytes a " +
+            "vertex and 12 a triangle for .obj and .ply files, 16 more for a colour, and a copy of standard input; " +
+            "default: the folder for temporary files of the system",
     ).path()
 
     /** What the options ask for, or null. */

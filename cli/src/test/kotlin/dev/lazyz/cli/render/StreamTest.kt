@@ -4,9 +4,12 @@ import dev.lazyz.cli.argb
 import dev.lazyz.cli.image
 import dev.lazyz.cli.zcli
 import dev.lazyz.cli.zcliReading
+import java.io.ByteArrayOutputStream
+import java.io.DataOutputStream
 import java.io.File
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
+import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 import kotlin.io.path.exists
@@ -64,7 +67,7 @@ class StreamTest {
             listOf("--shading", "flat", "--up", "-x", "--background", "red,blue", "--aa-filter", "mitchell"),
         )) {
             val whole = pixels(*options.toTypedArray())
-            for (strategy in listOf("tiled", "zbuffer", "hybrid")) {
+            for (strategy in listOf("tiled", "zbuffer", "hybrid", "hierarchical")) {
                 assertEquals(whole, pixels("--stream", "--strategy", strategy, *options.toTypedArray()), "$options")
             }
         }
@@ -94,7 +97,7 @@ class StreamTest {
             "--style technical" to "--style technical", "--style product" to "--style product",
             "--cut z=50%" to "--cut", "--ambient-occlusion" to "--ambient-occlusion",
             "--ground-shadow" to "--ground-shadow", "--shading-rate pixel" to "--shading-rate pixel",
-            "--aov depth=a.pfm" to "--aov", "--strategy lazy" to "with --stream use one of tiled, zbuffer, hybrid",
+            "--aov depth=a.pfm" to "--aov", "--strategy lazy" to "with --stream use one of ",
             "--select count" to "--select", "--coherence incremental --strategy scanline" to "'scanline' needs",
             "--turntable 4" to "--stream is for a single picture", "--views iso,top" to "--stream",
             "--spool nowhere" to "nowhere is not a folder",
@@ -106,8 +109,73 @@ class StreamTest {
         zcli("render", "teapot", "--stream", "-o", out).mistake("teapot is a built-in scene")
         zcli("render", model, "--spool", folder, "-o", out).mistake("--spool needs --stream")
         zcli("render", "-", "--stream", "-o", out).mistake("specify the format of standard input")
-        folder.resolve("a.obj").writeText("v 0 0 0\n")
-        zcli("render", folder.resolve("a.obj"), "--stream", "-o", out).mistake("only STL can", "a.obj")
+        folder.resolve("a.off").writeText("OFF\n")
+        zcli("render", folder.resolve("a.off"), "--stream", "-o", out).mistake("only STL, OBJ and PLY can", "a.off")
+        zcli("render", model, "--stream", "-o", out, "--color", "#ff000080", "--strategy", "zbuffer")
+            .mistake("only tiled blends", "--opaque")
+    }
+
+    @Test
+    fun translucentSurfacesBlend() {
+        model.writeBytes(hills(40))
+        for (options in listOf(
+            arrayOf("--shading", "flat", "--color", "#ff000080", "--view", "front"),
+            arrayOf("--shading", "flat", "--color", "#00ff0040", "--aa", "2", "--up", "x"),
+        )) assertEquals(pixels(*options), pixels("--stream", *options))
+    }
+
+    /** An OBJ or a PLY file with the triangles of [hills], which share vertices. */
+    private fun indexedHills(side: Int, format: String): ByteArray {
+        val out = ByteArrayOutputStream()
+        val count = (side + 1) * (side + 1)
+        fun heights(y: Int) = List(side + 1) { x ->
+            (StrictMath.sin(11.0 * x / side) * StrictMath.cos(8.0 * y / side) / 6).toFloat()
+        }
+        if (format == "ply") {
+            out.write(
+                (
+                    "ply\nformat binary_big_endian 1.0\nelement vertex $count\nproperty float x\nproperty float y\n" +
+                        "property float z\nelement face ${2 * side * side}\n" +
+                        "property list uchar int vertex_index\nend_header\n"
+                    ).toByteArray(),
+            )
+        }
+        val data = DataOutputStream(out)
+        for (y in 0..side) {
+            for ((x, z) in heights(y).withIndex()) {
+                val point = listOf(x / side.toFloat(), y / side.toFloat(), z)
+                if (format == "ply") point.forEach(data::writeFloat) else data.writeBytes("v ${point.joinToString(" ")}\n")
+            }
+        }
+        for (y in 0 until side) {
+            for (x in 0 until side) {
+                for (upper in 0..1) {
+                    val face = listOf(x to y, x + 1 to y + upper, x + 1 - upper to y + 1).map { it.second * (side + 1) + it.first }
+                    if (format == "ply") data.writeByte(3)
+                    if (format == "ply") face.forEach(data::writeInt) else data.writeBytes("f ${face.joinToString(" ") { "${it + 1}" }}\n")
+                }
+            }
+        }
+        return out.toByteArray()
+    }
+
+    /** OBJ and PLY on standard input, larger than the heap. The pictures are those of the STL file. */
+    @Test
+    fun indexedModelsLargerThanTheHeapAreShown() {
+        model.writeBytes(hills(900))
+        val options = listOf("--shading", "flat", "--aa", "1", "--size", "80x60")
+        val expected = pixels("--stream", *options.toTypedArray())
+        for (format in listOf("ply", "obj")) {
+            val input = folder.resolve("input.$format")
+            input.writeBytes(indexedHills(900, format))
+            val code = run(
+                "-Xmx64m", "render", "-", "--format", format, "--stream", "-o", "small.png", *options.toTypedArray(),
+                input = input.toFile(),
+            )
+            assertEquals(0, code, folder.resolve("errors.txt").readText())
+            assertEquals(expected, folder.resolve("small.png").image.argb(), format)
+            Files.delete(input)
+        }
     }
 
     @Test
@@ -131,12 +199,13 @@ class StreamTest {
         assertEquals(whole, folder.resolve("small.png").image.argb())
     }
 
-    private fun run(javaOption: String, vararg args: String): Int {
+    private fun run(javaOption: String, vararg args: String, input: File? = null): Int {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
         val classPath = System.getProperty("java.class.path").split(File.pathSeparator)
             .joinToString(File.pathSeparator) { Path.of(it).toAbsolutePath().toString() }
         val process = ProcessBuilder(listOf(java, javaOption, "-cp", classPath, "dev.lazyz.cli.MainKt") + args)
-            .directory(folder.toFile()).redirectError(folder.resolve("errors.txt").toFile()).start()
+            .directory(folder.toFile()).redirectError(folder.resolve("errors.txt").toFile())
+            .redirectInput(if (input == null) ProcessBuilder.Redirect.PIPE else ProcessBuilder.Redirect.from(input)).start()
         assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
         return process.exitValue()
     }

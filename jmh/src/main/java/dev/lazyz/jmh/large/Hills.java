@@ -2,18 +2,84 @@ package dev.lazyz.jmh.large;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.Writer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** A hilly square as a binary STL file, row by row, as programs for maps and scans write it. */
+/**
+ * A hilly square as a binary STL, a binary PLY or an OBJ file, row by row, as programs for maps and scans write it. All
+ * three have the same triangles in the same order.
+ */
 final class Hills {
     private Hills() {}
 
-    /** Writes about so many triangles; returns how many. */
+    /** Writes about so many triangles in the format of the file's extension; returns how many. */
     static int write(Path file, int triangles) throws IOException {
         int side = Math.max(1, (int) Math.sqrt(triangles / 2.0));
+        if (file.toString().endsWith(".ply")) {
+            return writePly(file, side);
+        }
+        return file.toString().endsWith(".obj") ? writeObj(file, side) : writeStl(file, side);
+    }
+
+    private static int writePly(Path file, int side) throws IOException {
+        try (OutputStream output = Files.newOutputStream(file)) {
+            String header = "ply\nformat binary_little_endian 1.0\nelement vertex " + (side + 1) * (side + 1)
+                    + "\nproperty float x\nproperty float y\nproperty float z\nelement face " + 2 * side * side
+                    + "\nproperty list uchar int vertex_indices\nend_header\n";
+            output.write(header.getBytes(StandardCharsets.US_ASCII));
+            ByteBuffer row = ByteBuffer.allocate(26 * (side + 1)).order(ByteOrder.LITTLE_ENDIAN);
+            for (int y = 0; y <= side; y++) {
+                float[] heights = heights(side, y);
+                row.clear();
+                for (int x = 0; x <= side; x++) {
+                    point(row, side, x, y, heights[x]);
+                }
+                output.write(row.array(), 0, row.position());
+            }
+            for (int y = 0; y < side; y++) {
+                row.clear();
+                for (int x = 0; x < side; x++) {
+                    for (int upper = 0; upper <= 1; upper++) {
+                        row.put((byte) 3).putInt(number(side, x, y)).putInt(number(side, x + 1, y + upper));
+                        row.putInt(number(side, x + 1 - upper, y + 1));
+                    }
+                }
+                output.write(row.array(), 0, row.position());
+            }
+        }
+        return 2 * side * side;
+    }
+
+    private static int writeObj(Path file, int side) throws IOException {
+        try (Writer output = Files.newBufferedWriter(file, StandardCharsets.US_ASCII)) {
+            for (int y = 0; y <= side; y++) {
+                float[] heights = heights(side, y);
+                for (int x = 0; x <= side; x++) {
+                    output.write("v " + (2f * x / side - 1) + ' ' + (2f * y / side - 1) + ' ' + heights[x] + '\n');
+                }
+            }
+            for (int y = 0; y < side; y++) {
+                for (int x = 0; x < side; x++) {
+                    for (int upper = 0; upper <= 1; upper++) {
+                        output.write("f " + (number(side, x, y) + 1) + ' ' + (number(side, x + 1, y + upper) + 1) + ' '
+                                + (number(side, x + 1 - upper, y + 1) + 1) + '\n');
+                    }
+                }
+            }
+        }
+        return 2 * side * side;
+    }
+
+    /** Returns the number of the vertex at a corner of the square's cells. */
+    private static int number(int side, int x, int y) {
+        return y * (side + 1) + x;
+    }
+
+    private static int writeStl(Path file, int side) throws IOException {
         ByteBuffer row = ByteBuffer.allocate(100 * side).order(ByteOrder.LITTLE_ENDIAN);
         try (OutputStream output = Files.newOutputStream(file)) {
             ByteBuffer header = ByteBuffer.allocate(84).order(ByteOrder.LITTLE_ENDIAN);

@@ -16,8 +16,6 @@ import dev.lazyz.world.surface.StreamedMesh;
 import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -26,18 +24,15 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * Renders a binary STL file that is larger than memory, and compares the time with a plain loop over its bytes, and the
+ * Renders a binary STL, binary PLY or OBJ file that is larger than memory, and compares the time with a plain loop over its bytes, and the
  * picture with that of the same triangles rendered in pieces and merged. Each step has a process of its own.
  *
  * <p>{@code java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.large.LargeModel --triangles 100000000 --heap 256m}
  *
- * <p>Other options: {@code --side}, the side of the picture, 1024 samples; {@code --rounds}, 2; {@code --folder}, where
+ * <p>Other options: {@code --format}, {@code stl}, {@code ply} or {@code obj}; {@code --side}, the side of the picture, 1024 samples; {@code --rounds}, 2; {@code --folder}, where
  * the file is written and deleted, by default that of temporary files; {@code --pieces no}, without the comparison.
  */
 public final class LargeModel {
-    private static final int RECORD = 50;
-    private static final int HEADER = 84;
-
     /** Parts of a file that are rendered at a time: a million triangles. */
     private static final int PARTS = 1024;
 
@@ -48,12 +43,12 @@ public final class LargeModel {
             System.out.println(step(args[0], Path.of(args[1]), Integer.parseInt(args[2])));
             return;
         }
-        Options options = new Options(args, Set.of("triangles", "heap", "side", "rounds", "folder", "pieces"));
+        Options options = new Options(args, Set.of("format", "triangles", "heap", "side", "rounds", "folder", "pieces"));
         int triangles = Integer.parseInt(options.get("triangles", "10000000"));
         String heap = "-Xmx" + options.get("heap", "256m");
         String side = options.get("side", "1024");
         Path folder = Path.of(options.get("folder", System.getProperty("java.io.tmpdir")));
-        Path file = Files.createTempFile(folder, "hills", ".stl");
+        Path file = Files.createTempFile(folder, "hills", "." + options.get("format", "stl"));
         try {
             int written = Hills.write(file, triangles);
             System.out.printf(
@@ -113,23 +108,18 @@ public final class LargeModel {
         }
     }
 
-    /** Reads all bytes and all coordinates, one after the other, on one thread. */
+    /** Reads all bytes and all numbers, one after the other, on one thread. */
     private static String plain(Path file) throws IOException {
         long start = System.nanoTime();
-        float least = Float.POSITIVE_INFINITY;
-        ByteBuffer buffer = ByteBuffer.allocate(8192 * RECORD).order(ByteOrder.LITTLE_ENDIAN);
+        String result;
         try (InputStream input = Files.newInputStream(file)) {
-            input.readNBytes(HEADER);
-            int count;
-            while ((count = input.readNBytes(buffer.array(), 0, buffer.capacity())) > 0) {
-                for (int facet = 0; facet < count; facet += RECORD) {
-                    for (int i = 12; i < 48; i += 4) {
-                        least = Math.min(least, buffer.getFloat(facet + i));
-                    }
-                }
+            if (file.toString().endsWith(".ply")) {
+                result = PlainLoops.ply(input);
+            } else {
+                result = file.toString().endsWith(".obj") ? PlainLoops.obj(input) : PlainLoops.stl(input);
             }
         }
-        return seconds(start) + ", least coordinate " + least;
+        return seconds(start) + ", " + result;
     }
 
     private static String stream(Path file, int side) throws IOException, InterruptedException {

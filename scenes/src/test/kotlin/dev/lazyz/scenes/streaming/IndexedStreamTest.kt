@@ -274,7 +274,9 @@ class IndexedStreamTest {
     @Test
     fun filesThatAreCutShort() {
         for (form in Form.entries) {
-            for (how in listOf(Ply(form), Ply(form, hasVertexColors = true, hasFaceColors = true))) {
+            // A line of text that ends within a list is refused if it has more than the list
+            val colored = Ply(form, hasVertexColors = true, hasFaceColors = true).takeIf { form != Form.ASCII }
+            for (how in listOfNotNull(Ply(form), colored)) {
                 val bytes = ply(hills(20), how)
                 for (count in listOf(bytes.size * 9 / 10, bytes.size - 3)) {
                     ply.writeBytes(bytes.copyOf(count))
