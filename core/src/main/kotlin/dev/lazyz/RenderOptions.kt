@@ -17,6 +17,8 @@ import java.util.concurrent.Executor
  *   shows its visible fragment, or all fragments blended if the frame has translucent primitives
  * @property executor runs the threads other than the calling one; null for threads of the library. Renderers do not
  *   wait for the executor to begin a task: if it is busy, the calling thread does the work
+ * @property bandBytes most bytes of the rows that `Tiled` keeps of a streamed frame, at 12 a sample, but at least one row:
+ *   a larger picture is rendered in bands, with a pass over the primitives for each. Null for a third of the heap
  * @throws IllegalArgumentException if a number is out of range
  */
 public class RenderOptions @JvmOverloads constructor(
@@ -26,11 +28,13 @@ public class RenderOptions @JvmOverloads constructor(
     public val tileSize: Int = 64,
     public val selector: Selector? = null,
     public val executor: Executor? = null,
+    public val bandBytes: Long? = null,
 ) {
     internal val workers: Workers get() = Workers(threads, executor ?: LibraryThreads)
 
     init {
         require(memoryBudget == null || memoryBudget >= 0) { "memoryBudget must not be negative: $memoryBudget" }
+        require(bandBytes == null || bandBytes >= 0) { "bandBytes must not be negative: $bandBytes" }
         require(threads >= 1) { "threads must be at least 1: $threads" }
         require(tileSize in 8..512 && tileSize.countOneBits() == 1) {
             "tileSize must be a power of two in 8..512: $tileSize"
@@ -92,6 +96,9 @@ public class RenderOptions @JvmOverloads constructor(
     /** Returns these options with an [executor] for the threads, or with the library's own threads. */
     public fun withExecutor(executor: Executor?): RenderOptions = copy(executor = executor)
 
+    /** Returns these options with another limit for the bands of a streamed frame, or with the default if null. */
+    public fun withBandBytes(bandBytes: Long?): RenderOptions = copy(bandBytes = bandBytes)
+
     private fun copy(
         coherence: Coherence = this.coherence,
         memoryBudget: Long? = this.memoryBudget,
@@ -99,9 +106,10 @@ public class RenderOptions @JvmOverloads constructor(
         tileSize: Int = this.tileSize,
         selector: Selector? = this.selector,
         executor: Executor? = this.executor,
-    ): RenderOptions = RenderOptions(coherence, memoryBudget, threads, tileSize, selector, executor)
+        bandBytes: Long? = this.bandBytes,
+    ): RenderOptions = RenderOptions(coherence, memoryBudget, threads, tileSize, selector, executor, bandBytes)
 
     override fun toString(): String =
         "RenderOptions($coherence, memoryBudget=$memoryBudget, threads=$threads, tileSize=$tileSize, " +
-            "selector=$selector, executor=$executor)"
+            "selector=$selector, executor=$executor, bandBytes=$bandBytes)"
 }

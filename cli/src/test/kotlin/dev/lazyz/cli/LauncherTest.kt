@@ -94,6 +94,25 @@ class LauncherTest {
     }
 
     @Test
+    fun memoryIsTheHeapOfJava() {
+        val java = folder.resolve("java/bin/java")
+        Files.createDirectories(java.parent)
+        java.writeText("#!/bin/sh\necho \"$@\"\n")
+        java.toFile().setExecutable(true)
+        for ((amount, heap) in mapOf(
+            "64m" to "-Xmx65536k", "1GiB" to "-Xmx1048576k", "16384K" to "-Xmx16384k", "33554432" to "-Xmx32768k",
+            "1m" to null, "much" to null, "010m" to null, "99999999999999999m" to null,
+        )) {
+            for (words in listOf(listOf("--memory", amount), listOf("--memory=$amount"))) {
+                val environment = mapOf("JAVA_HOME" to "${folder.resolve("java")}", "ZCLI_CACHE" to "")
+                zcli("render", "teapot", *words.toTypedArray(), environment = environment)
+                val options = folder.resolve("output").readText().substringBefore(" -jar").split(' ')
+                assertEquals(heap, options.firstOrNull { it.startsWith("-Xmx") }, amount)
+            }
+        }
+    }
+
+    @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun damagedArchiveIsMadeAgainAfterItsFirstUse() {
         render()

@@ -4,6 +4,7 @@ import dev.lazyz.conformance.results.RuleListener
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.run.Journal
 import dev.lazyz.conformance.run.JournalFollower
+import dev.lazyz.conformance.run.Patience
 import dev.lazyz.conformance.run.Settings
 import dev.lazyz.conformance.run.Supervisor
 import dev.lazyz.conformance.run.TryThread
@@ -83,13 +84,13 @@ public class Supervision @JvmOverloads constructor(
      */
     private fun awaitEnd(process: Process, follower: JournalFollower): Boolean {
         var state: Pair<Long, FileTime>? = null
-        var since = System.nanoTime()
+        val silence = Patience(patience)
         while (!process.waitFor(MOMENT, TimeUnit.MILLISECONDS)) {
             val now = if (Files.exists(journal)) Files.size(journal) to Files.getLastModifiedTime(journal) else null
-            if (now != state) since = System.nanoTime()
+            if (now != state) silence.progress()
             state = now
             follower.goOn()
-            if (System.nanoTime() - since > patience.toNanos()) return false
+            if (silence.left() <= 0) return false
         }
         return true
     }

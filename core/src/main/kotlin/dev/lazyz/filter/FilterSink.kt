@@ -28,9 +28,7 @@ internal class FilterSink(
     private val across = LongArray(CHANNELS * width)
 
     /** The sums of the rows of pixels that are not complete. Row y is number y modulo the length. */
-    private val sums = Array(minOf((taps.weights.size + factor - 1) / factor + 1, pixels.height)) {
-        LongArray(CHANNELS * width)
-    }
+    private val sums = Array(rows(taps, pixels)) { LongArray(CHANNELS * width) }
 
     /** By row, as [sums]: the key of the nearest sample of each pixel, and the colour of its upper left sample. */
     private val keys = Array(sums.size) { LongArray(width) }
@@ -116,5 +114,21 @@ internal class FilterSink(
             indices[x] = test.indexOf(best[x])
         }
         sink.row(row, argb, depths, indices)
+    }
+
+    companion object {
+        /** Bytes of a column besides those of rows: its sums of a row, its weight, and what is passed on. */
+        private const val COLUMN_BYTES = 8L * CHANNELS + 8 + 3 * 4
+
+        /** Bytes of a column of each row that is not complete: sums, key, and colour. */
+        private const val ROW_BYTES = 8L * CHANNELS + 8 + 4
+
+        /** Number of rows of [pixels] that are not complete at a time. */
+        private fun rows(taps: FilterTaps, pixels: Region): Int =
+            minOf((taps.weights.size + taps.factor - 1) / taps.factor + 1, pixels.height)
+
+        /** Bytes held for [pixels]. */
+        fun bytes(taps: FilterTaps, pixels: Region): Long =
+            pixels.width * (COLUMN_BYTES + ROW_BYTES * rows(taps, pixels))
     }
 }

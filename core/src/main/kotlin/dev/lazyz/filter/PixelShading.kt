@@ -68,8 +68,14 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
         it.longestChain = 0
     }.build()
 
-    private companion object {
+    companion object {
         /** Marks a sample that is not shaded yet. Only a background can have this colour, which does no harm. */
-        const val UNKNOWN = 0x00FFFFFF
+        private const val UNKNOWN = 0x00FFFFFF
+
+        /** Colour, depth and primitive. */
+        private const val SAMPLE_BYTES = 12L
+
+        /** Bytes held for the samples of [frame], [factor] x [factor] a pixel. */
+        fun bytes(frame: Frame, factor: Int): Long = SAMPLE_BYTES * factor * frame.width
     }
 }

@@ -37,6 +37,18 @@ public class SampledFrame internal constructor(
         )
     }
 
+    /** Whether each sample is a pixel, so that nothing has to be filtered. */
+    private val isPlain: Boolean get() = sampling.factor == 1 && sampling.filter == PixelFilter.BOX
+
+    private val isShadedLate: Boolean get() = sampling.rate == ShadingRate.PIXEL && sampling.factor > 1
+
+    /** Bytes held between the samples and the pixels, while the frame is rendered. */
+    internal val filterBytes: Long
+        get() {
+            val filter = if (isPlain) 0 else FilterSink.bytes(sampling.taps, pixels)
+            return filter + if (isShadedLate) PixelShading.bytes(frame, sampling.factor) else 0
+        }
+
     /**
      * Returns this frame restricted to the pixels of [region]. They are the same as in the whole picture.
      *
@@ -66,9 +78,9 @@ public class SampledFrame internal constructor(
      * to the sink that it is given.
      */
     internal fun render(renderer: Renderer, sink: RowSink, tap: (RowSink) -> RowSink): Counters {
-        if (sampling.factor == 1 && sampling.filter == PixelFilter.BOX) return renderer.render(frame, tap(sink))
+        if (isPlain) return renderer.render(frame, tap(sink))
         val filter = FilterSink(sampling.taps, frame, pixels, sink)
-        if (sampling.rate == ShadingRate.SAMPLE || sampling.factor == 1) return renderer.render(frame, tap(filter))
+        if (!isShadedLate) return renderer.render(frame, tap(filter))
 
         // Find the visible primitives first, without their colours
         require(!frame.hasTranslucency) { "translucent primitives are shaded at every sample: use ShadingRate.SAMPLE" }

@@ -20,8 +20,9 @@ internal class LayeredRendering(
     private val frame: Frame,
     private val parts: FrameParts,
     private val workers: Workers,
-    private val mostBytes: Long = minOf(Runtime.getRuntime().maxMemory() / 3, MOST_BYTES),
+    mostBytes: Long,
 ) {
+    private val mostBytes = minOf(mostBytes, MOST_BYTES)
     private val counters = Counters.Builder()
     private val region = frame.region
 
@@ -56,10 +57,10 @@ internal class LayeredRendering(
     }
 
     private fun tooMany(area: Region) =
-        "the sample at column ${area.columnStart} of row ${area.rowStart} has more translucent fragments than fit"
+        "column ${area.columnStart} of row ${area.rowStart} has more translucent fragments than fit into memory"
 
-    private fun remedy() = "they may take $mostBytes bytes, a third of the heap; raise -Xmx, or make the frame opaque " +
-        "with asOpaque()"
+    private fun remedy() =
+        "they may take $mostBytes bytes; allow more memory (-Xmx), or make the frame opaque with asOpaque()"
 
     /** Draws all primitives within [area]. Returns false if there is not enough memory. */
     private fun draw(area: Region, samples: LayeredSamples): Boolean {

@@ -29,7 +29,7 @@ internal class StreamedRendering(
     private val frame: Frame,
     private val parts: FrameParts,
     private val workers: Workers,
-    private val mostBytes: Long = Runtime.getRuntime().maxMemory() / 3,
+    private val mostBytes: Long,
     private val renderPart: (part: Frame, sink: RowSink) -> Counters,
 ) {
     private val test = frame.raster.depthTest

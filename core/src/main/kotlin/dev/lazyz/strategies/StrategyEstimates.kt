@@ -115,7 +115,8 @@ public class StrategyEstimates private constructor(
             return StrategyEstimate(renderer, time, bytes, ruledOut)
         }
 
-        private fun mebibytes(bytes: Double): String = "%.1f MiB".format(null, bytes / MEBIBYTE)
+        /** Returns an amount of memory as text. */
+        internal fun mebibytes(bytes: Double): String = "%.1f MiB".format(null, bytes / MEBIBYTE)
 
         private fun time(milliseconds: Double): String = "%.2f ms".format(null, milliseconds)
     }

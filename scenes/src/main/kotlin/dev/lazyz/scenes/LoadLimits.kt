@@ -1,5 +1,6 @@
 package dev.lazyz.scenes
 
+import dev.lazyz.scenes.loading.LoadingMemory
 import java.time.Duration
 
 /** Which files a model or a scene file may refer to. */
@@ -27,6 +28,10 @@ public enum class ReferencePolicy {
  * @property time maximum time for reading. It is checked between steps of the work, so a call can take slightly
  *   longer. Null, the default, means no limit
  * @property references which files a model can refer to
+ * @property memory the memory that Java may use while the model is read, in bytes, to which files and decoded data must
+ *   be in proportion. Null, the default, means the maximum Java heap size, which also is the most that counts
+ * @property spoolBytes maximum total bytes of temporary files, which models that are read part by part may need. Null,
+ *   the default, means no limit but the free space of the folder
  * @throws IllegalArgumentException if a limit is negative, or [nesting] is not in 1..1000
  */
 public class LoadLimits @JvmOverloads constructor(
@@ -37,13 +42,20 @@ public class LoadLimits @JvmOverloads constructor(
     public val nesting: Int = DEFAULT_NESTING,
     public val time: Duration? = null,
     public val references: ReferencePolicy = ReferencePolicy.WITHIN_FOLDER,
+    public val memory: Long? = null,
+    public val spoolBytes: Long? = null,
 ) {
+    /** The memory that counts. */
+    internal val usableMemory: Long get() = minOf(memory ?: Long.MAX_VALUE, Runtime.getRuntime().maxMemory())
+
     init {
         require(decodedBytes == null || decodedBytes >= 0) { "decodedBytes must not be negative: $decodedBytes" }
         require(triangles >= 0) { "triangles must not be negative: $triangles" }
         require(vertices >= 0) { "vertices must not be negative: $vertices" }
         require(texels >= 0) { "texels must not be negative: $texels" }
         require(nesting in 1..MOST_NESTING) { "nesting must be in 1..$MOST_NESTING: $nesting" }
+        require(memory == null || memory >= 0) { "memory must not be negative: $memory" }
+        require(spoolBytes == null || spoolBytes >= 0) { "spoolBytes must not be negative: $spoolBytes" }
         require(time == null || !time.isNegative) { "time must not be negative: $time" }
     }
 
@@ -68,6 +80,12 @@ public class LoadLimits @JvmOverloads constructor(
     /** Returns these limits with another rule for the files that a model refers to. */
     public fun withReferences(references: ReferencePolicy): LoadLimits = copy(references = references)
 
+    /** Returns these limits with another amount of memory, or with that of Java if null. */
+    public fun withMemory(memory: Long?): LoadLimits = copy(memory = memory)
+
+    /** Returns these limits with another limit for temporary files, or without one if null. */
+    public fun withSpoolBytes(spoolBytes: Long?): LoadLimits = copy(spoolBytes = spoolBytes)
+
     private fun copy(
         decodedBytes: Long? = this.decodedBytes,
         triangles: Long = this.triangles,
@@ -76,11 +94,14 @@ public class LoadLimits @JvmOverloads constructor(
         nesting: Int = this.nesting,
         time: Duration? = this.time,
         references: ReferencePolicy = this.references,
-    ): LoadLimits = LoadLimits(decodedBytes, triangles, vertices, texels, nesting, time, references)
+        memory: Long? = this.memory,
+        spoolBytes: Long? = this.spoolBytes,
+    ): LoadLimits =
+        LoadLimits(decodedBytes, triangles, vertices, texels, nesting, time, references, memory, spoolBytes)
 
     override fun toString(): String =
         "LoadLimits(decodedBytes=$decodedBytes, triangles=$triangles, vertices=$vertices, texels=$texels, " +
-            "nesting=$nesting, time=$time, $references)"
+            "nesting=$nesting, time=$time, $references, memory=$memory, spoolBytes=$spoolBytes)"
 
     public companion object {
         /** The default of [nesting]. */
@@ -92,10 +113,20 @@ public class LoadLimits @JvmOverloads constructor(
 
         /**
          * The default limit of decoded data: 128 MiB plus 512 bytes for each byte that is read, but at most half of
-         * the maximum Java heap size. Normal files need about 2 to 50 bytes for each byte.
+         * [memory], the maximum Java heap size by default. Normal files need about 2 to 50 bytes for each byte.
          */
         @JvmStatic
-        public fun defaultDecodedBytes(bytesRead: Long): Long =
-            minOf(FREE_BYTES + bytesRead * BYTES_PER_BYTE, Runtime.getRuntime().maxMemory() / 2)
+        @JvmOverloads
+        public fun defaultDecodedBytes(bytesRead: Long, memory: Long = Runtime.getRuntime().maxMemory()): Long =
+            minOf(FREE_BYTES + bytesRead * BYTES_PER_BYTE, memory / 2)
+
+        /**
+         * The memory that reading a file of so many [bytes] takes at least, including a reserve for the garbage
+         * collector. A file for which this is more than [memory] is refused.
+         *
+         * @param format the format of the file, or null if it is not known
+         */
+        @JvmStatic
+        public fun leastMemory(format: SceneFormat?, bytes: Long): Long = LoadingMemory.perByte(format) * bytes
     }
 }

@@ -124,14 +124,10 @@ public object Scenes {
     /**
      * Opens a file that may be larger than memory. Its triangles are read part by part while the scene is rendered.
      * Each has its own normal, as with [LoadOptions.smoothNormals] off; the picture is the one of the scene that [load]
-     * returns with that option, if the file has no normals, texture coordinates, materials, points and lines, which are
-     * not used and reported by [LoadedScene.warnings].
+     * returns with that option.
      *
-     * The file is read once here, to find its extent and its mistakes; twice if it is an OBJ or PLY file in which faces
-     * stand before their vertices, or if it is so far from the origin that positions need another one. Binary STL stays
-     * where it is. A text file of it is also converted to a temporary file of 36 bytes a triangle; OBJ and PLY files to
-     * temporary files of 12 bytes a vertex, 12 a triangle, and 16 for each of those that have a colour. Memory: some
-     * megabytes, and about 100 bytes for each 1024 triangles; temporary files of OBJ and PLY are mapped into memory.
+     * The file is read once here, to find its extent and its mistakes. A text file is also converted to a temporary
+     * file of 36 bytes a triangle. Memory: some megabytes, and about 100 bytes for each 1024 triangles.
      *
      * @param format the format, or null if the extension of the name or the first bytes determine it: STL, OBJ or PLY
      * @param limits limits on what the file can request; [LoadLimits.decodedBytes] does not apply

@@ -28,6 +28,7 @@ import dev.lazyz.cli.options.LineOptions
 import dev.lazyz.cli.options.PictureOptions
 import dev.lazyz.cli.options.ReadingOptions
 import dev.lazyz.cli.options.SeriesOptions
+import dev.lazyz.cli.options.bytes
 import dev.lazyz.cli.options.classPath
 import dev.lazyz.cli.options.number
 import dev.lazyz.cli.options.oneOf
@@ -70,14 +71,15 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     private val camera by CameraOptions()
     private val lines by LineOptions()
     private val rendering by RenderingOptions()
+    private val memory by MemoryOptions()
     private val cost by CostOptions()
     private val limits by LimitOptions()
 
     override fun help(context: Context): String =
         "Renders models or scenes to pictures.\n\nBy default the camera shows the whole model from the front " +
             "right, slightly from above, and a model without lights gets default lights. Only for a single picture: " +
-            "--resume, --depth-out, --aov, --aov-picture, --ref, --explain, --stream and -o -. Exit code 1: the " +
-            "picture differs from that of --ref; 2: an input could not be rendered, the others were."
+            "--resume, --depth-out, --aov, --aov-picture, --ref, --explain, --stream, --memory and -o -. Exit " +
+            "code 1: the picture differs from that of --ref; 2: an input could not be rendered, the others were."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli render teapot -o teapot.png" to "a built-in scene, 640x480",
@@ -87,6 +89,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         "zcli render city -o city.png --aov depth,normal,object=city.npz" to "data of each pixel, for NumPy",
         "zcli render city --size 8000x6000 --region 4000,2000,640x480 -o detail.png" to "a part of a large picture",
         "zcli render city --size 100000 -o huge.dzi --resume" to "ten gigapixels, for a viewer in a browser",
+        "zcli render city --size 20000 --memory 128m --explain -o large.png" to "in 128 MiB, and how",
         "zcli render city --strategy auto --explain -o city.png" to "the fastest strategy for it, and why",
         "zcli render city --select count -o overdraw.png" to "the number of surfaces at each pixel",
         "zcli render city --ref city.png --diff where.png" to "is the picture still that of city.png? for tests",
@@ -123,6 +126,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         reference = reference.request(args),
         streaming = streaming.request,
         resumption = if (output.isResumed) Resumption(args) else null,
+        memory = memory.bytes,
     )
 
     private fun several(named: NamedInputs): BatchRequest {
@@ -136,6 +140,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
             if (rendering.isExplained) "--explain" else null,
             streaming.request?.let { "--stream" },
             if (output.isResumed) Resumption.OPTION else null,
+            memory.bytes?.let { "--memory" },
         )
         if (alone.isNotEmpty()) throw Mistake("${alone[0]} is for a single picture, and this renders several")
         if (views.isNotEmpty() && pointOfView.directed.isNotEmpty()) {
@@ -163,7 +168,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         val usualSamples = if (rendering.selector == Selector.count()) 1 else USUAL_SAMPLES
         return subject(
             input, reading, limits, picture, light, camera, lines, usualSamples,
-            isSelected = rendering.selector != null, usualSize,
+            isSelected = rendering.selector != null, usualSize, memory.bytes,
         )
     }
 
@@ -219,8 +224,8 @@ private class StreamOptions : OptionGroup("Large models") {
 
     private val spool by option(
         "--spool",
-        help = "The folder for temporary files of --stream: 36 bytes a triangle for an .stl file of text, 12 bytes a " +
-            "vertex and 12 a triangle for .obj and .ply files, 16 more for a colour, and a copy of standard input; " +
+        help = "The folder for temporary files of --stream: 36 bytes a triangle for a file of text, and for " +
+            ".obj and .ply, whose triangles with colours take 84; their vertices; and a copy of standard input; " +
             "default: the folder for temporary files of the system",
     ).path()
 
@@ -230,6 +235,18 @@ private class StreamOptions : OptionGroup("Large models") {
             if (!isStreamed && spool != null) throw Mistake("--spool needs --stream")
             return if (isStreamed) StreamRequest(spool) else null
         }
+}
+
+/** Options of the memory of the whole program. */
+private class MemoryOptions : OptionGroup("Memory") {
+    val bytes by option(
+        "--memory",
+        help =
+        "Stay within this memory for Java's objects: bytes, or with k, m, g. Chooses strategy, threads, tiles and " +
+            "passes accordingly, or refuses and says what would fit; --explain prints the plan. The script zcli " +
+            "starts Java with -Xmx of this size; with java -jar, add it yourself. --memory-budget, in contrast, is " +
+            "for the working memory of some strategies",
+    ).bytes()
 }
 
 /** Options of the comparison with a reference. */

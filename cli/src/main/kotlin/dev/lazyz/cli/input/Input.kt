@@ -32,10 +32,16 @@ internal class Input(
     val file: Path? get() = if (isStandardInput || isBuiltin || word.isEmpty()) null else Path.of(word)
 
     /** The format that the user or the name says; null for built-in scenes, and if the content decides. */
-    private val statedFormat = if (isBuiltin) null else format ?: SceneFormat.ofFileName(word)
+    val statedFormat: SceneFormat? = if (isBuiltin) null else format ?: SceneFormat.ofFileName(word)
 
     /** Whether the input is a model: not a scene whose author chose everything. */
     val isModel: Boolean get() = !isBuiltin && statedFormat != SceneFormat.SCENE
+
+    /** The size of the file; null if the input is none, or there is no such file. */
+    val fileBytes: Long? get() = file?.takeIf { Files.isRegularFile(it) }?.let { Files.size(it) }
+
+    /** Whether the input can be read part by part, as far as its name tells. */
+    val canStream: Boolean get() = statedFormat == SceneFormat.STL
 
     /** The axis that points up in most files of the stated format. */
     val usualUp: UpAxis get() = statedFormat?.usualUp ?: UpAxis.Y

@@ -14,6 +14,9 @@ import dev.lazyz.filter.PixelFilter
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.VerticalGradient
 import dev.lazyz.geometry.UpAxis
+import dev.lazyz.planning.MemoryItem
+import dev.lazyz.planning.RenderPlan
+import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.scenes.writers.AlphaChannel
 
 /**
@@ -51,6 +54,10 @@ internal class Shot(
 
     /** Returns the part of this picture with the pixels of [region]. */
     fun within(region: Region) = Shot(sampled.within(region), gradient, up)
+
+    /** Returns the plan of [planner] with the first of [renderers] that fits, besides [others]. */
+    fun plan(planner: RenderPlanner, renderers: List<Renderer>, others: List<MemoryItem>): RenderPlan =
+        planner.plan(sampled, renderers, others)
 
     /** Renders the frame with [strategy], and passes every row of pixels to [sink]. */
     fun render(strategy: Renderer, sink: RowSink): Counters = sampled.render(strategy, beforeGradient(sink))

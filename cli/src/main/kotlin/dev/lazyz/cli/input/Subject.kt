@@ -64,6 +64,9 @@ internal class Subject(
     val light: LightChoice,
     val style: PictureStyle?,
 ) {
+    /** Whether no surface has smooth normals. */
+    val hasFaceNormals: Boolean get() = shading == Shading.FLAT || shading == Shading.CONSTANT
+
     /** Whether an option changes the materials. */
     val changesMaterials: Boolean get() = shading != null || mipFilter != null
 

@@ -38,6 +38,11 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
     private val seconds by option("--max-seconds", help = "Maximum time for reading, 0..1000000; default: no limit")
         .number("SECONDS", 0.0..1e6, " seconds")
 
+    private val spool by option(
+        "--max-spool",
+        help = "Maximum size of temporary files of --stream: bytes, or with k, m, g; default: the free space",
+    ).bytes()
+
     /** Returns the limits. */
     fun limits() = LoadLimits(
         decodedBytes = decoded,
@@ -46,6 +51,7 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
         texels = texels ?: Long.MAX_VALUE,
         nesting = nesting ?: LoadLimits.DEFAULT_NESTING,
         time = seconds?.let { Duration.ofNanos((it * 1e9).toLong()) },
+        spoolBytes = spool,
         references = if (isOutsideAllowed) ReferencePolicy.ANYWHERE else ReferencePolicy.WITHIN_FOLDER,
     )
 }

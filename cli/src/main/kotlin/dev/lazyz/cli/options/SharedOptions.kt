@@ -43,6 +43,7 @@ internal const val INPUT_HELP: String =
  * @param usualSamples samples a pixel in each direction if the user does not choose
  * @param isSelected whether a pixel shows other fragments than the nearest
  * @param usualSize the size of the picture if the user does not choose; null means that of the scene
+ * @param memory bytes of memory that may be used, or null for all that Java may use
  */
 internal fun subject(
     input: String,
@@ -55,6 +56,7 @@ internal fun subject(
     usualSamples: Int,
     isSelected: Boolean = false,
     usualSize: ImageSize? = null,
+    memory: Long? = null,
 ): Subject {
     val style = picture.style
     val lightChoice = light.choice(picture)
@@ -62,7 +64,7 @@ internal fun subject(
     return Subject(
         input = input,
         format = reading.format,
-        loading = LoadOptions(limits.limits(), reading.animationTime),
+        loading = LoadOptions(limits.limits().withMemory(memory), reading.animationTime),
         up = reading.up,
         size = picture.size ?: usualSize,
         region = picture.region,
@@ -270,7 +272,8 @@ internal class CameraOptions : OptionGroup("Camera") {
 internal class CostOptions : OptionGroup("Cost (the picture stays the same; see 'zcli strategies --long')") {
     private val memoryBudget by option(
         "--memory-budget",
-        help = "Maximum working memory without the picture: bytes, or with k, m, g (64k, 16MiB); default: no limit",
+        help = "Maximum working memory of a strategy that can limit it, without the picture and the scene: bytes, or " +
+            "with k, m, g (64k, 16MiB); default: no limit. --memory, in contrast, is for the whole program",
     ).bytes()
 
     private val coherence by option(

@@ -9,8 +9,11 @@ import dev.lazyz.cli.output.OutputClosed
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.OutputPlaces
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.planning.MemoryItem
 import dev.lazyz.scenes.writers.AlphaChannel
+import dev.lazyz.scenes.writers.PfmSink
 import dev.lazyz.scenes.writers.PngSink
+import dev.lazyz.scenes.writers.deepzoom.DeepZoomSink
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -90,6 +93,15 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
         val path = request.depthOutput ?: return render(null)
         return PictureFile.write(path, region, AlphaChannel.DROP, render)
     }
+
+    /** Returns the memory for writing a picture of the pixels of [region]. */
+    fun memory(region: Region): List<MemoryItem> = listOfNotNull(
+        (picture?.toString() ?: "-".takeIf { isStandardOutput })?.let {
+            val resuming = if (request.resumption == null) 0 else DeepZoomSink.resumingMemory(region.width)
+            MemoryItem("output -o $it", PictureFile.memory(picture, region) + resuming)
+        },
+        request.depthOutput?.let { MemoryItem("output --depth-out $it", PfmSink.memory(region.width)) },
+    )
 
     /** Prints which files were written. */
     fun describe(region: Region) {

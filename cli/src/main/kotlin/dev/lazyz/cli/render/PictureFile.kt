@@ -5,7 +5,11 @@ import dev.lazyz.RowSink
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.ImageFiles
+import dev.lazyz.scenes.writers.ImageFormat
+import dev.lazyz.scenes.writers.PngSink
+import dev.lazyz.scenes.writers.PpmSink
 import dev.lazyz.scenes.writers.deepzoom.DeepZoomFiles
+import dev.lazyz.scenes.writers.deepzoom.DeepZoomSink
 import java.io.IOException
 import java.nio.file.Path
 import kotlin.io.path.extension
@@ -19,6 +23,14 @@ internal object PictureFile {
 
     /** Whether [path] names a Deep Zoom pyramid: a file and a folder. */
     fun isPyramid(path: Path): Boolean = path.extension.equals(DeepZoomFiles.EXTENSION, ignoreCase = true)
+
+    /** Returns the memory for writing the pixels of [region] to [path], or as PNG to standard output if it is null. */
+    fun memory(path: Path?, region: Region): Long = when {
+        path == null -> PngSink.memory(region.width, region.height)
+        isPyramid(path) -> DeepZoomSink.memory(region.width, region.height)
+        ImageFiles.formatOf(path) == ImageFormat.PPM -> PpmSink.memory(region.width)
+        else -> PngSink.memory(region.width, region.height)
+    }
 
     /**
      * Calls [render] with a sink that writes the pixels of [region] to [path].

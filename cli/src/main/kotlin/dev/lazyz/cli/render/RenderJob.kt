@@ -2,6 +2,7 @@ package dev.lazyz.cli.render
 
 import dev.lazyz.cli.diff.DifferenceText
 import dev.lazyz.cli.input.FrameSource
+import dev.lazyz.cli.memory.MemoryPlanning
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Statistics
 import dev.lazyz.cli.output.StatisticsTable
@@ -9,11 +10,14 @@ import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.Tally
 import dev.lazyz.cli.strategies.MemoryNeed
 import dev.lazyz.cli.strategies.StrategyChoice
+import dev.lazyz.planning.MemoryItem
 import dev.lazyz.scenes.LoadedScene
 import kotlinx.serialization.json.JsonObject
 
 /** One run of `zcli render`: reads, sets up, chooses a strategy, renders to all sinks at once, compares, reports. */
 internal class RenderJob(private val request: RenderRequest, private val streams: Streams) {
+    private val planning = request.memory?.let { MemoryPlanning(it, request) }
+
     /** Returns the exit code. */
     fun run(): Int {
         // Report mistakes in the options before anything is read
@@ -23,9 +27,15 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         val reference = request.reference?.let { ReferenceCheck(it) }
 
         request.streaming?.requirePossible(request)
-        val streaming = request.streaming ?: return run(source, source.load(), choice, outputs, reference)
-        return source.stream(streaming.spool).use { run(source, it.loaded, choice, outputs, reference) }
+        val streaming = request.streaming ?: planning?.streaming(source)
+            ?: return run(source, prepared(source) { source.load() }, choice, outputs, reference, null)
+        return prepared(source) { source.stream(streaming.spool) }
+            .use { run(source, it.loaded, choice, outputs, reference, streaming) }
     }
+
+    /** Calls [prepare], and reports it if the memory is not enough for that. */
+    private fun <T> prepared(source: FrameSource, prepare: () -> T): T =
+        if (planning == null) prepare() else planning.preparing(source, prepare)
 
     private fun run(
         source: FrameSource,
@@ -33,14 +43,22 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         choice: StrategyChoice,
         outputs: Outputs,
         reference: ReferenceCheck?,
+        streaming: StreamRequest?,
     ): Int {
         // Set up, and choose a strategy that supports the frame
         source.requireKept(loaded, outputs.replaced)
         val start = System.nanoTime()
-        val shot = source.frame(loaded, request.choices.options())
+        planning?.requireSetUp(source, loaded)
+        val shot = prepared(source) { source.frame(loaded, request.choices.options()) }
         val frame = shot.frame
-        val strategy = choice.strategyFor(frame)
-        if (request.isExplained) streams.note(choice.explain(strategy, frame))
+        val keptBytes =
+            (reference?.bytesPerPixel ?: 0) * shot.pixels.size + request.aovs.bytesPerPixel * shot.pixels.size
+        val plan = planning?.plan(source, shot, choice, outputs.memory(shot.pixels) + kept(keptBytes))
+        val strategy = plan?.renderer ?: choice.strategyFor(frame)
+        if (request.isExplained) {
+            streams.note(choice.explain(strategy, frame))
+            if (plan != null) streams.note(planning.explain(plan, frame, streaming))
+        }
         val kept = (reference?.bytesPerPixel ?: 0) + request.aovs.bytesPerPixel / (shot.factor * shot.factor)
         MemoryNeed.check(strategy, frame.region, kept, aa = shot.factor)
 
@@ -77,6 +95,9 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         }
         return if (difference?.isMatch == false) ExitCode.DIFFERENT else ExitCode.DONE
     }
+
+    /** The pixels that are kept to be compared, and other data of each pixel. */
+    private fun kept(bytes: Long) = if (bytes == 0L) emptyList() else listOf(MemoryItem("pixels that are kept", bytes))
 
     /** Prints [statistics] to standard output, or to standard error if standard output contains the picture. */
     private fun printStatistics(form: StatsForm, statistics: Statistics, comparison: JsonObject?) {

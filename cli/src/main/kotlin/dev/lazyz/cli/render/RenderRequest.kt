@@ -20,4 +20,5 @@ internal class RenderRequest(
     val reference: ReferenceRequest?,
     val streaming: StreamRequest?,
     val resumption: Resumption?,
+    val memory: Long?,
 )

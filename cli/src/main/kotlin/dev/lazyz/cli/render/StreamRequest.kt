@@ -16,16 +16,21 @@ internal class StreamRequest(spool: Path?) {
         if (!Files.isDirectory(this.spool)) throw Mistake("--spool: ${this.spool} is not a folder")
     }
 
+    /** Returns an option of [request] that needs the whole model, or null. */
+    fun obstacle(request: RenderRequest): String? {
+        val subject = request.subject
+        return subject.lineWork.wholeModel ?: subject.light.wholeModel ?: subject.antiAliasing.wholeModel
+            ?: request.aovs.files.firstOrNull()?.first?.substringBefore(' ')
+            ?: "--texture".takeIf { subject.texture != null }
+    }
+
     /**
      * Checks that no option of [request] needs the whole model.
      *
      * @throws Mistake otherwise
      */
     fun requirePossible(request: RenderRequest) {
-        val subject = request.subject
-        val option = subject.lineWork.wholeModel ?: subject.light.wholeModel ?: subject.antiAliasing.wholeModel
-            ?: request.aovs.files.firstOrNull()?.first?.substringBefore(' ')
-            ?: "--texture".takeIf { subject.texture != null }
+        val option = obstacle(request)
         if (option !=
             null
         ) {

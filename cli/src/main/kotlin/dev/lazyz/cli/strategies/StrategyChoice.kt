@@ -33,10 +33,19 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
     /** The strategy for most frames: the first that supports all flags. */
     val usual: Renderer get() = candidates.first()
 
+    /**
+     * Returns the strategies that can be used for [frame] with [memory] bytes: first the one that [strategyFor] returns,
+     * then the others in the order of the list.
+     */
+    fun rendererChoices(frame: Frame, memory: Long): List<Renderer> {
+        val first = strategyFor(frame, memory)
+        return listOf(first) + candidates.filter { it.id != first.id }.map { choices.applyTo(it) }
+    }
+
     /** Returns the strategy for [frame], configured as chosen. */
-    fun strategyFor(frame: Frame): Renderer {
+    fun strategyFor(frame: Frame, memory: Long = Runtime.getRuntime().maxMemory()): Renderer {
         if (frame.isStreamed) return streaming(frame)
-        if (isAutomatic) estimates(frame).best?.let { return it.renderer }
+        if (isAutomatic) estimates(frame, memory).best?.let { return it.renderer }
         val configured = candidates.asSequence().map { choices.applyTo(it) }
         if (!frame.hasTranslucency) return configured.first()
         return configured.firstOrNull { Capability.TRANSPARENCY in it.capabilities } ?: throw Mistake(cannotBlend())
@@ -55,13 +64,16 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
             ?: throw Mistake("the scene is translucent, and of the strategies for --stream only tiled blends: add --opaque")
     }
 
-    /** Returns lines that explain why [strategy] was chosen for [frame], with the expected cost of each strategy. */
-    fun explain(strategy: Renderer, frame: Frame): String {
+    /**
+     * Returns lines that explain why [strategy] was chosen for [frame], with the expected cost of each strategy, if
+     * [memory] bytes may be used.
+     */
+    fun explain(strategy: Renderer, frame: Frame, memory: Long = Runtime.getRuntime().maxMemory()): String {
         if (frame.isStreamed) {
             val why = if (named != null) "--strategy names it" else "it is the first that renders streamed models"
             return "${frame.primitives.size} primitives are read part by part\nchosen: ${strategy.id}, because $why\n"
         }
-        val estimates = estimates(frame)
+        val estimates = estimates(frame, memory)
         val best = estimates.best?.renderer?.id
         val reason = when {
             named != null -> "--strategy names it"
@@ -74,8 +86,8 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
         return "${estimates.explain()}chosen: ${strategy.id}, because $reason$other\n"
     }
 
-    private fun estimates(frame: Frame): StrategyEstimates =
-        Renderers.estimates(frame, choices.options(), choices.needs.values.toSet())
+    private fun estimates(frame: Frame, memory: Long): StrategyEstimates =
+        Renderers.estimates(frame, choices.options(), choices.needs.values.toSet(), memory)
 
     private fun unsupported(): String {
         val flag = choices.needs.keys.singleOrNull() ?: return "no single strategy supports all of " + flags()

@@ -110,7 +110,7 @@ class StreamTest {
         zcli("render", model, "--spool", folder, "-o", out).mistake("--spool needs --stream")
         zcli("render", "-", "--stream", "-o", out).mistake("specify the format of standard input")
         folder.resolve("a.off").writeText("OFF\n")
-        zcli("render", folder.resolve("a.off"), "--stream", "-o", out).mistake("only STL, OBJ and PLY can", "a.off")
+        zcli("render", folder.resolve("a.off"), "--stream", "-o", out).mistake("only STL, PLY and OBJ can", "a.off")
         zcli("render", model, "--stream", "-o", out, "--color", "#ff000080", "--strategy", "zbuffer")
             .mistake("only tiled blends", "--opaque")
     }

@@ -19,14 +19,10 @@ internal class Late(message: String) : RuntimeException(message)
 internal class TryThread(private val deadline: Duration) : AutoCloseable {
     private var group = ThreadGroup(NAME)
     private var executor: ExecutorService? = null
-
-    @Volatile
-    private var since = 0L
+    private val patience = Patience(deadline)
 
     /** Restarts the deadline of the current call, because it has made progress. */
-    fun goesOn() {
-        since = System.nanoTime()
-    }
+    fun goesOn() = patience.progress()
 
     /**
      * Returns what [block] returns, or throws what it throws.
@@ -38,26 +34,27 @@ internal class TryThread(private val deadline: Duration) : AutoCloseable {
         val future = executor().submit(Callable { block() })
         try {
             while (true) {
+                val left = patience.left()
+                if (left <= 0) throw late()
                 try {
-                    return future.get(left(), TimeUnit.NANOSECONDS)
-                } catch (late: TimeoutException) {
-                    if (left() <= 0) throw late
+                    return future.get(left, TimeUnit.NANOSECONDS)
+                } catch (_: TimeoutException) {
+                    // It may have made progress meanwhile
                 }
             }
         } catch (e: ExecutionException) {
             throw e.cause ?: e
-        } catch (_: TimeoutException) {
-            val where = where()
-            close()
-            throw Late("was not over after ${seconds(deadline)}; it is at\n$where")
         } catch (e: InterruptedException) {
             close()
             throw e
         }
     }
 
-    /** Nanoseconds until the deadline. */
-    private fun left(): Long = deadline.toNanos() - (System.nanoTime() - since)
+    private fun late(): Late {
+        val where = where()
+        close()
+        return Late("was not over after ${seconds(deadline)}; it is at\n$where")
+    }
 
     private fun executor(): ExecutorService = executor ?: Executors.newSingleThreadExecutor { task ->
         Thread(group, task, NAME).apply { isDaemon = true }

@@ -36,7 +36,7 @@ internal class Rendering(
     private val arrivals = Arrivals(frame, grid)
 
     /** The bands in progress: band number b is at index b modulo the size of this array. */
-    private val bands = Array(bandsAtWork()) { Band(frame, grid, pool) }
+    private val bands = Array(bandsAtWork(grid, threadCount)) { Band(frame, grid, pool) }
     private var filled = 0
 
     private val test = frame.raster.depthTest
@@ -150,11 +150,14 @@ internal class Rendering(
         return sum.build()
     }
 
-    /**
-     * One band for one thread. For several threads, enough for two tiles a thread besides the band passed to the sink.
-     */
-    private fun bandsAtWork(): Int {
-        val ahead = if (threadCount == 1) 0 else (2L * threadCount - 1) / columns + 1
-        return minOf(1 + ahead, grid.bands.toLong()).toInt()
+    companion object {
+        /**
+         * Returns the number of bands in progress: one for one thread; for several [threads], enough for two tiles a
+         * thread besides the band passed to the sink.
+         */
+        fun bandsAtWork(grid: TileGrid, threads: Int): Int {
+            val ahead = if (threads == 1) 0 else (2L * threads - 1) / grid.columns + 1
+            return minOf(1 + ahead, grid.bands.toLong()).toInt()
+        }
     }
 }

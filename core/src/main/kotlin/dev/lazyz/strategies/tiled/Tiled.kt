@@ -54,10 +54,11 @@ import java.util.concurrent.atomic.AtomicReference
  * - 16 bytes for each primitive of the frame that is not from a mesh.
  *
  * A streamed frame (see [Frame.isStreamed]) is rendered part by part into a picture in memory, at 12 bytes a sample. If
- * that is more than a third of the heap, into one band of rows after the other, with a pass over the parts for each.
- * Each part is shaded where it is nearest within itself, so later parts can hide some of what was shaded. If it has
- * translucent primitives, one thread draws it into areas that each take at most a third of the heap, at 28 bytes for
- * each sample and each translucent fragment that was not yet hidden when it was drawn.
+ * that is more than [RenderOptions.bandBytes], by default a third of the heap, into one band of rows after the other, with
+ * a pass over the parts for each.
+ * Each part is shaded where it is nearest within itself, so later parts can hide some of what was shaded.
+ * If it has translucent primitives, one thread draws it into areas that each take at most as much, at 28 bytes for each
+ * sample and each translucent fragment that was not yet hidden when it was drawn.
  *
  * Otherwise memory does not grow with the number of rows. For very wide pictures use smaller tiles. Rows and bins are
  * kept for the next rendering through soft references: rendering a frame similar to the last one allocates no large
@@ -87,17 +88,21 @@ public class Tiled internal constructor(
     private val tileSize: Int,
     private val kernels: () -> Kernels = Kernels::best,
     private val executor: Executor = LibraryThreads,
+    private val bandBytes: Long? = null,
 ) : StreamingRenderer {
     /** The arrays of the last rendering, as long as there is enough memory. */
     private val kept = AtomicReference<SoftReference<ArrayPool>>()
 
     /**
-     * Creates a renderer that uses [RenderOptions.coherence], [RenderOptions.threads], [RenderOptions.executor] and
-     * [RenderOptions.tileSize].
+     * Creates a renderer that uses [RenderOptions.coherence], [RenderOptions.threads], [RenderOptions.executor],
+     * [RenderOptions.tileSize] and [RenderOptions.bandBytes].
      */
     @JvmOverloads
     public constructor(options: RenderOptions = RenderOptions()) :
-        this(options.coherence, options.threads, options.tileSize, executor = options.workers.executor) {
+        this(
+            options.coherence, options.threads, options.tileSize, executor = options.workers.executor,
+            bandBytes = options.bandBytes,
+        ) {
         options.requireSupportedBy(this)
     }
 
@@ -133,11 +138,12 @@ public class Tiled internal constructor(
         val pool = kept.getAndSet(null)?.get() ?: ArrayPool()
         val parts = frame.content.parts
         val workers = Workers(threads, executor)
+        val most = bandBytes ?: (Runtime.getRuntime().maxMemory() / 3)
         val counters = when {
             parts == null -> render(frame, sink, pool)
-            parts.hasTranslucency -> LayeredRendering(frame, parts, workers).run(sink)
+            parts.hasTranslucency -> LayeredRendering(frame, parts, workers, most).run(sink)
             else ->
-                StreamedRendering(frame, parts, workers) { part, merge -> render(part, merge, pool) }.run(sink)
+                StreamedRendering(frame, parts, workers, most) { part, merge -> render(part, merge, pool) }.run(sink)
         }
         kept.set(SoftReference(pool))
         return counters

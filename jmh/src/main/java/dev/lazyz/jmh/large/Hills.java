@@ -13,11 +13,11 @@ import java.nio.file.Path;
  * A hilly square as a binary STL, a binary PLY or an OBJ file, row by row, as programs for maps and scans write it. All
  * three have the same triangles in the same order.
  */
-final class Hills {
+public final class Hills {
     private Hills() {}
 
     /** Writes about so many triangles in the format of the file's extension; returns how many. */
-    static int write(Path file, int triangles) throws IOException {
+    public static int write(Path file, int triangles) throws IOException {
         int side = Math.max(1, (int) Math.sqrt(triangles / 2.0));
         if (file.toString().endsWith(".ply")) {
             return writePly(file, side);

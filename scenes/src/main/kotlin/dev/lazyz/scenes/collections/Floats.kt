@@ -18,9 +18,6 @@ internal class Floats(capacity: Int = INITIAL_CAPACITY) {
         size = 0
     }
 
-    /** Returns a copy of the numbers. */
-    fun copy(): FloatArray = values.copyOf(size)
-
     /** Returns the numbers in the list's own array, trimmed to [size]. Do not add numbers afterwards. */
     fun toArray(): FloatArray {
         if (size < values.size) values = values.copyOf(size)

@@ -37,7 +37,8 @@ internal object SceneReading {
     /** Reads a file as part of a larger [loading]. Its references must not lead out of [root]. */
     fun read(path: Path, format: SceneFormat?, loading: Loading, root: Path?): LoadedScene {
         val name = path.toString()
-        val source = Source(bytes(path, name, format), name, path.toAbsolutePath().parent, loading, root)
+        val source =
+            Source(bytes(path, name, format, loading.limits), name, path.toAbsolutePath().parent, loading, root)
         return parse(source, format ?: sniffed(source))
     }
 
@@ -49,7 +50,7 @@ internal object SceneReading {
         options: LoadOptions,
     ): LoadedScene {
         val source = try {
-            Source(bytes(input, 0, name, format), name, folder, Loading(options))
+            Source(bytes(input, 0, name, format, options.limits), name, folder, Loading(options))
         } catch (e: IOException) {
             throw unreadable(name, e)
         }
@@ -57,14 +58,16 @@ internal object SceneReading {
     }
 
     fun read(bytes: ByteArray, format: SceneFormat, name: String, options: LoadOptions): LoadedScene {
-        if (bytes.size > mostBytes(format)) throw tooLarge(name, bytes.size.toLong(), format)
+        if (bytes.size > mostBytes(format, options.limits)) {
+            throw tooLarge(name, bytes.size.toLong(), format, options.limits)
+        }
         return parse(Source(bytes, name, null, Loading(options)), format)
     }
 
     /** Reads an image file as a texture. */
     fun texture(path: Path, limits: LoadLimits): Texture {
         val name = path.toString()
-        val source = Source(bytes(path, name, null), name, null, Loading(LoadOptions(limits)))
+        val source = Source(bytes(path, name, null, limits), name, null, Loading(LoadOptions(limits)))
         return TextureFiles.decode(source, source.bytes, path.fileName.toString())
             ?: source.fail(null, "is not an image that can be read", "save it as PNG or JPEG")
     }
@@ -87,17 +90,17 @@ internal object SceneReading {
             val scene = parser.parse(source)
             return LoadedScene(scene, source.warnings.toList(), cameras = source.cameras.toList(), files = source.files)
         } catch (e: OutOfMemoryError) {
-            val most = Runtime.getRuntime().maxMemory()
+            val most = source.loading.limits.usableMemory
             source.fail(null, "needs more memory than the $most bytes that Java may use", "raise -Xmx, or split it", e)
         }
     }
 
-    private fun bytes(path: Path, name: String, format: SceneFormat?): ByteArray {
+    private fun bytes(path: Path, name: String, format: SceneFormat?, limits: LoadLimits): ByteArray {
         requireFile(path, name)
         try {
             val size = Files.size(path)
-            if (size > mostBytes(format)) throw tooLarge(name, size, format)
-            return Files.newInputStream(path).use { bytes(it, size.toInt(), name, format) }
+            if (size > mostBytes(format, limits)) throw tooLarge(name, size, format, limits)
+            return Files.newInputStream(path).use { bytes(it, size.toInt(), name, format, limits) }
         } catch (e: IOException) {
             throw unreadable(name, e)
         }
@@ -123,7 +126,13 @@ internal object SceneReading {
      * Reads all of [input]: first the [expected] bytes, directly into their array, then any further bytes of the
      * stream.
      */
-    private fun bytes(input: InputStream, expected: Int, name: String, format: SceneFormat?): ByteArray {
+    private fun bytes(
+        input: InputStream,
+        expected: Int,
+        name: String,
+        format: SceneFormat?,
+        limits: LoadLimits,
+    ): ByteArray {
         val bytes = ByteArray(expected)
         var count = 0
         while (count < expected) {
@@ -131,9 +140,9 @@ internal object SceneReading {
             if (read < 0) return bytes.copyOf(count)
             count += read
         }
-        val room = mostBytes(format) - expected
+        val room = mostBytes(format, limits) - expected
         val rest = input.readNBytes(room.toInt() + 1)
-        if (rest.size > room) throw tooLarge(name, expected + rest.size.toLong(), format)
+        if (rest.size > room) throw tooLarge(name, expected + rest.size.toLong(), format, limits)
         return if (rest.isEmpty()) bytes else bytes + rest
     }
 
@@ -141,11 +150,11 @@ internal object SceneReading {
      * Maximum bytes of a file of [format]: it must fit into an array, and its decoded contents must fit into the
      * heap.
      */
-    private fun mostBytes(format: SceneFormat?): Long =
-        minOf(Int.MAX_VALUE - 16L, Runtime.getRuntime().maxMemory() / LoadingMemory.perByte(format))
+    private fun mostBytes(format: SceneFormat?, limits: LoadLimits): Long =
+        minOf(Int.MAX_VALUE - 16L, limits.usableMemory / LoadingMemory.perByte(format))
 
-    private fun tooLarge(name: String, size: Long, format: SceneFormat?): SceneFormatException {
-        val problem = "is too large: $size bytes, at most ${mostBytes(format)} fit"
+    private fun tooLarge(name: String, size: Long, format: SceneFormat?, limits: LoadLimits): SceneFormatException {
+        val problem = "is too large: $size bytes, at most ${mostBytes(format, limits)} fit"
         return SceneFormatException(name, null, problem, "raise -Xmx, or split it")
     }
 
@@ -154,7 +163,10 @@ internal object SceneReading {
         val known = SceneFormat.entries.flatMap { it.extensions }.joinToString { ".$it" }
         val format =
             FormatSniffer.format(source.bytes) ?: source.fail(null, "is of no known format", "known are $known")
-        if (source.bytes.size > mostBytes(format)) throw tooLarge(source.name, source.bytes.size.toLong(), format)
+        val limits = source.loading.limits
+        if (source.bytes.size > mostBytes(format, limits)) {
+            throw tooLarge(source.name, source.bytes.size.toLong(), format, limits)
+        }
         return format
     }
 }

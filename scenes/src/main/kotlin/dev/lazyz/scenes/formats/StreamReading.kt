@@ -23,12 +23,12 @@ internal object StreamReading {
     fun open(path: Path, format: SceneFormat?, limits: LoadLimits, spool: Path): StreamedScene {
         val name = path.toString()
         SceneReading.requireFile(path, name)
-        return opened(name, format, limits) { StreamedInput.ofFile(path, name, spool) }
+        return opened(name, format, limits) { StreamedInput.ofFile(path, name, spool, limits.spoolBytes) }
     }
 
     /** Opens a stream of the given format. */
     fun open(input: InputStream, format: SceneFormat, name: String, limits: LoadLimits, spool: Path): StreamedScene =
-        opened(name, format, limits) { StreamedInput.ofStream(input, name, spool) }
+        opened(name, format, limits) { StreamedInput.ofStream(input, name, spool, limits.spoolBytes) }
 
     private fun opened(
         name: String,
@@ -41,13 +41,14 @@ internal object StreamReading {
             val head = input.head()
             val source = Source(head, name, null, Loading(LoadOptions(limits)))
             if (head.isEmpty()) source.fail(null, "is empty", "check that it was written completely")
-            val mesh = when (format ?: FormatSniffer.format(head, input.file.size)) {
+            val triangles = when (format ?: FormatSniffer.format(head, input.file.size)) {
                 SceneFormat.STL -> StlStreaming.open(source, input)
-                SceneFormat.OBJ -> ObjStreaming.open(source, input)
                 SceneFormat.PLY -> PlyStreaming.open(source, input)
-                else -> source.fail(null, "cannot be read part by part: only STL, OBJ and PLY can", "read it whole")
+                SceneFormat.OBJ -> ObjStreaming.open(source, input)
+                else -> source.fail(null, "cannot be read part by part: only STL, PLY and OBJ can", "read it whole")
             }
-            StreamedScene(LoadedScene(Scene(listOf(StreamedMesh(mesh))), source.warnings.toList()), input)
+            val mesh = StreamedMesh(triangles)
+            StreamedScene(LoadedScene(Scene(listOf(mesh)), source.warnings.toList()), input)
         } catch (e: Throwable) {
             input.close()
             throw e

@@ -40,7 +40,7 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     fun vertices(source: Source, count: Long): Unit = vertices(source, count, VERTEX_BYTES)
 
     /** Adds [count] vertices that are not kept in memory; fails if [source] then exceeds a limit. */
-    fun spooled(source: Source, count: Long): Unit = vertices(source, count, 0)
+    fun streamedVertices(source: Source, count: Long): Unit = vertices(source, count, 0)
 
     private fun vertices(source: Source, count: Long, bytes: Long) {
         used = used.copy(vertices = used.vertices + count)
@@ -73,7 +73,7 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     /** Adds decoded [bytes]; fails if [source] then exceeds a limit. Call it before allocating memory for them. */
     fun decode(source: Source, bytes: Long) {
         used = used.copy(decoded = used.decoded + bytes)
-        val most = limits.decodedBytes ?: LoadLimits.defaultDecodedBytes(read)
+        val most = limits.decodedBytes ?: LoadLimits.defaultDecodedBytes(read, limits.usableMemory)
         check(source, used.decoded, most, "bytes of decoded data", "decodedBytes", "--max-decoded")
         if (Thread.currentThread().isInterrupted) source.fail(null, "is not read further: the thread is interrupted")
         val time = limits.time ?: return
@@ -89,7 +89,7 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     fun smoothed(source: Source, mesh: Mesh, creaseAngle: Double): Mesh {
         if (mesh.normals != null || !options.smoothNormals) return mesh
         val need = LoadingMemory.normals(mesh.triangleCount.toLong(), mesh.vertexCount.toLong())
-        val most = Runtime.getRuntime().maxMemory()
+        val most = limits.usableMemory
         if (need > most) {
             val problem = "has too many triangles for the memory: their normals need $need bytes, Java may use $most"
             source.fail(null, problem, "raise -Xmx, or LoadOptions(smoothNormals = false)")

@@ -53,7 +53,7 @@ internal class Source(
         content = TextEncoding.utf8(bytes)
     }
 
-    /** Fails if the text has a byte order mark, for files that are not decoded as a whole. */
+    /** Fails if the text has a byte order mark, for readers that do not have all of the text. */
     fun requireNoMark() {
         if (TextEncoding.hasMark(bytes)) {
             fail(null, "begins with a byte order mark", "save it as plain ASCII to stream it")

@@ -1,60 +1,57 @@
 package dev.lazyz.scenes.meshes
 
+import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source
 
 /**
- * Cuts polygons into triangles, and leaves out those with missing vertices. Not thread safe.
+ * Triangulates polygons, and leaves out those whose vertices are missing. Not thread safe.
  *
- * @param vertexCount number of vertices that exist
- * @param coordinate returns a coordinate of a vertex
+ * @param vertexCount number of vertices that are there
+ * @param positions the positions of the vertices
  */
 internal class PolygonCutting(
     private val source: Source,
     private val vertexCount: Int,
-    private val coordinate: (vertex: Int, axis: Int) -> Float,
+    private val positions: VertexPositions,
 ) {
-    private val warnings = ArrayList<String>()
     private var withoutVertices = 0
 
-    /**
-     * Calls [use] for each corner of the triangles of polygon [number] of [polygons], with its number among the corners
-     * of all polygons.
-     */
-    inline fun cut(polygons: Polygons, number: Int, use: (corner: Int) -> Unit) {
-        val start = polygons.start(number)
-        val end = polygons.end(number)
-        if (!haveVertices(polygons, start, end)) return
-        if (end - start == 3) {
-            for (corner in start until end) use(corner)
+    /** Adds the corners of the triangles of [polygon] to [corners], as numbers among the corners of all [polygons]. */
+    fun cut(polygons: Polygons, polygon: Int, corners: Ints) {
+        val start = polygons.start(polygon)
+        val count = polygons.end(polygon) - start
+        if (!haveVertices(polygons, start, count)) {
+            withoutVertices++
+        } else if (count == 3) {
+            corners.add(start, start + 1, start + 2)
         } else {
-            for (corner in cornersOf(polygons, start, end - start)) use(start + corner)
+            val local = Triangulation.triangles(
+                DoubleArray(3 * count) { positions.get(polygons.vertex(start + it / 3), it % 3).toDouble() },
+            )
+            if (local == null) {
+                val most = Triangulation.MAX_CONCAVE_CORNERS
+                source.warn("a concave face of $count corners, more than $most, is left out")
+            } else {
+                for (corner in local) corners.add(start + corner)
+            }
         }
     }
 
-    /** Reports the polygons that were left out. */
+    private fun haveVertices(polygons: Polygons, start: Int, count: Int): Boolean {
+        for (corner in start until start + count) if (polygons.vertex(corner) >= vertexCount) return false
+        return true
+    }
+
+    /** Reports the polygons without vertices. */
     fun warn() {
-        for (warning in warnings) source.warn(warning)
         if (withoutVertices > 0) {
             source.warn("$withoutVertices faces are left out, because some of their vertices are missing")
         }
     }
+}
 
-    fun haveVertices(polygons: Polygons, from: Int, until: Int): Boolean {
-        for (corner in from until until) {
-            if (polygons.vertex(corner) < vertexCount) continue
-            withoutVertices++
-            return false
-        }
-        return true
-    }
-
-    fun cornersOf(polygons: Polygons, start: Int, count: Int): IntArray {
-        val local = Triangulation.triangles(
-            DoubleArray(3 * count) { coordinate(polygons.vertex(start + it / 3), it % 3).toDouble() },
-        )
-        if (local != null) return local
-        val most = Triangulation.MAX_CONCAVE_CORNERS
-        warnings += "a concave face of $count corners, more than $most, is left out"
-        return IntArray(0)
-    }
+/** Positions by number. */
+internal fun interface VertexPositions {
+    /** Returns coordinate [axis], 0..2, of [vertex]. */
+    fun get(vertex: Int, axis: Int): Float
 }

@@ -58,7 +58,7 @@ internal class PolygonMesh(
     private fun cut() {
         val cutting = PolygonCutting(source, vertices.count) { vertex, axis -> vertices.positions[3 * vertex + axis] }
         for (polygon in 0 until polygons.count) {
-            cutting.cut(polygons, polygon) { corner -> corners.add(corner) }
+            cutting.cut(polygons, polygon, corners)
             while (3 * polygonOf.size < corners.size) polygonOf.add(polygon)
         }
         cutting.warn()

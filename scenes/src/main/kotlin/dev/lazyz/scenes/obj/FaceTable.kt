@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.obj
 
 import dev.lazyz.scenes.collections.Ints
+import dev.lazyz.scenes.loading.Source
 
 /**
  * The properties that a group of faces has in common.
@@ -44,11 +45,6 @@ internal class FaceTable {
         partOfFace.add(part)
     }
 
-    /** Removes all faces. Parts keep their numbers. */
-    fun clear() {
-        for (numbers in listOf(starts, lines, partOfFace, positions, textures, normals)) numbers.clear()
-    }
-
     fun addCorner(position: Int, texture: Int, normal: Int) {
         positions.add(position)
         textures.add(texture)
@@ -65,4 +61,18 @@ internal class FaceTable {
     fun part(face: Int): Int = partOfFace[face]
 
     fun line(face: Int): Int = lines[face]
+
+    /** Fails if a corner refers to a vertex that is not one of the [count] vertices of the file. */
+    fun requirePositions(source: Source, count: Int) {
+        if (positions.areBelow(count)) return
+        val corner = (0 until positions.size).first { positions[it] >= count }
+        val face = (0 until size).first { corner < end(it) }
+        val problem = "the face refers to number ${positions[corner] + 1} of $count vertices"
+        source.fail("line ${line(face)}", problem, ObjModel.REFERENCE_REMEDY)
+    }
+
+    /** Removes all faces. The parts stay. */
+    fun clear() {
+        for (numbers in listOf(starts, lines, partOfFace, positions, textures, normals)) numbers.clear()
+    }
 }

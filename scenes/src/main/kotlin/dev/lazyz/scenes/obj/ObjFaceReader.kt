@@ -10,7 +10,8 @@ import dev.lazyz.scenes.text.TextLines
 internal class ObjFaceReader(
     private val source: Source,
     private val statements: Statements,
-    private val model: ObjModel,
+    private val counts: ObjCounts,
+    private val faces: FaceTable,
 ) {
     /** Number of the part to which the next faces belong. */
     var part = 0
@@ -26,8 +27,8 @@ internal class ObjFaceReader(
         statements.nextWord()
         val count = readPlainCorners()
         if (count >= 3) {
-            model.faces.begin(part, statements.number)
-            for (i in 0 until 3 * count step 3) model.faces.addCorner(numbers[i], numbers[i + 1], numbers[i + 2])
+            faces.begin(part, statements.number)
+            for (i in 0 until 3 * count step 3) faces.addCorner(numbers[i], numbers[i + 1], numbers[i + 2])
         } else {
             statements.restart()
             readAny()
@@ -82,7 +83,7 @@ internal class ObjFaceReader(
             source.warn("line ${statements.number}: a face of $count corners is left out")
             return
         }
-        model.faces.begin(part, statements.number)
+        faces.begin(part, statements.number)
         statements.restart()
         while (statements.nextWord()) corner()
     }
@@ -107,10 +108,10 @@ internal class ObjFaceReader(
         val second = slash(first + 1)
         val third = slash(second + 1)
         if (third < statements.wordEnd) fail("\"${statements.word()}\" is more than three numbers")
-        model.faces.addCorner(
+        faces.addCorner(
             position(statements.wordStart, first),
-            if (hasTextures) number(first + 1, second, model.textureCount) else -1,
-            if (hasNormals) number(second + 1, third, model.normalCount) else -1,
+            if (hasTextures) number(first + 1, second, counts.textureCount) else -1,
+            if (hasNormals) number(second + 1, third, counts.normalCount) else -1,
         )
     }
 
@@ -125,7 +126,7 @@ internal class ObjFaceReader(
     }
 
     private fun position(from: Int, until: Int, what: String = "face"): Int {
-        val count = model.vertexCount
+        val count = counts.vertexCount
         val number = number(from, until, count)
         if (number != ObjModel.NOWHERE) return number
         val word = statements.decoded(from, until)

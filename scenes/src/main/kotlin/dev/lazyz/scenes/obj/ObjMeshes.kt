@@ -31,6 +31,8 @@ internal class ObjMeshes(
     private val positions = model.positions.toArray()
     private val textures = model.textures.toArray()
     private val normals = model.normals.toArray()
+    private val cutting = FaceCutting(source, faces) { vertex, axis -> positions[3 * vertex + axis] }
+    private val corners = Ints()
 
     fun build(): List<Mesh> = batchesByObject().flatMap { batches ->
         batches.flatMap(::meshes).sortedBy { it.firstFace }.map { it.mesh }
@@ -126,17 +128,9 @@ internal class ObjMeshes(
     }
 
     private fun addTriangles(face: Int, vertices: CornerVertices, triangles: Ints) {
-        val start = faces.start(face)
-        if (faces.end(face) - start == 3) {
-            for (corner in start until start + 3) triangles.add(vertex(corner, vertices))
-            return
-        }
-        val corners = ObjTriangles.of(faces, face) { position, axis -> positions[3 * position + axis] }
-        if (corners == null) {
-            source.warn(ObjTriangles.tooConcave(faces, face))
-        } else {
-            for (corner in corners) triangles.add(vertex(corner, vertices))
-        }
+        corners.clear()
+        cutting.cut(face, corners)
+        for (i in 0 until corners.size) triangles.add(vertex(corners[i], vertices))
     }
 
     private fun vertex(corner: Int, vertices: CornerVertices): Int =

@@ -6,7 +6,9 @@ import dev.lazyz.scenes.loading.Source
 import org.joml.Vector3dc
 
 /** The content of an OBJ file, as plain arrays. */
-internal class ObjModel(private val source: Source, val origin: Vector3dc) {
+internal class ObjModel(private val source: Source, val origin: Vector3dc) :
+    ObjVertexSink,
+    ObjCounts {
     /** x, y, z of each `v`, relative to [origin]. */
     val positions = Floats()
 
@@ -19,51 +21,41 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) {
     /** x, y, z of each `vn`. */
     val normals = Floats()
 
+    override val vertexCount: Int get() = positions.size / 3
+    override val textureCount: Int get() = textures.size / 2
+    override val normalCount: Int get() = normals.size / 3
+
     val faces = FaceTable()
 
     val points = ObjPoints()
 
-    /** Returns red, green, blue, alpha of all vertices. */
-    fun colors(): FloatArray = FloatArray(4 * (positions.size / 3)) { color(it / 4, it % 4) }
-
-    /** Returns a channel of the colour of a vertex; white after the last one that has a colour. */
-    private fun color(vertex: Int, channel: Int): Float {
-        val at = 3 * vertex + channel
-        return if (channel < 3 && at < colors.size) colors[at] else 1f
-    }
-
-    /** What was removed by [clear]. */
-    private var earlierVertices = 0
-    private var earlierTextures = 0
-    private var earlierNormals = 0
-
-    /** Number of `v` so far. */
-    val vertexCount: Int get() = earlierVertices + positions.size / 3
-
-    /** Number of `vt` so far. */
-    val textureCount: Int get() = earlierTextures + textures.size / 2
-
-    /** Number of `vn` so far. */
-    val normalCount: Int get() = earlierNormals + normals.size / 3
-
-    /** Number of numbers in the lists. */
-    val pending: Int get() = positions.size + textures.size + normals.size + faces.positions.size + points.size
-
-    /** Removes vertices, texture coordinates, normals, faces, points and lines, and keeps their counts. */
-    fun clear() {
-        earlierVertices = vertexCount
-        earlierTextures = textureCount
-        earlierNormals = normalCount
-        positions.clear()
-        colors.clear()
-        textures.clear()
-        normals.clear()
-        faces.clear()
-        points.clear()
-    }
-
     /** The arguments of the `mtllib` statements, in order. */
     val libraries = ArrayList<String>()
+
+    override fun vertex(x: Float, y: Float, z: Float) {
+        positions.add(x)
+        positions.add(y)
+        positions.add(z)
+    }
+
+    override fun color(red: Float, green: Float, blue: Float) {
+        // Vertices before the first coloured one are white
+        while (colors.size < positions.size - 3) colors.add(1f)
+        colors.add(red)
+        colors.add(green)
+        colors.add(blue)
+    }
+
+    override fun texture(u: Float, v: Float) {
+        textures.add(u)
+        textures.add(v)
+    }
+
+    override fun normal(x: Float, y: Float, z: Float) {
+        normals.add(x)
+        normals.add(y)
+        normals.add(z)
+    }
 
     /**
      * Returns red, green, blue, alpha of [count] vertices, or null if the file has no colours. [positionOf] returns the
@@ -71,7 +63,10 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) {
      */
     fun colors(count: Int, positionOf: (Int) -> Int): FloatArray? {
         if (colors.size == 0) return null
-        return FloatArray(4 * count) { color(positionOf(it / 4), it % 4) }
+        return FloatArray(4 * count) {
+            val at = 3 * positionOf(it / 4) + it % 4
+            if (it % 4 < 3 && at < colors.size) colors[at] else 1f
+        }
     }
 
     /**
@@ -79,21 +74,10 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) {
      * texture coordinates or normals are removed from the face, with a warning.
      */
     fun checkReferences() {
-        val count = positions.size / 3
-        points.check(source, count)
-        if (!faces.positions.areBelow(count)) {
-            val corner = (0 until faces.positions.size).first { faces.positions[it] >= count }
-            val face = (0 until faces.size).first { corner < faces.end(it) }
-            failAt(face, faces.positions[corner], count)
-        }
-        drop(faces.textures, textures.size / 2, "texture coordinates")
-        drop(faces.normals, normals.size / 3, "normals")
-    }
-
-    /** Fails because [face] refers to [vertex], which is not one of the [count] vertices. */
-    fun failAt(face: Int, vertex: Int, count: Int): Nothing {
-        val problem = "the face refers to number ${vertex + 1} of $count vertices"
-        source.fail("line ${faces.line(face)}", problem, REFERENCE_REMEDY)
+        points.check(source, vertexCount)
+        faces.requirePositions(source, vertexCount)
+        drop(faces.textures, textureCount, "texture coordinates")
+        drop(faces.normals, normalCount, "normals")
     }
 
     private fun drop(numbers: Ints, count: Int, what: String) {
@@ -115,4 +99,11 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) {
         /** A number that no element has: a reference to it is always invalid. */
         const val NOWHERE = Int.MAX_VALUE
     }
+}
+
+/** The numbers of elements of an OBJ file so far. */
+internal interface ObjCounts {
+    val vertexCount: Int
+    val textureCount: Int
+    val normalCount: Int
 }

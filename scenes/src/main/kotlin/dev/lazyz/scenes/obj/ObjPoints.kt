@@ -24,21 +24,9 @@ internal class ObjPoints {
 
     val isEmpty: Boolean get() = points.isEmpty() && segments.isEmpty()
 
-    /** Number of vertex numbers of all points and segments. */
-    var size = 0
-        private set
-
-    /** Removes all points and lines. */
-    fun clear() {
-        points.clear()
-        segments.clear()
-        size = 0
-    }
-
     /** Adds the point, or the segment between two vertices, given by [ends]. [line] is its line in the file. */
     fun add(material: String?, line: Int, vararg ends: Int) {
         val numbers = (if (ends.size == 1) points else segments).getOrPut(material) { Numbers() }
-        size += ends.size
         for (end in ends) {
             numbers.vertices.add(end)
             numbers.lines.add(line)

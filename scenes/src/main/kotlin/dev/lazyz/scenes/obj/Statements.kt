@@ -5,20 +5,24 @@ import dev.lazyz.scenes.text.TextLines
 import java.io.ByteArrayOutputStream
 import java.nio.ByteBuffer
 import java.nio.CharBuffer
+import java.nio.charset.Charset
 
 /**
  * The statements of an OBJ or MTL text, and their words.
  *
  * A line that ends with a backslash is joined with the next one. White space around a statement is removed. Empty lines
  * and comment lines are skipped. The text must not have a byte order mark. Names are UTF-8, or ISO 8859-1 if the text
- * is not valid UTF-8. Not thread safe.
+ * is not valid UTF-8; if the text is not in memory, this is decided for each word. Not thread safe.
  *
- * @param text the text; if not all of it is in memory, that part determines how names are decoded
+ * @param window the text, or its beginning; holds at least the current line, and changes with the line
  */
-internal class Statements(private val text: ByteWindow) {
+internal class Statements(private val window: ByteWindow) {
+    /** The statements of all of [text]. */
     constructor(text: ByteArray) : this(ByteWindow(text))
 
-    private val charset by lazy { if (isUtf8(text.bytes)) Charsets.UTF_8 else Charsets.ISO_8859_1 }
+    private val text: ByteArray get() = window.bytes
+    private val charset by lazy { charset(text) }
+    private var position = 0
     private var lines = 0
 
     /** The first line of the statement that was read last, counted from 1. */
@@ -26,7 +30,7 @@ internal class Statements(private val text: ByteWindow) {
         private set
 
     /** The bytes that contain the statement's words: the text, or a copy of several joined lines. */
-    var bytes: ByteArray = text.bytes
+    var bytes: ByteArray = window.bytes
         private set
     private var start = 0
     private var end = 0
@@ -46,9 +50,10 @@ internal class Statements(private val text: ByteWindow) {
     /** Moves to the next statement, before its first word. Returns false after the last one. */
     fun next(): Boolean {
         do {
+            if (!hasMore()) return false
             mayHaveComment = false
-            if (!readLine()) return false
-            bytes = text.bytes
+            readLine()
+            bytes = text
             number = lines
             if (start < end && bytes[end - 1] == BACKSLASH) join()
         } while (start == end || bytes[start] == HASH)
@@ -109,7 +114,10 @@ internal class Statements(private val text: ByteWindow) {
     fun word(): String = decoded(wordStart, wordEnd)
 
     /** Returns the text of [bytes] from [from] to [until] (exclusive), with tabs replaced by spaces. */
-    fun decoded(from: Int, until: Int): String = String(bytes, from, until - from, charset).replace('\t', ' ')
+    fun decoded(from: Int, until: Int): String {
+        val used = if (window.isPart) charset(bytes.copyOfRange(from, until)) else charset
+        return String(bytes, from, until - from, used).replace('\t', ' ')
+    }
 
     /** Returns the end of the statement in [bytes], without a trailing comment. */
     fun contentEnd(): Int {
@@ -122,45 +130,55 @@ internal class Statements(private val text: ByteWindow) {
 
     private fun isComment(at: Int): Boolean = bytes[at] == HASH && (at == start || bytes[at - 1] != POINT)
 
-    /** Finds the next line of the text, without the white space around it. Returns false after the last line. */
-    private fun readLine(): Boolean {
-        var after = text.position
+    /** Whether the text goes on at [position]. */
+    private fun hasMore(): Boolean {
+        if (position < window.size) return true
+        if (window.isAtEnd) return false
+        window.readMore(position)
+        position = 0
+        return window.size > 0
+    }
+
+    /** Finds the next line of the text, without the white space around it. */
+    private fun readLine() {
+        var after = position
         while (true) {
-            val bytes = text.bytes
-            val size = text.size
+            val text = text
+            val size = window.size
             while (after < size) {
-                val byte = bytes[after]
+                val byte = text[after]
                 if (byte == LINE_FEED || byte == CARRIAGE_RETURN) break
                 if (byte == HASH) mayHaveComment = true
                 after++
             }
 
             // A carriage return at the end can be half of a line's end
-            val isComplete = after < size && (bytes[after] == LINE_FEED || after + 1 < size)
-            if (isComplete || text.isAtEnd) break
-            after -= text.position
-            text.more()
+            val isComplete = after < size && (text[after] == LINE_FEED || after + 1 < size)
+            if (isComplete || window.isAtEnd) break
+            if (size - position >= TextLines.LONGEST) throw TextLines.tooLong(lines + 1)
+            after -= position
+            window.readMore(position)
+            position = 0
         }
-        val bytes = text.bytes
-        val size = text.size
-        if (text.position >= size) return false
-        start = text.position
+        start = position
         end = after
-        trim(bytes)
-        val isPair = after + 1 < size && bytes[after] == CARRIAGE_RETURN && bytes[after + 1] == LINE_FEED
-        text.position = minOf(after + (if (isPair) 2 else 1), size)
+        trim(text)
+        val isPair = after + 1 < window.size && text[after] == CARRIAGE_RETURN && text[after + 1] == LINE_FEED
+        position = minOf(after + (if (isPair) 2 else 1), window.size)
         lines++
-        return true
     }
 
     /** Joins the line with the next one, separated by a space, for as long as lines end with a backslash. */
     private fun join() {
         val joined = ByteArrayOutputStream()
-        while (true) {
-            val isOpen = start < end && text.bytes[end - 1] == BACKSLASH
-            joined.write(text.bytes, start, end - start - (if (isOpen) 1 else 0))
-            if (!isOpen || !readLine()) break
+        var isOpen = true
+        while (isOpen) {
+            isOpen = start < end && text[end - 1] == BACKSLASH
+            joined.write(text, start, end - start - (if (isOpen) 1 else 0))
+            if (!isOpen || !hasMore()) break
+            if (window.isPart && joined.size() >= TextLines.LONGEST) throw TextLines.tooLong(number)
             joined.write(SPACE.toInt())
+            readLine()
         }
         bytes = joined.toByteArray()
         start = 0
@@ -184,6 +202,8 @@ internal class Statements(private val text: ByteWindow) {
 
         /** Whether [byte] is a space or a control character. */
         fun isBlank(byte: Byte) = byte in 0..SPACE
+
+        fun charset(bytes: ByteArray): Charset = if (isUtf8(bytes)) Charsets.UTF_8 else Charsets.ISO_8859_1
 
         fun isUtf8(bytes: ByteArray): Boolean {
             val decoder = Charsets.UTF_8.newDecoder()

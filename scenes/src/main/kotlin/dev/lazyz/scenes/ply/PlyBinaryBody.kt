@@ -5,49 +5,39 @@ import dev.lazyz.scenes.text.ByteWindow
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
-/**
- * A body in one of the binary forms: numbers without separators.
- *
- * @param window the bytes of the body
- * @param size size of the file, in bytes
- */
+/** A body in one of the binary forms: numbers without separators. */
 internal class PlyBinaryBody(
     source: Source,
     header: PlyHeader,
-    private val order: ByteOrder,
     private val window: ByteWindow,
-    private val size: Long,
+    size: Long,
+    private val order: ByteOrder,
 ) : PlyBody(source, header) {
     private var buffer = ByteBuffer.wrap(window.bytes).order(order)
 
-    /** Index of the next number in the bytes that are in memory. */
-    val position: Int get() = window.position
+    /** Position where the file ends, in bytes from the start of the file. */
+    private var end = size
 
-    override val location get() = "byte ${window.offset}"
+    /** Index of the next number in [window]. */
+    var at = (header.bodyPosition - window.passed).toInt()
+        private set
+
+    /** Position of the next number, in bytes from the start of the file. */
+    private val position: Long get() = window.passed + at
+
+    override val location get() = "byte $position"
 
     override fun room(element: PlyElement): Int =
-        minOf(element.count.toLong(), left / element.properties.sumOf { it.leastSize.toLong() }).toInt()
-
-    /** Number of bytes that follow. */
-    private val left: Long get() = size - window.offset
-
-    /** Whether the file has [count] more bytes. If so, they are in memory. */
-    private fun has(count: Long): Boolean {
-        if (window.size - window.position >= count) return true
-        if (count > left) return false
-        val isThere = window.has(count)
-        buffer = ByteBuffer.wrap(window.bytes).order(order)
-        return isThere
-    }
+        minOf(element.count.toLong(), (end - position) / element.properties.sumOf { it.leastSize.toLong() }).toInt()
 
     override fun read(row: PlyRow): Boolean {
         for ((column, property) in row.properties.withIndex()) {
-            if (!has(property.leastSize.toLong())) return cutOff()
+            if (!has(property.leastSize)) return cutOff()
             if (property.countType == null) {
                 row.numbers[column] = next(property.type)
             } else {
                 val count = listLength(property, next(property.countType))
-                if (!has(count.toLong() * property.type.size)) return cutOff()
+                if (!hasList(property, count)) return cutOff()
                 val list = row.lists[column]
                 list.resize(count)
                 for (i in 0 until count) list.numbers[i] = next(property.type)
@@ -59,7 +49,28 @@ internal class PlyBinaryBody(
     override fun cornerRoom(element: PlyElement): Int {
         val list = element.properties.singleOrNull { it.countType != null } ?: return 0
         val triangle = element.properties.sumOf { it.leastSize.toLong() } + 3 * list.type.size
-        return 3 * minOf(element.count.toLong(), left / triangle).toInt()
+        return 3 * minOf(element.count.toLong(), (end - position) / triangle).toInt()
+    }
+
+    /** Whether there are [count] more bytes; they are then in memory. */
+    private fun has(count: Int): Boolean = window.size - at >= count || (end - position >= count && fetched(count))
+
+    private fun fetched(count: Int): Boolean {
+        if (window.isAtEnd) return false
+        window.readMore(at, count)
+        at = 0
+        buffer = ByteBuffer.wrap(window.bytes).order(order)
+        return window.size >= count
+    }
+
+    /** Whether the [count] numbers of a list are there; they are then in memory. */
+    private fun hasList(list: PlyProperty, count: Int): Boolean {
+        if (count > (end - position) / list.type.size) return false
+        val bytes = count.toLong() * list.type.size
+        if (window.isPart && bytes > LONGEST_LIST) {
+            source.fail(location, "list ${list.name} has $count numbers, too many to be read part by part", "split it")
+        }
+        return has(bytes.toInt())
     }
 
     /** Whether each row of [element] is just one list of 32-bit integers, which [readLists] can read. */
@@ -67,15 +78,15 @@ internal class PlyBinaryBody(
         element.properties.size == 1 && element.hasLists && element.properties[0].type == PlyType.INT
 
     /**
-     * A fast path for [readRows] that reads lists. Calls [use] for each list, with the index of its first number
-     * in the bytes that are in memory and the count of its numbers.
+     * A fast path for [readRows] that reads lists. Calls [use] for each list, with the index of its first number, and
+     * the count of its numbers.
      */
     inline fun readLists(element: PlyElement, use: (Int, Int) -> Unit) {
         var rows = 0
         while (rows < element.count) {
             val count = nextList(element.properties[0])
             if (count < 0) break
-            use(position - Int.SIZE_BYTES * count, count)
+            use(at - Int.SIZE_BYTES * count, count)
             rows++
         }
         note(element, rows)
@@ -83,73 +94,68 @@ internal class PlyBinaryBody(
 
     /** Moves past the current list and returns its length, or -1 if the file ends within it. */
     fun nextList(list: PlyProperty): Int {
-        if (!has(list.leastSize.toLong())) return -1.also { cutOff() }
+        if (!has(list.leastSize)) return -1.also { cutOff() }
         val count = listLength(list, next(checkNotNull(list.countType)))
-        if (!has(Int.SIZE_BYTES * count.toLong())) return -1.also { cutOff() }
-        window.position += Int.SIZE_BYTES * count
+        if (!hasList(list, count)) return -1.also { cutOff() }
+        at += Int.SIZE_BYTES * count
         return count
     }
 
-    /** Returns the number of type [PlyType.INT] at byte [at]. */
-    fun int(at: Int): Int = buffer.getInt(at)
+    /** Returns the number of type [PlyType.INT] at [index]. */
+    fun int(index: Int): Int = buffer.getInt(index)
 
     /**
      * A fast path for [readRows] that reads rows without lists, which all have the same size. Calls [use] for each row
-     * that is present, with its number and its index in the bytes that are in memory. Returns the number of rows.
+     * that is present, with its index. Returns the number of rows.
      */
-    inline fun eachRow(element: PlyElement, use: (Int, Int) -> Unit): Int {
+    inline fun eachRow(element: PlyElement, use: (Int) -> Unit): Int {
         val size = element.properties.sumOf { it.type.size }
-        val count = room(element)
-        var row = 0
-        while (row < count) {
-            val ready = minOf(count - row, rowsReady(size))
-            val start = position
-            for (i in 0 until ready) use(row + i, start + i * size)
-            endRows(ready * size)
-            row += ready
+        var count = 0
+        while (count < element.count && nextRow(size)) {
+            use(at - size)
+            count++
         }
-        endElement(element, count)
+        note(element, count)
         return count
     }
 
-    /** Returns the number of rows of [size] bytes that are in memory. It is at least one: there must be one. */
-    fun rowsReady(size: Int): Int {
-        if (!has(size.toLong())) source.fail(location, "the file has become shorter while it was read", "read it again")
-        return (window.size - window.position) / size
+    /** Moves past a row of [size] bytes; returns false if the file ends within it. */
+    fun nextRow(size: Int): Boolean {
+        if (!has(size)) return cutOff()
+        at += size
+        return true
     }
 
-    fun endRows(bytes: Int) {
-        window.position += bytes
-    }
+    /** Returns the number of type [PlyType.FLOAT] at [index]. */
+    fun float(index: Int): Float = buffer.getFloat(index)
 
-    fun endElement(element: PlyElement, count: Int) {
-        note(element, count)
-        if (count < element.count) window.end()
-    }
+    /** Returns the number of type [PlyType.UCHAR] at [index]. */
+    fun code(index: Int): Int = buffer.get(index).toInt() and 0xFF
 
-    /** Returns the number of type [PlyType.FLOAT] at byte [at]. */
-    fun float(at: Int): Float = buffer.getFloat(at)
-
-    /** Returns the number of type [PlyType.UCHAR] at byte [at]. */
-    fun code(at: Int): Int = buffer.get(at).toInt() and 0xFF
-
+    /** Ends the body here: what follows does not count. */
     private fun cutOff(): Boolean {
-        window.end()
+        at = window.size
+        end = position
         return false
     }
 
     private fun next(type: PlyType): Double {
-        val at = window.position
-        window.position = at + type.size
+        val index = at
+        at += type.size
         return when (type) {
-            PlyType.CHAR -> buffer.get(at).toDouble()
-            PlyType.UCHAR -> (buffer.get(at).toInt() and 0xFF).toDouble()
-            PlyType.SHORT -> buffer.getShort(at).toDouble()
-            PlyType.USHORT -> (buffer.getShort(at).toInt() and 0xFFFF).toDouble()
-            PlyType.INT -> buffer.getInt(at).toDouble()
-            PlyType.UINT -> (buffer.getInt(at).toLong() and 0xFFFFFFFFL).toDouble()
-            PlyType.FLOAT -> buffer.getFloat(at).toDouble()
-            PlyType.DOUBLE -> buffer.getDouble(at)
+            PlyType.CHAR -> buffer.get(index).toDouble()
+            PlyType.UCHAR -> (buffer.get(index).toInt() and 0xFF).toDouble()
+            PlyType.SHORT -> buffer.getShort(index).toDouble()
+            PlyType.USHORT -> (buffer.getShort(index).toInt() and 0xFFFF).toDouble()
+            PlyType.INT -> buffer.getInt(index).toDouble()
+            PlyType.UINT -> (buffer.getInt(index).toLong() and 0xFFFFFFFFL).toDouble()
+            PlyType.FLOAT -> buffer.getFloat(index).toDouble()
+            PlyType.DOUBLE -> buffer.getDouble(index)
         }
+    }
+
+    private companion object {
+        /** Most bytes of a list in a file that is not in memory. */
+        const val LONGEST_LIST = 1 shl 25
     }
 }

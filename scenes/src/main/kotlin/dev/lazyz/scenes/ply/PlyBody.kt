@@ -2,8 +2,6 @@ package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.text.ByteWindow
-import dev.lazyz.scenes.text.TextLines
-import java.io.InputStream
 import java.nio.ByteOrder
 import kotlin.math.round
 
@@ -80,33 +78,18 @@ internal abstract class PlyBody(protected val source: Source, private val header
     }
 
     companion object {
-        /** Returns the body of a file that is in memory. */
-        fun of(source: Source, header: PlyHeader): PlyBody =
-            of(source, header, source.bytes, header.bodyPosition, null, 0, source.bytes.size.toLong())
-
-        /** Returns the body of a file of [size] bytes that is read from [input], from its first byte on. */
-        fun of(source: Source, header: PlyHeader, input: InputStream, size: Long): PlyBody {
-            input.skipNBytes(header.bodyPosition.toLong())
-            return of(source, header, ByteArray(0), 0, input, header.bodyPosition.toLong(), size)
-        }
-
-        private fun of(
+        /**
+         * Returns the body in the form that [header] specifies, in a file of [size] bytes. The body begins in [window].
+         */
+        fun of(
             source: Source,
             header: PlyHeader,
-            bytes: ByteArray,
-            position: Int,
-            rest: InputStream?,
-            dropped: Long,
-            size: Long,
-        ): PlyBody {
-            fun binary(order: ByteOrder) =
-                PlyBinaryBody(source, header, order, ByteWindow(bytes, position, rest, dropped), size)
-            return when (header.format) {
-                PlyFormat.ASCII ->
-                    PlyTextBody(source, header, TextLines(bytes, position, header.bodyLine, rest, dropped), size)
-                PlyFormat.LITTLE_ENDIAN -> binary(ByteOrder.LITTLE_ENDIAN)
-                PlyFormat.BIG_ENDIAN -> binary(ByteOrder.BIG_ENDIAN)
-            }
+            window: ByteWindow = ByteWindow(source.bytes),
+            size: Long = source.bytes.size.toLong(),
+        ): PlyBody = when (header.format) {
+            PlyFormat.ASCII -> PlyTextBody(source, header, window, size)
+            PlyFormat.LITTLE_ENDIAN -> PlyBinaryBody(source, header, window, size, ByteOrder.LITTLE_ENDIAN)
+            PlyFormat.BIG_ENDIAN -> PlyBinaryBody(source, header, window, size, ByteOrder.BIG_ENDIAN)
         }
     }
 }

@@ -5,17 +5,18 @@ import dev.lazyz.scenes.meshes.Polygons
 
 /**
  * Reads the faces of a file: polygons, and triangle strips, which are separated by -1. They are stored until the
- * vertices are known, because the vertices may follow them in the file. Not thread safe.
+ * vertices are known, because the vertices may follow them in the file, or passed on in blocks. Not thread safe.
  *
  * @param vertexCount number of vertices that the header declares
- * @param take takes some thousand polygons at a time, without texture coordinates; null to keep all of them
+ * @param use takes the polygons that were read, whenever there are some thousands; call [end] for the last ones. Null
+ *   to keep all polygons, with their texture coordinates
  */
 internal class PlyFaces(
     private val source: Source,
     private val vertexCount: Int,
-    private val take: ((Polygons) -> Unit)? = null,
+    private val use: ((Polygons) -> Unit)? = null,
 ) {
-    /** The polygons that are kept. */
+    /** The polygons so far that were not passed on. */
     var polygons = Polygons()
         private set
     private var tooSmall = 0
@@ -31,15 +32,14 @@ internal class PlyFaces(
     fun readFaces(element: PlyElement, body: PlyBody): Set<Int> {
         val column = indexColumn(element)
         val color = PlyColor.of(element)
-        val texture = if (take != null) null else element.column(listOf("texcoord"), isList = true)
+        val texture = if (use == null) element.column(listOf("texcoord"), isList = true) else null
         val textureNumber = texture?.let { element.column(listOf("texnumber")) }
-        if (take == null) polygons.expect(body.cornerRoom(element))
+        expect(element, body)
         if (body is PlyBinaryBody && body.areLists(element)) {
             body.readLists(element) { at, count ->
                 face(body, at, count)
-                if (isFull()) handOn()
+                passOn()
             }
-            handOn()
             return setOf(column)
         }
         body.readRows(element) { _, row ->
@@ -65,23 +65,29 @@ internal class PlyFaces(
                 } else if (texture != null && row.lists[texture].size > 0) {
                     wrongTexture++
                 }
+                passOn()
             }
-            if (isFull()) handOn()
         }
-        handOn()
         return setOf(column) + (color?.columns ?: emptyList()) + listOfNotNull(texture, textureNumber)
     }
 
-    private fun isFull(): Boolean = take != null && polygons.cornerCount >= TAKEN
+    /** Reserves memory for the rows of [element]. */
+    private fun expect(element: PlyElement, body: PlyBody) {
+        val room = body.cornerRoom(element)
+        polygons.expect(if (use == null) room else minOf(room, BLOCK))
+    }
 
-    /** Passes on the polygons, unless they are kept. */
-    private fun handOn() {
-        if (take == null) return
-        take.invoke(polygons)
+    private fun passOn() {
+        if (use != null && polygons.cornerCount >= BLOCK) end()
+    }
+
+    /** Passes on the polygons that were read and not passed on yet. */
+    fun end() {
+        checkNotNull(use)(polygons)
         polygons = Polygons()
     }
 
-    /** Adds a face of [count] corners, whose numbers begin at byte [at] of [body]. */
+    /** Adds a face of [count] corners, whose numbers begin at index [at] of [body]. */
     private fun face(body: PlyBinaryBody, at: Int, count: Int) {
         if (count == 3) {
             val size = Int.SIZE_BYTES
@@ -108,21 +114,17 @@ internal class PlyFaces(
     /** Reads all rows of element `tristrips`. Returns the numbers of the columns that were used. */
     fun readStrips(element: PlyElement, body: PlyBody): Set<Int> {
         val column = indexColumn(element)
-        if (take == null) polygons.expect(body.cornerRoom(element))
+        expect(element, body)
         if (body is PlyBinaryBody && body.areLists(element)) {
             body.readLists(element) { at, count ->
                 strip(IntArray(count) { body.int(at + Int.SIZE_BYTES * it) }, count, body)
-                if (isFull()) handOn()
             }
-            handOn()
             return setOf(column)
         }
         body.readRows(element) { _, row ->
             val list = row.lists[column]
             strip(IntArray(list.size) { cornerOfStrip(list.numbers[it], body) }, list.size, body)
-            if (isFull()) handOn()
         }
-        handOn()
         return setOf(column)
     }
 
@@ -143,6 +145,7 @@ internal class PlyFaces(
             if (a == b || b == c || a == c) continue
             val isTurned = (i - start) % 2 == 1
             polygons.addTriangle(if (isTurned) b else a, if (isTurned) a else b, c)
+            passOn()
         }
     }
 
@@ -164,7 +167,7 @@ internal class PlyFaces(
     private companion object {
         const val RESTART = -1
 
-        /** Corners that are passed on at a time. */
-        const val TAKEN = 1 shl 14
+        /** Corners of polygons that are passed on at a time. */
+        const val BLOCK = 1 shl 14
     }
 }

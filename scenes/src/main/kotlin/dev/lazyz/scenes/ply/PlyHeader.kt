@@ -77,7 +77,7 @@ internal enum class PlyFormat(val id: String) {
 internal class PlyHeader(
     val format: PlyFormat,
     val elements: List<PlyElement>,
-    val bodyPosition: Int,
+    val bodyPosition: Long,
     val bodyLine: Int,
     val textureFiles: List<String>,
 )

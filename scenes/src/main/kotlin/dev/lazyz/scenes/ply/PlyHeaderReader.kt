@@ -4,8 +4,7 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.text.TextLines
 
 /** Reads a [PlyHeader]: lines of words up to `end_header`. */
-internal class PlyHeaderReader(private val source: Source) {
-    private val lines = TextLines(source.bytes)
+internal class PlyHeaderReader(private val source: Source, private val lines: TextLines = TextLines(source.bytes)) {
     private val elements = ArrayList<PlyElement>()
     private val properties = ArrayList<PlyProperty>()
     private var open: Pair<String, Int>? = null
@@ -16,7 +15,7 @@ internal class PlyHeaderReader(private val source: Source) {
         if (lines.next()?.trimEnd() != "ply") {
             source.fail("line 1", "a PLY file begins with the line \"ply\"", "check what kind of file it is")
         }
-        val isMac = source.bytes[lines.position - 1] == CARRIAGE_RETURN
+        val isMac = lines.bytes[lines.position - 1] == CARRIAGE_RETURN
         while (true) {
             val line = lines.next() ?: source.fail(
                 "line ${lines.number}",
@@ -43,8 +42,8 @@ internal class PlyHeaderReader(private val source: Source) {
         if (vertices == null) fail("the header has no element vertex")
 
         // If lines end with a carriage return alone, a line feed after the last one is the body's first byte
-        val isFirstOfBody = isMac && source.bytes[lines.position - 1] == LINE_FEED
-        val position = if (isFirstOfBody) lines.position - 1 else lines.position
+        val isFirstOfBody = isMac && lines.bytes[lines.position - 1] == LINE_FEED
+        val position = if (isFirstOfBody) lines.passed - 1 else lines.passed
         return PlyHeader(format, elements, position, lines.number + 1, textureFiles)
     }
 

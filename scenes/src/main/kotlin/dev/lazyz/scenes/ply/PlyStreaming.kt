@@ -2,121 +2,116 @@ package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.loading.FarOrigin
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.scenes.meshes.PolygonCutting
-import dev.lazyz.scenes.meshes.Polygons
-import dev.lazyz.scenes.streaming.IndexedSpool
+import dev.lazyz.scenes.streaming.FacetFile
 import dev.lazyz.scenes.streaming.StreamedInput
+import dev.lazyz.scenes.streaming.VertexSpool
+import dev.lazyz.scenes.text.ByteWindow
+import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.world.surface.MeshSource
 import org.joml.Vector3dc
 
 /**
- * Reads Polygon File Format files of any size part by part. The triangles and their colours are those of [PlyParser]
- * without smooth normals; normals, texture coordinates and edges are not used. Vertices and triangles are converted once
- * to an [IndexedSpool]. If faces stand before the vertices, the file is read twice.
+ * Reads PLY files of any size part by part. The triangles and their colours are those of [PlyParser] without normals
+ * and textures. What else a file has is ignored with a warning, edges and points too.
+ *
+ * Vertices go to temporary files, because faces refer to them in any order, and the triangles to another one. Faces
+ * that come before the vertices are read in a second pass.
  */
-internal object PlyStreaming {
-    /** Opens [input], whose first bytes [source] has. */
-    fun open(source: Source, input: StreamedInput): MeshSource {
-        source.requireNoMark()
-        if (source.bytes.size < input.file.size && !hasEnd(source.bytes)) {
-            source.fail("header", "is longer than ${source.bytes.size} bytes", "remove comments from it")
-        }
-        val header = PlyHeaderReader(source).read()
-        val spool = FarOrigin.reading(
-            source.loading,
-            read = { origin -> Conversion(source, header, input, origin).spool },
-            bounds = { it.bounds },
-        )
-        val mesh = spool.finish()
-        if (spool.vertexCount == 0) {
+internal class PlyStreaming private constructor(private val source: Source, private val input: StreamedInput) :
+    AutoCloseable {
+    private val header = input.bytes().use { PlyHeaderReader(source, TextLines(ByteWindow(ByteArray(0), it))).read() }
+    private val vertexElement = header.elements.indexOfFirst { it.name == VERTEX }
+
+    /** By element: the numbers of the columns that were used. */
+    private val used = HashMap<PlyElement, Set<Int>>()
+    private var pass: Pass? = null
+
+    private fun mesh(): FacetFile {
+        val vertices = FarOrigin.reading(source.loading, read = ::readVertices, bounds = { it.bounds })
+        vertices.finish()
+        val isColored = header.elements.any { it.name == FACE && it.count > 0 && PlyColor.of(it) != null }
+        val facets = input.spool(source, vertices.origin, hasColors = vertices.hasColors || isColored)
+        val writer = PlyFacets(source, vertices, facets, hasFaceColors = isColored && !vertices.hasColors)
+        val faces = PlyFaces(source, header.elements[vertexElement].count, writer::add)
+        readFaces(faces)
+        faces.end()
+        input.dropVertices()
+        warn(faces, writer)
+        val mesh = facets.finish()
+        if (vertices.size == 0) {
             source.warn("there are no vertices, so there is nothing to see")
         } else if (mesh.triangleCount == 0) {
-            source.fail(null, "has no faces, and points and lines cannot be read part by part", "read it whole")
+            source.warn("there are no faces, so there is nothing to see")
         }
         return mesh
     }
 
-    private fun hasEnd(head: ByteArray): Boolean = "end_header" in String(head, Charsets.ISO_8859_1)
+    private fun readVertices(origin: Vector3dc): VertexSpool {
+        val vertices = input.vertices(source, origin)
+        val pass = begin()
+        for (element in header.elements.subList(0, vertexElement)) pass.skip(element)
+        val element = header.elements[vertexElement]
+        val reader = PlyVertices(source, element, origin, isBare = true)
+        reader.read(pass.body, vertices::add)
+        used[element] = reader.columns
+        return vertices
+    }
 
-    /** Reads the file once, or twice. */
-    private class Conversion(
-        private val source: Source,
-        private val header: PlyHeader,
-        private val input: StreamedInput,
-        origin: Vector3dc,
-    ) {
-        val spool: IndexedSpool = input.indexed(source, origin)
-        private val declared = header.elements.first { it.name == "vertex" }.count
-        private lateinit var cutting: PolygonCutting
-        private val rgba = FloatArray(4)
-
-        init {
-            val names = header.elements.filter { it.count > 0 }.map { it.name }
-            val vertices = names.indexOf("vertex")
-            if (names.withIndex().any { (number, name) -> isFaces(name) && number < vertices }) {
-                read { it == "vertex" }
-                read { isFaces(it) }
-            } else {
-                read { true }
+    private fun readFaces(faces: PlyFaces) {
+        val isBefore = header.elements.subList(0, vertexElement).any { it.name == FACE || it.name == STRIPS }
+        val pass = if (isBefore) begin() else checkNotNull(pass)
+        for (element in header.elements.drop(if (isBefore) 0 else vertexElement + 1)) {
+            when (element.name) {
+                FACE -> used[element] = faces.readFaces(element, pass.body)
+                STRIPS -> used[element] = faces.readStrips(element, pass.body)
+                else -> pass.skip(element)
             }
         }
+    }
 
-        private fun isFaces(name: String) = name == "face" || name == "tristrips"
+    private fun warn(faces: PlyFaces, writer: PlyFacets) {
+        checkNotNull(pass).body.warn()
+        faces.warn()
+        writer.warn()
+        val unused = PlyUnused()
+        for (element in header.elements) unused.add(element, used[element].orEmpty())
+        unused.warn(source)
+    }
 
-        /** Reads the file, and of it the elements whose names are [wanted]. */
-        private fun read(wanted: (name: String) -> Boolean) {
-            val unused = PlyUnused()
-            val faces = PlyFaces(source, declared, ::take)
-            input.bytes().use { bytes ->
-                val body = PlyBody.of(source, header, bytes, input.file.size)
-                for (element in header.elements) {
-                    unused.add(element, if (wanted(element.name)) read(element, body, faces) else skip(element, body))
-                }
-                if (wanted("face")) {
-                    body.warn()
-                    faces.warn()
-                    unused.warn(source)
-                    if (this::cutting.isInitialized) cutting.warn()
-                }
-            }
-        }
+    /** Begins to read the body from its beginning. */
+    private fun begin(): Pass {
+        close()
+        return Pass().also { pass = it }
+    }
 
-        private fun vertices(element: PlyElement) = PlyVertices(source, element, spool.origin)
+    override fun close() {
+        pass?.close()
+        pass = null
+    }
 
-        private fun read(element: PlyElement, body: PlyBody, faces: PlyFaces): Set<Int> = when (element.name) {
-            "vertex" -> vertices(element).let { reader ->
-                reader.stream(body, spool)
-                reader.streamedColumns
-            }
-            "face" -> faces.readFaces(element, body)
-            "tristrips" -> faces.readStrips(element, body)
-            else -> skip(element, body)
-        }
+    /** Reads the body once. */
+    private inner class Pass : AutoCloseable {
+        private val bytes = input.bytes(header.bodyPosition)
+        val body = PlyBody.of(
+            source, header, ByteWindow(ByteArray(0), bytes, header.bodyPosition), input.file.size,
+        )
 
-        private fun skip(element: PlyElement, body: PlyBody): Set<Int> {
+        fun skip(element: PlyElement) {
             if (element.properties.isNotEmpty()) body.readRows(element) { _, _ -> }
-            return if (element.name == "vertex") vertices(element).streamedColumns else emptySet()
         }
 
-        /** Adds the triangles of [polygons] to the spool. */
-        private fun take(polygons: Polygons) {
-            if (!this::cutting.isInitialized) cutting = PolygonCutting(source, spool.vertexCount, spool::coordinate)
-            val corners = IntArray(3)
-            for (polygon in 0 until polygons.count) {
-                val color = if (spool.hasVertexColors) -1 else polygons.colorOf(polygon)
-                var count = 0
-                cutting.cut(polygons, polygon) { corner ->
-                    corners[count++] = polygons.vertex(corner)
-                    if (count == 3) {
-                        spool.triangle(corners[0], corners[1], corners[2])
-                        if (color >= 0) {
-                            polygons.colors.copy(color, rgba, 0)
-                            spool.color(rgba)
-                        }
-                        count = 0
-                    }
-                }
-            }
+        override fun close() = bytes.close()
+    }
+
+    companion object {
+        private const val VERTEX = "vertex"
+        private const val FACE = "face"
+        private const val STRIPS = "tristrips"
+
+        /** Opens [input], whose first bytes [source] has. */
+        fun open(source: Source, input: StreamedInput): MeshSource {
+            source.requireNoMark()
+            return PlyStreaming(source, input).use { it.mesh() }
         }
     }
 }

@@ -1,22 +1,15 @@
 package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.ByteWindow
 import dev.lazyz.scenes.text.Decimal
 import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.scenes.text.TextNumbers
 
-/**
- * A body in the ASCII form: one line for each row.
- *
- * @param lines the lines of the body
- * @param size size of the file, in bytes
- */
-internal class PlyTextBody(
-    source: Source,
-    header: PlyHeader,
-    private val lines: TextLines,
-    private val size: Long,
-) : PlyBody(source, header) {
+/** A body in the ASCII form: one line for each row. */
+internal class PlyTextBody(source: Source, header: PlyHeader, window: ByteWindow, private val size: Long) :
+    PlyBody(source, header) {
+    private val lines = TextLines(window, (header.bodyPosition - window.passed).toInt(), header.bodyLine)
     private val decimal = Decimal()
 
     /** Number of words of the line that have not been read yet. It is valid only for rows with lists. */
@@ -32,7 +25,7 @@ internal class PlyTextBody(
 
     override fun room(element: PlyElement): Int {
         // A number and the space after it take two bytes, except for the last number of the file
-        val remaining = size - lines.offset
+        val remaining = size - lines.passed
         return minOf(element.count.toLong(), (remaining + 1) / (2L * element.properties.size)).toInt()
     }
 

@@ -2,21 +2,25 @@ package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.VertexArrays
-import dev.lazyz.scenes.streaming.IndexedSpool
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
-/** Reads the element `vertex`, with positions relative to [origin]. */
+/**
+ * Reads the element `vertex`, with positions relative to [origin].
+ *
+ * @param isBare whether only positions and colours are read
+ */
 internal class PlyVertices(
     private val source: Source,
     private val element: PlyElement,
     private val origin: Vector3dc,
+    isBare: Boolean = false,
 ) {
     private val position = listOf("x", "y", "z").map { name ->
         element.column(listOf(name)) ?: source.fail("header", "element vertex has no property $name", "add it")
     }.toIntArray()
-    private val normal = columns(listOf("nx", "ny", "nz"))
-    private val texture = texturePairs.firstNotNullOfOrNull(::columns)
+    private val normal = if (isBare) null else columns(listOf("nx", "ny", "nz"))
+    private val texture = if (isBare) null else texturePairs.firstNotNullOfOrNull(::columns)
     private val color = PlyColor.of(element)
     private val colorColumns = color?.columns.orEmpty().toIntArray()
     private val isFar = origin != Vector3d()
@@ -30,41 +34,47 @@ internal class PlyVertices(
     fun read(body: PlyBody): VertexArrays {
         val room = body.room(element)
         source.loading.vertices(source, room.toLong())
-        val vertices = VertexArrays(
-            FloatArray(3 * room),
-            normal?.let { FloatArray(3 * room) },
-            texture?.let { FloatArray(2 * room) },
-            color?.let { FloatArray(4 * room) },
-            origin,
-        )
-        return vertices.first(rows(body, vertices, -1) {})
+        val vertices = arrays(room)
+        return vertices.first(read(body, vertices) { error("there are more than $room rows") })
     }
 
-    /** The numbers of the columns that [stream] uses. */
-    val streamedColumns: Set<Int> = position.toSet() + (color?.columns ?: emptyList())
-
-    /** Adds positions and colours of all rows that are present to [spool]. */
-    fun stream(body: PlyBody, spool: IndexedSpool) {
-        val block = VertexArrays(FloatArray(3 * BLOCK), colors = color?.let { FloatArray(4 * BLOCK) }, origin = origin)
-        val count = rows(body, block, BLOCK - 1) { spool.vertices(block, BLOCK) }
-        spool.vertices(block, count and BLOCK - 1)
+    /** Reads all rows that are present, and passes them to [use] in order, some thousands at a time. */
+    fun read(body: PlyBody, use: (block: VertexArrays, count: Int) -> Unit) {
+        val block = arrays(BLOCK)
+        val count = read(body, block) { use(block, BLOCK) }
+        use(block, count)
     }
+
+    private fun arrays(count: Int) = VertexArrays(
+        FloatArray(3 * count),
+        normal?.let { FloatArray(3 * count) },
+        texture?.let { FloatArray(2 * count) },
+        color?.let { FloatArray(4 * count) },
+        origin,
+    )
 
     /**
-     * Reads all rows that are present to [to], at their numbers and [mask], and calls [full] after those whose place is
-     * [mask]. Returns the number of rows.
+     * Reads all rows that are present into [to]. Whenever it is full and there are more rows, calls [full] and begins
+     * again with its first vertex. Returns the number of vertices that [to] has at the end.
      */
-    private inline fun rows(body: PlyBody, to: VertexArrays, mask: Int, full: () -> Unit): Int =
+    private inline fun read(body: PlyBody, to: VertexArrays, full: () -> Unit): Int {
+        val capacity = to.count
+        var next = 0
         if (body is PlyBinaryBody && areFloats()) {
-            floats(body, to, mask, full)
+            val floats = FloatRow()
+            body.eachRow(element) { at ->
+                if (next == capacity) next = 0.also { full() }
+                floats.set(to, next++, body, at)
+            }
         } else {
-            body.readRows(element) { i, row ->
-                val place = i and mask
-                set(to, place, row)
-                setColor(to, place, row)
-                if (place == mask) full()
+            body.readRows(element) { _, row ->
+                if (next == capacity) next = 0.also { full() }
+                set(to, next, row)
+                setColor(to, next++, row)
             }
         }
+        return next
+    }
 
     /** Whether all columns in use are floats, and bytes for colours. */
     private fun areFloats(): Boolean {
@@ -73,13 +83,15 @@ internal class PlyVertices(
             color?.columns.orEmpty().all { element.properties[it].type == PlyType.UCHAR }
     }
 
-    /** A fast path that reads all rows directly from the bytes. Returns the number of rows that are present. */
-    private inline fun floats(body: PlyBinaryBody, to: VertexArrays, mask: Int, full: () -> Unit): Int {
-        val places = element.properties.runningFold(0) { place, property -> place + property.type.size }.toIntArray()
-        val positionPlaces = IntArray(3) { places[position[it]] }
-        val row = PlyRow(element)
-        return body.eachRow(element) { number, at ->
-            val vertex = number and mask
+    /** A fast path for [set] that reads rows directly from the bytes. */
+    private inner class FloatRow {
+        private val places =
+            element.properties.runningFold(0) { place, property -> place + property.type.size }.toIntArray()
+        private val positionPlaces = IntArray(3) { places[position[it]] }
+        private val row = PlyRow(element)
+
+        /** Writes the row at index [at] of [body]. */
+        fun set(to: VertexArrays, vertex: Int, body: PlyBinaryBody, at: Int) {
             for (axis in 0 until 3) {
                 val number = body.float(at + positionPlaces[axis])
                 to.positions[3 * vertex + axis] = if (isFar) (number - origin.get(axis)).toFloat() else number
@@ -95,7 +107,6 @@ internal class PlyVertices(
                 for (column in colorColumns) row.numbers[column] = body.code(at + places[column]).toDouble()
                 setColor(to, vertex, row)
             }
-            if (vertex == mask) full()
         }
     }
 
@@ -122,9 +133,8 @@ internal class PlyVertices(
         names.mapNotNull { element.column(listOf(it)) }.takeIf { it.size == names.size }?.toIntArray()
 
     private companion object {
-        /** Vertices that are spooled at a time, a power of two. */
+        /** Vertices that are passed on at a time. */
         const val BLOCK = 1 shl 12
-
         val texturePairs = listOf("s", "t", "u", "v", "texture_u", "texture_v", "texture_s", "texture_t").chunked(2)
     }
 }

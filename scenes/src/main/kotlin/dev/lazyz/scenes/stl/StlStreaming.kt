@@ -9,6 +9,7 @@ import dev.lazyz.scenes.streaming.FacetSpool
 import dev.lazyz.scenes.streaming.FileBytes
 import dev.lazyz.scenes.streaming.PartBox
 import dev.lazyz.scenes.streaming.StreamedInput
+import dev.lazyz.scenes.text.ByteWindow
 import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.world.surface.MeshSource
 import java.nio.ByteBuffer
@@ -41,7 +42,7 @@ internal object StlStreaming {
     private fun spooled(source: Source, input: StreamedInput, origin: Vector3dc): FacetSpool {
         val spool = input.spool(source, origin)
         input.bytes().use { bytes ->
-            val lines = TextLines(ByteArray(0), rest = bytes)
+            val lines = TextLines(ByteWindow(ByteArray(0), bytes))
             StlAscii(source, origin, lines).read { CornerSink(spool::add) }
         }
         return spool

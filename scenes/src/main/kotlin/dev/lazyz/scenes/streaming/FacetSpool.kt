@@ -6,18 +6,24 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.writers.TemporaryFile
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
-import java.nio.file.Path
 import org.joml.Vector3dc
 
 /**
- * A temporary file of triangles that were read from text, 36 bytes each, so that they can be read again in parts. Not
- * thread safe while it is written.
+ * A temporary file of triangles, so that they can be read again in parts: 36 bytes each, and 48 more for the colours of
+ * their corners. Not thread safe while it is written.
  *
- * @param folder where to create the file
+ * @param space where to create the file, and the room that it may take
+ * @param hasColors whether corners have colours
  */
-internal class FacetSpool(folder: Path, private val source: Source, private val origin: Vector3dc) : AutoCloseable {
-    private val temporary = TemporaryFile.within(folder)
-    private val buffer = ByteBuffer.allocate(FacetFile.PART * STRIDE).order(ByteOrder.LITTLE_ENDIAN)
+internal class FacetSpool(
+    private val space: SpoolSpace,
+    private val source: Source,
+    private val origin: Vector3dc,
+    private val hasColors: Boolean,
+) : AutoCloseable {
+    private val temporary = TemporaryFile.within(space.folder)
+    private val stride = if (hasColors) CORNERS + COLORS else CORNERS
+    private val buffer = ByteBuffer.allocate(FacetFile.PART * stride).order(ByteOrder.LITTLE_ENDIAN)
     private val boxes = ArrayList<Box?>()
     private var box = PartBox()
     private var count = 0L
@@ -33,13 +39,23 @@ internal class FacetSpool(folder: Path, private val source: Source, private val 
         if (!buffer.hasRemaining()) flush()
     }
 
+    /**
+     * Adds the colour of the next corner: red, green, blue and alpha, in linear light. Add the colours of a triangle
+     * after its three corners.
+     */
+    fun color(red: Float, green: Float, blue: Float, alpha: Float) {
+        buffer.putFloat(red).putFloat(green).putFloat(blue).putFloat(alpha)
+        if (!buffer.hasRemaining()) flush()
+    }
+
     private fun flush() {
         buffer.flip()
-        val triangles = buffer.remaining() / STRIDE
+        val triangles = buffer.remaining() / stride
         if (triangles == 0) return
         count += triangles
         source.loading.streamed(source, triangles.toLong())
         if (count > MOST) source.fail(null, "has more than $MOST triangles", "split it")
+        space.take(triangles.toLong() * stride)
         while (buffer.hasRemaining()) temporary.channel.write(buffer)
         buffer.clear()
         boxes += box.toBox()
@@ -50,17 +66,25 @@ internal class FacetSpool(folder: Path, private val source: Source, private val 
     fun finish(): FacetFile {
         flush()
         val file = FileBytes(temporary.path, source.name).also { reader = it }
-        return FacetFile(file, 0, STRIDE, 0, count.toInt(), origin, boxes, null)
+        return FacetFile(file, 0, stride, 0, count.toInt(), origin, boxes, if (hasColors) CORNER_COLORS else null)
     }
 
     /** Deletes the file. */
     override fun close() {
         reader?.close()
         temporary.close()
+        space.release(count * stride)
     }
 
     companion object {
-        private const val STRIDE = 36
+        /** Bytes of the three corners, and of their colours. */
+        private const val CORNERS = 36
+        private const val COLORS = 48
+
+        /** The colours after the corners. */
+        private val CORNER_COLORS = FacetColors { records, stride, count ->
+            FloatArray(12 * count) { records.getFloat(it / 12 * stride + CORNERS + it % 12 * Float.SIZE_BYTES) }
+        }
 
         /** Most triangles of a frame. */
         const val MOST: Int = Int.MAX_VALUE - 1

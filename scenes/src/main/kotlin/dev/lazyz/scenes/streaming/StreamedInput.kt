@@ -13,55 +13,74 @@ import org.joml.Vector3dc
  *
  * @param name name of the file in messages
  * @param copy the temporary file at [path], or null if the user's own file is there
- * @param folder where temporary files are created
+ * @param space where temporary files are created, and the room that they may take
  */
 internal class StreamedInput private constructor(
     private val path: Path,
     name: String,
     private val copy: TemporaryFile?,
-    private val folder: Path,
+    private val space: SpoolSpace,
 ) : AutoCloseable {
     /** The whole file. */
     val file: FileBytes = FileBytes(path, name)
 
-    private var spool: AutoCloseable? = null
+    private var spool: FacetSpool? = null
+    private var vertices: VertexSpool? = null
 
     /** Returns the first bytes of the file, which determine its format. */
     fun head(): ByteArray = file.read(0, minOf(HEAD, file.size).toInt()).array()
 
-    /** Opens the file from its beginning. */
-    fun bytes(): InputStream = Files.newInputStream(path)
-
-    /** Creates a temporary file of triangles, which are read from [source]. An earlier one is deleted. */
-    fun spool(source: Source, origin: Vector3dc): FacetSpool {
-        spool?.close()
-        return FacetSpool(folder, source, origin).also { spool = it }
+    /** Opens the file from byte [position] on. */
+    fun bytes(position: Long = 0): InputStream {
+        val bytes = Files.newInputStream(path)
+        try {
+            bytes.skipNBytes(position)
+            return bytes
+        } catch (e: Throwable) {
+            bytes.close()
+            throw e
+        }
     }
 
-    /** Creates temporary files of vertices and triangles, which are read from [source]. Earlier ones are deleted. */
-    fun indexed(source: Source, origin: Vector3dc): IndexedSpool {
+    /** Creates a temporary file of triangles, which are read from [source]. An earlier one is deleted. */
+    fun spool(source: Source, origin: Vector3dc, hasColors: Boolean = false): FacetSpool {
         spool?.close()
-        return IndexedSpool(folder, source, origin).also { spool = it }
+        return FacetSpool(space, source, origin, hasColors).also { spool = it }
+    }
+
+    /** Creates temporary files of vertices, which are read from [source]. Earlier ones are deleted. */
+    fun vertices(source: Source, origin: Vector3dc): VertexSpool {
+        dropVertices()
+        return VertexSpool(space, source, origin).also { vertices = it }
+    }
+
+    /** Deletes the temporary files of vertices. */
+    fun dropVertices() {
+        vertices?.close()
+        vertices = null
     }
 
     override fun close() {
+        dropVertices()
         spool?.close()
         file.close()
         copy?.close()
     }
 
     companion object {
-        private const val HEAD = 65_536L
+        private const val HEAD = 4096L
 
         /** Opens the file at [path]. */
-        fun ofFile(path: Path, name: String, folder: Path): StreamedInput = StreamedInput(path, name, null, folder)
+        fun ofFile(path: Path, name: String, folder: Path, most: Long?): StreamedInput =
+            StreamedInput(path, name, null, SpoolSpace(folder, name, most))
 
         /** Copies all of [input] to a temporary file, and opens it. */
-        fun ofStream(input: InputStream, name: String, folder: Path): StreamedInput {
+        fun ofStream(input: InputStream, name: String, folder: Path, most: Long?): StreamedInput {
+            val space = SpoolSpace(folder, name, most)
             val copy = TemporaryFile.within(folder)
             try {
-                input.transferTo(Channels.newOutputStream(copy.channel))
-                return StreamedInput(copy.path, name, copy, folder)
+                input.transferTo(space.counting(Channels.newOutputStream(copy.channel)))
+                return StreamedInput(copy.path, name, copy, space)
             } catch (e: Throwable) {
                 copy.close()
                 throw e

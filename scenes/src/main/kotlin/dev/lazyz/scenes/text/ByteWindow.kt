@@ -4,25 +4,18 @@ import java.io.IOException
 import java.io.InputStream
 
 /**
- * The bytes of a file from a position on, either all of them or as many as are looked at. Not thread safe.
+ * The part of a file that is in memory while the file is read from its beginning to its end. Not thread safe.
  *
- * @param bytes the file, or nothing if [rest] has it
- * @property position index in [bytes] of the next byte
- * @param rest what follows [bytes], or null if nothing does. Then [bytes] holds only a part of the file, and changes
- *   with each call of [more]
- * @param dropped number of bytes of the file that stand before [bytes]
+ * @param bytes the file, or its beginning
+ * @param rest the rest of the file, or null if [bytes] is all of it
+ * @param passed number of bytes of the file before [bytes]
  */
-internal class ByteWindow(
-    bytes: ByteArray,
-    var position: Int = 0,
-    private val rest: InputStream? = null,
-    private var dropped: Long = 0,
-) {
-    /** The bytes around [position]. */
+internal class ByteWindow(bytes: ByteArray, private val rest: InputStream? = null, passed: Long = 0) {
+    /** The bytes in memory. Indices refer to it. It changes in [readMore]. */
     var bytes: ByteArray = bytes
         private set
 
-    /** Number of [bytes] that belong to the file. */
+    /** Number of [bytes] that are of the file. */
     var size: Int = bytes.size
         private set
 
@@ -30,47 +23,33 @@ internal class ByteWindow(
     var isAtEnd: Boolean = rest == null
         private set
 
-    /** The position in the file of the next byte. */
-    val offset: Long get() = dropped + position
+    /** Number of bytes of the file before index 0. */
+    var passed: Long = passed
+        private set
+
+    /** Whether only a part of the file is in memory. */
+    val isPart: Boolean get() = rest != null
 
     /**
-     * Moves the bytes from [position] on to the front of [bytes], and reads what follows them.
+     * Moves the bytes from index [from] on to the front, and reads what follows them, until there are [least] bytes or
+     * the file ends. Call it only if the file does not end at [size].
      *
-     * @throws IOException if the rest cannot be read, or 256 MiB were not enough
+     * @throws IOException if the file cannot be read
      */
-    fun more() {
-        val kept = size - position
-        if (kept > LONGEST) throw IOException("what begins at byte $offset is longer than $LONGEST bytes")
-        val from = bytes
-        if (kept >= bytes.size / 2) bytes = ByteArray(maxOf(PIECE, 2 * bytes.size))
-        System.arraycopy(from, position, bytes, 0, kept)
-        dropped += position
-        position = 0
+    fun readMore(from: Int, least: Int = 0) {
+        val kept = size - from
+        val old = bytes
+        val isFull = kept >= old.size / 2
+        if (isFull || old.size < least) bytes = ByteArray(maxOf(PIECE, least, if (isFull) 2 * old.size else 0))
+        System.arraycopy(old, from, bytes, 0, kept)
+        passed += from
         val count = checkNotNull(rest).readNBytes(bytes, kept, bytes.size - kept)
         size = kept + count
         isAtEnd = size < bytes.size
     }
 
-    /** Whether the file has [count] more bytes. If so, they are in [bytes]. Throws like [more]. */
-    fun has(count: Long): Boolean {
-        while (size - position < count) {
-            if (isAtEnd) return false
-            more()
-        }
-        return true
-    }
-
-    /** Moves to the end of the file. */
-    fun end() {
-        position = size
-        isAtEnd = true
-    }
-
-    companion object {
-        /** Bytes that are in memory at a time, unless a line or a list is longer. */
-        private const val PIECE = 1 shl 20
-
-        /** The longest line or list of a file that is not in memory. */
-        const val LONGEST: Int = 1 shl 28
+    private companion object {
+        /** Bytes that are in memory at a time, unless more are needed. */
+        const val PIECE = 1 shl 20
     }
 }

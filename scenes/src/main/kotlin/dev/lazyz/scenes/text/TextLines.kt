@@ -1,7 +1,6 @@
 package dev.lazyz.scenes.text
 
 import java.io.IOException
-import java.io.InputStream
 import java.util.StringTokenizer
 
 /**
@@ -10,30 +9,26 @@ import java.util.StringTokenizer
  *
  * Bytes are decoded as ISO 8859-1, which accepts any bytes. Not thread safe.
  *
- * @param bytes the text, or its beginning
+ * @param window the text, or its beginning; holds at least the current line, and changes with the line
  * @param position index of the first line's first byte
  * @param firstLine number of the first line
- * @param rest the rest of the text, or null if [bytes] is all of it. Then [bytes] holds a part of the text, at least
- *   the current line, and changes with the line
- * @param dropped number of bytes of the text that stand before [bytes]
  */
-internal class TextLines(
-    bytes: ByteArray,
-    position: Int = 0,
-    firstLine: Int = 1,
-    rest: InputStream? = null,
-    dropped: Long = 0,
-) {
-    private val window = ByteWindow(bytes, position, rest, dropped)
+internal class TextLines(private val window: ByteWindow, position: Int = 0, firstLine: Int = 1) {
+    /** Lines of all of [bytes]. */
+    constructor(bytes: ByteArray) : this(ByteWindow(bytes))
 
     /** The text around the current line. The indices below refer to it. */
     val bytes: ByteArray get() = window.bytes
 
-    /** Index where the next line begins. */
-    val position: Int get() = window.position
+    /** Number of [bytes] that are text. */
+    private val size: Int get() = window.size
 
-    /** The position in the text where the next line begins. */
-    val offset: Long get() = window.offset
+    /** Number of bytes of the text before the next line. */
+    val passed: Long get() = window.passed + position
+
+    /** Index where the next line begins. */
+    var position = position
+        private set
 
     /** Number of the line that was read last; lines are numbered from 1. */
     var number = firstLine - 1
@@ -51,7 +46,7 @@ internal class TextLines(
         private set
 
     /** Whether the line that was read last has no line terminator, because the text ends there. */
-    val isCutOff: Boolean get() = lineEnd == window.size
+    val isCutOff: Boolean get() = lineEnd == size
 
     /** Returns the next line without its terminator, or null after the last line. */
     fun next(): String? =
@@ -60,39 +55,31 @@ internal class TextLines(
     /**
      * Moves to the next line, before its first word; returns false after the last line.
      *
-     * @throws IOException if the rest of the text cannot be read, or has a line of more than 256 MiB
+     * @throws IOException if the rest of the text cannot be read, or has a line of 32 MiB or more
      */
     fun nextLine(): Boolean {
-        var end = window.position
+        var end = position
         while (true) {
-            val bytes = window.bytes
-            val size = window.size
+            val bytes = bytes
+            val size = size
             while (end < size && bytes[end] != LINE_FEED && bytes[end] != CARRIAGE_RETURN) end++
 
             // A carriage return at the end can be half of a line's end
             val isComplete = end < size && (bytes[end] == LINE_FEED || end + 1 < size)
             if (isComplete || window.isAtEnd) break
-            end -= window.position
-            readMore()
+            if (size - position >= LONGEST) throw tooLong(number + 1)
+            end -= position
+            window.readMore(position)
+            position = 0
         }
-        val bytes = window.bytes
-        val size = window.size
-        val start = window.position
-        if (start >= size) return false
-        lineStart = start
+        if (position >= size) return false
+        lineStart = position
         lineEnd = end
-        wordEnd = start
+        wordEnd = position
         val isPair = end + 1 < size && bytes[end] == CARRIAGE_RETURN && bytes[end + 1] == LINE_FEED
-        window.position = minOf(end + (if (isPair) 2 else 1), size)
+        position = minOf(end + (if (isPair) 2 else 1), size)
         number++
         return true
-    }
-
-    private fun readMore() {
-        if (window.size - window.position > ByteWindow.LONGEST) {
-            throw IOException("line ${number + 1} is longer than ${ByteWindow.LONGEST} bytes")
-        }
-        window.more()
     }
 
     /** Moves to the next word of the line; returns false after the last word. */
@@ -156,6 +143,12 @@ internal class TextLines(
     }
 
     companion object {
+        /** The longest line of a text that is not in memory. */
+        const val LONGEST: Int = 1 shl 25
+
+        /** Returns the exception for line [number] of a text that is not in memory. */
+        fun tooLong(number: Int): IOException = IOException("line $number has $LONGEST bytes or more")
+
         private const val SPACE = ' '.code.toByte()
         private const val TAB = '\t'.code.toByte()
         private const val FORM_FEED = '\u000C'.code.toByte()

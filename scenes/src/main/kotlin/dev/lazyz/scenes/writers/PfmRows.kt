@@ -31,4 +31,9 @@ internal class PfmRows(private val output: SeekableByteChannel, width: Int, priv
         output.position(start + (height - 1L - row) * Float.SIZE_BYTES * numbers)
         while (bytes.hasRemaining()) output.write(bytes)
     }
+
+    companion object {
+        /** Bytes held for a row. */
+        fun bytes(width: Int, channels: Int): Long = Float.SIZE_BYTES.toLong() * width * channels
+    }
 }

@@ -67,7 +67,11 @@ public class PfmSink(private val output: SeekableByteChannel, private val width:
 
     override fun toString(): String = "PfmSink($width x $height, $order)"
 
-    private companion object {
-        const val MAX_WIDTH = 1 shl 28
+    public companion object {
+        private const val MAX_WIDTH = 1 shl 28
+
+        /** Returns how many bytes a sink for so many columns holds. */
+        @JvmStatic
+        public fun memory(width: Int): Long = PfmRows.bytes(width, 1)
     }
 }

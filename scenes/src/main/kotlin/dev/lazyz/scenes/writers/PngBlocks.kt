@@ -17,14 +17,14 @@ internal class PngBlocks(
     private val channels: Int,
     private val write: (ByteArray) -> Unit,
 ) {
-    private val rowsOfBlock = (BLOCK_PIXELS / width).coerceIn(1, height)
+    private val rowsOfBlock = rowsOfBlock(width, height)
     private var argb = IntArray(0)
     private var above = IntArray(width)
     private var rows = 0
     private var taken = 0
     private val waiting = ArrayDeque<PngBlock>()
-    private val threads = ForkJoinPool.getCommonPoolParallelism().coerceAtMost(MOST_WAITING)
-    private val mostWaiting = (2 * threads).coerceAtMost(MOST_WAITING)
+    private val threads = threads()
+    private val mostWaiting = mostWaiting()
     private val adler = AdlerSum()
 
     init {
@@ -66,5 +66,17 @@ internal class PngBlocks(
 
         /** Zlib header: deflate with a 32 KB window, fast compression; not to be changed. */
         val HEADER: ByteArray = byteArrayOf(0x78, 0x5E)
+
+        private fun rowsOfBlock(width: Int, height: Int): Int = (BLOCK_PIXELS / width).coerceIn(1, height)
+
+        private fun threads(): Int = ForkJoinPool.getCommonPoolParallelism().coerceAtMost(MOST_WAITING)
+
+        private fun mostWaiting(): Int = (2 * threads()).coerceAtMost(MOST_WAITING)
+
+        /** Bytes held at most: the blocks that wait and the next one, and what is compressed meanwhile. */
+        fun bytes(width: Int, height: Int): Long {
+            val colors = Int.SIZE_BYTES * (1L + rowsOfBlock(width, height)) * width
+            return 2 * colors * (mostWaiting() + 1) + 2 * colors * (threads() + 1)
+        }
     }
 }

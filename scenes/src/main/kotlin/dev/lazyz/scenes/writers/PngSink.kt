@@ -93,7 +93,11 @@ public class PngSink @JvmOverloads constructor(
         compressed.reset()
     }
 
-    private companion object {
-        const val MAX_WIDTH = 1 shl 28
+    public companion object {
+        private const val MAX_WIDTH = 1 shl 28
+
+        /** Returns how many bytes a sink for so many columns and rows holds at most. */
+        @JvmStatic
+        public fun memory(width: Int, height: Int): Long = PngBlocks.bytes(width, height) + 2L * PngChunks.DATA_SIZE
     }
 }

@@ -65,7 +65,11 @@ public class PpmSink(private val output: OutputStream, private val width: Int, p
 
     override fun toString(): String = "PpmSink($width x $height, $order)"
 
-    private companion object {
-        const val MAX_WIDTH = 1 shl 28
+    public companion object {
+        private const val MAX_WIDTH = 1 shl 28
+
+        /** Returns how many bytes a sink for so many columns holds. */
+        @JvmStatic
+        public fun memory(width: Int): Long = 3L * width
     }
 }

@@ -198,10 +198,10 @@ class StreamedSceneTest {
         assertRefused("the file ends where")
         file.writeBytes(byteArrayOf(-1, -2) + "solid".toByteArray(Charsets.UTF_16LE))
         assertRefused("byte order mark")
-        val obj = folder.resolve("a.off")
-        obj.writeText("OFF\n0 0 0\n")
-        val refused = assertThrows(SceneFormatException::class.java) { Scenes.stream(obj, spool = spool) }
-        assertTrue("only STL, OBJ and PLY can" in refused.message!!, refused.message)
+        val off = folder.resolve("a.off")
+        off.writeText("OFF\n0 0 0\n")
+        val refused = assertThrows(SceneFormatException::class.java) { Scenes.stream(off, spool = spool) }
+        assertTrue("only STL, PLY and OBJ can" in refused.message!!, refused.message)
     }
 
     @Test

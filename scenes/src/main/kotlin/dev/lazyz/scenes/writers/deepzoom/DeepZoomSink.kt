@@ -7,6 +7,7 @@ import dev.lazyz.scenes.writers.RowOrder
 import java.io.Closeable
 import java.io.IOException
 import java.nio.file.Path
+import java.util.concurrent.ForkJoinPool
 
 /**
  * Writes the tiles of a Deep Zoom pyramid as rows arrive: PNG files, sRGB, 8 bits per channel.
@@ -95,5 +96,27 @@ public class DeepZoomSink @JvmOverloads constructor(
         public const val OVERLAP: Int = TileGrid.OVERLAP
 
         private const val OPAQUE = 0xFF shl 24
+
+        /** A part of a tile that is being compressed: its colours, filtered bytes and compressed bytes. */
+        private const val PART_BYTES = 2L shl 20
+
+        /** Bytes of a column of the picture in [BoxPyramid]. */
+        private const val COLUMN_BYTES = 40L
+
+        /** The state of a [TileReader]. */
+        private const val READER_BYTES = 48L shl 10
+
+        /** Returns how many bytes a sink for so many columns and rows holds at most. */
+        @JvmStatic
+        public fun memory(width: Int, height: Int): Long {
+            val levels = (0 until BoxPyramid.levels(width, height)).sumOf { level ->
+                TileRows.bytes(BoxPyramid.side(width, level), BoxPyramid.side(height, level))
+            }
+            return levels + COLUMN_BYTES * width + PART_BYTES * (1 + ForkJoinPool.getCommonPoolParallelism())
+        }
+
+        /** Returns how many bytes a sink holds in addition while it reads the tiles of an interrupted rendering. */
+        @JvmStatic
+        public fun resumingMemory(width: Int): Long = READER_BYTES * TileGrid(width).tiles
     }
 }

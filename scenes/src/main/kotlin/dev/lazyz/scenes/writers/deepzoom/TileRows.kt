@@ -23,14 +23,14 @@ internal class TileRows(
 ) {
     private val across = TileGrid(width)
     private val down = TileGrid(height)
-    private val rowsOfBlock = (BLOCK_PIXELS / width).coerceIn(1, TileGrid.TILE + 2 * TileGrid.OVERLAP)
+    private val rowsOfBlock = rowsOfBlock(width)
 
     /** The row above, and then the rows that are not written. */
     private val argb = IntArray((1 + minOf(rowsOfBlock, height)) * width)
     private var rows = 0
 
     /** The last rows of the level, by their number modulo the length: tiles begin with those of the tiles above. */
-    private val last = Array(minOf(2 * TileGrid.OVERLAP, height)) { IntArray(width) }
+    private val last = Array(minOf(LAST_ROWS, height)) { IntArray(width) }
 
     /** The tiles that are being written, by column; null for those that are there already. */
     private var tiles = emptyList<TileFile?>()
@@ -93,6 +93,20 @@ internal class TileRows(
     companion object {
         /** 4 MiB a level: so small that all levels fit into little memory, so large that tiles compress well. */
         private const val BLOCK_PIXELS = 1 shl 20
+
+        private const val LAST_ROWS = 2 * TileGrid.OVERLAP
+
+        /** The state of a tile that is being written. */
+        private const val TILE_BYTES = 512L
+
+        private fun rowsOfBlock(width: Int): Int =
+            (BLOCK_PIXELS / width).coerceIn(1, TileGrid.TILE + 2 * TileGrid.OVERLAP)
+
+        /** Bytes held for a level, without those of threads that compress tiles. */
+        fun bytes(width: Int, height: Int): Long {
+            val rows = 1L + minOf(rowsOfBlock(width), height) + minOf(LAST_ROWS, height)
+            return Int.SIZE_BYTES * rows * width + TILE_BYTES * TileGrid(width).tiles
+        }
 
         /** Returns the file of the tile in [column] and [row] of the level that is in [folder]. */
         fun tile(folder: Path, column: Int, row: Int): Path = folder.resolve("${column}_$row.png")

@@ -1,0 +1,137 @@
+package dev.lazyz.cli.memory
+
+import dev.lazyz.cli.ChildZcli
+import dev.lazyz.cli.statIn
+import dev.lazyz.cli.zcli
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.writeBytes
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+/**
+ * `--memory` holds in JVMs with a heap of that size: each picture is the one without a limit, or refused before it is
+ * rendered. `dev.lazyz.jmh.memory.MemoryGrid` tries more.
+ */
+class MemoryOptionTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val model get() = folder.resolve("hills.stl")
+
+    /** Writes a binary file of 2 x [side] x [side] triangles. */
+    private fun writeHills(side: Int) {
+        val buffer = ByteBuffer.allocate(84 + 100 * side * side).order(ByteOrder.LITTLE_ENDIAN)
+        buffer.position(80).putInt(2 * side * side)
+        fun point(x: Int, y: Int) {
+            buffer.putFloat(x / side.toFloat()).putFloat(y / side.toFloat())
+            buffer.putFloat((StrictMath.sin(9.0 * x / side) * StrictMath.cos(7.0 * y / side) / 6).toFloat())
+        }
+        for (y in 0 until side) {
+            for (x in 0 until side) {
+                for (upper in 0..1) {
+                    buffer.position(buffer.position() + 12)
+                    point(x, y)
+                    point(x + 1, y + upper)
+                    point(x + 1 - upper, y + 1)
+                    buffer.position(buffer.position() + 2)
+                }
+            }
+        }
+        model.writeBytes(buffer.array())
+    }
+
+    private class Outcome(val code: Int, val errors: String, val text: String)
+
+    /** Renders with a heap of [mebibytes], and with --memory of that size. */
+    private fun render(mebibytes: Int, output: String, words: List<String>): Outcome {
+        val child = ChildZcli(folder)
+        val all = listOf("render") + words + listOf("-o", output, "--memory", "${mebibytes}m", "--stats=json")
+        val process = child.start(all, listOf("-Xmx${mebibytes}m"))
+        val text = String(process.inputStream.readAllBytes())
+        return Outcome(child.code(process), child.errors, text)
+    }
+
+    @Test
+    fun eachPictureIsTheSameOrRefused() {
+        writeHills(400)
+        var rendered = 0
+        var refused = 0
+        for ((words, amounts) in listOf(
+            listOf("teapot") to listOf(16, 40), listOf("hills.stl") to listOf(32, 128),
+            listOf("hills.stl", "--stream", "--aa", "1", "--size", "2000x1500") to listOf(48, 112),
+            listOf("city", "--size", "12000x300", "--aa", "1") to listOf(24, 64),
+        )) {
+            val free = zcli("render", *absolute(words), "-o", folder.resolve("free.ppm"), "--stats=json")
+            val expected = statIn(free.text, "pixelHash")
+            for (amount in amounts) {
+                val output = "out$amount." + listOf("png", "ppm", "dzi")[(rendered + refused) % 3]
+                val outcome = render(amount, output, words)
+                if (outcome.code == 0) {
+                    assertEquals(expected, statIn(outcome.text, "pixelHash"), "$words with $amount MiB")
+                    rendered++
+                } else {
+                    assertEquals(2, outcome.code, outcome.errors)
+                    assertTrue(", and --memory allows " in outcome.errors, outcome.errors)
+                    assertTrue(!folder.resolve(output).exists(), "no partial file")
+                    refused++
+                }
+            }
+        }
+        assertTrue(rendered >= 4 && refused >= 2, "$rendered rendered, $refused refused")
+    }
+
+    private fun absolute(words: List<String>): Array<String> =
+        words.map { if (it == "hills.stl") "$model" else it }.toTypedArray()
+
+    @Test
+    fun theMemoryThatTheMessageNamesIsEnough() {
+        val refused = zcli("render", "city", "--size", "3000", "--memory", "12m", "-o", folder.resolve("a.png"))
+        refused.mistake(", and --memory allows 12.0 MiB", "reserve for the garbage collector", "--aa 1", "--size")
+        val enough = checkNotNull(Regex("--memory (\\d+)m").find(refused.errors.substringAfter("Use"))).groupValues[1]
+        val outcome = render(enough.toInt(), "a.png", listOf("city", "--size", "3000"))
+        assertEquals(0, outcome.code, outcome.errors)
+    }
+
+    @Test
+    fun aModelIsReadPartByPartWherePicturesAreTheSame() {
+        writeHills(700)
+        val out = folder.resolve("a.png")
+        val words = listOf("hills.stl", "--shading", "flat", "--aa", "1", "--size", "400")
+        val whole = statIn(zcli("render", *absolute(words), "-o", out, "--stats=json").text, "pixelHash")
+        val outcome = render(112, "b.png", words + "--explain")
+        assertEquals(0, outcome.code, outcome.errors)
+        assertTrue("the model stays in its file" in outcome.errors, outcome.errors)
+        assertEquals(whole, statIn(outcome.text, "pixelHash"))
+
+        val smooth = zcli("render", model, "--memory", "112m", "-o", folder.resolve("c.png"))
+        smooth.mistake("reading", "--memory allows 112.0 MiB", "--stream (each triangle then has its own normal)")
+    }
+
+    @Test
+    fun thePlanIsExplained() {
+        val result = zcli("render", "teapot", "--memory", "256m", "--explain", "-o", folder.resolve("a.png"))
+        assertEquals(0, result.code, result.errors)
+        for (part in listOf("memory: 256.0 MiB may be used", "rows of tiles", "output -o", "plan: tiled", "disk: ")) {
+            assertTrue(part in result.errors, result.errors)
+        }
+        val out = folder.resolve("b.png")
+        zcli("render", "teapot", "--memory", "1m", "-o", out).mistake("--memory allows 1.0 MiB")
+        zcli("render", "teapot", "city", "--memory", "1g").mistake("--memory is for a single picture")
+        assertEquals(2, zcli("render", "teapot", "--memory", "much", "-o", out).code)
+    }
+
+    @Test
+    fun temporaryFilesAreLimited() {
+        val text = "solid s\n" + "facet normal 0 0 0\nouter loop\nvertex 0 0 1\nvertex 1 0 0\nvertex 0 1 2\n" +
+            "endloop\nendfacet\nendsolid s\n"
+        model.writeBytes(text.toByteArray())
+        val words = arrayOf("--stream", "--spool", folder, "-o", folder.resolve("a.png"), "--size", "40x30")
+        zcli("render", model, *words, "--max-spool", "36").done()
+        zcli("render", model, *words, "--max-spool", "35").mistake("more than 35 bytes", "--max-spool", "hills.stl")
+    }
+}

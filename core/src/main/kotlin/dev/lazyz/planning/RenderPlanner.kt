@@ -1,0 +1,172 @@
+package dev.lazyz.planning
+
+import dev.lazyz.Capability
+import dev.lazyz.Frame
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.StreamingRenderer
+import dev.lazyz.filter.SampledFrame
+import dev.lazyz.strategies.FrameNumbers
+import dev.lazyz.strategies.PictureMemory
+import dev.lazyz.strategies.StrategyModel
+import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledMemory
+
+/**
+ * Plans renderings that stay within limited memory: chooses a renderer, its threads, its tiles, the bands of a streamed
+ * frame, and a budget for renderers that can keep one. No choice changes the picture. Immutable and thread safe.
+ *
+ * ```
+ * RenderPlan plan = new RenderPlanner(512L << 20).plan(frame, Renderers.getBuiltIn(), others);
+ * if (plan.getFits()) frame.render(plan.getRenderer(), sink);
+ * ```
+ *
+ * The needs of `Tiled` are upper bounds; those of other renderers come from the model of
+ * [dev.lazyz.strategies.Renderers.estimates], doubled. Custom primitives, surfaces and shaders that hold more memory
+ * than they report are not known.
+ *
+ * @param memory bytes of memory that may be used, in all
+ * @param options what is requested. Threads and size of tiles are the most that a plan may use; a budget and a limit
+ *   for bands are kept as they are
+ * @throws IllegalArgumentException if [memory] is negative
+ */
+public class RenderPlanner @JvmOverloads constructor(
+    private val memory: Long,
+    private val options: RenderOptions = RenderOptions(),
+) {
+    init {
+        require(memory >= 0) { "memory must not be negative: $memory" }
+    }
+
+    /**
+     * Returns the first plan that fits: with the first of [renderers] that can render [frame] and all threads and the
+     * largest tiles, then with smaller tiles and fewer threads, then with the next renderer. If none fits, returns the
+     * one that needs the least.
+     *
+     * Cost: a few passes over the primitives of the frame; a streamed frame is not read.
+     *
+     * @param others what else is in memory during the rendering: the scene, and what receives the rows
+     * @throws IllegalArgumentException if none of the [renderers] can render the frame
+     */
+    @JvmOverloads
+    public fun plan(
+        frame: SampledFrame,
+        renderers: List<Renderer>,
+        others: List<MemoryItem> = emptyList(),
+    ): RenderPlan {
+        val filter = frame.filterBytes
+        val around = if (filter == 0L) others else others + MemoryItem("samples to pixels", filter)
+        var least: RenderPlan? = null
+        val able = renderers.asSequence().filter { isAble(it, frame.frame) }
+        for (plan in able.flatMap { plans(it, frame.frame, around) }) {
+            if (plan.fits) return plan
+            if (least == null || plan.leastMemory < least.leastMemory) least = plan
+        }
+        return requireNotNull(least) { "no renderer can render $frame: ${renderers.joinToString { it.id }}" }
+    }
+
+    private fun isAble(renderer: Renderer, frame: Frame): Boolean =
+        renderer.capabilities.containsAll(options.needs) &&
+            (!frame.hasTranslucency || Capability.TRANSPARENCY in renderer.capabilities) &&
+            (!frame.isStreamed || renderer is StreamingRenderer || renderer is Tiled)
+
+    private fun plans(renderer: Renderer, frame: Frame, others: List<MemoryItem>): Sequence<RenderPlan> = when {
+        renderer !is Tiled -> sequenceOf(other(renderer, frame, others))
+        frame.isStreamed -> variants().map { streamed(renderer, frame, others, it) }
+        else -> variants().map { tiled(renderer, frame, others, it) }
+    }
+
+    /** The options with all threads and ever smaller tiles, and then the same for one thread. */
+    private fun variants(): Sequence<RenderOptions> {
+        val tiles = generateSequence(options.tileSize) { it / 2 }.takeWhile { it >= LEAST_TILE }
+        return listOf(options.threads, 1).distinct().asSequence()
+            .flatMap { threads -> tiles.map { options.withThreads(threads).withTileSize(it) } }
+    }
+
+    private fun tiled(renderer: Tiled, frame: Frame, others: List<MemoryItem>, chosen: RenderOptions): RenderPlan {
+        val need = TiledMemory(frame, chosen.tileSize, chosen.threads)
+        val items = others + listOf(
+            MemoryItem("rows of tiles", HeapArrays.bytes(need.rowBytes, memory) * need.rowArrays),
+            MemoryItem("triangles by tile", need.bins),
+            MemoryItem("other primitives by tile", need.singles),
+            MemoryItem("translucent layers of tiles", need.layers),
+            MemoryItem("threads", need.workers),
+        ).filter { it.bytes > 0 }
+        return RenderPlan(renderer.configured(chosen), memory, items, 1, "${words(renderer, chosen)}, in one pass")
+    }
+
+    /** The rows of the picture are divided into as few bands as fit. */
+    private fun streamed(renderer: Tiled, frame: Frame, others: List<MemoryItem>, chosen: RenderOptions): RenderPlan {
+        val need = TiledMemory(Frame(frame.raster, emptyList(), frame.region), chosen.tileSize, chosen.threads)
+        val parts = others + listOf(
+            MemoryItem("parts of the model", STREAM_BYTES),
+            MemoryItem("rows of tiles", HeapArrays.bytes(need.rowBytes, memory) * need.rowArrays),
+            MemoryItem("threads", need.workers),
+        )
+        val rowBytes = SAMPLE_BYTES * frame.width
+        val free = minOf(RenderPlan.usable(memory) - parts.sumOf { it.bytes }, chosen.bandBytes ?: Long.MAX_VALUE)
+        val rows = (free / rowBytes).coerceIn(1, minOf(frame.height.toLong(), MOST_SAMPLES / frame.width))
+        val passes = ((frame.height - 1) / rows + 1).toInt()
+
+        // Bands of equal height take the least memory for this number of passes
+        val bandRows = (frame.height - 1L) / passes + 1
+        val band = MemoryItem("a band of $bandRows rows", rowBytes * bandRows)
+        val configured = renderer.configured(chosen.withBandBytes(band.bytes))
+        val how = if (passes == 1) "one pass" else "$passes passes"
+        val summary = "${words(renderer, chosen)}, in $how over the model"
+        return RenderPlan(configured, memory, parts + band, passes, summary)
+    }
+
+    private fun other(renderer: Renderer, frame: Frame, others: List<MemoryItem>): RenderPlan {
+        val isStreamed = frame.isStreamed
+        val numbers = if (isStreamed) pictureOnly(frame) else FrameNumbers.of(frame)
+        val parts = if (isStreamed) others + MemoryItem("parts of the model", STREAM_BYTES) else others
+        val whole = bytes(renderer, numbers, frame, options.memoryBudget)
+        var chosen = options.withBandBytes(null)
+        var need = whole
+        val free = RenderPlan.usable(memory) - parts.sumOf { it.bytes }
+        if (whole > free && options.memoryBudget == null && Capability.MEMORY_BUDGET in renderer.capabilities) {
+            // With a budget of 0 only what cannot be avoided is left
+            val fixed = bytes(renderer, numbers, frame, 0)
+            val budget = maxOf(0, free - fixed)
+            chosen = chosen.withMemoryBudget(budget)
+            need = fixed + budget
+        }
+        val items = parts + MemoryItem("strategy ${renderer.id}", need)
+        val words = words(renderer, chosen)
+        return RenderPlan(renderer.configured(chosen.supportedBy(renderer)), memory, items, 1, "$words, in one pass")
+    }
+
+    private fun bytes(renderer: Renderer, numbers: FrameNumbers, frame: Frame, budget: Long?): Long {
+        val model = StrategyModel.bytes(renderer.id, numbers, budget)
+        if (!model.isNaN()) return (MODEL_MARGIN * model).toLong()
+        return PictureMemory.bytesPerSample(renderer) * frame.region.size + UNKNOWN_BYTES * numbers.primitives
+    }
+
+    /** Of a streamed frame only the picture is known, and its primitives are not kept. */
+    private fun pictureOnly(frame: Frame) = FrameNumbers(frame.width, frame.height, 0, 0.0, 0.0)
+
+    private fun words(renderer: Renderer, chosen: RenderOptions): String {
+        val budget = chosen.memoryBudget?.let { ", a budget of ${RenderPlan.mebibytes(it)}" }.orEmpty()
+        if (Capability.PARALLEL !in renderer.capabilities) return renderer.id + budget
+        val threads = if (chosen.threads == 1) "1 thread" else "${chosen.threads} threads"
+        return "${renderer.id}, $threads, tiles of ${chosen.tileSize} x ${chosen.tileSize}$budget"
+    }
+
+    private companion object {
+        const val LEAST_TILE = 8
+
+        /** Bytes of a sample of a band: key and colour. */
+        const val SAMPLE_BYTES = 12L
+        const val MOST_SAMPLES = Int.MAX_VALUE - 8L
+
+        /** Three groups of triangles, and their bins, see docs/large-models.md. */
+        const val STREAM_BYTES = 48L shl 20
+
+        /** The model gives what is to be expected; this is what is reserved. */
+        const val MODEL_MARGIN = 2.0
+
+        /** Bytes for each primitive in strategies that were never measured. */
+        const val UNKNOWN_BYTES = 512L
+    }
+}

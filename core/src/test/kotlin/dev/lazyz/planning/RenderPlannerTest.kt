@@ -1,0 +1,142 @@
+package dev.lazyz.planning
+
+import dev.lazyz.Frame
+import dev.lazyz.Raster
+import dev.lazyz.RenderOptions
+import dev.lazyz.Rgba
+import dev.lazyz.SampleScenes
+import dev.lazyz.filter.SuperSampling
+import dev.lazyz.strategies.Renderers
+import dev.lazyz.strategies.lazy.LazyZBuffer
+import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledMemory
+import dev.lazyz.world.Scene
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.MeshSource
+import dev.lazyz.world.surface.StreamedMesh
+import java.util.Random
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class RenderPlannerTest {
+    private val glass = Material(Rgba(0.5f, 0.4f, 0.3f, 0.5f), alphaMode = AlphaMode.BLEND)
+
+    private val scenes: List<Scene> = listOf(
+        SampleScenes.mixed(Random(1)),
+        scene(soup(3_000, 0.02, Material())),
+        scene(soup(200, 1.0, Material())),
+        scene(soup(500, 0.3, glass)),
+        scene(soup(500, 0.05, glass)),
+        scene(soup(50, 0.5, Material(texture = SampleScenes.checks, alphaMode = AlphaMode.MASK))),
+    )
+
+    private fun scene(mesh: Mesh): Scene = Scene(listOf(mesh)).withViewpoint(SampleScenes.camera)
+
+    /** Random triangles of about this size. */
+    private fun soup(triangles: Int, size: Double, material: Material): Mesh {
+        val random = Random(triangles.toLong())
+        val positions = FloatArray(9 * triangles)
+        for (triangle in 0 until triangles) {
+            val center = FloatArray(3) { random.nextFloat() * 2 - 1 }
+            for (i in 0 until 9) {
+                positions[9 * triangle + i] = center[i % 3] + (size * (random.nextDouble() - 0.5)).toFloat()
+            }
+        }
+        val uvs = FloatArray(6 * triangles) { random.nextFloat() }
+        return Mesh(positions, IntArray(3 * triangles) { it }, material, uvs = uvs)
+    }
+
+    @Test
+    fun tiledNeedsNoMoreThanTheBounds() {
+        for (scene in scenes) {
+            for ((width, height) in listOf(320 to 200, 33 to 400, 700 to 20)) {
+                val frame = scene.frame(Raster(width, height))
+                for (threads in listOf(1, 3)) for (tile in listOf(8, 64)) requireBound(frame, tile, threads)
+            }
+        }
+    }
+
+    private fun requireBound(frame: Frame, tile: Int, threads: Int) {
+        val options = RenderOptions(threads = threads, tileSize = tile)
+        val peak = Tiled(options).render(frame) { _, _, _, _ -> }.peakBytes
+        val need = TiledMemory(frame, tile, threads)
+
+        // The counter has twice the bins, even if there is only one set of them
+        val bound = need.rowBytes * need.rowArrays + 2 * need.bins + need.singles + need.layers + need.workers
+        assertTrue(peak <= bound) { "$frame, tiles of $tile, $threads threads: $peak bytes, and the bound is $bound" }
+    }
+
+    @Test
+    fun lessMemoryMeansSmallerTilesThenOneThreadAndThenNoPlan() {
+        val frame = SuperSampling(2).frame(scenes[1], Raster(8_000, 2_000))
+        val options = RenderOptions(threads = 2)
+        val plans = listOf(256, 32, 18, 5).map { RenderPlanner(it * MEBIBYTE, options).plan(frame, listOf(Tiled())) }
+        assertEquals(listOf(true, true, true, false), plans.map { it.fits })
+        assertTrue("2 threads, tiles of 64 x 64" in plans[0].summary, plans[0].summary)
+        assertTrue("2 threads" in plans[1].summary && "64 x 64" !in plans[1].summary, plans[1].summary)
+        assertTrue(plans[2].bytes < plans[1].bytes)
+        val enough = RenderPlanner(plans[3].leastMemory, options).plan(frame, listOf(Tiled()))
+        assertTrue(enough.fits, "$enough")
+        assertTrue("tiles of" in enough.explain() && "reserve" in enough.explain(), enough.explain())
+    }
+
+    @Test
+    fun otherThingsInMemoryCount() {
+        val frame = SuperSampling.NONE.frame(scenes[1], Raster(64, 64))
+        val planner = RenderPlanner(64 * MEBIBYTE)
+        assertTrue(planner.plan(frame, Renderers.builtIn, listOf(MemoryItem("scene", 20 * MEBIBYTE))).fits)
+        assertFalse(planner.plan(frame, Renderers.builtIn, listOf(MemoryItem("scene", 50 * MEBIBYTE))).fits)
+    }
+
+    @Test
+    fun aRendererThatCanLimitItsMemoryGetsABudget() {
+        val frame = SuperSampling.NONE.frame(scenes[1], Raster(20_000, 200))
+        val plan = RenderPlanner(16 * MEBIBYTE).plan(frame, listOf(LazyZBuffer()))
+        assertTrue(plan.fits, "$plan")
+        assertTrue("a budget of" in plan.summary || plan.bytes < 9 * MEBIBYTE, plan.summary)
+    }
+
+    @Test
+    fun aStreamedFrameIsRenderedInBandsThatFit() {
+        val mesh = soup(64, 0.5, Material())
+        val source = object : MeshSource {
+            override val triangleCount = 64
+            override val partCount = 1
+            override val origin = Vector3d()
+            override val hasColors = false
+
+            override fun triangleCount(number: Int) = 64
+
+            override fun bounds(number: Int) = mesh.bounds
+
+            override fun read(first: Int, count: Int) = mesh
+        }
+        val scene = Scene(listOf(StreamedMesh(source))).withViewpoint(SampleScenes.camera)
+        val frame = SuperSampling.NONE.frame(scene, Raster(1_000, 3_000))
+        val wide = RenderPlanner(512 * MEBIBYTE).plan(frame, Renderers.builtIn)
+        val narrow = RenderPlanner(96 * MEBIBYTE).plan(frame, Renderers.builtIn)
+        assertEquals(1, wide.passes)
+        assertTrue(narrow.fits && narrow.passes > 1, "$narrow")
+        assertEquals(frame.render(wide.renderer).pixelHash(), frame.render(narrow.renderer).pixelHash())
+        assertFalse(RenderPlanner(32 * MEBIBYTE).plan(frame, Renderers.builtIn).fits)
+    }
+
+    @Test
+    fun onlyWhatCanRenderTheFrameIsPlanned() {
+        val frame = SuperSampling.NONE.frame(scenes[3], Raster(64, 64))
+        val planner = RenderPlanner(512 * MEBIBYTE)
+        assertThrows(IllegalArgumentException::class.java) { planner.plan(frame, listOf(LazyZBuffer())) }
+        assertEquals("tiled", planner.plan(frame, listOf(LazyZBuffer(), Tiled())).renderer.id)
+        assertThrows(IllegalArgumentException::class.java) { RenderPlanner(-1) }
+    }
+
+    private companion object {
+        const val MEBIBYTE = 1L shl 20
+    }
+}
