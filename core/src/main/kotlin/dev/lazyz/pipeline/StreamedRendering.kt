@@ -80,3 +80,6 @@ internal class StreamedRendering(
         }
     }
 }
+
+/** Returns most bytes of a band: the [limit] of the options, or a third of the heap. */
+internal fun bandBytes(limit: Long?): Long = limit ?: (Runtime.getRuntime().maxMemory() / 3)

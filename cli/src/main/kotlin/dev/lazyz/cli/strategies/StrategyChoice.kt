@@ -61,7 +61,7 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
         }
         if (!frame.hasTranslucency) return choices.applyTo(able.first())
         return able.firstOrNull { Capability.TRANSPARENCY in it.capabilities }?.let { choices.applyTo(it) }
-            ?: throw Mistake("the scene is translucent, and of the strategies for --stream only tiled blends: add --opaque")
+            ?: throw Mistake("the scene is translucent, and with --stream only tiled blends: use it, or add --opaque")
     }
 
     /**

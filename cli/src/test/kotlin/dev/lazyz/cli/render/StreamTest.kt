@@ -7,6 +7,7 @@ import dev.lazyz.cli.zcliReading
 import java.io.ByteArrayOutputStream
 import java.io.DataOutputStream
 import java.io.File
+import java.lang.ProcessBuilder.Redirect
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.file.Files
@@ -112,7 +113,7 @@ class StreamTest {
         folder.resolve("a.off").writeText("OFF\n")
         zcli("render", folder.resolve("a.off"), "--stream", "-o", out).mistake("only STL, PLY and OBJ can", "a.off")
         zcli("render", model, "--stream", "-o", out, "--color", "#ff000080", "--strategy", "zbuffer")
-            .mistake("only tiled blends", "--opaque")
+            .mistake("with --stream only tiled blends", "--opaque")
     }
 
     @Test
@@ -134,8 +135,8 @@ class StreamTest {
         if (format == "ply") {
             out.write(
                 (
-                    "ply\nformat binary_big_endian 1.0\nelement vertex $count\nproperty float x\nproperty float y\n" +
-                        "property float z\nelement face ${2 * side * side}\n" +
+                    "ply\nformat binary_big_endian 1.0\nelement vertex $count\n" +
+                        "property float x\nproperty float y\nproperty float z\nelement face ${2 * side * side}\n" +
                         "property list uchar int vertex_index\nend_header\n"
                     ).toByteArray(),
             )
@@ -144,15 +145,24 @@ class StreamTest {
         for (y in 0..side) {
             for ((x, z) in heights(y).withIndex()) {
                 val point = listOf(x / side.toFloat(), y / side.toFloat(), z)
-                if (format == "ply") point.forEach(data::writeFloat) else data.writeBytes("v ${point.joinToString(" ")}\n")
+                if (format == "ply") {
+                    point.forEach(data::writeFloat)
+                } else {
+                    data.writeBytes("v ${point.joinToString(" ")}\n")
+                }
             }
         }
         for (y in 0 until side) {
             for (x in 0 until side) {
                 for (upper in 0..1) {
-                    val face = listOf(x to y, x + 1 to y + upper, x + 1 - upper to y + 1).map { it.second * (side + 1) + it.first }
-                    if (format == "ply") data.writeByte(3)
-                    if (format == "ply") face.forEach(data::writeInt) else data.writeBytes("f ${face.joinToString(" ") { "${it + 1}" }}\n")
+                    val corners = listOf(x to y, x + 1 to y + upper, x + 1 - upper to y + 1)
+                    val face = corners.map { (column, row) -> row * (side + 1) + column }
+                    if (format == "ply") {
+                        data.writeByte(3)
+                        face.forEach(data::writeInt)
+                    } else {
+                        data.writeBytes("f ${face.joinToString(" ") { "${it + 1}" }}\n")
+                    }
                 }
             }
         }
@@ -205,7 +215,7 @@ class StreamTest {
             .joinToString(File.pathSeparator) { Path.of(it).toAbsolutePath().toString() }
         val process = ProcessBuilder(listOf(java, javaOption, "-cp", classPath, "dev.lazyz.cli.MainKt") + args)
             .directory(folder.toFile()).redirectError(folder.resolve("errors.txt").toFile())
-            .redirectInput(if (input == null) ProcessBuilder.Redirect.PIPE else ProcessBuilder.Redirect.from(input)).start()
+            .redirectInput(if (input == null) Redirect.PIPE else Redirect.from(input)).start()
         assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
         return process.exitValue()
     }

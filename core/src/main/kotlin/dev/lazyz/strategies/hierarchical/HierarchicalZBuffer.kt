@@ -15,6 +15,7 @@ import dev.lazyz.pipeline.GroupedPrimitives
 import dev.lazyz.pipeline.GuardedDrawing
 import dev.lazyz.pipeline.KeyedRows
 import dev.lazyz.pipeline.StreamedRendering
+import dev.lazyz.pipeline.bandBytes
 import dev.lazyz.raster.VisibilityOrder
 import dev.lazyz.requireOpaque
 import dev.lazyz.shading.LateShading
@@ -35,13 +36,13 @@ import java.io.IOException
  * safe; no state between calls.
  *
  * A streamed frame (see [Frame.isStreamed]) is rendered part by part into a picture in memory, at 12 bytes a sample, in
- * bands of rows if that is more than a third of the heap. Each part is shaded where it is nearest within itself.
+ * bands of rows if that is more than [RenderOptions.bandBytes], by default a third of the heap. Each part is shaded where it is nearest within itself.
  *
  * Source: Ned Greene, Michael Kass, Gavin Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993. In the paper, an
  * octree yields the primitives from near to far and rejects many at once; here they are sorted, and rejected one by
  * one.
  *
- * @param options only [RenderOptions.coherence] is used
+ * @param options only [RenderOptions.coherence] and [RenderOptions.bandBytes] are used
  * @param order the order in which primitives are drawn; changes the cost and never the image
  */
 public class HierarchicalZBuffer @JvmOverloads constructor(
@@ -77,7 +78,7 @@ public class HierarchicalZBuffer @JvmOverloads constructor(
     override fun render(frame: Frame, sink: RowSink): Counters {
         requireOpaque(frame, this)
         val parts = frame.content.parts ?: return renderWhole(frame, sink)
-        return StreamedRendering(frame, parts, Workers.ALL, renderPart = ::renderWhole).run(sink)
+        return StreamedRendering(frame, parts, Workers.ALL, bandBytes(options.bandBytes), ::renderWhole).run(sink)
     }
 
     /**

@@ -16,6 +16,7 @@ import dev.lazyz.pipeline.GroupedPrimitives
 import dev.lazyz.pipeline.GuardedDrawing
 import dev.lazyz.pipeline.LayeredRendering
 import dev.lazyz.pipeline.StreamedRendering
+import dev.lazyz.pipeline.bandBytes
 import dev.lazyz.strategies.tiled.binning.ArrayPool
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import java.io.IOException
@@ -54,11 +55,10 @@ import java.util.concurrent.atomic.AtomicReference
  * - 16 bytes for each primitive of the frame that is not from a mesh.
  *
  * A streamed frame (see [Frame.isStreamed]) is rendered part by part into a picture in memory, at 12 bytes a sample. If
- * that is more than [RenderOptions.bandBytes], by default a third of the heap, into one band of rows after the other, with
- * a pass over the parts for each.
- * Each part is shaded where it is nearest within itself, so later parts can hide some of what was shaded.
- * If it has translucent primitives, one thread draws it into areas that each take at most as much, at 28 bytes for each
- * sample and each translucent fragment that was not yet hidden when it was drawn.
+ * that is more than [RenderOptions.bandBytes], by default a third of the heap, into one band of rows after the other,
+ * with a pass over the parts for each. Each part is shaded where it is nearest within itself, so later parts can hide
+ * some of what was shaded. If it has translucent primitives, one thread draws it into areas that each take at most as
+ * much, at 28 bytes for each sample and each translucent fragment that was not yet hidden when it was drawn.
  *
  * Otherwise memory does not grow with the number of rows. For very wide pictures use smaller tiles. Rows and bins are
  * kept for the next rendering through soft references: rendering a frame similar to the last one allocates no large
@@ -138,7 +138,7 @@ public class Tiled internal constructor(
         val pool = kept.getAndSet(null)?.get() ?: ArrayPool()
         val parts = frame.content.parts
         val workers = Workers(threads, executor)
-        val most = bandBytes ?: (Runtime.getRuntime().maxMemory() / 3)
+        val most = bandBytes(bandBytes)
         val counters = when {
             parts == null -> render(frame, sink, pool)
             parts.hasTranslucency -> LayeredRendering(frame, parts, workers, most).run(sink)

@@ -119,6 +119,6 @@ public class StreamedMesh private constructor(
     private companion object {
         /** Most triangles that are read at a time, unless one part has more. */
         const val GROUP = 1 shl 17
-        const val TRANSLUCENT_GROUP = 1 shl 15
+        const val TRANSLUCENT_GROUP = 1 shl 13
     }
 }

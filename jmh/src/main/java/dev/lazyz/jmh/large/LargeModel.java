@@ -24,13 +24,15 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * Renders a binary STL, binary PLY or OBJ file that is larger than memory, and compares the time with a plain loop over its bytes, and the
- * picture with that of the same triangles rendered in pieces and merged. Each step has a process of its own.
+ * Renders a binary STL, binary PLY or OBJ file that is larger than memory, and compares the time with a plain loop over
+ * its numbers, and the picture with that of the same triangles rendered in pieces and merged. Each step has a process of
+ * its own.
  *
  * <p>{@code java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.large.LargeModel --triangles 100000000 --heap 256m}
  *
- * <p>Other options: {@code --format}, {@code stl}, {@code ply} or {@code obj}; {@code --side}, the side of the picture, 1024 samples; {@code --rounds}, 2; {@code --folder}, where
- * the file is written and deleted, by default that of temporary files; {@code --pieces no}, without the comparison.
+ * <p>Other options: {@code --format}, {@code stl}, {@code ply} or {@code obj}; {@code --side}, the side of the picture,
+ * 1024 samples; {@code --rounds}, 2; {@code --folder}, where the file is written and deleted, by default that of
+ * temporary files; {@code --pieces no}, without the comparison.
  */
 public final class LargeModel {
     /** Parts of a file that are rendered at a time: a million triangles. */

@@ -5,7 +5,7 @@ import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
-/** Reads the files that {@link Hills} writes as a plain loop over their numbers. The results prove that all were read. */
+/** Reads the files of {@link Hills} in a plain loop over their numbers. The results prove that all were read. */
 final class PlainLoops {
     private static final int STL_RECORD = 50;
     private static final int STL_HEADER = 84;
