@@ -122,7 +122,9 @@ class StreamTest {
         for (options in listOf(
             arrayOf("--shading", "flat", "--color", "#ff000080", "--view", "front"),
             arrayOf("--shading", "flat", "--color", "#00ff0040", "--aa", "2", "--up", "x"),
-        )) assertEquals(pixels(*options), pixels("--stream", *options))
+        )) {
+            assertEquals(pixels(*options), pixels("--stream", *options))
+        }
     }
 
     /** An OBJ or a PLY file with the triangles of [hills], which share vertices. */
