@@ -40,8 +40,9 @@ public class Frame internal constructor(
 
     /**
      * Whether the primitives are read while they are rendered, and not kept in memory, because the scene has a
-     * `StreamedMesh`. Such a frame needs `Tiled`, `ZBuffer`, `Hybrid`, or another renderer that
-     * iterates the [primitives] only once; other renderers throw [IllegalArgumentException] before they start.
+     * `StreamedMesh`. Such a frame needs `Tiled`, `ZBuffer`, `Hybrid`, `HierarchicalZBuffer`, or another
+     * renderer that iterates the [primitives] only once; other renderers throw [IllegalArgumentException] before they
+     * start. Translucent primitives need `Tiled`.
      */
     public val isStreamed: Boolean get() = content.parts != null
 

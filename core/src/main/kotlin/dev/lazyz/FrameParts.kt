@@ -68,15 +68,3 @@ internal fun requireInMemory(frame: Frame, renderer: Renderer) {
             "use 'tiled', 'zbuffer', 'hybrid' or 'hierarchical', or load the whole model"
     }
 }
-
-/**
- * Checks that the streamed [frame] has no translucent primitives: they would all have to be kept.
- *
- * @throws IllegalArgumentException otherwise
- */
-internal fun requireOpaqueStream(frame: Frame) {
-    require(!frame.hasTranslucency) {
-        "the frame is streamed and has translucent primitives, which must be in memory: make it opaque with " +
-            "asOpaque(), or load the whole model"
-    }
-}

@@ -8,7 +8,10 @@ package dev.lazyz
  */
 internal fun requireOpaque(frame: Frame, renderer: Renderer) {
     if (!frame.hasTranslucency) return
-    if (frame.isStreamed) requireOpaqueStream(frame)
+    require(!frame.isStreamed) {
+        "the frame is streamed and has translucent primitives, and the renderer '${renderer.id}' does not blend: " +
+            "use 'tiled', which does, or make it opaque with asOpaque()"
+    }
     val index = frame.primitives.indexOfFirst { it.isTranslucent }
     requireOpaque(frame.primitives[index], index, renderer)
 }

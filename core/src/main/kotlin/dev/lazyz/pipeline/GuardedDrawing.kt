@@ -1,5 +1,6 @@
 package dev.lazyz.pipeline
 
+import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.Drawing
 import dev.lazyz.Primitive
@@ -8,7 +9,7 @@ import dev.lazyz.RowSink
 import dev.lazyz.requireOpaque
 
 /**
- * A [Drawing] for a renderer that does not blend. Checks what callers may do, and leaves the work to [draw] and [end].
+ * A [Drawing]. Checks what callers may do, and leaves the work to [draw] and [end].
  *
  * @param draw draws the next primitive
  * @param end passes the rows to the sink
@@ -18,13 +19,14 @@ internal class GuardedDrawing(
     private val draw: (primitive: Primitive) -> Unit,
     private val end: (sink: RowSink) -> Counters,
 ) : Drawing {
+    private val isBlending = Capability.TRANSPARENCY in renderer.capabilities
     private var count = 0
     private var hasEnded = false
 
     override fun add(primitive: Primitive) {
         check(!hasEnded) { "the image has ended: begin a new one" }
         check(count < Int.MAX_VALUE) { "more than 2^31-1 primitives" }
-        requireOpaque(primitive, count, renderer)
+        if (!isBlending) requireOpaque(primitive, count, renderer)
 
         // If the primitive fails, it may be drawn in part, so that the image cannot be continued
         hasEnded = true

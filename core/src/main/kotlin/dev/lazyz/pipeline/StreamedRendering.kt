@@ -3,19 +3,10 @@ package dev.lazyz.pipeline
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
-import dev.lazyz.FrameContent
-import dev.lazyz.FramePart
 import dev.lazyz.FrameParts
-import dev.lazyz.Helpers
-import dev.lazyz.Reach
 import dev.lazyz.Region
 import dev.lazyz.RowSink
 import dev.lazyz.Workers
-import dev.lazyz.raster.ScreenGrid
-import dev.lazyz.setup.planar.TriangleBatch
-import dev.lazyz.setup.planar.triangleBatch
-import java.util.concurrent.ExecutionException
-import java.util.concurrent.FutureTask
 
 /**
  * Renders a streamed frame part by part. Each part is rendered like a frame of its own, where it may be seen; a sample
@@ -50,7 +41,7 @@ internal class StreamedRendering(
         for (band in bands(frame.region)) {
             val samples = SampleBuffer(frame.raster, band)
             bytes = maxOf(bytes, samples.bytes)
-            inOrder(parts.filter { it.reach == null || it.reach.within(band) != null }) { part ->
+            inOrder(parts.reaching(band), workers) { part ->
                 val seen = part.reach.within(band)
                 if (seen != null) {
                     counters.add(renderPart(Frame(frame.raster, part.content, seen), Merge(samples, part.first, seen)))
@@ -61,32 +52,6 @@ internal class StreamedRendering(
         counters.primitives = parts.size.toLong()
         counters.peakBytes += bytes
         return counters.build()
-    }
-
-    /** Calls [action] for each of the [parts] in order. Another thread makes them, if there is one. */
-    private inline fun inOrder(parts: List<FramePart>, action: (SetUpPart) -> Unit) {
-        val helpers = Helpers(workers.executor)
-        var isDone = false
-        try {
-            var next = parts.firstOrNull()?.let { task(it) }
-            for (number in parts.indices) {
-                val current = checkNotNull(next)
-                next = parts.getOrNull(number + 1)?.let { task(it) }
-                if (next != null && workers.threads > 1) helpers.start(next::run)
-                action(resultOf(current))
-            }
-            isDone = true
-        } finally {
-            helpers.end(interrupt = !isDone)
-        }
-    }
-
-    private fun task(part: FramePart) = FutureTask { SetUpPart(part.first, part.content()) }
-
-    /** A part whose primitives are in memory. */
-    private class SetUpPart(val first: Int, val content: FrameContent) {
-        /** A rectangle that contains all its samples. */
-        val reach: Reach = reachOf(content)
     }
 
     /** Keeps the samples of a part that are nearer than those of the parts before. */
@@ -114,42 +79,7 @@ internal class StreamedRendering(
             Region(region.columnStart, top, region.columnEnd, bottom)
         }
     }
-
-    private companion object {
-        /** Returns the result of [task]. If no thread has begun it, this one does it. */
-        private fun resultOf(task: FutureTask<SetUpPart>): SetUpPart {
-            task.run()
-            try {
-                return task.get()
-            } catch (e: ExecutionException) {
-                throw e.cause ?: e
-            }
-        }
-
-        /** Returns a rectangle that contains all samples of [part]. */
-        private fun reachOf(part: FrameContent): Reach {
-            var left = Int.MAX_VALUE
-            var top = Int.MAX_VALUE
-            var right = Int.MIN_VALUE
-            var bottom = Int.MIN_VALUE
-            for (primitive in part.singles) {
-                left = minOf(left, primitive.columnStart)
-                top = minOf(top, primitive.rowStart)
-                right = maxOf(right, primitive.columnEnd)
-                bottom = maxOf(bottom, primitive.rowEnd)
-            }
-            for (number in part.batches.indices) {
-                val grid = part.triangleBatch(number).grid
-                for (i in grid.indices step TriangleBatch.STRIDE) {
-                    val column = ScreenGrid.firstSample(grid[i])
-                    val row = ScreenGrid.firstSample(grid[i + 1])
-                    left = minOf(left, column)
-                    top = minOf(top, row)
-                    right = maxOf(right, column)
-                    bottom = maxOf(bottom, row)
-                }
-            }
-            return Reach(left, top, right, bottom)
-        }
-    }
 }
+
+/** Returns most bytes of a band: the [limit] of the options, or a third of the heap. */
+internal fun bandBytes(limit: Long?): Long = limit ?: (Runtime.getRuntime().maxMemory() / 3)

@@ -9,7 +9,8 @@ import dev.lazyz.strategies.StrategyEstimates
  * @property renderer the renderer, configured with threads, tiles, bands and budget of this plan
  * @property memory bytes of memory that may be used
  * @property items what each part needs
- * @property passes how many times the primitives are read: once, or, if they are streamed, once for each band of rows
+ * @property passes how many times the primitives are read: once, or, if they are streamed, once for each band of rows;
+ *   more often if a band has too many translucent fragments
  * @property summary the strategy and its options, in words
  */
 public class RenderPlan internal constructor(

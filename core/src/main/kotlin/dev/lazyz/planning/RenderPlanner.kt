@@ -9,7 +9,6 @@ import dev.lazyz.filter.SampledFrame
 import dev.lazyz.strategies.FrameNumbers
 import dev.lazyz.strategies.PictureMemory
 import dev.lazyz.strategies.StrategyModel
-import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.tiled.TiledMemory
 
@@ -69,10 +68,7 @@ public class RenderPlanner @JvmOverloads constructor(
     private fun isAble(renderer: Renderer, frame: Frame): Boolean =
         renderer.capabilities.containsAll(options.needs) &&
             (!frame.hasTranslucency || Capability.TRANSPARENCY in renderer.capabilities) &&
-            (!frame.isStreamed || renderer is StreamingRenderer || keepsNearest(renderer))
-
-    /** Whether [renderer] renders the parts of a streamed frame one by one, and keeps the nearest samples. */
-    private fun keepsNearest(renderer: Renderer): Boolean = renderer is Tiled || renderer is HierarchicalZBuffer
+            (!frame.isStreamed || renderer is StreamingRenderer)
 
     private fun plans(renderer: Renderer, frame: Frame, others: List<MemoryItem>): Sequence<RenderPlan> = when {
         renderer !is Tiled -> sequenceOf(other(renderer, frame, others))
@@ -114,9 +110,18 @@ public class RenderPlanner @JvmOverloads constructor(
 
         // Bands of equal height take the least memory for this number of passes
         val bandRows = (frame.height - 1L) / passes + 1
-        val band = MemoryItem("a band of $bandRows rows", rowBytes * bandRows)
+        val band = if (frame.hasTranslucency) {
+            // How many fragments have to be kept turns out when they are drawn: in as many passes as that takes
+            MemoryItem("areas of translucent layers", maxOf(free, rowBytes))
+        } else {
+            MemoryItem("a band of $bandRows rows", rowBytes * bandRows)
+        }
         val configured = renderer.configured(chosen.withBandBytes(band.bytes))
-        val how = if (passes == 1) "one pass" else "$passes passes"
+        val how = when {
+            frame.hasTranslucency -> "$passes or more passes"
+            passes == 1 -> "one pass"
+            else -> "$passes passes"
+        }
         val summary = "${words(renderer, chosen)}, in $how over the model"
         return RenderPlan(configured, memory, parts + band, passes, summary)
     }

@@ -219,7 +219,7 @@ private class StreamOptions : OptionGroup("Large models") {
         "--stream",
         help = "Read the triangles while they are rendered, and do not keep them: for an .stl, .ply or .obj file of " +
             "any size. Each triangle has its own normal; materials and textures are not read. The default strategy, " +
-            "zbuffer, hybrid and hierarchical support it",
+            "zbuffer, hybrid and hierarchical support it; only the default strategy blends translucent surfaces",
     ).flag()
 
     private val spool by option(

@@ -7,8 +7,6 @@ import dev.lazyz.StreamingRenderer
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.StrategyEstimates
-import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
-import dev.lazyz.strategies.tiled.Tiled
 
 /**
  * Chooses the strategy of a rendering: the one that the user named, or the first that supports what the flags and the
@@ -55,20 +53,16 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
     }
 
     private fun streaming(frame: Frame): Renderer {
-        if (frame.hasTranslucency) {
-            throw Mistake("the scene is translucent, and --stream renders opaque surfaces only: add --opaque")
+        val able = candidates.filter { it is StreamingRenderer }
+        if (able.isEmpty()) {
+            val all = Strategies.all().filter { it is StreamingRenderer }.joinToString { it.id }
+            val reason =
+                if (named != null) "strategy '${named.id}' needs" else "the strategies that support ${flags()} need"
+            throw Mistake("$reason the whole model in memory; with --stream use one of $all, or omit --stream")
         }
-        val able = candidates.filter(::takesStreams)
-        if (able.isNotEmpty()) return choices.applyTo(able.first())
-        val all = Strategies.all().filter(::takesStreams).joinToString { it.id }
-        val reason = if (named !=
-            null
-        ) {
-            "strategy '${named.id}' needs"
-        } else {
-            "the strategies that support ${flags()} need"
-        }
-        throw Mistake("$reason the whole model in memory; with --stream use one of $all, or omit --stream")
+        if (!frame.hasTranslucency) return choices.applyTo(able.first())
+        return able.firstOrNull { Capability.TRANSPARENCY in it.capabilities }?.let { choices.applyTo(it) }
+            ?: throw Mistake("the scene is translucent, and with --stream only tiled blends: use it, or add --opaque")
     }
 
     /**
@@ -112,10 +106,6 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
         return "the scene is translucent, and $reason (${Strategies.supporters(Capability.TRANSPARENCY)})\n" +
             "Omit $flag, or render the scene as opaque with --opaque."
     }
-
-    /** Whether [renderer] renders frames whose primitives are not in memory. */
-    private fun takesStreams(renderer: Renderer): Boolean =
-        renderer is StreamingRenderer || renderer is Tiled || renderer is HierarchicalZBuffer
 
     private fun capable(needs: Collection<Capability>): List<Renderer> =
         Strategies.all().filter { it.capabilities.containsAll(needs) }

@@ -124,6 +124,19 @@ class StreamTest {
 
     /** The file is larger than the heap. Without --stream it is refused. */
     @Test
+    fun translucentSurfacesBlend() {
+        model.writeBytes(hills(40))
+        for (options in listOf(
+            arrayOf("--shading", "flat", "--color", "#ff000080", "--view", "front"),
+            arrayOf("--shading", "flat", "--color", "#00ff0040", "--aa", "2", "--up", "x"),
+        )) {
+            assertEquals(pixels(*options), pixels("--stream", *options))
+        }
+        zcli("render", model, "--stream", "-o", out, "--color", "#ff000080", "--strategy", "zbuffer")
+            .mistake("with --stream only tiled blends", "--opaque")
+    }
+
+    @Test
     fun aModelLargerThanTheHeapIsShown() {
         model.writeBytes(hills(900))
         val options = listOf("--shading", "flat", "--aa", "1", "--size", "80x60")

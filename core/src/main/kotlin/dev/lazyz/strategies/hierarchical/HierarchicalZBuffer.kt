@@ -2,14 +2,21 @@ package dev.lazyz.strategies.hierarchical
 
 import dev.lazyz.Capability
 import dev.lazyz.Counters
+import dev.lazyz.Drawing
 import dev.lazyz.Frame
 import dev.lazyz.LibraryThreads
+import dev.lazyz.Raster
+import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.StreamingRenderer
 import dev.lazyz.Workers
+import dev.lazyz.pipeline.GroupedPrimitives
+import dev.lazyz.pipeline.GuardedDrawing
 import dev.lazyz.pipeline.KeyedRows
 import dev.lazyz.pipeline.StreamedRendering
+import dev.lazyz.pipeline.bandBytes
 import dev.lazyz.raster.VisibilityOrder
 import dev.lazyz.requireOpaque
 import dev.lazyz.shading.LateShading
@@ -32,6 +39,9 @@ import java.io.IOException
  * they are not hidden, plus one step for each row of a hidden primitive, plus n log n to sort n primitives. Thread
  * safe; no state between calls.
  *
+ * A streamed frame (see [Frame.isStreamed]) is rendered part by part into a picture in memory, at 12 bytes a sample, in
+ * bands of rows if that is more than [RenderOptions.bandBytes], by default a third of the heap. Each part is shaded where it is nearest within itself.
+ *
  * Source: Ned Greene, Michael Kass, Gavin Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993. In the paper, an
  * octree yields the primitives from near to far and rejects many at once; here they are sorted, and rejected one by
  * one.
@@ -42,7 +52,7 @@ import java.io.IOException
 public class HierarchicalZBuffer @JvmOverloads constructor(
     private val options: RenderOptions = RenderOptions(),
     private val order: Order = Order.NEAREST_FIRST,
-) : Renderer {
+) : StreamingRenderer {
     init {
         options.requireSupportedBy(this)
     }
@@ -72,8 +82,16 @@ public class HierarchicalZBuffer @JvmOverloads constructor(
     override fun render(frame: Frame, sink: RowSink): Counters {
         requireOpaque(frame, this)
         val parts = frame.content.parts ?: return renderWhole(frame, sink)
-        val most = options.bandBytes ?: (Runtime.getRuntime().maxMemory() / 3)
-        return StreamedRendering(frame, parts, Workers(1, LibraryThreads), most, ::renderWhole).run(sink)
+        return StreamedRendering(frame, parts, Workers(1, LibraryThreads), bandBytes(options.bandBytes), ::renderWhole).run(sink)
+    }
+
+    /**
+     * Begins an image. Visible primitives are kept until it ends; hidden ones are dropped whenever there are as many
+     * again.
+     */
+    override fun begin(raster: Raster, region: Region): Drawing {
+        val primitives = GroupedPrimitives(raster, region, ::renderWhole)
+        return GuardedDrawing(this, primitives::draw, primitives::finish)
     }
 
     private fun renderWhole(frame: Frame, sink: RowSink): Counters {

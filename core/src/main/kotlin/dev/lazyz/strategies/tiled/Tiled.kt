@@ -3,14 +3,20 @@ package dev.lazyz.strategies.tiled
 import dev.lazyz.Capability
 import dev.lazyz.Coherence
 import dev.lazyz.Counters
+import dev.lazyz.Drawing
 import dev.lazyz.Frame
 import dev.lazyz.LibraryThreads
+import dev.lazyz.Raster
+import dev.lazyz.Region
 import dev.lazyz.RenderOptions
-import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.StreamingRenderer
 import dev.lazyz.Workers
+import dev.lazyz.pipeline.GroupedPrimitives
+import dev.lazyz.pipeline.GuardedDrawing
+import dev.lazyz.pipeline.LayeredRendering
 import dev.lazyz.pipeline.StreamedRendering
-import dev.lazyz.requireOpaqueStream
+import dev.lazyz.pipeline.bandBytes
 import dev.lazyz.strategies.tiled.binning.ArrayPool
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import java.io.IOException
@@ -50,9 +56,9 @@ import java.util.concurrent.atomic.AtomicReference
  *
  * A streamed frame (see [Frame.isStreamed]) is rendered part by part into a picture in memory, at 12 bytes a sample. If
  * that is more than [RenderOptions.bandBytes], by default a third of the heap, into one band of rows after the other,
- * with
- * a pass over the parts for each.
- * Each part is shaded where it is nearest within itself, so later parts can hide some of what was shaded.
+ * with a pass over the parts for each. Each part is shaded where it is nearest within itself, so later parts can hide
+ * some of what was shaded. If it has translucent primitives, one thread draws it into areas that each take at most as
+ * much, at 28 bytes for each sample and each translucent fragment that was not yet hidden when it was drawn.
  *
  * Otherwise memory does not grow with the number of rows. For very wide pictures use smaller tiles. Rows and bins are
  * kept for the next rendering through soft references: rendering a frame similar to the last one allocates no large
@@ -83,7 +89,7 @@ public class Tiled internal constructor(
     private val kernels: () -> Kernels = Kernels::best,
     private val executor: Executor = LibraryThreads,
     private val bandBytes: Long? = null,
-) : Renderer {
+) : StreamingRenderer {
     /** The arrays of the last rendering, as long as there is enough memory. */
     private val kept = AtomicReference<SoftReference<ArrayPool>>()
 
@@ -121,7 +127,8 @@ public class Tiled internal constructor(
     /**
      * Renders [frame] and passes every row to [sink], on this thread.
      *
-     * @throws IllegalArgumentException if the frame is streamed and has translucent primitives
+     * @throws IllegalArgumentException if the frame is streamed, and one sample has more translucent fragments than fit
+     *   into a third of the heap
      * @throws InterruptedException if this thread is interrupted; all threads stop at their next primitive or row, and
      *   the sink receives no further rows
      */
@@ -130,17 +137,25 @@ public class Tiled internal constructor(
         // Concurrent renderings each have their own pool
         val pool = kept.getAndSet(null)?.get() ?: ArrayPool()
         val parts = frame.content.parts
-        val counters = if (parts == null) {
-            render(frame, sink, pool)
-        } else {
-            requireOpaqueStream(frame)
-            val most = bandBytes ?: (Runtime.getRuntime().maxMemory() / 3)
-            StreamedRendering(frame, parts, Workers(threads, executor), most) { part, merge ->
-                render(part, merge, pool)
-            }.run(sink)
+        val workers = Workers(threads, executor)
+        val most = bandBytes(bandBytes)
+        val counters = when {
+            parts == null -> render(frame, sink, pool)
+            parts.hasTranslucency -> LayeredRendering(frame, parts, workers, most).run(sink)
+            else ->
+                StreamedRendering(frame, parts, workers, most) { part, merge -> render(part, merge, pool) }.run(sink)
         }
         kept.set(SoftReference(pool))
         return counters
+    }
+
+    /**
+     * Begins an image. Visible primitives and all translucent ones are kept until it ends; hidden ones are dropped
+     * whenever there are as many again.
+     */
+    override fun begin(raster: Raster, region: Region): Drawing {
+        val primitives = GroupedPrimitives(raster, region, ::render)
+        return GuardedDrawing(this, primitives::draw, primitives::finish)
     }
 
     private fun render(frame: Frame, sink: RowSink, pool: ArrayPool): Counters {

@@ -19,7 +19,7 @@ import org.joml.Vector3dc
  * surface. Thread safe if the source is.
  *
  * @property source the triangles
- * @property material the appearance; renderers accept it only if it is opaque
+ * @property material the appearance; if it is translucent, only `Tiled` renders it
  */
 public class StreamedMesh private constructor(
     public val source: MeshSource,
@@ -72,14 +72,18 @@ public class StreamedMesh private constructor(
         return if (up == UpAxis.Y) part else part.withUpAxis(up)
     }
 
-    /** Returns the numbers of parts that are read at a time, some 100,000 triangles. */
+    /**
+     * Returns the numbers of parts that are read at a time, some 100,000 triangles, or fewer if they are translucent:
+     * these become objects.
+     */
     internal fun groups(): List<IntRange> {
+        val most = if (isTranslucent) TRANSLUCENT_GROUP else GROUP
         val groups = ArrayList<IntRange>()
         var first = 0
         var size = 0L
         for (number in 0 until source.partCount) {
             val count = source.triangleCount(number)
-            if (number > first && size + count > GROUP) {
+            if (number > first && size + count > most) {
                 groups += first until number
                 first = number
                 size = 0
@@ -115,5 +119,6 @@ public class StreamedMesh private constructor(
     private companion object {
         /** Most triangles that are read at a time, unless one part has more. */
         const val GROUP = 1 shl 17
+        const val TRANSLUCENT_GROUP = 1 shl 13
     }
 }

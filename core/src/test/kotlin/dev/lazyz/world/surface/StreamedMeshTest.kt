@@ -6,6 +6,7 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
+import dev.lazyz.StreamingRenderer
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
@@ -153,19 +154,29 @@ class StreamedMeshTest {
     }
 
     @Test
-    fun otherRenderersAndTranslucencyAreRefused() {
-        val parts = StreamedMesh(Pieces(mesh(5), 50))
-        val frame = Scene(listOf(parts)).frame(20, 20)
-        for (renderer in Renderers.builtIn.filter { it.id !in setOf("tiled", "zbuffer", "hybrid", "hierarchical") }) {
+    fun otherRenderersRefuse() {
+        val frame = Scene(listOf(StreamedMesh(Pieces(mesh(5), 50)))).frame(20, 20)
+        for (renderer in Renderers.builtIn.filter { it !is StreamingRenderer }) {
             val refused = assertThrows(IllegalArgumentException::class.java) { renderer.render(frame) }
             assertTrue("the frame is streamed" in refused.message!!, refused.message)
         }
+    }
+
+    @Test
+    fun translucentMeshesBlend() {
         val glass = Material(Rgba(1f, 1f, 1f, 0.5f)).withAlphaMode(AlphaMode.BLEND)
-        val translucent = Scene(listOf(parts.withMaterials { glass })).frame(20, 20)
+        val whole = mesh(5).withMaterials { glass }
+        val parts = StreamedMesh(Pieces(mesh(5), 50), glass)
+        val expected = Tiled().render(Scene(listOf(sphere(), whole)).frame(60, 60))
+        val frame = Scene(listOf(sphere(), parts)).frame(60, 60)
         for (renderer in streaming) {
-            val refused = assertThrows(IllegalArgumentException::class.java) { renderer.render(translucent) }
-            assertTrue("streamed" in refused.message!!, refused.message)
-            renderer.render(translucent.asOpaque())
+            if (renderer is Tiled) {
+                assertSame(expected, renderer.render(frame), "$renderer")
+            } else {
+                val refused = assertThrows(IllegalArgumentException::class.java) { renderer.render(frame) }
+                assertTrue("streamed" in refused.message!! && "use 'tiled'" in refused.message!!, refused.message)
+            }
+            renderer.render(frame.asOpaque())
         }
     }
 

@@ -1,0 +1,96 @@
+package dev.lazyz.pipeline
+
+import dev.lazyz.Counters
+import dev.lazyz.Frame
+import dev.lazyz.FrameParts
+import dev.lazyz.Region
+import dev.lazyz.RowSink
+import dev.lazyz.Workers
+
+/**
+ * Renders a streamed frame that has translucent primitives, with a pass over the parts for each area of the picture. An
+ * area is a band of rows, or a part of one row, that is so small that [LayeredSamples] hold it: if an area has too many
+ * translucent fragments, the pass ends, and begins again for half of the area.
+ *
+ * Memory: [mostBytes], and three parts. Used by one thread.
+ *
+ * @param mostBytes most bytes of an area
+ */
+internal class LayeredRendering(
+    private val frame: Frame,
+    private val parts: FrameParts,
+    private val workers: Workers,
+    mostBytes: Long,
+) {
+    private val mostBytes = minOf(mostBytes, MOST_BYTES)
+    private val counters = Counters.Builder()
+    private val region = frame.region
+
+    /** Renders all parts, and passes every row to [sink]. */
+    fun run(sink: RowSink): Counters {
+        // Leave half of the memory for translucent fragments
+        val bytesPerRow = 2 * LayeredSamples.BYTES_PER_SAMPLE * region.width
+        var rows = (mostBytes / bytesPerRow).coerceIn(1, region.height.toLong()).toInt()
+        var width = region.width
+        var top = region.rowStart
+        var left = region.columnStart
+        val row = CollectedRow(region)
+        while (top < region.rowEnd) {
+            val area = Region(left, top, minOf(left + width, region.columnEnd), minOf(top + rows, region.rowEnd))
+            val samples = LayeredSamples(frame.raster, area, mostBytes, counters)
+            if (!draw(area, samples)) {
+                require(area.size > 1) { "${tooMany(area)}: ${remedy()}" }
+                if (area.height > 1) rows = (area.height + 1) / 2 else width = (area.width + 1) / 2
+                continue
+            }
+            counters.peakBytes = maxOf(counters.peakBytes, samples.bytes)
+            if (area.width == region.width) samples.handOut(sink) else samples.handOut(row.from(left))
+            left = area.columnEnd
+            if (left == region.columnEnd) {
+                if (area.width < region.width) row.handOut(top, sink)
+                left = region.columnStart
+                top = area.rowEnd
+            }
+        }
+        counters.primitives = parts.size.toLong()
+        return counters.build()
+    }
+
+    private fun tooMany(area: Region) =
+        "column ${area.columnStart} of row ${area.rowStart} has more translucent fragments than fit into memory"
+
+    private fun remedy() =
+        "they may take $mostBytes bytes; allow more memory (-Xmx), or make the frame opaque with asOpaque()"
+
+    /** Draws all primitives within [area]. Returns false if there is not enough memory. */
+    private fun draw(area: Region, samples: LayeredSamples): Boolean {
+        inOrder(parts.reaching(area), workers) { part ->
+            for (number in 0 until part.content.size) {
+                if (!samples.draw(part.content.primitives[number], part.first + number)) return false
+            }
+        }
+        return true
+    }
+
+    /** A row that arrives in pieces. */
+    private class CollectedRow(private val region: Region) {
+        private val argb by lazy { IntArray(region.width) }
+        private val depths by lazy { IntArray(region.width) }
+        private val indices by lazy { IntArray(region.width) }
+
+        /** Takes the piece that begins at [column]. */
+        fun from(column: Int) = RowSink { _, argb, depth, primitive ->
+            val start = column - region.columnStart
+            argb.copyInto(this.argb, start)
+            depth.copyInto(depths, start)
+            primitive.copyInto(indices, start)
+        }
+
+        fun handOut(y: Int, sink: RowSink) = sink.row(y, argb, depths, indices)
+    }
+
+    private companion object {
+        /** With more memory, the colours of an area would not fit into one array. */
+        const val MOST_BYTES = 1L shl 34
+    }
+}

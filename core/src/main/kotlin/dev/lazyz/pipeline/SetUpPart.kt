@@ -1,0 +1,81 @@
+package dev.lazyz.pipeline
+
+import dev.lazyz.FrameContent
+import dev.lazyz.FramePart
+import dev.lazyz.FrameParts
+import dev.lazyz.Helpers
+import dev.lazyz.Reach
+import dev.lazyz.Region
+import dev.lazyz.Workers
+import dev.lazyz.raster.ScreenGrid
+import dev.lazyz.setup.planar.TriangleBatch
+import dev.lazyz.setup.planar.triangleBatch
+import java.util.concurrent.ExecutionException
+import java.util.concurrent.FutureTask
+
+/** A part of a streamed frame whose primitives are in memory. [first] is the submission index of the first one. */
+internal class SetUpPart(val first: Int, val content: FrameContent) {
+    /** A rectangle that contains all its samples. */
+    val reach: Reach by lazy { reachOf(content) }
+
+    private companion object {
+        fun reachOf(part: FrameContent): Reach {
+            var left = Int.MAX_VALUE
+            var top = Int.MAX_VALUE
+            var right = Int.MIN_VALUE
+            var bottom = Int.MIN_VALUE
+            for (primitive in part.singles) {
+                left = minOf(left, primitive.columnStart)
+                top = minOf(top, primitive.rowStart)
+                right = maxOf(right, primitive.columnEnd)
+                bottom = maxOf(bottom, primitive.rowEnd)
+            }
+            for (number in part.batches.indices) {
+                val grid = part.triangleBatch(number).grid
+                for (i in grid.indices step TriangleBatch.STRIDE) {
+                    val column = ScreenGrid.firstSample(grid[i])
+                    val row = ScreenGrid.firstSample(grid[i + 1])
+                    left = minOf(left, column)
+                    top = minOf(top, row)
+                    right = maxOf(right, column)
+                    bottom = maxOf(bottom, row)
+                }
+            }
+            return Reach(left, top, right, bottom)
+        }
+    }
+}
+
+/** Returns the parts that may cover samples of [area]. */
+internal fun FrameParts.reaching(area: Region): List<FramePart> =
+    filter { it.reach == null || it.reach.within(area) != null }
+
+/** Calls [action] for each of the [parts] in order. Another thread makes them, if there is one. */
+internal inline fun inOrder(parts: List<FramePart>, workers: Workers, action: (SetUpPart) -> Unit) {
+    val helpers = Helpers(workers.executor)
+    var isDone = false
+    try {
+        var next = parts.firstOrNull()?.let { task(it) }
+        for (number in parts.indices) {
+            val current = checkNotNull(next)
+            next = parts.getOrNull(number + 1)?.let { task(it) }
+            if (next != null && workers.threads > 1) helpers.start(next::run)
+            action(resultOf(current))
+        }
+        isDone = true
+    } finally {
+        helpers.end(interrupt = !isDone)
+    }
+}
+
+internal fun task(part: FramePart): FutureTask<SetUpPart> = FutureTask { SetUpPart(part.first, part.content()) }
+
+/** Returns the result of [task]. If no thread has begun it, this one does it. */
+internal fun resultOf(task: FutureTask<SetUpPart>): SetUpPart {
+    task.run()
+    try {
+        return task.get()
+    } catch (e: ExecutionException) {
+        throw e.cause ?: e
+    }
+}
