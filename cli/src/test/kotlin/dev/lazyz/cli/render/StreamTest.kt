@@ -94,7 +94,8 @@ class StreamTest {
             "--style technical" to "--style technical", "--style product" to "--style product",
             "--cut z=50%" to "--cut", "--ambient-occlusion" to "--ambient-occlusion",
             "--ground-shadow" to "--ground-shadow", "--shading-rate pixel" to "--shading-rate pixel",
-            "--aov depth=a.pfm" to "--aov", "--strategy lazy" to "with --stream use one of tiled, zbuffer, hybrid, hierarchical",
+            "--aov depth=a.pfm" to "--aov",
+            "--strategy lazy" to "with --stream use one of tiled, zbuffer, hybrid, hierarchical",
             "--select count" to "--select", "--coherence incremental --strategy scanline" to "'scanline' needs",
             "--turntable 4" to "--stream is for a single picture", "--views iso,top" to "--stream",
             "--spool nowhere" to "nowhere is not a folder",
@@ -138,9 +139,9 @@ class StreamTest {
     @Test
     fun objAndPlyFilesLargerThanTheHeapAreShown() {
         val options = arrayOf("--shading", "flat", "--aa", "1", "--size", "80x60", "-o", "small.png")
-        for ((name, text) in listOf("hills.obj" to indexed(500, isPly = false), "hills.ply" to indexed(500, isPly = true))) {
+        for (name in listOf("hills.obj", "hills.ply")) {
             val file = folder.resolve(name)
-            file.writeText(text)
+            file.writeText(indexed(500, isPly = name == "hills.ply"))
             zcli("render", file, "-o", out, *options.sliceArray(0..5)).done()
             val whole = out.image.argb()
             assertEquals(2, run("-Xmx64m", "render", name, *options), name)
@@ -159,7 +160,8 @@ class StreamTest {
         val count = (side + 1) * (side + 1)
         if (isPly) {
             append("ply\nformat ascii 1.0\nelement vertex $count\nproperty float x\nproperty float y\n")
-            append("property float z\nelement face ${2 * side * side}\nproperty list uchar int vertex_index\nend_header\n")
+            append("property float z\nelement face ${2 * side * side}\n")
+            append("property list uchar int vertex_index\nend_header\n")
         }
         for (vertex in 0 until count) {
             val x = vertex % (side + 1) / side.toFloat()

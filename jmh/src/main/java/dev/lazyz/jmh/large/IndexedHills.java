@@ -55,8 +55,7 @@ final class IndexedHills {
             if (isPly) {
                 row.append("ply\nformat ascii 1.0\nelement vertex ").append((side + 1) * (side + 1));
                 row.append("\nproperty float x\nproperty float y\nproperty float z\nelement face ");
-                row.append(2 * side * side)
-                        .append("\nproperty list uchar int vertex_indices\nend_header\n");
+                row.append(2 * side * side).append("\nproperty list uchar int vertex_indices\nend_header\n");
             }
             for (int y = 0; y <= side; y++) {
                 float[] heights = Hills.heights(side, y);

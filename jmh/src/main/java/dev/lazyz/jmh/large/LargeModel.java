@@ -47,7 +47,8 @@ public final class LargeModel {
             System.out.println(step(args[0], Path.of(args[1]), Integer.parseInt(args[2])));
             return;
         }
-        Options options = new Options(args, Set.of("triangles", "format", "heap", "side", "rounds", "folder", "pieces"));
+        Options options =
+                new Options(args, Set.of("triangles", "format", "heap", "side", "rounds", "folder", "pieces"));
         int triangles = Integer.parseInt(options.get("triangles", "10000000"));
         String heap = "-Xmx" + options.get("heap", "256m");
         String side = options.get("side", "1024");
