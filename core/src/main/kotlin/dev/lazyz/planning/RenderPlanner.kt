@@ -9,6 +9,7 @@ import dev.lazyz.filter.SampledFrame
 import dev.lazyz.strategies.FrameNumbers
 import dev.lazyz.strategies.PictureMemory
 import dev.lazyz.strategies.StrategyModel
+import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.tiled.TiledMemory
 
@@ -141,7 +142,7 @@ public class RenderPlanner @JvmOverloads constructor(
             chosen = chosen.withMemoryBudget(budget)
             need = fixed + budget
         }
-        val kept = if (isStreamed && keepsNearest(renderer)) SAMPLE_BYTES * frame.region.size else 0
+        val kept = if (isStreamed && renderer is HierarchicalZBuffer) SAMPLE_BYTES * frame.region.size else 0
         val items = parts + MemoryItem("strategy ${renderer.id}", need + kept)
         val words = words(renderer, chosen)
         return RenderPlan(renderer.configured(chosen.supportedBy(renderer)), memory, items, 1, "$words, in one pass")
