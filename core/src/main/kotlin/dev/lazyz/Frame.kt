@@ -80,9 +80,9 @@ public class Frame internal constructor(
         if (hasTranslucency) Frame(raster, content.asOpaque(), region) else this
 
     /**
-     * Returns this frame with primitives whose colours are not computed: what is visible where, and how deep. The colours
-     * of its image mean nothing, and shading calls in its counters cost nothing. For merging the visible parts of images
-     * before any of them is shaded.
+     * Returns this frame with primitives whose colours are not computed: what is visible where, and how deep. The
+     * colours of its image mean nothing, and shading calls in its counters cost nothing. For merging the visible parts
+     * of images before any of them is shaded.
      */
     public fun unshaded(): Frame = Frame(raster, content.unshaded(), region)
 

@@ -40,7 +40,8 @@ import java.io.IOException
  * safe; no state between calls.
  *
  * A streamed frame (see [Frame.isStreamed]) is rendered part by part into a picture in memory, at 12 bytes a sample, in
- * bands of rows if that is more than [RenderOptions.bandBytes], by default a third of the heap. Each part is shaded where it is nearest within itself.
+ * bands of rows if that is more than [RenderOptions.bandBytes], by default a third of the heap. Each part is shaded
+ * where it is nearest within itself.
  *
  * Source: Ned Greene, Michael Kass, Gavin Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993. In the paper, an
  * octree yields the primitives from near to far and rejects many at once; here they are sorted, and rejected one by
@@ -82,7 +83,8 @@ public class HierarchicalZBuffer @JvmOverloads constructor(
     override fun render(frame: Frame, sink: RowSink): Counters {
         requireOpaque(frame, this)
         val parts = frame.content.parts ?: return renderWhole(frame, sink)
-        return StreamedRendering(frame, parts, Workers(1, LibraryThreads), bandBytes(options.bandBytes), ::renderWhole).run(sink)
+        val workers = Workers(1, LibraryThreads)
+        return StreamedRendering(frame, parts, workers, bandBytes(options.bandBytes), ::renderWhole).run(sink)
     }
 
     /**

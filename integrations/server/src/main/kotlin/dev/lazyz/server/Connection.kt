@@ -5,6 +5,7 @@ import dev.lazyz.server.render.RenderJob
 import io.netty.channel.ChannelHandlerContext
 import io.netty.channel.SimpleChannelInboundHandler
 import io.netty.channel.socket.SocketChannel
+import io.netty.handler.codec.DecoderException
 import io.netty.handler.codec.http.DefaultFullHttpResponse
 import io.netty.handler.codec.http.HttpContent
 import io.netty.handler.codec.http.HttpHeaderNames
@@ -81,8 +82,9 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
     }
 
     override fun exceptionCaught(context: ChannelHandlerContext, cause: Throwable) {
-        // A connection that is reset by the client is not worth a line; its request is in the log
-        if (cause !is IOException) service.report(cause)
+        // A client that resets the connection, or sends what is not HTTP or too many requests at a time, is not worth a
+        // line; its request is in the log
+        if (cause !is IOException && cause !is DecoderException) service.report(cause)
         context.close()
     }
 

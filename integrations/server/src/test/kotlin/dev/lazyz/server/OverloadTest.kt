@@ -1,6 +1,10 @@
 package dev.lazyz.server
 
+import java.net.SocketException
 import java.time.Duration
+import java.util.logging.Handler
+import java.util.logging.LogRecord
+import java.util.logging.Logger
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -130,12 +134,40 @@ class OverloadTest {
         val client = Client(server)
         client.begin(Client.LONG).use { socket ->
             client.await("lazyz_renders_running", 1)
-            repeat(1000) { socket.send("GET /health/live HTTP/1.1\r\n\r\n") }
+            repeat(100) { socket.send("GET /health/live HTTP/1.1\r\n\r\n") }
             assertEquals(1.0, client.metric("lazyz_requests_open"))
         }
         client.await("lazyz_renders_running", 0)
         client.await("lazyz_requests_open", 0)
         assertEquals(0.0, client.metric("lazyz_requests_total{status=\"200\"}"))
+    }
+
+    @Test
+    fun aClientThatSendsTooManyRequestsIsDisconnected() {
+        val bugs = ArrayList<String>()
+        val handler = object : Handler() {
+            override fun publish(record: LogRecord) {
+                bugs += record.message
+            }
+
+            override fun flush() = Unit
+
+            override fun close() = Unit
+        }
+        val logger = Logger.getLogger("dev.lazyz.server").apply { addHandler(handler) }
+        RenderServer(config).start().use { server ->
+            val client = Client(server)
+            client.begin(Client.LONG).use { socket ->
+                client.await("lazyz_renders_running", 1)
+                assertThrows(SocketException::class.java) {
+                    repeat(100_000) { socket.send("GET /health/live HTTP/1.1\r\n\r\n") }
+                }
+            }
+            client.await("lazyz_renders_running", 0)
+            client.await("lazyz_requests_open", 0)
+        }
+        logger.removeHandler(handler)
+        assertEquals(emptyList<String>(), bugs)
     }
 
     @Test

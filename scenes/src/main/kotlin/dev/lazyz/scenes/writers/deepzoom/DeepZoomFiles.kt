@@ -97,8 +97,8 @@ public object DeepZoomFiles {
     }
 
     /**
-     * Makes a pyramid of tiles that are complete: for tiles that several processes have written. The folder [tiles] gets
-     * its name, and then the descriptor is written. An old pyramid of the same name is replaced.
+     * Makes a pyramid of tiles that are complete: for tiles that several processes have written. The folder [tiles]
+     * gets its name, and then the descriptor is written. An old pyramid of the same name is replaced.
      *
      * @param path the descriptor
      * @param tiles the folder of the levels, as [DeepZoomSink] writes it, in the same file system as [path]
