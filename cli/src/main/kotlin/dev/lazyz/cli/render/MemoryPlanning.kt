@@ -81,7 +81,7 @@ internal class MemoryPlanning(private val allowed: Long, private val request: Re
     fun explain(plan: RenderPlan, frame: Frame, streaming: StreamRequest?): String {
         val limit = if (memory < allowed) "Java may use less than --memory ${Bytes.readable(allowed)}\n" else ""
         val disk = if (frame.isStreamed && streaming != null) {
-            "disk: the model stays in its file; temporary files, if it is text or standard input, in ${streaming.spool}\n"
+            "disk: the model stays in its file; temporary files, unless it is a binary STL file, in ${streaming.spool}\n"
         } else {
             "disk: the output only\n"
         }
