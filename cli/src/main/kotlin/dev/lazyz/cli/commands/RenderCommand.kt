@@ -243,8 +243,8 @@ private class MemoryOptions : OptionGroup("Memory") {
         help =
         "Stay within this memory for Java's objects: bytes, or with k, m, g. Chooses strategy, threads, tiles and " +
             "passes accordingly, or refuses and says what would fit; --explain prints the plan. The launcher " +
-            "script starts Java with -Xmx of this size; with java -jar, add it yourself. --memory-budget, in contrast, is " +
-            "for the working memory of some strategies",
+            "script starts Java with -Xmx of this size; with java -jar, add it yourself. --memory-budget, in " +
+            "contrast, is for the working memory of some strategies",
     ).bytes()
 }
 
