@@ -14,7 +14,7 @@ IN_STYLE = re.compile(r"url\(\s*[\"']?([^\"')]+)|@import\s+[\"']([^\"']+)")
 
 def main(root):
     """Returns what is wrong."""
-    pages = {page: page.read_text(encoding="utf-8") for page in sorted(root.rglob("*.html"))}
+    pages = {page: page.read_text(encoding="utf-8") for page in sorted(root.rglob("*.html")) if page.is_file()}
     anchors = {page: {unescape(name) for name in ANCHOR.findall(text)} for page, text in pages.items()}
     wrong = []
     for page, text in pages.items():
