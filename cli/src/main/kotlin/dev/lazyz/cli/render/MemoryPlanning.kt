@@ -15,17 +15,16 @@ import dev.lazyz.scenes.Scenes
 
 /**
  * The option `--memory`: plans a rendering of [request] that stays within [allowed] bytes of Java's memory, or refuses
- * it
- * before it begins. What is already in memory is measured after a garbage collection.
+ * it before it begins. What is already in memory is measured after a garbage collection.
  */
 internal class MemoryPlanning(private val allowed: Long, private val request: RenderRequest) {
-    private val memory = minOf(allowed, Runtime.getRuntime().maxMemory())
+    /** Bytes that may be used: not more than Java itself may use. */
+    val memory: Long = minOf(allowed, Runtime.getRuntime().maxMemory())
     private val advice = MemoryAdvice(request, allowed)
 
     /**
-     * Returns how to read the model of [source]: null for as a whole, if it fits, or if nobody knows; or part by part,
-     * if
-     * the picture is the same.
+     * Returns how to read the model of [source]: null for as a whole, if it fits, or if its need is unknown; or part
+     * by part, if the picture is the same.
      *
      * @throws Mistake if the model does not fit
      */

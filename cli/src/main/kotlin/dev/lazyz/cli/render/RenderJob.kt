@@ -55,7 +55,8 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         val plan = planning?.plan(source, shot, choice, outputs.memory(shot.pixels) + kept(keptBytes))
         val strategy = plan?.renderer ?: choice.strategyFor(frame)
         if (request.isExplained) {
-            streams.note(choice.explain(strategy, frame))
+            val memory = planning?.memory ?: Runtime.getRuntime().maxMemory()
+            streams.note(choice.explain(strategy, frame, memory))
             if (plan != null) streams.note(planning.explain(plan, frame, streaming))
         }
         val kept = (reference?.bytesPerPixel ?: 0) + request.aovs.bytesPerPixel / (shot.factor * shot.factor)

@@ -35,8 +35,7 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
 
     /**
      * Returns the strategies that can be used for [frame] with [memory] bytes: first the one that [strategyFor]
-     * returns,
-     * then the others in the order of the list.
+     * returns, then the others in the order of the list.
      */
     fun rendererChoices(frame: Frame, memory: Long): List<Renderer> {
         val first = strategyFor(frame, memory)
@@ -69,7 +68,7 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
      * Returns lines that explain why [strategy] was chosen for [frame], with the expected cost of each strategy, if
      * [memory] bytes may be used.
      */
-    fun explain(strategy: Renderer, frame: Frame, memory: Long = Runtime.getRuntime().maxMemory()): String {
+    fun explain(strategy: Renderer, frame: Frame, memory: Long): String {
         if (frame.isStreamed) {
             val why = if (named != null) "--strategy names it" else "it is the first that renders streamed models"
             return "${frame.primitives.size} primitives are read part by part\nchosen: ${strategy.id}, because $why\n"

@@ -3,8 +3,6 @@ package dev.lazyz.cli.render
 import dev.lazyz.cli.ChildZcli
 import dev.lazyz.cli.statIn
 import dev.lazyz.cli.zcli
-import java.nio.ByteBuffer
-import java.nio.ByteOrder
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.writeBytes
@@ -23,28 +21,6 @@ class MemoryOptionTest {
 
     private val model get() = folder.resolve("hills.stl")
 
-    /** Writes a binary file of 2 x [side] x [side] triangles. */
-    private fun writeHills(side: Int) {
-        val buffer = ByteBuffer.allocate(84 + 100 * side * side).order(ByteOrder.LITTLE_ENDIAN)
-        buffer.position(80).putInt(2 * side * side)
-        fun point(x: Int, y: Int) {
-            buffer.putFloat(x / side.toFloat()).putFloat(y / side.toFloat())
-            buffer.putFloat((StrictMath.sin(9.0 * x / side) * StrictMath.cos(7.0 * y / side) / 6).toFloat())
-        }
-        for (y in 0 until side) {
-            for (x in 0 until side) {
-                for (upper in 0..1) {
-                    buffer.position(buffer.position() + 12)
-                    point(x, y)
-                    point(x + 1, y + upper)
-                    point(x + 1 - upper, y + 1)
-                    buffer.position(buffer.position() + 2)
-                }
-            }
-        }
-        model.writeBytes(buffer.array())
-    }
-
     private class Outcome(val code: Int, val errors: String, val text: String)
 
     /** Renders with a heap of [mebibytes], and with --memory of that size. */
@@ -58,7 +34,7 @@ class MemoryOptionTest {
 
     @Test
     fun eachPictureIsTheSameOrRefused() {
-        writeHills(400)
+        model.writeBytes(Hills(400).stl())
         var rendered = 0
         var refused = 0
         for ((words, amounts) in listOf(
@@ -90,20 +66,20 @@ class MemoryOptionTest {
 
     @Test
     fun theMemoryThatTheMessageNamesIsEnough() {
-        val refused = render(12, "a.png", listOf("city", "--size", "3000"))
+        val refused = render(12, "a.png", listOf("city", "--size", "3000", "--aa", "2"))
         assertEquals(2, refused.code)
         for (part in listOf("--memory allows 12.0 MiB", "reserve for the garbage collector", "--aa 1", "--size")) {
             assertTrue(part in refused.errors, refused.errors)
         }
         val use = refused.errors.substringAfter("Use ")
         val enough = checkNotNull(Regex("--memory (\\d+)m").find(use)).groupValues[1]
-        val outcome = render(enough.toInt(), "a.png", listOf("city", "--size", "3000"))
+        val outcome = render(enough.toInt(), "a.png", listOf("city", "--size", "3000", "--aa", "2"))
         assertEquals(0, outcome.code, outcome.errors)
     }
 
     @Test
     fun aModelIsReadPartByPartWherePicturesAreTheSame() {
-        writeHills(700)
+        model.writeBytes(Hills(700).stl())
         val out = folder.resolve("a.png")
         val words = listOf("hills.stl", "--shading", "flat", "--aa", "1", "--size", "400")
         val whole = statIn(zcli("render", *absolute(words), "-o", out, "--stats=json").text, "pixelHash")

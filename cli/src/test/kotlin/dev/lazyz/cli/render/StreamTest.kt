@@ -5,8 +5,6 @@ import dev.lazyz.cli.image
 import dev.lazyz.cli.zcli
 import dev.lazyz.cli.zcliReading
 import java.io.File
-import java.nio.ByteBuffer
-import java.nio.ByteOrder
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 import kotlin.io.path.exists
@@ -28,28 +26,6 @@ class StreamTest {
     private val model get() = folder.resolve("hills.stl")
     private val out get() = folder.resolve("out.png")
 
-    /** A binary file of 2 x [side] x [side] triangles. */
-    private fun hills(side: Int): ByteArray {
-        val buffer = ByteBuffer.allocate(84 + 100 * side * side).order(ByteOrder.LITTLE_ENDIAN)
-        buffer.position(80).putInt(2 * side * side)
-        fun point(x: Int, y: Int) {
-            buffer.putFloat(x / side.toFloat()).putFloat(y / side.toFloat())
-            buffer.putFloat((StrictMath.sin(11.0 * x / side) * StrictMath.cos(8.0 * y / side) / 6).toFloat())
-        }
-        for (y in 0 until side) {
-            for (x in 0 until side) {
-                for (upper in 0..1) {
-                    buffer.position(buffer.position() + 12)
-                    point(x, y)
-                    point(x + 1, y + upper)
-                    point(x + 1 - upper, y + 1)
-                    buffer.position(buffer.position() + 2)
-                }
-            }
-        }
-        return buffer.array()
-    }
-
     private fun pixels(vararg options: Any): List<Int> {
         zcli("render", model, "-o", out, "--size", "80x60", *options).done()
         return out.image.argb()
@@ -57,7 +33,7 @@ class StreamTest {
 
     @Test
     fun thePictureIsThatOfTheWholeModel() {
-        model.writeBytes(hills(70))
+        model.writeBytes(Hills(70).stl())
         for (options in listOf(
             listOf("--shading", "flat"), listOf("--shading", "flat", "--color", "steelblue", "--view", "top"),
             listOf("--shading", "constant", "--aa", "2", "--region", "20,11,33x40"),
@@ -88,7 +64,7 @@ class StreamTest {
 
     @Test
     fun whatNeedsTheWholeModelIsRefused() {
-        model.writeBytes(hills(3))
+        model.writeBytes(Hills(3).stl())
         for ((words, problem) in listOf(
             "--edges" to "--edges needs the whole model", "--wireframe" to "--wireframe",
             "--style technical" to "--style technical", "--style product" to "--style product",
@@ -116,7 +92,7 @@ class StreamTest {
 
     @Test
     fun itIsExplained() {
-        model.writeBytes(hills(3))
+        model.writeBytes(Hills(3).stl())
         val result = zcli("render", model, "-o", out, "--stream", "--explain")
         assertEquals(0, result.code)
         assertTrue("18 primitives are read part by part\nchosen: tiled, because" in result.errors, result.errors)
@@ -125,7 +101,7 @@ class StreamTest {
     /** The file is larger than the heap. Without --stream it is refused. */
     @Test
     fun translucentSurfacesBlend() {
-        model.writeBytes(hills(40))
+        model.writeBytes(Hills(40).stl())
         for (options in listOf(
             arrayOf("--shading", "flat", "--color", "#ff000080", "--view", "front"),
             arrayOf("--shading", "flat", "--color", "#00ff0040", "--aa", "2", "--up", "x"),
@@ -138,7 +114,7 @@ class StreamTest {
 
     @Test
     fun aModelLargerThanTheHeapIsShown() {
-        model.writeBytes(hills(900))
+        model.writeBytes(Hills(900).stl())
         val options = listOf("--shading", "flat", "--aa", "1", "--size", "80x60")
         val whole = pixels(*options.toTypedArray())
         assertEquals(2, run("-Xmx64m", "render", "hills.stl", "-o", "small.png", *options.toTypedArray()))
@@ -154,7 +130,7 @@ class StreamTest {
         val options = arrayOf("--shading", "flat", "--aa", "1", "--size", "80x60", "-o", "small.png")
         for (name in listOf("hills.obj", "hills.ply")) {
             val file = folder.resolve(name)
-            file.writeText(indexed(500, isPly = name == "hills.ply"))
+            file.writeText(if (name == "hills.ply") Hills(500).ply() else Hills(500).obj())
             zcli("render", file, "-o", out, *options.sliceArray(0..5)).done()
             val whole = out.image.argb()
             assertEquals(2, run("-Xmx64m", "render", name, *options), name)
@@ -165,30 +141,6 @@ class StreamTest {
             val code = run("-Xmx64m", "render", "-", "--format", format, "--stream", *options, input = file.toFile())
             assertEquals(0, code, folder.resolve("errors.txt").readText())
             assertEquals(whole, folder.resolve("small.png").image.argb(), name)
-        }
-    }
-
-    /** A hilly square of 2 x [side] x [side] triangles as text. */
-    private fun indexed(side: Int, isPly: Boolean): String = buildString {
-        val count = (side + 1) * (side + 1)
-        if (isPly) {
-            append("ply\nformat ascii 1.0\nelement vertex $count\nproperty float x\nproperty float y\n")
-            append("property float z\nelement face ${2 * side * side}\n")
-            append("property list uchar int vertex_index\nend_header\n")
-        }
-        for (vertex in 0 until count) {
-            val x = vertex % (side + 1) / side.toFloat()
-            val y = vertex / (side + 1) / side.toFloat()
-            val z = (StrictMath.sin(11.0 * x) * StrictMath.cos(8.0 * y) / 6).toFloat()
-            append(if (isPly) "" else "v ").append(x).append(' ').append(y).append(' ').append(z).append('\n')
-        }
-        val first = if (isPly) 0 else 1
-        for (cell in 0 until side * side) {
-            val a = cell / side * (side + 1) + cell % side + first
-            val c = a + side + 1
-            val start = if (isPly) "3 " else "f "
-            append(start).append(a).append(' ').append(a + 1).append(' ').append(c + 1).append('\n')
-            append(start).append(a).append(' ').append(c + 1).append(' ').append(c).append('\n')
         }
     }
 
