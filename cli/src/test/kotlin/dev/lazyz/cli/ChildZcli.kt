@@ -20,7 +20,10 @@ internal class ChildZcli(private val folder: Path) {
     ): Process {
         val classPath = System.getProperty("java.class.path").split(File.pathSeparator)
             .joinToString(File.pathSeparator) { Path.of(it).toAbsolutePath().toString() }
-        val words = listOf(java) + javaOptions + listOf("-cp", classPath, "dev.lazyz.cli.MainKt") + args
+        // Most runs are short: the optimizing compiler would take longer than it saves
+        val words =
+            listOf(java, "-XX:TieredStopAtLevel=1") + javaOptions + listOf("-cp", classPath, "dev.lazyz.cli.MainKt") +
+                args
         return ProcessBuilder(words).directory(folder.toFile())
             .redirectError(folder.resolve("errors.txt").toFile())
             .apply(configure)

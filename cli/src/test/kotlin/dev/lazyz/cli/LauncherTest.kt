@@ -130,6 +130,7 @@ class LauncherTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun halfMadeArchivesAreCleanedUp() {
         Files.createDirectory(cache)
         val old = cache.resolve(".123.jsa").apply { writeText("half") }
@@ -158,6 +159,7 @@ class LauncherTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun cacheThatCannotBe() {
         folder.resolve("file").writeText("")
         render(mapOf("ZCLI_CACHE" to "${folder.resolve("file/cache")}"))

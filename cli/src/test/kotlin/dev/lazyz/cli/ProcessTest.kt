@@ -21,6 +21,7 @@ import org.junit.jupiter.api.DynamicTest
 import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestFactory
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** A few runs in a separate process: streams, exit codes, working folder. */
@@ -91,6 +92,7 @@ class ProcessTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun whatAnotherProcessWritesIsLeftAlone() {
         val process = startLargePicture()
         try {
@@ -136,6 +138,7 @@ class ProcessTest {
 
     /** Each picture takes 69 MiB, and any two of them are more than the heap. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun picturesThatDoNotFitTogetherAreRenderedOneAfterTheOther() {
         val inputs = listOf("teapot", "city", "cycle", "molecule")
         val options = listOf("--size", "600x600", "--strategy", "zbuffer", "--threads", "4", "-o", "{stem}.png")
@@ -146,6 +149,7 @@ class ProcessTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aTerminatedBatchLeavesNoPartialFile() {
         val words = listOf("render", "plane", "city", "--turntable", "100", "--size", "2000x2000", "-o", "{stem}.png")
         val process = start(words, listOf("-Xmx2g")) {}

@@ -50,7 +50,7 @@ class ProgressTest {
 
     @Test
     fun picturesOfABatchAreCountedOnATerminalOnly() {
-        val args = arrayOf("render", "teapot", "city", "--size", "9x9", "--turntable", "40", "-o", "$folder/{stem}.png")
+        val args = arrayOf("render", "teapot", "city", "--size", "9x9", "--turntable", "8", "-o", "$folder/{stem}.png")
         assertEquals(0, run(args, streams(isTerminal = true)))
         assertTrue(shown.any { Regex("wrote .*teapot\\.png").matches(it) }) { "$shown" }
         errors.reset()

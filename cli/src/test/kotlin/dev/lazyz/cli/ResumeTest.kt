@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** Pyramids whose process is ended in the middle. */
@@ -33,6 +34,7 @@ class ResumeTest {
 
     /** Kills a run twice, in the middle of tiles; the third one completes the picture. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aKilledPyramidIsCompletedToTheSameBytes() {
         val tiles = folder.resolve("a_files.partial/tiles/12")
         for (tile in listOf("0_2.png", "11_7.png")) {
@@ -60,6 +62,7 @@ class ResumeTest {
 
     /** The scaled-down twin of a picture of ten gigapixels in 256 MB: one that alone would take 92 MB, in 40 MB. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun pyramidsLargerThanTheHeapAreStreamed() {
         val options = listOf("--size", "6000x4000", "--aa", "1", "-o", "a.dzi")
         val process = child.start(listOf("render", "teapot") + options, listOf("-Xmx40m"))

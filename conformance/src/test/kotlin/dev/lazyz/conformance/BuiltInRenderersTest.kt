@@ -17,14 +17,14 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestFactory
 
 /**
- * Runs the suite on every built-in renderer and on the oracle. The default build tests some of them, see [TestEffort].
- * [ZBufferConformanceTest] tests `zbuffer`.
+ * Runs the suite on every built-in renderer and on the oracle. The default build tests the default one, see
+ * [TestEffort]. [ZBufferConformanceTest] tests `zbuffer`.
  */
 class BuiltInRenderersTest {
     @TestFactory
     fun passes(): List<DynamicTest> {
         val renderers = Renderers.builtIn.filter { it !is ZBuffer } + ReferenceRenderer()
-        return TestEffort.share(4, renderers).map { dynamicTest(it.id) { assertPasses(it) } }
+        return TestEffort.share(renderers.size, renderers).map { dynamicTest(it.id) { assertPasses(it) } }
     }
 
     private fun assertPasses(renderer: Renderer) {

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DynamicTest
 import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.TestFactory
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /**
@@ -22,6 +23,7 @@ class SameReportTest {
     private fun timeless(json: String) = json.replace(Regex("\"milliseconds\": \\d+"), "\"milliseconds\": 0")
 
     @TestFactory
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun againAndInAnotherProcess(): List<DynamicTest> {
         val renderers = if (TestEffort.isFull) listOf("wrong", "right") else listOf("wrong by few rules")
         return renderers.map { dynamicTest(it) { assertSameReport(it) } }

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** A renderer in a separate process: there is always a result, and no process remains. */
@@ -44,6 +45,7 @@ class SupervisionTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun processEndsWhenTheOneThatSupervisesItIsKilled() {
         val supervising = ChildJvm.start(listOf("-Xmx128m"), Supervising::class, "$folder")
         try {

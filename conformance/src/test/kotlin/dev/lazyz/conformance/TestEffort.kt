@@ -10,6 +10,7 @@ internal object TestEffort {
     private val effort: String? = System.getProperty("lazyz.effort")
     private val isRest: Boolean get() = effort == "rest"
 
+    val isDefault: Boolean get() = effort == null
     val isFull: Boolean get() = effort == "full"
 
     /** Returns each [step]th element; with the effort `rest` the others, with `full` all. */

@@ -28,6 +28,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** AOVs are the same bits for every renderer, number of threads and region; counts add up to the counters. */
 class AovStrategiesTest {
@@ -138,6 +139,7 @@ class AovStrategiesTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun shadingCallsAddUpToTheCounterOfEachRenderer() {
         val options = listOf(
             RenderOptions(threads = 1),

@@ -110,7 +110,7 @@ class SphereProperties {
         return Sphere(center, radius, Material(sides = if (random.nextInt(5) == 0) Sides.FRONT else Sides.BOTH))
     }
 
-    @Property(seed = "1995", tries = 500, edgeCases = EdgeCasesMode.NONE)
+    @Property(seed = "1995", tries = 200, edgeCases = EdgeCasesMode.NONE)
     fun rule_2_6_raysDecideCoverageAndDepth(@ForAll random: Random) {
         val (width, height) = listOf(Pair(1, 1), Pair(24, 16), Pair(7, 30), Pair(1, 40))[random.nextInt(4)]
         val raster = Raster(width, height)

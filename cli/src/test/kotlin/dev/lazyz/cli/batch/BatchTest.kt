@@ -24,6 +24,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 class BatchTest {
@@ -87,6 +88,7 @@ class BatchTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun filesDoNotDependOnThreads() {
         val jobs = listOf(
             listOf("-o", "{t}/{stem}-{view}.png", "--views", "iso,right"),

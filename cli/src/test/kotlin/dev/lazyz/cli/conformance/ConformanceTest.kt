@@ -182,6 +182,7 @@ class ConformanceTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun strategyThatHaltsGetsAVerdictAndTheOtherRulesAreTried() {
         val jar = jar(HaltingRenderer::class.java)
         val empty = "rule_9_6_framesWithoutPrimitivesShowTheBackground"
@@ -195,6 +196,7 @@ class ConformanceTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun eachRuleIsToldAsSoonAsItHasEnded() {
         val rules = arrayOf("--rule", "4.3", "--rule", "rule_5_5_dozensOfThinLayersBlend")
         for (where in listOf(arrayOf("--in-process"), arrayOf())) {
@@ -241,6 +243,7 @@ class ConformanceTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun processOfItsOwnTellsTheSame() {
         val jar = jar(StutteringRenderer::class.java)
         val rule = "rule_7_3_rowsArriveInOrderEachOnce"

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /**
@@ -70,6 +71,7 @@ class DeepZoomOptionsTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aPyramidThatIsNotInterruptedIsTheSameWithResume() {
         val model = folder.wedge()
         zcli("render", model, "--size", "600", "-o", dzi).done()

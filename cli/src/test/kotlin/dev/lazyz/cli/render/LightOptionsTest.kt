@@ -157,6 +157,7 @@ class LightOptionsTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun productIsOcclusionShadowAndMargin() {
         val product = argb(cubes, "--style", "product")
         assertEquals(product, argb(cubes, "--ambient-occlusion", "--ground-shadow", "--margin", "12"))

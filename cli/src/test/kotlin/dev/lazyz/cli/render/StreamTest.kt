@@ -1,12 +1,12 @@
 package dev.lazyz.cli.render
 
+import dev.lazyz.cli.ChildZcli
 import dev.lazyz.cli.argb
 import dev.lazyz.cli.image
 import dev.lazyz.cli.zcli
 import dev.lazyz.cli.zcliReading
 import java.io.File
 import java.nio.file.Path
-import java.util.concurrent.TimeUnit
 import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
@@ -16,6 +16,7 @@ import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** `--stream` shows models that are larger than memory. */
@@ -98,7 +99,6 @@ class StreamTest {
         assertTrue("18 primitives are read part by part\nchosen: tiled, because" in result.errors, result.errors)
     }
 
-    /** The file is larger than the heap. Without --stream it is refused. */
     @Test
     fun translucentSurfacesBlend() {
         model.writeBytes(Hills(40).stl())
@@ -112,6 +112,7 @@ class StreamTest {
             .mistake("with --stream only tiled blends", "--opaque")
     }
 
+    /** Without --stream the model is refused. */
     @Test
     fun aModelLargerThanTheHeapIsShown() {
         model.writeBytes(Hills(900).stl())
@@ -126,6 +127,7 @@ class StreamTest {
 
     /** The same for files of shared vertices, which are also sent to standard input. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun objAndPlyFilesLargerThanTheHeapAreShown() {
         val options = arrayOf("--shading", "flat", "--aa", "1", "--size", "80x60", "-o", "small.png")
         for (name in listOf("hills.obj", "hills.ply")) {
@@ -145,13 +147,7 @@ class StreamTest {
     }
 
     private fun run(javaOption: String, vararg args: String, input: File? = null): Int {
-        val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
-        val classPath = System.getProperty("java.class.path").split(File.pathSeparator)
-            .joinToString(File.pathSeparator) { Path.of(it).toAbsolutePath().toString() }
-        val process = ProcessBuilder(listOf(java, javaOption, "-cp", classPath, "dev.lazyz.cli.MainKt") + args)
-            .directory(folder.toFile()).redirectError(folder.resolve("errors.txt").toFile())
-            .also { if (input != null) it.redirectInput(input) }.start()
-        assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
-        return process.exitValue()
+        val child = ChildZcli(folder)
+        return child.code(child.start(args.asList(), listOf(javaOption)) { if (input != null) redirectInput(input) })
     }
 }

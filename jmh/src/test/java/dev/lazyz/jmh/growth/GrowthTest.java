@@ -64,6 +64,7 @@ class GrowthTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     void aRunWritesResultsPageChartsAndModel(@TempDir Path folder) throws InterruptedException, IOException {
         Path page = folder.resolve("growth.md");
         Path tables = folder.resolve("growth-tables.md");

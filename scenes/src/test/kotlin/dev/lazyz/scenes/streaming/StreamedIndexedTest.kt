@@ -27,6 +27,7 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** PLY and OBJ files that are read part by part show the same as files that are read whole. */
@@ -266,6 +267,7 @@ class StreamedIndexedTest {
 
     /** Files of other programs, without the materials that OBJ files name. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun filesOfOtherPrograms() {
         val models = Path.of("../../shared/models")
         assumeTrue(models.exists(), "there are no models")

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.assertThrows
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 class PulledImageTest {
@@ -73,6 +74,7 @@ class PulledImageTest {
 
     /** Each picture has 137 MiB. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun picturesLargerThanTheHeapAreWritten() {
         for (format in listOf("png", "tiff")) {
             val path = folder.resolve("large.$format")
