@@ -44,8 +44,9 @@ class PictureSettingsTest {
         assertSame(dark, usual)
         val scene = folder.resolve("a.json")
         scene.writeText(
-            """{"lazyz": 1, "camera": {"eye": [0, 3, 9], "target": [0, 0, 0], "near": 1, "far": 20}, "lights": "sun",
-                "surfaces": [{"sphere": {"center": [0, 0, 0], "radius": 1}}]}""",
+            """{"lazyz": 1, "lights": "sun", "surfaces": [{"sphere": {"center": [0, 0, 0], "radius": 1}}],
+                "camera": {"perspective": {"eye": [0, 3, 9], "target": [0, 0, 0], "fieldOfView": 20, "near": 1,
+                "far": 20}}}""",
         )
         assertSame(scene, usual)
     }
