@@ -4,6 +4,7 @@ import dev.lazyz.Image;
 import dev.lazyz.Renderer;
 import dev.lazyz.scenes.LoadLimits;
 import dev.lazyz.scenes.LoadedScene;
+import dev.lazyz.scenes.PictureSettings;
 import dev.lazyz.scenes.SceneFormat;
 import dev.lazyz.scenes.SceneFormatException;
 import dev.lazyz.scenes.Scenes;
@@ -18,7 +19,6 @@ import java.time.Duration;
 
 /** Renders an uploaded model: {@code POST /picture?format=obj} with the file as the body returns a PNG. */
 public class PictureServlet extends HttpServlet {
-    private static final int SIDE = 512;
     private static final int MOST_BYTES = 20 << 20;
 
     /** What a model may ask for. A small file can describe a huge model, so the size of the upload is not enough. */
@@ -28,6 +28,9 @@ public class PictureServlet extends HttpServlet {
             .withVertices(2_000_000)
             .withTexels(16_000_000)
             .withTime(Duration.ofSeconds(5));
+
+    /** The whole model, anti-aliased. Properties choose camera, light and background. */
+    private static final PictureSettings SETTINGS = new PictureSettings(512, 512);
 
     /** Thread safe, like all renderers: one is enough for all requests. */
     private final Renderer renderer = new Tiled();
@@ -54,7 +57,11 @@ public class PictureServlet extends HttpServlet {
         }
         Image image;
         try {
-            image = renderer.render(loaded.getScene().frame(SIDE, SIDE));
+            image = SETTINGS.frame(loaded).render(renderer);
+        } catch (IllegalArgumentException e) {
+            // No camera can show the model: it extends beyond the range of numbers
+            response.sendError(HttpServletResponse.SC_BAD_REQUEST, e.getMessage());
+            return;
         } catch (InterruptedException e) {
             // The container shuts down, or limits the time of a request
             Thread.currentThread().interrupt();

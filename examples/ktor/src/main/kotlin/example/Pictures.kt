@@ -2,6 +2,7 @@ package example
 
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.PictureSettings
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
@@ -26,13 +27,15 @@ import kotlinx.coroutines.runInterruptible
 import kotlinx.coroutines.sync.Semaphore
 import kotlinx.io.readByteArray
 
-private const val SIDE = 512
 private const val MOST_BYTES = 20L shl 20
 
 /** What a model may ask for: all places together must fit into the heap. */
 private val options = LoadOptions(
     LoadLimits().withDecodedBytes(64L shl 20).withTriangles(2_000_000).withTime(Duration.ofSeconds(5)),
 )
+
+/** The whole model, anti-aliased. Properties choose camera, light and background. */
+private val settings = PictureSettings(512, 512)
 
 /** Thread safe, like all renderers: one is enough for all requests. */
 private val renderer = Tiled()
@@ -64,13 +67,15 @@ private suspend fun ApplicationCall.picture(format: SceneFormat) {
     try {
         // Rendering occupies a thread, so it must not run on those of the server. A cancelled call interrupts it
         val png = runInterruptible(Dispatchers.Default) {
-            val scene = Scenes.load(body, format, "upload", options).scene
-            renderer.render(scene.frame(SIDE, SIDE)).toPng()
+            settings.frame(Scenes.load(body, format, "upload", options)).render(renderer).toPng()
         }
         respondBytes(png, ContentType.Image.PNG)
     } catch (invalid: SceneFormatException) {
         // The message says where and what is wrong, or which limit was exceeded
         respondText(invalid.message.orEmpty(), status = HttpStatusCode.UnprocessableEntity)
+    } catch (impossible: IllegalArgumentException) {
+        // No camera can show the model
+        respondText(impossible.message.orEmpty(), status = HttpStatusCode.UnprocessableEntity)
     }
 }
 

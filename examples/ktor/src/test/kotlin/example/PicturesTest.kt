@@ -1,5 +1,6 @@
 package example
 
+import dev.lazyz.scenes.PictureSettings
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.strategies.zbuffer.ZBuffer
@@ -24,7 +25,7 @@ class PicturesTest {
         val answer = client.post("/picture?format=obj") { setBody(model) }
         assertEquals(200, answer.status.value)
         val picture = ImageIO.read(answer.bodyAsBytes().inputStream())
-        val local = ZBuffer().render(Scenes.load(model, SceneFormat.OBJ).scene.frame(512, 512))
+        val local = PictureSettings(512, 512).frame(Scenes.load(model, SceneFormat.OBJ)).render(ZBuffer())
         assertArrayEquals(local.argb, picture.getRGB(0, 0, 512, 512, null, 0, 512))
     }
 

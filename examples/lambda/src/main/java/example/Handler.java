@@ -2,6 +2,7 @@ package example;
 
 import dev.lazyz.scenes.LoadLimits;
 import dev.lazyz.scenes.LoadOptions;
+import dev.lazyz.scenes.PictureSettings;
 import dev.lazyz.scenes.SceneFormat;
 import dev.lazyz.scenes.Scenes;
 import dev.lazyz.scenes.writers.Images;
@@ -17,7 +18,7 @@ import java.time.Duration;
  * for the next. The method has the form of {@code RequestStreamHandler} of AWS, without its third argument.
  */
 public class Handler {
-    private static final int SIDE = 256;
+    private static final PictureSettings SETTINGS = new PictureSettings(256, 256);
     private static final LoadOptions OPTIONS = new LoadOptions(new LoadLimits()
             .withDecodedBytes(128L << 20)
             .withTime(Duration.ofSeconds(10)));
@@ -27,8 +28,8 @@ public class Handler {
 
     /** Renders a model. An exception for a damaged one names the place and what is wrong. */
     public void handle(InputStream input, OutputStream output) throws IOException, InterruptedException {
-        var scene = Scenes.load(input.readAllBytes(), SceneFormat.STL, "model", OPTIONS).getScene();
-        Images.writePng(renderer.render(scene.frame(SIDE, SIDE)), output);
+        var loaded = Scenes.load(input.readAllBytes(), SceneFormat.STL, "model", OPTIONS);
+        Images.writePng(SETTINGS.frame(loaded).render(renderer), output);
     }
 
     /** Handles one request, from standard input to standard output: what happens in a cold start. */

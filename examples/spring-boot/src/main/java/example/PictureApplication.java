@@ -4,6 +4,7 @@ import dev.lazyz.Image;
 import dev.lazyz.Renderer;
 import dev.lazyz.scenes.LoadLimits;
 import dev.lazyz.scenes.LoadOptions;
+import dev.lazyz.scenes.PictureSettings;
 import dev.lazyz.scenes.SceneFormat;
 import dev.lazyz.scenes.SceneFormatException;
 import dev.lazyz.scenes.Scenes;
@@ -27,7 +28,6 @@ import org.springframework.web.server.ResponseStatusException;
 @SpringBootApplication
 @RestController
 public class PictureApplication {
-    private static final int SIDE = 512;
     private static final int MOST_BYTES = 20 << 20;
 
     /** What a model may ask for: all places together must fit into the heap. */
@@ -35,6 +35,9 @@ public class PictureApplication {
             .withDecodedBytes(64L << 20)
             .withTriangles(2_000_000)
             .withTime(Duration.ofSeconds(5)));
+
+    /** The whole model, anti-aliased. Properties choose camera, light and background. */
+    private static final PictureSettings SETTINGS = new PictureSettings(512, 512);
 
     /** Thread safe, like all renderers: one is enough for all requests. */
     private final Renderer renderer = new Tiled();
@@ -55,8 +58,8 @@ public class PictureApplication {
             byte[] model = body.readNBytes(MOST_BYTES + 1);
             if (model.length > MOST_BYTES) throw problem(HttpStatus.CONTENT_TOO_LARGE, "at most 20 MiB");
             return ResponseEntity.ok().contentType(MediaType.IMAGE_PNG).body(png(model, known));
-        } catch (SceneFormatException invalid) {
-            // The message says where and what is wrong, or which limit was exceeded
+        } catch (SceneFormatException | IllegalArgumentException invalid) {
+            // The message says where and what is wrong, which limit was exceeded, or why there is no picture
             throw problem(HttpStatus.UNPROCESSABLE_CONTENT, invalid.getMessage());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -67,8 +70,7 @@ public class PictureApplication {
     }
 
     private byte[] png(byte[] model, SceneFormat format) throws InterruptedException {
-        var scene = Scenes.load(model, format, "upload", OPTIONS).getScene();
-        Image image = renderer.render(scene.frame(SIDE, SIDE));
+        Image image = SETTINGS.frame(Scenes.load(model, format, "upload", OPTIONS)).render(renderer);
         return Images.toPng(image);
     }
 

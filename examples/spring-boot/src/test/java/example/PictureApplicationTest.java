@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.lazyz.scenes.PictureSettings;
 import dev.lazyz.scenes.SceneFormat;
 import dev.lazyz.scenes.Scenes;
 import dev.lazyz.strategies.zbuffer.ZBuffer;
@@ -49,8 +50,8 @@ class PictureApplicationTest {
         HttpResponse<byte[]> answer = post("obj", MODEL);
         assertEquals(200, answer.statusCode());
         var picture = ImageIO.read(new ByteArrayInputStream(answer.body()));
-        var local = new ZBuffer()
-                .render(Scenes.load(MODEL, SceneFormat.OBJ).getScene().frame(512, 512));
+        var frame = new PictureSettings(512, 512).frame(Scenes.load(MODEL, SceneFormat.OBJ));
+        var local = frame.render(new ZBuffer());
         assertArrayEquals(local.getArgb(), picture.getRGB(0, 0, 512, 512, null, 0, 512));
     }
 

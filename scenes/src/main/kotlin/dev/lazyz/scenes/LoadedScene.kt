@@ -1,6 +1,7 @@
 package dev.lazyz.scenes
 
 import dev.lazyz.Raster
+import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.LightRig
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
@@ -19,6 +20,7 @@ import java.nio.file.Path
  *   of the file; for a picture from another one, use `scene.withLights(lightRig.lights(camera))`
  * @property files the files that the scene refers to, such as textures and material libraries, as absolute paths in the
  *   order in which they were found, each once; also those that could not be decoded. Without the file itself
+ * @property format the format that was read, or null if the scene does not come from a file
  */
 public class LoadedScene @JvmOverloads constructor(
     public val scene: Scene,
@@ -28,7 +30,14 @@ public class LoadedScene @JvmOverloads constructor(
     public val cameras: List<NamedCamera> = emptyList(),
     public val lightRig: LightRig? = null,
     public val files: List<Path> = emptyList(),
+    public val format: SceneFormat? = null,
 ) {
+    /** Whether this is a model: not a scene file, whose author chose camera and light. */
+    public val isModel: Boolean get() = format != null && format != SceneFormat.SCENE
+
+    /** The axis that points up in most files of the [format]; y if there is none. */
+    public val usualUp: UpAxis get() = format?.usualUp ?: UpAxis.Y
+
     /**
      * Returns the raster for setting up the scene, `scene.frame(raster(...))`, with the scene's background and the
      * file's depth rules.
@@ -39,7 +48,7 @@ public class LoadedScene @JvmOverloads constructor(
 
     /** Returns this input with another scene. */
     public fun withScene(scene: Scene): LoadedScene =
-        LoadedScene(scene, warnings, size, depth, cameras, lightRig, files)
+        LoadedScene(scene, warnings, size, depth, cameras, lightRig, files, format)
 
     override fun toString(): String = "LoadedScene($scene, ${warnings.size} warnings, size $size)"
 }

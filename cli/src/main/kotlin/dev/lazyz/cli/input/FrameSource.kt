@@ -72,7 +72,7 @@ internal class FrameSource(
     fun frame(loaded: LoadedScene, options: RenderOptions, view: View? = null, turn: Turn? = null): Shot {
         // Apply the options of sections, axis, camera, shading and lines
         val lineWork = subject.lineWork
-        val up = subject.up ?: input.usualUp
+        val up = subject.up ?: loaded.usualUp
         val side = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
         val pointOfView = (if (turn == null) side else side.at(turn))
             .withDefaults(if (loaded.scene.isOnScreen) null else subject.style)
@@ -92,7 +92,7 @@ internal class FrameSource(
         val hasFreePlanes = pointOfView.hasFreePlanes && shaded.viewpoint !is Camera
 
         // Lit spheres are the last materials; only what is opaque after that hides light and lines
-        val lit = subject.translucency.appliedTo(subject.light.lit(viewed, subject, input.isModel, loaded.lightRig))
+        val lit = subject.translucency.appliedTo(subject.light.lit(viewed, subject, loaded))
         val shadowed = subject.light.withShadows(lit, hasFreePlanes, options, streams)
         if (pointOfView.isPrinted) streams.note(PointOfView.words(shadowed.viewpoint as Camera, up) + "\n")
         val scene = lineWork.drawnOn(toned(shadowed), raster)

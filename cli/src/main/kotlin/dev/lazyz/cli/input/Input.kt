@@ -3,7 +3,6 @@ package dev.lazyz.cli.input
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Nearest
 import dev.lazyz.cli.output.Streams
-import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
@@ -34,17 +33,11 @@ internal class Input(
     /** The format that the user or the name says; null for built-in scenes, and if the content decides. */
     val statedFormat: SceneFormat? = if (isBuiltin) null else format ?: SceneFormat.ofFileName(word)
 
-    /** Whether the input is a model: not a scene whose author chose everything. */
-    val isModel: Boolean get() = !isBuiltin && statedFormat != SceneFormat.SCENE
-
     /** The size of the file; null if the input is none, or there is no such file. */
     val fileBytes: Long? get() = file?.takeIf { Files.isRegularFile(it) }?.let { Files.size(it) }
 
     /** Whether the input can be read part by part, as far as its name tells. */
     val canStream: Boolean get() = statedFormat == SceneFormat.STL
-
-    /** The axis that points up in most files of the stated format. */
-    val usualUp: UpAxis get() = statedFormat?.usualUp ?: UpAxis.Y
 
     /** The name of the input in messages. */
     val name: String get() = if (isStandardInput) "standard input" else word

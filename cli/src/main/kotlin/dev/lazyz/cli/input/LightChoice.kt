@@ -10,6 +10,7 @@ import dev.lazyz.lighting.LightMeter
 import dev.lazyz.lighting.LightRig
 import dev.lazyz.lighting.Matcap
 import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
@@ -68,17 +69,14 @@ internal class LightChoice(
 
     /**
      * Returns [scene], which has a camera, in the light of these options for [subject], or with materials that show a
-     * lit sphere.
-     *
-     * @param isMetered whether dark materials get more light
-     * @param own the rig that the scene's file names, or null. Its lights turn with the camera
+     * lit sphere. The lights of the rig that the file of [loaded] names turn with the camera.
      */
-    fun lit(scene: Scene, subject: Subject, isMetered: Boolean, own: LightRig?): Scene {
+    fun lit(scene: Scene, subject: Subject, loaded: LoadedScene): Scene {
         val color = subject.color
         if (matcap != null) return captured(scene, matcap, color, subject.loading.limits)
         val camera = scene.viewpoint as Camera
-        val rigged = rig?.on(scene, camera) ?: own?.let { scene.withLights(it.lights(camera)) } ?: scene
-        val isAuto = isMetered && color == null && LightMeter.appliesTo(scene, rig)
+        val rigged = rig?.on(scene, camera) ?: loaded.lightRig?.let { scene.withLights(it.lights(camera)) } ?: scene
+        val isAuto = loaded.isModel && color == null && LightMeter.appliesTo(scene, rig)
         return rigged.withLightIntensity(
             intensity ?: if (isAuto) LightMeter.intensity(scene) else scene.lightIntensity,
         )

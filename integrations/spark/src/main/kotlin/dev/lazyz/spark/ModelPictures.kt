@@ -96,7 +96,8 @@ public object ModelPictures {
     ): Dataset<Row> {
         require(columns in 1..100 && rows in 1..100) { "columns and rows must be in 1..100: $columns, $rows" }
         val wish = PictureOptions("$options output=pixels")
-        return ContactSheets(wish.width, wish.height, columns, rows).of(render(models, wish.words, limits))
+        val size = wish.settings().size
+        return ContactSheets(size.width, size.height, columns, rows).of(render(models, wish.words, limits))
     }
 
     /**

@@ -88,7 +88,10 @@ internal object SceneReading {
         }
         try {
             val scene = parser.parse(source)
-            return LoadedScene(scene, source.warnings.toList(), cameras = source.cameras.toList(), files = source.files)
+            return LoadedScene(
+                scene, source.warnings.toList(),
+                cameras = source.cameras.toList(), files = source.files, format = format,
+            )
         } catch (e: OutOfMemoryError) {
             val most = source.loading.limits.usableMemory
             source.fail(null, "needs more memory than the $most bytes that Java may use", "raise -Xmx, or split it", e)

@@ -41,14 +41,15 @@ internal object StreamReading {
             val head = input.head()
             val source = Source(head, name, null, Loading(LoadOptions(limits)))
             if (head.isEmpty()) source.fail(null, "is empty", "check that it was written completely")
-            val triangles = when (format ?: FormatSniffer.format(head, input.file.size)) {
+            val known = format ?: FormatSniffer.format(head, input.file.size)
+            val triangles = when (known) {
                 SceneFormat.STL -> StlStreaming.open(source, input)
                 SceneFormat.PLY -> PlyStreaming.open(source, input)
                 SceneFormat.OBJ -> ObjStreaming.open(source, input)
                 else -> source.fail(null, "cannot be read part by part: only STL, PLY and OBJ can", "read it whole")
             }
             val mesh = StreamedMesh(triangles)
-            StreamedScene(LoadedScene(Scene(listOf(mesh)), source.warnings.toList()), input)
+            StreamedScene(LoadedScene(Scene(listOf(mesh)), source.warnings.toList(), format = known), input)
         } catch (e: Throwable) {
             input.close()
             throw e

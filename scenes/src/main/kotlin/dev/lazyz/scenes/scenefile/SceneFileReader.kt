@@ -7,6 +7,7 @@ import dev.lazyz.lighting.LightRig
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.scenes.json.JsonText
 import dev.lazyz.scenes.loading.Source
@@ -49,7 +50,10 @@ internal class SceneFileReader(private val source: Source) {
             .withLightIntensity(members["lightIntensity"]?.let(lights::intensity) ?: 1f)
             .withToneMapping(members["toneMapping"]?.let(lights::toneMapping))
         val depth = members["depth"]?.let(::depth) ?: DepthRules()
-        return LoadedScene(whole, source.warnings.toList(), size, depth, lightRig = rig, files = source.files)
+        return LoadedScene(
+            whole, source.warnings.toList(), size, depth,
+            lightRig = rig, files = source.files, format = SceneFormat.SCENE,
+        )
     }
 
     /** Returns [scene] in the light of [rig] for its camera, whose direction does not depend on the [size]. */

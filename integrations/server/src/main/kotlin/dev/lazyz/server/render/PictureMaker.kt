@@ -3,20 +3,14 @@ package dev.lazyz.server.render
 import dev.lazyz.PixelHash
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
-import dev.lazyz.filter.SampledFrame
-import dev.lazyz.filter.SuperSampling
-import dev.lazyz.geometry.UpAxis
-import dev.lazyz.lighting.LightMeter
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
-import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.PngSink
 import dev.lazyz.strategies.PictureMemory
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.world.Scene
 import java.util.concurrent.ForkJoinPool
 
 /**
@@ -34,9 +28,9 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
 
     /** Returns the bytes of memory that a picture takes besides its model. */
     fun pictureNeed(request: PictureRequest): Long {
-        val factor = request.factor ?: PictureRequest.USUAL_FACTOR
-        return request.samples * bytesPerSample + request.pixels * BYTES_PER_PIXEL +
-            request.size.width.toLong() * factor * BYTES_PER_COLUMN + FIXED_BYTES + pngBlocks * BLOCK_BYTES
+        val columns = request.width.toLong() * request.factor
+        return request.samples * bytesPerSample + request.pixels * BYTES_PER_PIXEL + columns * BYTES_PER_COLUMN +
+            FIXED_BYTES + pngBlocks * BLOCK_BYTES
     }
 
     /** Returns the bytes of memory that a model of [size] bytes in this [format] takes, without these bytes. */
@@ -53,23 +47,25 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         val own = limits.withDecodedBytes(decoded(format, body.size))
         val loaded = Scenes.load(body, format, "model", LoadOptions(own))
         requireGoingOn()
-        val scene = scene(loaded, request, request.up ?: format.usualUp)
-        requireGoingOn()
-        val frame = frame(scene, loaded, request)
+        val frame = try {
+            request.settings.frame(loaded, options)
+        } catch (e: IllegalArgumentException) {
+            throw Problem(Problem.UNPROCESSABLE, "the model cannot be shown as requested: ${e.message}")
+        }
         requireGoingOn()
         val png = Picture.Bytes()
         val hash = PixelHash()
-        val width = request.size.width
+        val size = request.settings.size
         val isOpaque = frame.frame.raster.background.alpha >= 1f
         val alpha = if (isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
-        PngSink(png, width, request.size.height, alpha).use { sink ->
+        PngSink(png, size.width, size.height, alpha).use { sink ->
             frame.render(renderer) { y, argb, depth, primitive ->
-                hash.add(argb, width)
+                hash.add(argb, size.width)
                 sink.row(y, argb, depth, primitive)
             }
         }
         // Width and height are not part of the hash
-        return Picture(png, "${request.size}-${hash.digest()}", loaded.warnings)
+        return Picture(png, "$size-${hash.digest()}", loaded.warnings)
     }
 
     /** Returns the limit of decoded data for a model: text and plain numbers become at most so many times larger. */
@@ -77,31 +73,6 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         SceneFormat.OBJ, SceneFormat.STL, SceneFormat.PLY, SceneFormat.OFF ->
             minOf(mostDecoded, LEAST_DECODED + MOST_GROWTH * size)
         else -> mostDecoded
-    }
-
-    /** The same steps as `zcli render`, for models. */
-    private fun scene(loaded: LoadedScene, request: PictureRequest, up: UpAxis): Scene {
-        val upright = loaded.scene.withViewpoint(request.viewpoint).withUpAxis(up)
-        val camera = try {
-            upright.camera(request.size.width, request.size.height)
-        } catch (e: IllegalArgumentException) {
-            throw Problem(Problem.UNPROCESSABLE, "there is no camera that shows the model: ${e.message}")
-        }
-        val viewed = upright.withViewpoint(camera)
-        val rigged = request.light?.on(viewed, camera) ?: viewed
-        val isMetered = LightMeter.appliesTo(viewed, request.light)
-        return rigged.withLightIntensity(
-            request.intensity ?: if (isMetered) LightMeter.intensity(viewed) else viewed.lightIntensity,
-        )
-    }
-
-    private fun frame(scene: Scene, loaded: LoadedScene, request: PictureRequest): SampledFrame {
-        val size = request.size
-        val raster = loaded.depth.raster(size.width, size.height, request.background ?: scene.background)
-        val wish = SuperSampling(request.factor ?: PictureRequest.USUAL_FACTOR)
-        val obstacle = wish.obstacle(scene, raster) ?: return wish.frame(scene, raster, options)
-        if (request.factor != null) throw Problem(Problem.UNPROCESSABLE, "aa=${request.factor}: $obstacle; use aa=1")
-        return SuperSampling.NONE.frame(scene, raster, options)
     }
 
     private fun requireGoingOn() {

@@ -2,37 +2,28 @@ package dev.lazyz.server.render
 
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
-import dev.lazyz.geometry.UpAxis
-import dev.lazyz.lighting.LightRig
+import dev.lazyz.filter.SuperSampling
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.PictureSettings
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Camera
-import dev.lazyz.world.FittedViewpoint
 
 /**
- * What a client wants to see of a model; null means the default.
+ * What a client wants to see of a model.
  *
- * @property factor samples a pixel in each direction
+ * @property format the format of the model, or null if its content decides
  */
-internal class PictureRequest(
-    val format: SceneFormat?,
-    val up: UpAxis?,
-    val size: ImageSize,
-    val factor: Int?,
-    val background: Rgba?,
-    val viewpoint: FittedViewpoint,
-    val light: LightRig?,
-    val intensity: Float?,
-) {
-    /** The samples that this picture has at most. */
-    val samples: Long get() = pixels * (factor ?: USUAL_FACTOR) * (factor ?: USUAL_FACTOR)
+internal class PictureRequest(val format: SceneFormat?, val settings: PictureSettings) {
+    val width: Int get() = settings.size.width
+    val pixels: Long get() = width.toLong() * settings.size.height
 
-    val pixels: Long get() = size.width.toLong() * size.height
+    /** Samples a pixel in each direction, at most. */
+    val factor: Int get() = settings.sampling?.factor ?: PictureSettings.USUAL_FACTOR
+
+    /** The samples that this picture has at most. */
+    val samples: Long get() = pixels * factor * factor
 
     companion object {
-        /** Samples a pixel in each direction if the client does not choose, as for `zcli render`. */
-        const val USUAL_FACTOR = 4
-
         private val USUAL_SIZE = ImageSize(640, 480)
         private val SIZE = Regex("""(\d{1,9})(?:[xX](\d{1,9}))?""")
         private val DECIMAL = Regex("""[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?""")
@@ -52,22 +43,22 @@ internal class PictureRequest(
             val given = query.mapKeys { ids.getValue(it.key) }.mapValues { it.value.last() }
             val view = named(given, Parameter.VIEW, views)
             val usual = Camera.fit()
-            return PictureRequest(
-                format = named(given, Parameter.FORMAT, formats),
-                up = named(given, Parameter.UP, axes),
-                size = given[Parameter.SIZE]?.let { size(it, mostPixels) } ?: USUAL_SIZE,
-                factor = named(given, Parameter.AA, factors),
-                background = given[Parameter.BACKGROUND]?.let(::color),
-                viewpoint = Camera.fit(
-                    number(given, Parameter.AZIMUTH, -1e6..1e6) ?: view?.azimuth ?: usual.azimuth,
-                    number(given, Parameter.ELEVATION, -90.0..90.0) ?: view?.elevation ?: usual.elevation,
-                    number(given, Parameter.ZOOM, 0.001..1000.0) ?: usual.zoom,
-                    named(given, Parameter.PROJECTION, projections) ?: usual.kind,
-                    number(given, Parameter.MARGIN, 0.0..45.0) ?: usual.margin,
-                ),
-                light = named(given, Parameter.LIGHT, lights),
-                intensity = number(given, Parameter.LIGHT_INTENSITY, 0.0..1000.0)?.toFloat(),
+            val size = given[Parameter.SIZE]?.let { size(it, mostPixels) } ?: USUAL_SIZE
+            val viewpoint = Camera.fit(
+                number(given, Parameter.AZIMUTH, -1e6..1e6) ?: view?.azimuth ?: usual.azimuth,
+                number(given, Parameter.ELEVATION, -90.0..90.0) ?: view?.elevation ?: usual.elevation,
+                number(given, Parameter.ZOOM, 0.001..1000.0) ?: usual.zoom,
+                named(given, Parameter.PROJECTION, projections) ?: usual.kind,
+                number(given, Parameter.MARGIN, 0.0..45.0) ?: usual.margin,
             )
+            val settings = PictureSettings(size.width, size.height)
+                .withViewpoint(viewpoint)
+                .withUp(named(given, Parameter.UP, axes))
+                .withLight(named(given, Parameter.LIGHT, lights))
+                .withLightIntensity(number(given, Parameter.LIGHT_INTENSITY, 0.0..1000.0)?.toFloat())
+                .withBackground(given[Parameter.BACKGROUND]?.let(::color))
+                .withSampling(named(given, Parameter.AA, factors)?.let { SuperSampling(it) })
+            return PictureRequest(named(given, Parameter.FORMAT, formats), settings)
         }
 
         private fun <T : Any> named(given: Map<Parameter, String>, parameter: Parameter, values: Map<String, T>): T? {

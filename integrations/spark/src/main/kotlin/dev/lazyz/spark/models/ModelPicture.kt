@@ -2,16 +2,11 @@ package dev.lazyz.spark.models
 
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
-import dev.lazyz.filter.SampledFrame
-import dev.lazyz.filter.SuperSampling
-import dev.lazyz.lighting.LightMeter
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
-import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.world.Scene
 import org.apache.spark.SparkEnv
 import org.apache.spark.sql.Row
 
@@ -45,36 +40,11 @@ internal class ModelPicture(limits: LoadLimits) {
         val format = wish.format ?: SceneFormat.ofFileName(name) ?: Scenes.formatOf(bytes)
         requireNotNull(format) { "$name: no known format; state it, such as format=stl" }
         val loaded = Scenes.load(bytes, format, name, LoadOptions(limits))
-        val scene = scene(loaded, wish, format)
-        val image = frame(scene, loaded, wish).render(renderer)
+        val image = wish.settings().frame(loaded, options).render(renderer)
         return PictureColumns.row(name, wish, image, loaded.warnings)
     }
 
-    /** The same steps as `zcli render`. */
-    private fun scene(loaded: LoadedScene, wish: PictureOptions, format: SceneFormat): Scene {
-        if (format == SceneFormat.SCENE && loaded.scene.isOnScreen) return loaded.scene
-        val upright = loaded.scene.withViewpoint(wish.viewpoint()).withUpAxis(wish.up ?: format.usualUp)
-        val camera = upright.camera(wish.width, wish.height)
-        val viewed = upright.withViewpoint(camera)
-        val rigged = wish.light?.on(viewed, camera) ?: viewed
-        val isMetered = LightMeter.appliesTo(viewed, wish.light)
-        return rigged.withLightIntensity(
-            wish.intensity ?: if (isMetered) LightMeter.intensity(viewed) else viewed.lightIntensity,
-        )
-    }
-
-    private fun frame(scene: Scene, loaded: LoadedScene, wish: PictureOptions): SampledFrame {
-        val raster = loaded.depth.raster(wish.width, wish.height, wish.background ?: scene.background)
-        val sampling = SuperSampling(wish.factor ?: USUAL_FACTOR)
-        val obstacle = sampling.obstacle(scene, raster) ?: return sampling.frame(scene, raster, options)
-        require(wish.factor == null) { "aa=${wish.factor}: $obstacle; use aa=1" }
-        return SuperSampling.NONE.frame(scene, raster, options)
-    }
-
     companion object {
-        /** Samples a pixel in each direction, as for `zcli render`. */
-        private const val USUAL_FACTOR = 4
-
         /** Bytes of heap for each byte of decoded data while a model is read and rendered, see docs/server.md. */
         private const val MEMORY_PER_DECODED = 4
 

@@ -1,9 +1,11 @@
 package dev.lazyz.spark.models
 
 import dev.lazyz.Rgba
+import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.LightRig
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.PictureSettings
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
@@ -19,7 +21,7 @@ import java.io.Serializable
  * |---|---|---|
  * | `size` | `WIDTHxHEIGHT`, or one number for a square, in pixels | 256 |
  * | `view` | a side, such as `front`, `top` or `iso` | see `azimuth` |
- * | `azimuth`, `elevation` | degrees | 30 and 20 |
+ * | `azimuth`, `elevation` | degrees | 30 and 20; a scene file is seen from its own camera |
  * | `zoom` | 0.001..1000 | 1 |
  * | `margin` | percent, 0..45 | 5 |
  * | `projection` | `perspective` or `orthographic` | `perspective` |
@@ -42,36 +44,14 @@ public class PictureOptions(public val words: String) : Serializable {
         name to word.substringAfter('=')
     }
 
-    internal val width: Int
-    internal val height: Int
-
     init {
-        val sides = (given["size"] ?: USUAL_SIZE).lowercase().split('x')
-        val numbers = sides.map { it.toIntOrNull() }
-        require(numbers.size in 1..2 && numbers.all { it != null }) { "size=${given["size"]} is not WIDTHxHEIGHT" }
-        val size = ImageSize(numbers[0]!!, numbers.last()!!)
-        width = size.width
-        height = size.height
-
-        // Look at the other words now, so that the driver reports mistakes and not each task
-        viewpoint()
+        // Look at all words now, so that the driver reports mistakes and not each task
         format
-        up
-        factor
-        background
-        light
-        intensity
         outputs
+        settings()
     }
 
     internal val format: SceneFormat? get() = named("format", SceneFormat.entries) { it.id }
-    internal val up: UpAxis? get() = named("up", UpAxis.entries) { it.id }
-    internal val light: LightRig? get() = named("light", LightRig.entries, ::word)
-    internal val factor: Int? get() = named("aa", listOf(1, 2, 4, 8)) { "$it" }
-    internal val intensity: Float? get() = number("light-intensity", 0.0..1000.0)?.toFloat()
-    internal val background: Rgba?
-        get() = given["background"]?.let { Rgba.parse(if (HEX.matches(it)) "#$it" else it.lowercase()) }
-
     private val outputs: Set<String>
         get() = (given["output"] ?: "png").split('+').onEach {
             require(it in OUTPUTS) { "output=$it is not one of ${OUTPUTS.joinToString()}" }
@@ -79,7 +59,24 @@ public class PictureOptions(public val words: String) : Serializable {
 
     internal fun has(output: String): Boolean = output in outputs
 
-    internal fun viewpoint(): FittedViewpoint {
+    internal fun settings(): PictureSettings {
+        val size = size()
+        return PictureSettings(size.width, size.height)
+            .withViewpoint(if (given.keys.none { it in VIEWS }) null else viewpoint())
+            .withUp(named("up", UpAxis.entries) { it.id })
+            .withLight(named("light", LightRig.entries, ::word))
+            .withLightIntensity(number("light-intensity", 0.0..1000.0)?.toFloat())
+            .withBackground(given["background"]?.let { color(it) })
+            .withSampling(named("aa", listOf(1, 2, 4, 8)) { "$it" }?.let { SuperSampling(it) })
+    }
+
+    private fun size(): ImageSize {
+        val sides = (given["size"] ?: USUAL_SIZE).lowercase().split('x').map { it.toIntOrNull() }
+        require(sides.size in 1..2 && sides.all { it != null }) { "size=${given["size"]} is not WIDTHxHEIGHT" }
+        return ImageSize(sides[0]!!, sides.last()!!)
+    }
+
+    private fun viewpoint(): FittedViewpoint {
         val view = named("view", View.entries, ::word)
         val usual = Camera.fit()
         return Camera.fit(
@@ -114,10 +111,13 @@ public class PictureOptions(public val words: String) : Serializable {
         private const val USUAL_SIZE = "256"
         private val HEX = Regex("[0-9a-fA-F]{3,8}")
         private val OUTPUTS = listOf("png", "pixels", "depth")
-        private val NAMES = listOf(
-            "size", "view", "azimuth", "elevation", "zoom", "margin", "projection", "up", "aa", "background", "light",
-            "light-intensity", "format", "output",
-        )
+
+        /** The names of what a camera sees. Without one of them, a scene file is seen from its own camera. */
+        private val VIEWS = listOf("view", "azimuth", "elevation", "zoom", "margin", "projection")
+        private val NAMES = listOf("size") + VIEWS +
+            listOf("up", "aa", "background", "light", "light-intensity", "format", "output")
+
+        private fun color(text: String) = Rgba.parse(if (HEX.matches(text)) "#$text" else text.lowercase())
 
         private fun word(constant: Enum<*>): String = constant.name.lowercase().replace('_', '-')
     }

@@ -1,0 +1,74 @@
+package dev.lazyz.cli.render
+
+import dev.lazyz.Rgba
+import dev.lazyz.cli.argb
+import dev.lazyz.cli.image
+import dev.lazyz.cli.wedge
+import dev.lazyz.cli.zcli
+import dev.lazyz.filter.SuperSampling
+import dev.lazyz.geometry.UpAxis
+import dev.lazyz.lighting.LightRig
+import dev.lazyz.scenes.PictureSettings
+import dev.lazyz.scenes.Scenes
+import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.world.Camera
+import dev.lazyz.world.View
+import java.nio.file.Path
+import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+
+/** [PictureSettings] give the picture of `zcli render`. */
+class PictureSettingsTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val usual = PictureSettings(40, 30)
+
+    private fun assertSame(model: Path, settings: PictureSettings, vararg options: String) {
+        val out = folder.resolve("out.png")
+        zcli("render", model, "--size", "40x30", "-o", out, *options).done()
+        val frame = settings.frame(Scenes.load(model))
+        assertEquals(out.image.argb(), frame.render(Tiled()).argb.asList(), "$model ${options.asList()}")
+    }
+
+    @Test
+    fun defaultsAreThoseOfZcli() {
+        assertSame(folder.wedge(), usual)
+        assertSame(folder.resolve("a.stl").apply { writeBytes(Hills(9).stl()) }, usual)
+        val dark = folder.resolve("dark.obj")
+        folder.resolve("dark.mtl").writeText("newmtl m\nKd 0.01 0.01 0.01\n")
+        dark.writeText("mtllib dark.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        assertSame(dark, usual)
+        val scene = folder.resolve("a.json")
+        scene.writeText(
+            """{"lazyz": 1, "lights": "sun", "surfaces": [{"sphere": {"center": [0, 0, 0], "radius": 1}}],
+                "camera": {"perspective": {"eye": [0, 3, 9], "target": [0, 0, 0], "fieldOfView": 20, "near": 1,
+                "far": 20}}}""",
+        )
+        assertSame(scene, usual)
+    }
+
+    @Test
+    fun settingsAreTheOptionsOfZcli() {
+        val model = folder.wedge()
+        assertSame(model, usual.withViewpoint(Camera.fit(View.TOP.azimuth, View.TOP.elevation)), "--view", "top")
+        assertSame(model, usual.withUp(UpAxis.Z), "--up", "z")
+        val sunny = usual.withLight(LightRig.SUN).withLightIntensity(2f)
+        assertSame(model, sunny, "--light", "sun", "--light-intensity", "2")
+        assertSame(model, usual.withBackground(Rgba.TRANSPARENT), "--background", "transparent")
+        assertSame(model, usual.withSampling(SuperSampling(2)), "--aa", "2")
+    }
+
+    /** An STL file lies on the plane of x and y, also if only its content says what it is. */
+    @Test
+    fun theFormatIsThatOfTheContent() {
+        val named = folder.resolve("a.stl").apply { writeBytes(Hills(9).stl()) }
+        val unnamed = folder.resolve("a").apply { writeBytes(Hills(9).stl()) }
+        val pictures = listOf(named, unnamed).map { usual.frame(Scenes.load(it)).render(Tiled()).pixelHash() }
+        assertEquals(pictures[0], pictures[1])
+        assertSame(unnamed, usual)
+    }
+}

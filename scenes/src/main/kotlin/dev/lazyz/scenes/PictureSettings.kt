@@ -1,0 +1,123 @@
+package dev.lazyz.scenes
+
+import dev.lazyz.RenderOptions
+import dev.lazyz.Rgba
+import dev.lazyz.filter.SampledFrame
+import dev.lazyz.filter.SuperSampling
+import dev.lazyz.geometry.UpAxis
+import dev.lazyz.lighting.LightMeter
+import dev.lazyz.lighting.LightRig
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Scene
+import dev.lazyz.world.Viewpoint
+
+/**
+ * How a file is shown, with the defaults of `zcli render`: the whole model, in three quarter view, with more light for
+ * dark materials, and 4 x 4 samples a pixel.
+ *
+ * ```
+ * val frame = PictureSettings(640, 480).frame(Scenes.load(path))
+ * frame.render(Tiled()).writePng(output)
+ * ```
+ *
+ * Each property that is null has a default, which can depend on the file. Immutable and thread safe.
+ *
+ * @property size width and height of the picture
+ * @property viewpoint the camera; by default a model is shown as a whole, also if it has cameras, and a scene file from
+ *   its own camera
+ * @property up the axis of the model that points up; by default that of the format, [SceneFormat.usualUp]
+ * @property light the lights; by default those of the file, or a studio ([LightRig.STUDIO]) if it has none
+ * @property lightIntensity the factor of all light, 0 or more; by default what [LightMeter] finds for models, and
+ *   that of a scene file
+ * @property background the colour around the surfaces; by default that of the file
+ * @property sampling the samples of a pixel; by default [USUAL_FACTOR] x [USUAL_FACTOR], or one where that is not
+ *   possible, see [SuperSampling.obstacle]
+ */
+public class PictureSettings private constructor(
+    public val size: ImageSize,
+    public val viewpoint: Viewpoint?,
+    public val up: UpAxis?,
+    public val light: LightRig?,
+    public val lightIntensity: Float?,
+    public val background: Rgba?,
+    public val sampling: SuperSampling?,
+) {
+    /**
+     * @param width number of columns, 1..[dev.lazyz.Raster.MAX_SIDE]
+     * @param height number of rows, in the same range
+     * @throws IllegalArgumentException if a side is out of range
+     */
+    public constructor(width: Int, height: Int) :
+        this(ImageSize(width, height), null, null, null, null, null, null)
+
+    public fun withSize(size: ImageSize): PictureSettings = copy(size = size)
+
+    public fun withViewpoint(viewpoint: Viewpoint?): PictureSettings = copy(viewpoint = viewpoint)
+
+    public fun withUp(up: UpAxis?): PictureSettings = copy(up = up)
+
+    public fun withLight(light: LightRig?): PictureSettings = copy(light = light)
+
+    /** @throws IllegalArgumentException if [intensity] is negative or not finite */
+    public fun withLightIntensity(intensity: Float?): PictureSettings {
+        require(intensity == null || intensity in 0f..Float.MAX_VALUE) { "intensity must be 0 or more: $intensity" }
+        return copy(lightIntensity = intensity)
+    }
+
+    public fun withBackground(background: Rgba?): PictureSettings = copy(background = background)
+
+    public fun withSampling(sampling: SuperSampling?): PictureSettings = copy(sampling = sampling)
+
+    private fun copy(
+        size: ImageSize = this.size,
+        viewpoint: Viewpoint? = this.viewpoint,
+        up: UpAxis? = this.up,
+        light: LightRig? = this.light,
+        lightIntensity: Float? = this.lightIntensity,
+        background: Rgba? = this.background,
+        sampling: SuperSampling? = this.sampling,
+    ) = PictureSettings(size, viewpoint, up, light, lightIntensity, background, sampling)
+
+    /**
+     * Sets up the picture of [loaded].
+     *
+     * @param options the threads of set-up, see [Scene.frame]
+     * @throws IllegalArgumentException if no camera shows the model, for example because it extends beyond the range of
+     *   numbers, or if the chosen [sampling] is not possible
+     * @throws UnsupportedOperationException if the scene cannot be rotated, see [Scene.withUpAxis]
+     */
+    @JvmOverloads
+    public fun frame(loaded: LoadedScene, options: RenderOptions = RenderOptions()): SampledFrame {
+        val scene = lit(seen(loaded), loaded)
+        val raster = loaded.depth.raster(size.width, size.height, background ?: scene.background)
+        if (sampling != null) return sampling.frame(scene, raster, options)
+        val isPossible = USUAL_SAMPLING.obstacle(scene, raster) == null
+        return (if (isPossible) USUAL_SAMPLING else SuperSampling.NONE).frame(scene, raster, options)
+    }
+
+    /** Returns the scene with its camera. */
+    private fun seen(loaded: LoadedScene): Scene {
+        if (loaded.scene.isOnScreen) return loaded.scene
+        val own = if (loaded.cameras.isEmpty()) loaded.scene.viewpoint else Camera.fit()
+        val upright = loaded.scene.withViewpoint(viewpoint ?: own).withUpAxis(up ?: loaded.usualUp)
+        return upright.withViewpoint(upright.camera(size.width, size.height))
+    }
+
+    private fun lit(scene: Scene, loaded: LoadedScene): Scene {
+        val camera = scene.viewpoint as Camera
+        val rigged = light?.on(scene, camera)
+            ?: loaded.lightRig?.let { scene.withLights(it.lights(camera)) } ?: scene
+        val isMetered = loaded.isModel && LightMeter.appliesTo(scene, light)
+        val intensity = lightIntensity ?: if (isMetered) LightMeter.intensity(scene) else scene.lightIntensity
+        return rigged.withLightIntensity(intensity)
+    }
+
+    override fun toString(): String = "PictureSettings($size)"
+
+    public companion object {
+        /** Samples a pixel in each direction, if [sampling] is null. */
+        public const val USUAL_FACTOR: Int = 4
+
+        private val USUAL_SAMPLING = SuperSampling(USUAL_FACTOR)
+    }
+}
