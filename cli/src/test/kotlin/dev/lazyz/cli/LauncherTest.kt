@@ -168,6 +168,7 @@ class LauncherTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun throughALink() {
         val link = Files.createSymbolicLink(folder.resolve("link"), home.resolve("zcli"))
         render(OFF, link)

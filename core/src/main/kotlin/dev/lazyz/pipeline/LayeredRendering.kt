@@ -28,8 +28,7 @@ internal class LayeredRendering(
 
     /** Renders all parts, and passes every row to [sink]. */
     fun run(sink: RowSink): Counters {
-        // Leave half of the memory for translucent fragments
-        val bytesPerRow = 2 * LayeredSamples.BYTES_PER_SAMPLE * region.width
+        val bytesPerRow = BYTES_PER_SAMPLE * region.width
         var rows = (mostBytes / bytesPerRow).coerceIn(1, region.height.toLong()).toInt()
         var width = region.width
         var top = region.rowStart
@@ -89,8 +88,11 @@ internal class LayeredRendering(
         fun handOut(y: Int, sink: RowSink) = sink.row(y, argb, depths, indices)
     }
 
-    private companion object {
+    companion object {
+        /** Bytes of an area for each of its samples, with room for as many translucent fragments as samples. */
+        const val BYTES_PER_SAMPLE: Long = LayeredSamples.BYTES_PER_SAMPLE + LayeredSamples.BYTES_PER_LAYER
+
         /** With more memory, the colours of an area would not fit into one array. */
-        const val MOST_BYTES = 1L shl 34
+        private const val MOST_BYTES = 1L shl 34
     }
 }

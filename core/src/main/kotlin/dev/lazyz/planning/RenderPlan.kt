@@ -25,8 +25,7 @@ public class RenderPlan internal constructor(
 
     /**
      * The smallest memory with which this plan fits, in bytes: that of the [items], and a reserve. The garbage
-     * collector
-     * needs free memory to work, and divides memory into parts that cannot be filled completely.
+     * collector needs free memory to work, and divides memory into parts that cannot be filled completely.
      */
     public val leastMemory: Long = leastMemory(bytes)
 

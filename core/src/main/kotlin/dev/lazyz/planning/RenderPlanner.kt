@@ -6,6 +6,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.filter.SampledFrame
+import dev.lazyz.pipeline.LayeredRendering
 import dev.lazyz.strategies.FrameNumbers
 import dev.lazyz.strategies.PictureMemory
 import dev.lazyz.strategies.StrategyModel
@@ -104,16 +105,20 @@ public class RenderPlanner @JvmOverloads constructor(
             MemoryItem("rows of tiles", HeapArrays.bytes(need.rowBytes, memory) * need.rowArrays),
             MemoryItem("threads", need.workers),
         )
-        val rowBytes = SAMPLE_BYTES * frame.width
+        val rowBytes = frame.width * if (frame.hasTranslucency) LayeredRendering.BYTES_PER_SAMPLE else SAMPLE_BYTES
         val free = minOf(RenderPlan.usable(memory) - parts.sumOf { it.bytes }, chosen.bandBytes ?: Long.MAX_VALUE)
-        val rows = (free / rowBytes).coerceIn(1, minOf(frame.height.toLong(), MOST_SAMPLES / frame.width))
+
+        // Many passes over the model would take very long
+        val leastRows = (frame.height - 1L) / MOST_PASSES + 1
+        val mostRows = minOf(frame.height.toLong(), MOST_SAMPLES / frame.width)
+        val rows = (free / rowBytes).coerceIn(minOf(leastRows, mostRows), mostRows)
         val passes = ((frame.height - 1) / rows + 1).toInt()
 
         // Bands of equal height take the least memory for this number of passes
         val bandRows = (frame.height - 1L) / passes + 1
         val band = if (frame.hasTranslucency) {
             // How many fragments have to be kept turns out when they are drawn: in as many passes as that takes
-            MemoryItem("areas of translucent layers", maxOf(free, rowBytes))
+            MemoryItem("areas of translucent layers", maxOf(free, rowBytes * bandRows))
         } else {
             MemoryItem("a band of $bandRows rows", rowBytes * bandRows)
         }
@@ -170,6 +175,9 @@ public class RenderPlanner @JvmOverloads constructor(
         /** Bytes of a sample of a band: key and colour. */
         const val SAMPLE_BYTES = 12L
         const val MOST_SAMPLES = Int.MAX_VALUE - 8L
+
+        /** A plan with more passes over the model than this would take very long, and is not made. */
+        const val MOST_PASSES = 64
 
         /** Three groups of triangles, and their bins, see docs/large-models.md. */
         const val STREAM_BYTES = 48L shl 20

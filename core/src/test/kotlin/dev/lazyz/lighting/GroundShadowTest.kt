@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 class GroundShadowTest {
     /** A ball that floats above its ground, which a second ball determines. */
@@ -94,6 +95,7 @@ class GroundShadowTest {
 
     /** The planes of a fitted camera touch the scene; the shadow reaches farther. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun theWholeShadowIsBetweenThePlanes() {
         for (kind in Fit.entries) {
             for (elevation in listOf(5.0, 45.0, 90.0)) {

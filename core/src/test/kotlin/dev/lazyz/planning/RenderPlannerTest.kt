@@ -102,22 +102,24 @@ class RenderPlannerTest {
         assertTrue("a budget of" in plan.summary || plan.bytes < 9 * MEBIBYTE, plan.summary)
     }
 
+    /** Triangles that are read again for each pass. */
+    private val streamed = object : MeshSource {
+        private val mesh = soup(64, 0.5, Material())
+        override val triangleCount = 64
+        override val partCount = 1
+        override val origin = Vector3d()
+        override val hasColors = false
+
+        override fun triangleCount(number: Int) = 64
+
+        override fun bounds(number: Int) = mesh.bounds
+
+        override fun read(first: Int, count: Int) = mesh
+    }
+
     @Test
     fun aStreamedFrameIsRenderedInBandsThatFit() {
-        val mesh = soup(64, 0.5, Material())
-        val source = object : MeshSource {
-            override val triangleCount = 64
-            override val partCount = 1
-            override val origin = Vector3d()
-            override val hasColors = false
-
-            override fun triangleCount(number: Int) = 64
-
-            override fun bounds(number: Int) = mesh.bounds
-
-            override fun read(first: Int, count: Int) = mesh
-        }
-        val scene = Scene(listOf(StreamedMesh(source))).withViewpoint(SampleScenes.camera)
+        val scene = Scene(listOf(StreamedMesh(streamed))).withViewpoint(SampleScenes.camera)
         val frame = SuperSampling.NONE.frame(scene, Raster(1_000, 3_000))
         val wide = RenderPlanner(512 * MEBIBYTE).plan(frame, Renderers.builtIn)
         val narrow = RenderPlanner(96 * MEBIBYTE).plan(frame, Renderers.builtIn)
@@ -125,6 +127,19 @@ class RenderPlannerTest {
         assertTrue(narrow.fits && narrow.passes > 1, "$narrow")
         assertEquals(frame.render(wide.renderer).pixelHash(), frame.render(narrow.renderer).pixelHash())
         assertFalse(RenderPlanner(32 * MEBIBYTE).plan(frame, Renderers.builtIn).fits)
+    }
+
+    /** A plan with a pass for each row would fit, but take very long. */
+    @Test
+    fun noPlanHasManyPasses() {
+        for (material in listOf(Material(), glass)) {
+            val scene = Scene(listOf(StreamedMesh(streamed, material))).withViewpoint(SampleScenes.camera)
+            val frame = SuperSampling.NONE.frame(scene, Raster(20_000, 20_000))
+            val least = RenderPlanner(0).plan(frame, listOf(Tiled())).leastMemory
+            val plan = RenderPlanner(least).plan(frame, listOf(Tiled()))
+            assertTrue(plan.fits && plan.passes in 30..64, "$plan")
+            assertFalse(RenderPlanner(least - MEBIBYTE).plan(frame, listOf(Tiled())).fits)
+        }
     }
 
     @Test

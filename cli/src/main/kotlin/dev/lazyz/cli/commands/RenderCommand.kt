@@ -114,7 +114,15 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         if (code != ExitCode.DONE) throw ProgramResult(code)
     }
 
-    private fun single() = RenderRequest(
+    private fun single(): RenderRequest {
+        val extra = streaming.extra ?: limits.spoolOption
+        if (extra != null && streaming.request == null && memory.bytes == null) {
+            throw Mistake("$extra needs --stream, or --memory")
+        }
+        return request()
+    }
+
+    private fun request() = RenderRequest(
         subject = subject(inputs.single(), null),
         output = output.picture,
         depthOutput = output.depth,
@@ -125,6 +133,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         stats = output.stats,
         reference = reference.request(args),
         streaming = streaming.request,
+        streamingForMemory = streaming.forMemory,
         resumption = if (output.isResumed) Resumption(args) else null,
         memory = memory.bytes,
     )
@@ -224,16 +233,18 @@ private class StreamOptions : OptionGroup("Large models") {
 
     private val spool by option(
         "--spool",
-        help = "The folder for temporary files of --stream, which take about as much space as the model, and a copy " +
-            "of standard input; default: the folder for temporary files of the system",
+        help = "The folder for temporary files of --stream and --memory, which take about as much space as the " +
+            "model, and a copy of standard input; default: the folder for temporary files of the system",
     ).path()
 
     /** What the options ask for, or null. */
-    val request: StreamRequest?
-        get() {
-            if (!isStreamed && spool != null) throw Mistake("--spool needs --stream")
-            return if (isStreamed) StreamRequest(spool) else null
-        }
+    val request: StreamRequest? get() = if (isStreamed) forMemory else null
+
+    /** How a model is read part by part, if that is necessary. */
+    val forMemory: StreamRequest get() = StreamRequest(spool)
+
+    /** An option that has an effect only if a model is read part by part, or null. */
+    val extra: String? get() = spool?.let { "--spool" }
 }
 
 /** Options of the memory of the whole program. */

@@ -40,6 +40,9 @@ internal class FrameSource(
 
     /** Opens the input to be read part by part, with temporary files in [spool], and prints its warnings. */
     fun stream(spool: Path): StreamedScene {
+        if (subject.loading.animationTime != null) {
+            streams.warning("files that are read part by part have no animation, so the requested time has no effect")
+        }
         streams.progress("looking through ${input.name} ...")
         return input.stream(streams, spool).also { warn(it.loaded.warnings) }
     }

@@ -36,9 +36,6 @@ internal class Input(
     /** The size of the file; null if the input is none, or there is no such file. */
     val fileBytes: Long? get() = file?.takeIf { Files.isRegularFile(it) }?.let { Files.size(it) }
 
-    /** Whether the input can be read part by part, as far as its name tells. */
-    val canStream: Boolean get() = statedFormat == SceneFormat.STL
-
     /** The name of the input in messages. */
     val name: String get() = if (isStandardInput) "standard input" else word
 

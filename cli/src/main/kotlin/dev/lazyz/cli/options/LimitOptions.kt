@@ -40,8 +40,12 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
 
     private val spool by option(
         "--max-spool",
-        help = "Maximum size of temporary files of --stream: bytes, or with k, m, g; default: the free space",
+        help = "Maximum size of temporary files of --stream and --memory: bytes, or with k, m, g; default: the free " +
+            "space",
     ).bytes()
+
+    /** An option that has an effect only if a model is read part by part, or null. */
+    val spoolOption: String? get() = spool?.let { "--max-spool" }
 
     /** Returns the limits. */
     fun limits() = LoadLimits(

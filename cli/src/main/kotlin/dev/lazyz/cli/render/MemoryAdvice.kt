@@ -1,50 +1,84 @@
 package dev.lazyz.cli.render
 
-import dev.lazyz.cli.input.Input
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.planning.RenderPlan
+import dev.lazyz.scenes.SceneFormat
 
-/** What to do if a rendering of [request] does not fit into the [allowed] bytes of `--memory`. */
-internal class MemoryAdvice(private val request: RenderRequest, private val allowed: Long) {
+/**
+ * What to do if a rendering of [request] does not fit into memory.
+ *
+ * @param allowed the bytes of `--memory`
+ * @param memory the bytes of them that can be used
+ */
+internal class MemoryAdvice(private val request: RenderRequest, private val allowed: Long, private val memory: Long) {
+    /** Whether Java was started with less memory than `--memory` allows, and not only keeps a part for itself. */
+    private val isHeapSmaller = memory < allowed / 4 * 3
+
     /**
      * Returns the mistake to report.
      *
      * @param what what does not fit
      * @param need how many bytes it needs, if that is known
      * @param plan the plan that needs the least, if there is one
-     * @param isStreamed whether the model is read part by part already
+     * @param canShrink whether a smaller picture would fit
+     * @param streamed the format of the model, if it can be read part by part, and is not yet
      */
     fun refusal(
         what: String,
         need: Long?,
-        input: Input,
         plan: RenderPlan? = null,
-        isStreamed: Boolean = false,
+        canShrink: Boolean = false,
+        streamed: SceneFormat? = null,
     ): Mistake {
-        val memory = Bytes.readable(allowed)
-        val problem = if (need == null) {
-            "$what does not fit into --memory $memory"
-        } else {
-            "$what needs ${Bytes.readable(need)}, and --memory allows $memory"
+        val verb = if (need == null) "needs more" else "needs ${Bytes.readable(need + TENTH)}"
+        val usable = Bytes.readable(memory)
+        val limit = when {
+            isHeapSmaller -> "and Java was started with only $usable (-Xmx)"
+            memory < allowed -> "and --memory allows $usable (${Bytes.readable(allowed)} less a reserve)"
+            else -> "and --memory allows $usable"
         }
-        val enough = if (need == null) 2 * allowed else need + need / MARGIN
-        val remedies = listOfNotNull(
-            "--memory ${(enough shr 20) + 1}m" + if (plan == null) " or more" else "",
-            "--stream (each triangle then has its own normal)".takeIf { !isStreamed && canStream(input) },
-            "--aa 1".takeIf { plan != null && request.subject.antiAliasing.wanted > 1 },
-            "a smaller --size or a --region".takeIf { plan != null },
-            "-o with .ppm".takeIf { plan != null && request.output?.endsWith(".ppm") == false },
-        )
-        val use = remedies.dropLast(1).joinToString() + (if (remedies.size > 1) " or " else "") + remedies.last()
-        return Mistake("$problem\n${plan?.explain().orEmpty()}Use $use. See 'zcli render --help'.")
+        val steps = "${larger(need)}${stream(streamed)}${smaller(plan, canShrink)}"
+        return Mistake("$what $verb, $limit\n${plan?.explain().orEmpty()}$steps See 'zcli render --help'.")
     }
 
-    private fun canStream(input: Input): Boolean =
-        request.streaming == null && input.canStream && StreamRequest(null).obstacle(request) == null
+    private fun larger(need: Long?): String {
+        val enough = need?.let { "${((it + it / MARGIN) shr 20) + SLACK}m" }
+        return when {
+            isHeapSmaller && enough != null -> "Start Java with -Xmx$enough, and use --memory $enough."
+            isHeapSmaller -> "Start Java with a larger -Xmx, and use a larger --memory."
+            enough != null -> "Use --memory $enough."
+            else -> "Use a larger --memory; how much is enough is not known."
+        }
+    }
+
+    /** With the parts that a model is read in, most models need less memory. */
+    private fun stream(format: SceneFormat?): String = when (format) {
+        SceneFormat.STL -> " Or add --stream; each triangle then has its own normal."
+        SceneFormat.PLY, SceneFormat.OBJ ->
+            " Or add --stream; each triangle then has its own normal, and materials and textures are not read."
+        else -> ""
+    }
+
+    private fun smaller(plan: RenderPlan?, canShrink: Boolean): String {
+        if (plan == null || !canShrink) return ""
+        val ways = listOfNotNull(
+            "a smaller --size", "a --region",
+            "--aa 1".takeIf { request.subject.antiAliasing.wanted > 1 && !request.subject.light.hasOcclusion },
+            "a .ppm file".takeIf { request.output?.endsWith(".ppm") == false },
+        )
+        return " These need less: ${ways.dropLast(1).joinToString()} or ${ways.last()}."
+    }
 
     private companion object {
-        /** The memory that is named is larger by one part in so many than what was found to be enough. */
-        const val MARGIN = 32
+        /** Rounds up in the tenths of a mebibyte that are printed. */
+        const val TENTH = (1L shl 20) / 10
+
+        /**
+         * The memory that is named is larger than what was found to be enough by one part in so many, and mebibytes:
+         * what is in memory is measured again, and varies.
+         */
+        const val MARGIN = 16
+        const val SLACK = 3
     }
 }

@@ -1,6 +1,7 @@
 package dev.lazyz.cli.render
 
 import dev.lazyz.Frame
+import dev.lazyz.Region
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.Bytes
@@ -11,6 +12,7 @@ import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.planning.SetUpMemory
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 
 /**
@@ -20,7 +22,7 @@ import dev.lazyz.scenes.Scenes
 internal class MemoryPlanning(private val allowed: Long, private val request: RenderRequest) {
     /** Bytes that may be used: not more than Java itself may use. */
     val memory: Long = minOf(allowed, Runtime.getRuntime().maxMemory())
-    private val advice = MemoryAdvice(request, allowed)
+    private val advice = MemoryAdvice(request, allowed, memory)
 
     /**
      * Returns how to read the model of [source]: null for as a whole, if it fits, or if its need is unknown; or part
@@ -28,22 +30,21 @@ internal class MemoryPlanning(private val allowed: Long, private val request: Re
      *
      * @throws Mistake if the model does not fit
      */
-    fun streaming(source: FrameSource): StreamRequest? {
+    fun streaming(source: FrameSource, choice: StrategyChoice): StreamRequest? {
         val input = source.input
         val need = PROGRAM_BYTES + Scenes.leastMemory(input.statedFormat, input.fileBytes ?: return null)
         if (need <= memory) return null
-        if (input.canStream && request.subject.hasFaceNormals) {
-            val streaming = StreamRequest(null)
-            if (streaming.obstacle(request) == null) return streaming
-        }
-        throw advice.refusal("reading ${input.name}", need, input)
+        val streaming = request.streamingForMemory
+        val isPossible = choice.canStream && streaming.obstacle(request) == null
+        if (input.statedFormat == SceneFormat.STL && request.subject.hasFaceNormals && isPossible) return streaming
+        throw advice.refusal("reading ${input.name}", need, streamed = input.statedFormat.takeIf { isPossible })
     }
 
     /** Calls [prepare], which reads and sets up all that a rendering needs. */
     fun <T> preparing(source: FrameSource, prepare: () -> T): T = try {
         prepare()
     } catch (full: OutOfMemoryError) {
-        throw advice.refusal("reading and setting up ${source.input.name}", null, source.input)
+        throw advice.refusal("reading and setting up ${source.input.name}", null)
     }
 
     /**
@@ -57,7 +58,7 @@ internal class MemoryPlanning(private val allowed: Long, private val request: Re
         // Small scenes need no look at the memory, which takes time
         if (setUp < memory / SMALL_PART) return
         val need = RenderPlan.leastMemory(held() + setUp)
-        if (need > memory) throw advice.refusal("setting up ${source.input.name}", need, source.input)
+        if (need > memory) throw advice.refusal("setting up ${source.input.name}", need)
     }
 
     /**
@@ -69,16 +70,23 @@ internal class MemoryPlanning(private val allowed: Long, private val request: Re
     fun plan(source: FrameSource, shot: Shot, choice: StrategyChoice, outputs: List<MemoryItem>): RenderPlan {
         val others = listOf(MemoryItem("program, scene and primitives", held())) + outputs
         val planner = RenderPlanner(memory, request.choices.options())
-        val plan = shot.plan(planner, choice.rendererChoices(shot.frame, memory), others)
-        if (!plan.fits) {
-            throw advice.refusal("the picture", plan.leastMemory, source.input, plan, shot.frame.isStreamed)
-        }
-        return plan
+        val renderers = choice.rendererChoices(shot.frame, memory)
+        val plan = shot.plan(planner, renderers, others)
+        if (plan.fits) return plan
+
+        // Would a picture of one pixel fit?
+        val corner = with(shot.pixels) { Region(columnStart, rowStart, columnStart + 1, rowStart + 1) }
+        val smallest = shot.within(corner).plan(planner, renderers, others.take(1))
+        throw advice.refusal("the picture", plan.leastMemory, plan, canShrink = smallest.fits)
     }
 
     /** Returns lines about the [plan], and about the disk. */
     fun explain(plan: RenderPlan, frame: Frame, streaming: StreamRequest?): String {
-        val limit = if (memory < allowed) "Java may use less than --memory ${Bytes.readable(allowed)}\n" else ""
+        val limit = if (memory < allowed) {
+            "memory: of ${Bytes.readable(allowed)}, Java keeps a part for its garbage collector\n"
+        } else {
+            ""
+        }
         val disk = if (frame.isStreamed && streaming != null) {
             "disk: the model stays in its file; temporary files, unless it is a binary STL file, in ${streaming.spool}\n"
         } else {

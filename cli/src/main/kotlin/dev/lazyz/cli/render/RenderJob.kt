@@ -26,7 +26,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         val reference = request.reference?.let { ReferenceCheck(it) }
 
         request.streaming?.requirePossible(request)
-        val streaming = request.streaming ?: planning?.streaming(source)
+        val streaming = request.streaming ?: planning?.streaming(source, choice)
             ?: return run(source, prepared(source) { source.load() }, choice, outputs, reference, null)
         return prepared(source) { source.stream(streaming.spool) }
             .use { run(source, it.loaded, choice, outputs, reference, streaming) }

@@ -7,7 +7,11 @@ import java.nio.file.Path
 /** The output format of statistics. */
 internal enum class StatsForm { TABLE, JSON }
 
-/** The options of `zcli render`; null if the user did not give the option. */
+/**
+ * The options of `zcli render`; null if the user did not give the option.
+ *
+ * @property streamingForMemory how the model is read part by part if [memory] requires it
+ */
 internal class RenderRequest(
     val subject: Subject,
     val output: String?,
@@ -19,6 +23,7 @@ internal class RenderRequest(
     val stats: StatsForm?,
     val reference: ReferenceRequest?,
     val streaming: StreamRequest?,
+    val streamingForMemory: StreamRequest,
     val resumption: Resumption?,
     val memory: Long?,
 )

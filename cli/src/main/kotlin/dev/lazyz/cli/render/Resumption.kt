@@ -42,7 +42,10 @@ internal class Resumption(private val args: List<String>) {
         const val OPTION = "--resume"
 
         /** Options that do not change the picture, with and without a value. */
-        private val VALUES = setOf("-o", "--output", "--threads", "--tile-size", "--memory-budget", "--coherence")
+        private val VALUES = setOf(
+            "-o", "--output", "--threads", "--tile-size", "--memory-budget", "--coherence", "--strategy", "--memory",
+            "--spool", "--max-spool",
+        )
         private val FLAGS = setOf(OPTION, "--stats", "--stats=json", "--stats=table", "--explain", "--print-camera")
     }
 }

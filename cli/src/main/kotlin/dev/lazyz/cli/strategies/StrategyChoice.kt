@@ -30,6 +30,9 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
         if (candidates.isEmpty()) throw Mistake(unsupported() + SEE)
     }
 
+    /** Whether a strategy that supports all flags renders models that are read part by part. */
+    val canStream: Boolean get() = candidates.any { it is StreamingRenderer }
+
     /** The strategy for most frames: the first that supports all flags. */
     val usual: Renderer get() = candidates.first()
 

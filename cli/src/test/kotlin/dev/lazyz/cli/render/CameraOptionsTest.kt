@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.CsvSource
@@ -58,6 +59,7 @@ class CameraOptionsTest {
             "--up=-y --view right", "--up x --projection orthographic", "--up=-z --margin 0 --zoom 2",
         ],
     )
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun printedOptionsGiveTheSamePictureAgain(options: String) {
         val words = options.split(" ").filter { it.isNotEmpty() }
         val others = listOf("--up", "--aa").flatMap { name ->

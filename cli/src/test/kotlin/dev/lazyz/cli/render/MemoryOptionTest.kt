@@ -6,6 +6,7 @@ import dev.lazyz.cli.zcli
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -77,10 +78,46 @@ class MemoryOptionTest {
         for (part in listOf("--memory allows 12.0 MiB", "reserve for the garbage collector", "--aa 1", "--size")) {
             assertTrue(part in refused.errors, refused.errors)
         }
-        val use = refused.errors.substringAfter("Use ")
-        val enough = checkNotNull(Regex("--memory (\\d+)m").find(use)).groupValues[1]
-        val outcome = render(enough.toInt(), "a.png", listOf("city", "--size", "3000", "--aa", "2"))
+        val outcome = render(named(refused.errors), "a.png", listOf("city", "--size", "3000", "--aa", "2"))
         assertEquals(0, outcome.code, outcome.errors)
+    }
+
+    /** The amount that a message says to use, MiB. */
+    private fun named(errors: String): Int =
+        checkNotNull(Regex("Use --memory (\\d+)m").find(errors)) { errors }.groupValues[1].toInt()
+
+    /** A plan has few enough passes over the model to end soon. */
+    @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
+    fun theMemoryThatIsNamedForATranslucentModelIsEnoughToEndSoon() {
+        model.writeBytes(Hills(220).stl())
+        val words = listOf("hills.stl", "--stream", "--color", "#ff000080", "--size", "500")
+        val refused = render(60, "a.png", words)
+        assertEquals(2, refused.code, refused.errors)
+        val outcome = render(named(refused.errors), "a.png", words)
+        assertEquals(0, outcome.code, outcome.errors)
+    }
+
+    @Test
+    fun adviceFitsTheCause() {
+        val out = folder.resolve("a.png")
+        model.writeBytes(Hills(30).stl())
+        val stream = zcli("render", model, "--stream", "--region", "0,0,1x1", "--memory", "48m", "-o", out)
+        stream.mistake("parts of the model", "--memory allows 48.0 MiB", "Use --memory ")
+        assertTrue("--size" !in stream.errors, stream.errors)
+
+        val small = ChildZcli(folder)
+        val process = small.start(listOf("render", "city", "--size", "3000", "--memory", "512m"), listOf("-Xmx16m"))
+        assertEquals(2, small.code(process))
+        assertTrue("Start Java with -Xmx" in small.errors && "and use --memory" in small.errors, small.errors)
+
+        val hills = folder.resolve("hills.obj").apply { writeText(Hills(200).obj()) }
+        val reading = zcli("render", hills, "--memory", "24m", "-o", out)
+        reading.mistake("reading ", "Or add --stream; each triangle then has its own normal, and materials")
+        val lists = zcli("render", model, "--memory", "12m", "--shading", "flat", "--strategy", "lists", "-o", out)
+        assertEquals(2, lists.code)
+        assertTrue("--stream" !in lists.errors, lists.errors)
+        zcli("render", model, "--max-spool", "1m", "-o", out).mistake("--max-spool needs --stream, or --memory")
     }
 
     @Test
@@ -96,7 +133,7 @@ class MemoryOptionTest {
         assertEquals(whole, statIn(outcome.text, "pixelHash"))
 
         val smooth = zcli("render", model, "--memory", "112m", "-o", folder.resolve("c.png"))
-        smooth.mistake("reading", "--memory allows 112.0 MiB", "--stream (each triangle then has its own normal)")
+        smooth.mistake("reading", "--memory allows 112.0 MiB", "--stream; each triangle then has its own normal")
     }
 
     @Test

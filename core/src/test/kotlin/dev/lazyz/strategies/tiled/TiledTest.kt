@@ -15,6 +15,7 @@ import java.util.concurrent.Executors
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 class TiledTest {
     private fun tiled(threads: Int, tileSize: Int = 16) = Tiled(Coherence.DIRECT, threads, tileSize)
@@ -100,6 +101,7 @@ class TiledTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aPrimitiveOfManyTilesTakesOneEntryABand() {
         // 10,000 primitives in 2,000 tiles would take 20 million entries, 80 megabytes
         val frame = Frame(Raster(2000, 1), List(10_000) { Probe(Region(0, 0, 2000, 1)) })

@@ -28,7 +28,7 @@ internal class SpoolSpace(val folder: Path, private val name: String, private va
         if (most != null && taken > most) {
             throw SceneFormatException(
                 name, null, "needs temporary files of more than $most bytes",
-                "raise LoadLimits.spoolBytes (zcli: --max-spool), or name a binary file, which needs none",
+                "raise LoadLimits.spoolBytes (zcli: --max-spool), or use a binary STL file, which needs none",
             )
         }
         if (taken < checked) return

@@ -151,6 +151,7 @@ class StreamedIndexedTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun plyFilesOfSeveralParts() {
         for (format in FORMATS) {
             for (side in listOf(1, 30, 200)) {

@@ -27,6 +27,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
@@ -96,6 +97,7 @@ class DistributedPictureTest {
     /** Sides just above and below multiples of tiles and blocks, and more levels than blocks have. */
     @ParameterizedTest
     @ValueSource(strings = ["300x200", "1x1", "4097x1025", "5000x2100", "254x255"])
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun pyramidsHaveThePixelsOfOneJvm(size: String, @TempDir folder: Path) {
         val (width, height) = size.split('x').map { it.toInt() }
         val source = Builtin("star", width, height, 1, isTransparent = size == "300x200")

@@ -2,7 +2,6 @@ package dev.lazyz.scenes.writers.deepzoom
 
 import dev.lazyz.scenes.writers.AlphaChannel
 import java.io.IOException
-import java.nio.file.Files
 import java.nio.file.Path
 
 /**
@@ -22,7 +21,7 @@ internal class FinishedTiles(
     /** Number of rows. */
     val rows: Int = if (tileRows.isEmpty()) 0 else down.ownEnd(tileRows.last())
 
-    private fun isComplete(row: Int) = (0 until across.tiles).all { Files.exists(TileRows.tile(folder, it, row)) }
+    private fun isComplete(row: Int) = (0 until across.tiles).all { TileFile.isWhole(TileRows.tile(folder, it, row)) }
 
     /**
      * Passes the rows to [take], from the top.

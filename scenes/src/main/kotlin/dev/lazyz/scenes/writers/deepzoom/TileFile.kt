@@ -9,6 +9,8 @@ import dev.lazyz.scenes.writers.channels
 import java.io.ByteArrayOutputStream
 import java.io.IOException
 import java.io.UncheckedIOException
+import java.nio.ByteBuffer
+import java.nio.channels.FileChannel
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption.REPLACE_EXISTING
@@ -63,8 +65,22 @@ internal class TileFile(
         return bytes.toByteArray()
     }
 
-    private companion object {
+    companion object {
         /** For all but the compressed bytes. */
-        const val ROOM = 128
+        private const val ROOM = 128
+
+        private val END: ByteArray = ByteArrayOutputStream().apply {
+            PngChunks(this).write(PngChunks.END, ByteArray(0))
+        }.toByteArray()
+
+        /** Whether [path] is a file that ends like a PNG file. After a power failure it can be empty or truncated. */
+        fun isWhole(path: Path): Boolean {
+            if (!Files.exists(path)) return false
+            return FileChannel.open(path).use { file ->
+                val end = ByteBuffer.allocate(END.size)
+                file.size() > END.size && file.read(end, file.size() - END.size) == END.size &&
+                    end.array().contentEquals(END)
+            }
+        }
     }
 }

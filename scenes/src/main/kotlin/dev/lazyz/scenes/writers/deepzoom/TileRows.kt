@@ -8,8 +8,8 @@ import java.nio.file.Path
 import java.util.stream.IntStream
 
 /**
- * Writes the tiles of one level into [folder], while its rows arrive from the top. Tiles that are there already are
- * left as they are.
+ * Writes the tiles of one level into [folder], while its rows arrive from the top. Tiles that are there already,
+ * and whole, are left as they are.
  *
  * Rows are collected until they are about [BLOCK_PIXELS] pixels, or the tiles are complete; then each tile's part of
  * them is compressed, on the threads of the common pool, and appended to the tile's file. How rows are divided depends
@@ -58,7 +58,7 @@ internal class TileRows(
         tiles = List(across.tiles) { column ->
             val path = tile(folder, column, tileRow)
             val size = across.end(column) - across.start(column)
-            if (Files.exists(path)) null else TileFile(path, size, down.end(tileRow) - down.start(tileRow), alpha)
+            if (TileFile.isWhole(path)) null else TileFile(path, size, down.end(tileRow) - down.start(tileRow), alpha)
         }
     }
 

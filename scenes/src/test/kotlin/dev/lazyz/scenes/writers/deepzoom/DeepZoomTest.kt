@@ -148,10 +148,26 @@ class DeepZoomTest {
         resume(300, 600, AlphaChannel.DROP, 500, ArrayList())
         val tile = folder.resolve("a_files.partial/tiles/10/0_0.png")
         val bytes = Files.readAllBytes(tile)
-        for (size in listOf(0, 40, bytes.size / 2)) {
-            Files.write(tile, bytes.copyOf(size))
-            val error = assertThrows<IOException> { resume(300, 600, AlphaChannel.DROP, 600, ArrayList()) }
-            assertEquals("cannot write $path: the tile $tile is damaged", error.message)
+        bytes.fill(0, fromIndex = bytes.size / 4, toIndex = bytes.size / 2)
+        Files.write(tile, bytes)
+        val error = assertThrows<IOException> { resume(300, 600, AlphaChannel.DROP, 600, ArrayList()) }
+        assertEquals("cannot write $path: the tile $tile is damaged", error.message)
+    }
+
+    /** A power failure leaves empty or truncated files, of any level. */
+    @Test
+    fun aTruncatedTileIsWrittenAgain() {
+        val other = folder.resolve("other").createDirectories().resolve("a.dzi")
+        DeepZoomFiles.write(other, 600, 1300, AlphaChannel.DROP) { sink -> send(sink, 600, 1300) }
+        for ((name, start) in listOf("11/0_0.png" to 0, "10/0_0.png" to 1016)) {
+            resume(600, 1300, AlphaChannel.DROP, 1200, ArrayList())
+            val tile = folder.resolve("a_files.partial/tiles/$name")
+            Files.write(tile, if (start == 0) ByteArray(0) else Files.readAllBytes(tile).copyOf(40))
+            val starts = ArrayList<Int>()
+            resume(600, 1300, AlphaChannel.DROP, 1300, starts)
+            assertEquals(start, starts.single())
+            assertEquals(content(other.parent), content(folder).filterKeys { !it.startsWith("other") })
+            Files.delete(path)
         }
     }
 
