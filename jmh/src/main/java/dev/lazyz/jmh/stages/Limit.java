@@ -32,10 +32,10 @@ record Limit(double bytes, double operations, double divisions) {
         return Math.max(bytes, Math.max(operations, divisions));
     }
 
-    /** What decides: {@code bytes}, {@code operations}, {@code divisions}, or {@code nothing}. */
+    /** What decides: {@code bytes}, {@code operations}, {@code divisions}, or nothing. */
     String bound() {
         if (time() == 0) {
-            return "nothing";
+            return "";
         }
         return time() == bytes ? "bytes" : time() == operations ? "operations" : "divisions";
     }

@@ -1,5 +1,7 @@
 package dev.lazyz.jmh.stages;
 
+import java.util.Arrays;
+import java.util.List;
 import java.util.function.LongSupplier;
 
 /**
@@ -23,20 +25,24 @@ record Machine(String jvm, double l2, double l3, double memory, double operation
     /** The same for memory. */
     static final long MEMORY_SIZE = 512L << 20;
 
-    private static final int SIZE = 1024;
+    /** Elements of the array of a loop of arithmetic. */
+    private static final int SIZE = 2048;
 
-    /** Multiplications and additions of each element in a pass. */
-    private static final int STEPS = 16;
+    /** Multiplications and additions of each element in a pass: enough to be slower than load and store. */
+    private static final int STEPS = 8;
 
-    /** Number of measurements, of which the best is taken, and the least time of each, nanoseconds. */
-    private static final int REPEATS = 12;
+    /**
+     * Time for which each figure is measured, and least time of a measurement, nanoseconds. The best measurement counts;
+     * it is short so that some are not interrupted by other programs.
+     */
+    private static final long WHOLE = 1_000_000_000L;
 
-    private static final long LEAST = 60_000_000L;
+    private static final long LEAST = 3_000_000L;
 
     /** Measures this processor. Takes about five seconds. */
     static Machine measure(String jvm) {
         double[] values = new double[SIZE];
-        java.util.Arrays.fill(values, 1.5);
+        Arrays.fill(values, 1.5);
         return new Machine(
                 jvm,
                 copy(L2_SIZE),
@@ -44,6 +50,17 @@ record Machine(String jvm, double l2, double l3, double memory, double operation
                 copy(MEMORY_SIZE),
                 best(() -> multiplyAdd(values, 0.999, 0.001)),
                 best(() -> divide(values, 1.0001)));
+    }
+
+    /** Returns the better of each figure of all {@code machines}: what one of them reached is possible. */
+    static Machine best(List<Machine> machines) {
+        return new Machine(
+                "best of all",
+                machines.stream().mapToDouble(Machine::l2).max().orElseThrow(),
+                machines.stream().mapToDouble(Machine::l3).max().orElseThrow(),
+                machines.stream().mapToDouble(Machine::memory).max().orElseThrow(),
+                machines.stream().mapToDouble(Machine::operations).max().orElseThrow(),
+                machines.stream().mapToDouble(Machine::divisions).max().orElseThrow());
     }
 
     /** Returns the bandwidth for a set of data of {@code size} bytes, bytes per second. */
@@ -62,12 +79,7 @@ record Machine(String jvm, double l2, double l3, double memory, double operation
 
     private static long multiplyAdd(double[] values, double factor, double summand) {
         for (int i = 0; i < values.length; i++) {
-            double x = values[i];
-            x = x * factor + summand;
-            x = x * factor + summand;
-            x = x * factor + summand;
-            x = x * factor + summand;
-            x = x * factor + summand;
+            double x = values[i] * factor + summand;
             x = x * factor + summand;
             x = x * factor + summand;
             values[i] = x * factor + summand;
@@ -85,15 +97,17 @@ record Machine(String jvm, double l2, double l3, double memory, double operation
     /** Returns the greatest number of units per second; {@code work} returns the number of units that it did. */
     private static double best(LongSupplier work) {
         double most = 0;
-        for (int repeat = 0; repeat < REPEATS; repeat++) {
+        long begin = System.nanoTime();
+        long start = begin;
+        while (start - begin < WHOLE) {
             long units = 0;
-            long start = System.nanoTime();
             long time;
             do {
                 units += work.getAsLong();
                 time = System.nanoTime() - start;
             } while (time < LEAST);
             most = Math.max(most, units / (time / 1e9));
+            start = System.nanoTime();
         }
         return most;
     }

@@ -4,11 +4,14 @@ import dev.lazyz.world.Scene;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.EnumMap;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import jdk.jfr.FlightRecorder;
 import jdk.jfr.Recording;
 import jdk.jfr.consumer.RecordedEvent;
 import jdk.jfr.consumer.RecordedFrame;
@@ -22,10 +25,15 @@ import jdk.jfr.consumer.RecordingFile;
  * clock.
  */
 final class Profile {
-    private static final String EVENT = "jdk.ExecutionSample";
+    /** Samples by the thread's time on its processor, since JDK 25 on Linux; almost none are lost. */
+    private static final String BY_PROCESSOR_TIME = "jdk.CPUTimeSample";
+
+    /** Samples by the clock. Older JDKs lose those that they take at places where they cannot read the stack. */
+    private static final String BY_CLOCK = "jdk.ExecutionSample";
 
     private final Map<Stage, Integer> inSetUp = new EnumMap<>(Stage.class);
     private final Map<Stage, Integer> inRendering = new EnumMap<>(Stage.class);
+    private final Map<String, Integer> methods = new HashMap<>();
     private final Set<String> unknown = new TreeSet<>();
 
     private Profile() {}
@@ -38,33 +46,38 @@ final class Profile {
     }
 
     /**
-     * Records {@code work} on this thread.
-     *
-     * @param period time between samples; the recorder's least is 1 ms
+     * Records {@code work} on this thread, with a sample each millisecond.
      */
-    static Profile of(Duration period, Work work) throws InterruptedException, IOException {
+    static Profile of(Work work) throws InterruptedException, IOException {
         Path file = Files.createTempFile("lazyz-stages-", ".jfr");
         try (Recording recording = new Recording()) {
-            recording.enable(EVENT).withPeriod(period);
+            String event = hasProcessorTime() ? BY_PROCESSOR_TIME : BY_CLOCK;
+            recording.enable(event).with(event.equals(BY_CLOCK) ? "period" : "throttle", "1 ms");
             recording.start();
             work.run();
             recording.stop();
             recording.dump(file);
             Profile profile = new Profile();
-            profile.read(file, Thread.currentThread().getName());
+            profile.read(file, event, Thread.currentThread().getName());
             return profile;
         } finally {
             Files.delete(file);
         }
     }
 
-    private void read(Path file, String thread) throws IOException {
+    private static boolean hasProcessorTime() {
+        return FlightRecorder.getFlightRecorder().getEventTypes().stream()
+                .anyMatch(type -> type.getName().equals(BY_PROCESSOR_TIME));
+    }
+
+    private void read(Path file, String name, String thread) throws IOException {
+        String field = name.equals(BY_CLOCK) ? "sampledThread" : "eventThread";
         try (RecordingFile events = new RecordingFile(file)) {
             while (events.hasMoreEvents()) {
                 RecordedEvent event = events.readEvent();
-                if (event.getEventType().getName().equals(EVENT)
+                if (event.getEventType().getName().equals(name)
                         && event.getStackTrace() != null
-                        && thread.equals(event.getThread("sampledThread").getJavaName())) {
+                        && thread.equals(event.getThread(field).getJavaName())) {
                     add(event);
                 }
             }
@@ -81,6 +94,8 @@ final class Profile {
             StageMap.Found found = StageMap.find(type, method);
             if (stage == null && found.kind() == StageMap.Kind.STAGE) {
                 stage = found.stage();
+                String name = type.substring(type.lastIndexOf('.') + 1) + "." + method;
+                methods.merge(stage.label() + ": " + name, 1, Integer::sum);
             }
             if (found.kind() == StageMap.Kind.NONE && type.startsWith(StageMap.ROOT)) {
                 unknown.add(type);
@@ -92,6 +107,15 @@ final class Profile {
     /** Number of samples. */
     int samples() {
         return sum(inSetUp) + sum(inRendering);
+    }
+
+    /** The {@code count} methods with most samples, each with its stage and its part of all samples in percent. */
+    List<String> methods(int count) {
+        return methods.entrySet().stream()
+                .sorted(Map.Entry.<String, Integer>comparingByValue().reversed())
+                .limit(count)
+                .map(each -> String.format(Locale.ROOT, "%5.1f  %s", 100.0 * each.getValue() / samples(), each.getKey()))
+                .toList();
     }
 
     /** Classes of the project that have no rule; the next outer method with a rule decided. */

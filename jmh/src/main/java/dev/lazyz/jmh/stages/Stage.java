@@ -13,8 +13,8 @@ enum Stage {
     /** Triangles into the bins of the tiles that they reach, and the order of drawing. */
     BIN("bounds of triangles, entries and fragments of tiles, counting sorts"),
 
-    /** The equations of a triangle: edges, depth, vertex data for interpolation. */
-    SET_UP("edge functions, depth plane and vertex data of a triangle"),
+    /** The equations of a triangle: edges, depth, vertex data for interpolation; waiting for its vertices. */
+    SET_UP("vertices, bounds, edge functions, depth plane and colours of a triangle in a tile"),
 
     /** Which samples a triangle covers, and which of them it wins: coarse raster and fine raster. */
     COVER("coarse raster, fine raster, comparison of keys; clearing keys"),

@@ -59,6 +59,10 @@ final class StageMap {
             raster.ReferenceTriangle                                 SET_UP
             raster.EdgeFunctions                                     SET_UP
             raster.Edge                                              CALLER
+            strategies.tiled.EarlyRejection                          SET_UP
+            strategies.tiled.FineRaster.begin                        SET_UP
+            strategies.tiled.raster.ScalarBlockKernel.begin          SET_UP
+            strategies.tiled.raster.VectorBlockKernel.begin          SET_UP
             strategies.tiled.raster.TriangleForms                    SET_UP
             strategies.tiled.resolve.FaceCache                       SET_UP
             strategies.tiled.resolve.Face.fill                       SET_UP
@@ -74,7 +78,6 @@ final class StageMap {
             strategies.tiled.binning.VectorSmallTriangleKernelKt     COVER
             strategies.tiled.binning.TriangleBins.lower              COVER
             strategies.tiled.binning.BandSpans                       COVER
-            strategies.tiled.EarlyRejection                          COVER
             strategies.tiled.FineRaster                              COVER
             strategies.tiled.TileRenderer                            COVER
             strategies.tiled.raster.BlockKernel                      COVER
@@ -142,6 +145,7 @@ final class StageMap {
             strategies.tiled.Tiled                                   OTHER
             strategies.tiled.TiledMemory                             OTHER
             strategies.tiled.raster.CancellationCheck                OTHER
+            pipeline.*                                               OTHER
             world.*                                                  OTHER
             geometry.*                                               CALLER
             *                                                        CALLER

@@ -6,12 +6,16 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 
 /** Writes the tables of {@code docs/performance-stages.md} from the results of {@link StageTable}. */
 public final class StagePage {
+    /** Limits below this are shown as 0, and no ratio to them, milliseconds. */
+    private static final double NEGLIGIBLE = 0.005;
+
     private final StageResults results;
 
     StagePage(StageResults results) {
@@ -63,8 +67,8 @@ public final class StagePage {
     /** Returns the stages of a frame, those with the largest difference first. */
     private List<Gap> gaps(StageResults.FrameTime frame, FrameCounts counts) {
         return Arrays.stream(Stage.values())
-                .map(stage -> new Gap(
-                        counts, stage, results.time(frame, stage), results.limit(frame.jvm(), counts, stage)))
+                .map(stage ->
+                        new Gap(counts, stage, results.time(frame, stage), results.limit(counts, stage)))
                 .sorted(Comparator.comparingDouble(Gap::difference).reversed())
                 .toList();
     }
@@ -73,6 +77,7 @@ public final class StagePage {
     private String largest() {
         StringBuilder text = new StringBuilder();
         for (String jvm : results.jvms()) {
+            text.append(text.isEmpty() ? "" : "\n");
             List<Gap> all = new ArrayList<>();
             for (FrameCounts counts : results.counts()) {
                 results.frame(jvm, counts).ifPresent(frame -> all.addAll(gaps(frame, counts)));
@@ -93,17 +98,18 @@ public final class StagePage {
 
     /** Returns a row for each frame: what it takes, the sum of the limits, and the stage farthest from its limit. */
     private String summary() {
-        List<String> head = new ArrayList<>(List.of("scene", "raster"));
+        List<String> head = new ArrayList<>(List.of("scene", "raster", "limit, ms"));
         for (String jvm : results.jvms()) {
-            head.addAll(List.of(jvm + ", ms", "limit, ms", "times", "largest difference, ms"));
+            head.addAll(List.of(jvm + ", ms", "times the limit", "largest difference, ms"));
         }
         List<List<String>> rows = new ArrayList<>();
         for (FrameCounts counts : results.counts()) {
-            List<String> row = new ArrayList<>(List.of(counts.scene(), Integer.toString(counts.side())));
+            List<String> row = new ArrayList<>(
+                    List.of(counts.scene(), Integer.toString(counts.side()), milliseconds(limit(counts))));
             for (String jvm : results.jvms()) {
                 row.addAll(results.frame(jvm, counts)
                         .map(frame -> summary(frame, counts))
-                        .orElse(List.of("", "", "", "")));
+                        .orElse(List.of("", "", "")));
             }
             rows.add(row);
         }
@@ -111,14 +117,18 @@ public final class StagePage {
     }
 
     private List<String> summary(StageResults.FrameTime frame, FrameCounts counts) {
-        List<Gap> gaps = gaps(frame, counts);
-        double limit = gaps.stream().mapToDouble(gap -> gap.limit().time()).sum();
-        Gap first = gaps.get(0);
+        Gap first = gaps(frame, counts).get(0);
         return List.of(
                 milliseconds(frame.time()),
-                milliseconds(limit),
-                "**" + ratio(frame.time(), limit) + "**",
+                "**" + ratio(frame.time(), limit(counts)) + "**",
                 first.stage().label() + " " + milliseconds(first.difference()));
+    }
+
+    /** The sum of the limits of all stages of a frame, milliseconds. */
+    private double limit(FrameCounts counts) {
+        return Arrays.stream(Stage.values())
+                .mapToDouble(stage -> results.limit(counts, stage).time())
+                .sum();
     }
 
     private static String stages() {
@@ -131,7 +141,9 @@ public final class StagePage {
 
     private String machines() {
         List<List<String>> rows = new ArrayList<>();
-        for (Machine machine : results.machines()) {
+        List<Machine> machines = new ArrayList<>(results.machines());
+        machines.add(Machine.best(results.machines()));
+        for (Machine machine : machines) {
             rows.add(List.of(
                     machine.jvm(),
                     billions(machine.l2()),
@@ -155,7 +167,23 @@ public final class StagePage {
                     .append(fact.getValue())
                     .append('\n');
         }
+        for (String jvm : results.jvms()) {
+            facts.append("- Samples with ")
+                    .append(jvm)
+                    .append(", for each millisecond of the thread: ")
+                    .append(found(jvm))
+                    .append('\n');
+        }
         return GeneratedPage.table(head, rows) + "\n" + facts;
+    }
+
+    /** The least and the greatest number of samples for each millisecond. */
+    private String found(String jvm) {
+        DoubleSummaryStatistics found = results.frames().stream()
+                .filter(frame -> frame.jvm().equals(jvm))
+                .mapToDouble(StageResults.FrameTime::found)
+                .summaryStatistics();
+        return number("%.2f", found.getMin()) + " to " + number("%.2f", found.getMax());
     }
 
     private static String work() {
@@ -220,18 +248,21 @@ public final class StagePage {
     }
 
     private String scene(FrameCounts counts) {
-        List<String> head = new ArrayList<>(List.of("stage"));
+        List<String> head = new ArrayList<>(List.of("stage", "limit, ms", "by"));
         for (String jvm : results.jvms()) {
-            head.addAll(List.of(jvm + ", ms", "limit, ms", "by", "times", "difference, ms"));
+            head.addAll(List.of(jvm + ", ms", "times the limit", "difference, ms"));
         }
         List<List<String>> rows = new ArrayList<>();
         for (Stage stage : Stage.values()) {
-            List<String> row = new ArrayList<>(List.of(stage.label()));
+            Limit limit = results.limit(counts, stage);
+            List<String> row = new ArrayList<>(List.of(
+                    stage.label(),
+                    limit.time() == 0 ? "" : milliseconds(limit.time()),
+                    limit.time() < NEGLIGIBLE ? "" : limit.bound()));
             for (String jvm : results.jvms()) {
                 row.addAll(results.frame(jvm, counts)
-                        .map(frame -> cells(
-                                results.time(frame, stage), results.limit(jvm, counts, stage)))
-                        .orElse(List.of("", "", "", "", "")));
+                        .map(frame -> cells(results.time(frame, stage), limit))
+                        .orElse(List.of("", "", "")));
             }
             rows.add(row);
         }
@@ -241,9 +272,7 @@ public final class StagePage {
     private static List<String> cells(double time, Limit limit) {
         return List.of(
                 milliseconds(time),
-                limit.time() == 0 ? "" : milliseconds(limit.time()),
-                limit.time() == 0 ? "" : limit.bound(),
-                limit.time() == 0 ? "" : ratio(time, limit.time()),
+                limit.time() < NEGLIGIBLE ? "" : ratio(time, limit.time()),
                 milliseconds(time - limit.time()));
     }
 

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -34,12 +35,23 @@ record StageResults(
      * @param jvm name of the Java runtime
      * @param scene name of the scene or mesh file, without a folder
      * @param side width and height of the raster, samples
-     * @param time median, milliseconds
-     * @param setUp median of the part from the scene to the frame, milliseconds
+     * @param time first quartile of the thread's time on its processor, milliseconds
+     * @param setUp the same of the part from the scene to the frame
+     * @param clock first quartile of the time by the clock, which contains what other programs took, milliseconds
      * @param frames number of measured frames
      * @param samples number of the profiler's samples
+     * @param found number of samples for each millisecond of the thread; 1 if none was lost
      */
-    record FrameTime(String jvm, String scene, int side, double time, double setUp, int frames, int samples) {}
+    record FrameTime(
+            String jvm,
+            String scene,
+            int side,
+            double time,
+            double setUp,
+            double clock,
+            int frames,
+            int samples,
+            double found) {}
 
     /**
      * The time of a stage.
@@ -111,9 +123,13 @@ record StageResults(
                 .noneMatch(frame -> frame.scene().equals(count.scene()) && frame.side() == count.side()));
     }
 
-    /** The names of all runtimes, in the order in which they were measured. */
+    /** The names of all runtimes, the newest first. */
     List<String> jvms() {
-        return machines.stream().map(Machine::jvm).toList();
+        return machines.stream()
+                .map(Machine::jvm)
+                .distinct()
+                .sorted(Comparator.reverseOrder())
+                .toList();
     }
 
     /** The time of a frame, if it was measured. */
@@ -136,12 +152,8 @@ record StageResults(
                 .sum();
     }
 
-    /** The limit of a stage of a frame with a runtime. */
-    Limit limit(String jvm, FrameCounts counts, Stage stage) {
-        Machine machine = machines.stream()
-                .filter(each -> each.jvm().equals(jvm))
-                .findFirst()
-                .orElseThrow();
-        return Limit.of(stage, counts, machine);
+    /** The limit of a stage of a frame, by the best figures of the machine with any runtime. */
+    Limit limit(FrameCounts counts, Stage stage) {
+        return Limit.of(stage, counts, Machine.best(machines));
     }
 }

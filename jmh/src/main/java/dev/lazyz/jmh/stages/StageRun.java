@@ -1,5 +1,6 @@
 package dev.lazyz.jmh.stages;
 
+import dev.lazyz.Frame;
 import dev.lazyz.Raster;
 import dev.lazyz.RenderOptions;
 import dev.lazyz.Renderer;
@@ -12,7 +13,8 @@ import dev.lazyz.jmh.workload.SteadyState;
 import dev.lazyz.jmh.workload.Triangles;
 import dev.lazyz.world.Scene;
 import java.io.IOException;
-import java.time.Duration;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.util.Arrays;
 import java.util.Set;
 
@@ -25,19 +27,24 @@ import java.util.Set;
  * another strategy's: if it differs, nothing is printed.
  */
 final class StageRun {
-    private static final Set<String> OPTIONS = Set.of("scene", "side", "warm-up", "measure", "record");
+    private static final Set<String> OPTIONS = Set.of("scene", "side", "warm-up", "measure", "record", "methods");
 
     /** The strategy that draws the picture for comparison. It shades only what is visible. */
     private static final String OTHER = "hybrid";
 
     private static final int LEAST_FRAMES = 5;
-    private static final Duration PERIOD = Duration.ofMillis(1);
+
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
     private final Scene scene;
     private final Raster raster;
     private final Renderer renderer = PictureCheck.renderer("tiled").configured(new RenderOptions().withThreads(1));
     private final DroppedRows rows = new DroppedRows();
+
+    /** The last frame: the time of its set-up, and its time by the clock, milliseconds. */
     private double setUp;
+
+    private double clock;
 
     private StageRun(Scene scene, int side) {
         this.scene = scene;
@@ -58,29 +65,42 @@ final class StageRun {
         SteadyState.await(seconds(options, "warm-up"), run::frame);
         double[] times = new double[1 << 16];
         double[] setUps = new double[times.length];
+        double[] clocks = new double[times.length];
         int frames = 0;
         long end = System.nanoTime() + (long) (1e9 * seconds(options, "measure"));
         while (frames < times.length && (frames < LEAST_FRAMES || System.nanoTime() < end)) {
             times[frames] = run.frame();
+            clocks[frames] = run.clock;
             setUps[frames++] = run.setUp;
         }
         double length = seconds(options, "record");
-        Profile profile = Profile.of(PERIOD, () -> run.frames(length));
+        long recordStart = THREADS.getCurrentThreadCpuTime();
+        Profile profile = Profile.of(() -> run.frames(length));
+        double recorded = (THREADS.getCurrentThreadCpuTime() - recordStart) / 1e6;
         PictureCheck.verify(run.scene.frame(run.raster), run.renderer, OTHER);
 
         String label = TriangleSource.label(name);
-        double median = median(times, frames);
-        double setUpMedian = median(setUps, frames);
+        double time = quartile(times, frames);
+        double setUpTime = quartile(setUps, frames);
         String jvm = StageResults.jvm();
         print(
                 "frame",
                 new StageResults.FrameTime(
-                        jvm, label, side, rounded(median), rounded(setUpMedian), frames, profile.samples()));
+                        jvm,
+                        label,
+                        side,
+                        rounded(time),
+                        rounded(setUpTime),
+                        rounded(quartile(clocks, frames)),
+                        frames,
+                        profile.samples(),
+                        rounded(profile.samples() / recorded)));
         for (Stage stage : Stage.values()) {
-            double time = profile.time(stage, setUpMedian, median - setUpMedian);
-            print("stage", new StageResults.StageTime(jvm, label, side, stage.label(), rounded(time)));
+            double part = profile.time(stage, setUpTime, time - setUpTime);
+            print("stage", new StageResults.StageTime(jvm, label, side, stage.label(), rounded(part)));
         }
         print("counts", FrameCounts.of(label, triangles, side, run.renderer));
+        profile.methods(Integer.parseInt(options.get("methods", "0"))).forEach(System.err::println);
         profile.unknown().forEach(type -> System.err.println("no rule in StageMap for " + type));
     }
 
@@ -100,20 +120,28 @@ final class StageRun {
         }
     }
 
-    /** Returns the time of a frame, milliseconds, and stores that of its set-up. */
+    /**
+     * Renders a frame; returns the time of this thread on its processor, milliseconds. Unlike the time by the clock, it
+     * does not contain what other programs take.
+     */
     private double frame() throws InterruptedException, IOException {
-        long start = System.nanoTime();
-        var frame = scene.frame(raster);
-        setUp = (System.nanoTime() - start) / 1e6;
+        long clockStart = System.nanoTime();
+        long start = THREADS.getCurrentThreadCpuTime();
+        Frame frame = scene.frame(raster);
+        long middle = THREADS.getCurrentThreadCpuTime();
         if (renderer.render(frame, rows).getPrimitives() == 0) {
             throw new IllegalStateException("nothing was rendered");
         }
-        return (System.nanoTime() - start) / 1e6;
+        long end = THREADS.getCurrentThreadCpuTime();
+        clock = (System.nanoTime() - clockStart) / 1e6;
+        setUp = (middle - start) / 1e6;
+        return (end - start) / 1e6;
     }
 
-    private static double median(double[] values, int count) {
+    /** Returns the first quartile: other programs can only make a frame slower. */
+    private static double quartile(double[] values, int count) {
         Arrays.sort(values, 0, count);
-        return values[count / 2];
+        return values[count / 4];
     }
 
     /** Returns {@code milliseconds} with four decimals. */

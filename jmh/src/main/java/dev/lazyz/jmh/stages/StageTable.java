@@ -25,7 +25,7 @@ import java.util.stream.Stream;
  */
 public final class StageTable {
     private static final Set<String> OPTIONS = Set.of(
-            "scenes", "models", "side", "processor", "warm-up", "measure", "record", "results", "page", "processor-name");
+            "scenes", "models", "side", "processor", "warm-up", "measure", "record", "methods", "results", "page");
 
     private static final String SCENES = "S1,S2,S3,S5,S6,cycle,city,teapot";
     private static final Set<String> FORMATS = Set.of("obj", "stl", "ply", "off", "3mf", "glb", "gltf");
@@ -55,13 +55,16 @@ public final class StageTable {
             List<String> words = new ArrayList<>(List.of("--scene", scene, "--side", options.get("side", "1024")));
             words.addAll(List.of("--warm-up", options.get("warm-up", "2")));
             words.addAll(List.of("--measure", options.get("measure", "2")));
-            words.addAll(List.of("--record", options.get("record", "4")));
+            words.addAll(List.of("--record", options.get("record", "5")));
+            words.addAll(List.of("--methods", options.get("methods", "0")));
             process(words, results);
             print(results, jvm, TriangleSource.label(scene));
 
             // If a long run is stopped, the results so far are kept
             results.write(file);
         }
+        process(List.of(), results);
+        results.write(file);
         Path page = Path.of(options.get("page", "docs/performance-stages.md"));
         if (Files.exists(page)) {
             StagePage.write(page, results);
@@ -124,11 +127,10 @@ public final class StageTable {
         }
     }
 
-    private String processorName() throws IOException {
-        String given = options.get("processor-name", "");
+    private static String processorName() throws IOException {
         Path info = Path.of("/proc/cpuinfo");
-        if (!given.isEmpty() || !Files.exists(info)) {
-            return given.isEmpty() ? System.getProperty("os.arch") : given;
+        if (!Files.exists(info)) {
+            return System.getProperty("os.arch");
         }
         try (Stream<String> lines = Files.lines(info)) {
             return lines.filter(line -> line.startsWith("model name"))
