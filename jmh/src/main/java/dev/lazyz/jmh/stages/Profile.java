@@ -114,7 +114,8 @@ final class Profile {
         return methods.entrySet().stream()
                 .sorted(Map.Entry.<String, Integer>comparingByValue().reversed())
                 .limit(count)
-                .map(each -> String.format(Locale.ROOT, "%5.1f  %s", 100.0 * each.getValue() / samples(), each.getKey()))
+                .map(each ->
+                        String.format(Locale.ROOT, "%5.1f  %s", 100.0 * each.getValue() / samples(), each.getKey()))
                 .toList();
     }
 

@@ -67,8 +67,7 @@ public final class StagePage {
     /** Returns the stages of a frame, those with the largest difference first. */
     private List<Gap> gaps(StageResults.FrameTime frame, FrameCounts counts) {
         return Arrays.stream(Stage.values())
-                .map(stage ->
-                        new Gap(counts, stage, results.time(frame, stage), results.limit(counts, stage)))
+                .map(stage -> new Gap(counts, stage, results.time(frame, stage), results.limit(counts, stage)))
                 .sorted(Comparator.comparingDouble(Gap::difference).reversed())
                 .toList();
     }
@@ -82,16 +81,18 @@ public final class StagePage {
             for (FrameCounts counts : results.counts()) {
                 results.frame(jvm, counts).ifPresent(frame -> all.addAll(gaps(frame, counts)));
             }
-            all.stream().max(Comparator.comparingDouble(Gap::difference)).ifPresent(gap -> text.append(jvm)
-                    .append(": the largest difference is *")
-                    .append(gap.stage().label())
-                    .append("* of ")
-                    .append(gap.counts().scene())
-                    .append(", ")
-                    .append(milliseconds(gap.time()))
-                    .append(" ms with a limit of ")
-                    .append(milliseconds(gap.limit().time()))
-                    .append(".\n"));
+            all.stream()
+                    .max(Comparator.comparingDouble(Gap::difference))
+                    .ifPresent(gap -> text.append(jvm)
+                            .append(": the largest difference is *")
+                            .append(gap.stage().label())
+                            .append("* of ")
+                            .append(gap.counts().scene())
+                            .append(", ")
+                            .append(milliseconds(gap.time()))
+                            .append(" ms with a limit of ")
+                            .append(milliseconds(gap.limit().time()))
+                            .append(".\n"));
         }
         return text.toString();
     }

@@ -35,9 +35,10 @@ record StageResults(
      * @param jvm name of the Java runtime
      * @param scene name of the scene or mesh file, without a folder
      * @param side width and height of the raster, samples
-     * @param time first quartile of the thread's time on its processor, milliseconds
+     * @param time the thread's time on its processor, milliseconds: the least of all frames, as other programs that use
+     *     caches and memory can only make it longer
      * @param setUp the same of the part from the scene to the frame
-     * @param clock first quartile of the time by the clock, which contains what other programs took, milliseconds
+     * @param median the median of all frames
      * @param frames number of measured frames
      * @param samples number of the profiler's samples
      * @param found number of samples for each millisecond of the thread; 1 if none was lost
@@ -48,7 +49,7 @@ record StageResults(
             int side,
             double time,
             double setUp,
-            double clock,
+            double median,
             int frames,
             int samples,
             double found) {}
@@ -66,7 +67,8 @@ record StageResults(
 
     /** Returns the name of this Java runtime: its version, and whether it has the Vector API. */
     static String jvm() {
-        boolean hasVectors = ModuleLayer.boot().findModule("jdk.incubator.vector").isPresent();
+        boolean hasVectors =
+                ModuleLayer.boot().findModule("jdk.incubator.vector").isPresent();
         return "JDK " + Runtime.version().feature() + (hasVectors ? ", Vector API" : "");
     }
 

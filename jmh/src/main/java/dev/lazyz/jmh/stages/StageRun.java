@@ -41,10 +41,8 @@ final class StageRun {
     private final Renderer renderer = PictureCheck.renderer("tiled").configured(new RenderOptions().withThreads(1));
     private final DroppedRows rows = new DroppedRows();
 
-    /** The last frame: the time of its set-up, and its time by the clock, milliseconds. */
+    /** The time of the last frame's set-up, milliseconds. */
     private double setUp;
-
-    private double clock;
 
     private StageRun(Scene scene, int side) {
         this.scene = scene;
@@ -65,12 +63,10 @@ final class StageRun {
         SteadyState.await(seconds(options, "warm-up"), run::frame);
         double[] times = new double[1 << 16];
         double[] setUps = new double[times.length];
-        double[] clocks = new double[times.length];
         int frames = 0;
         long end = System.nanoTime() + (long) (1e9 * seconds(options, "measure"));
         while (frames < times.length && (frames < LEAST_FRAMES || System.nanoTime() < end)) {
             times[frames] = run.frame();
-            clocks[frames] = run.clock;
             setUps[frames++] = run.setUp;
         }
         double length = seconds(options, "record");
@@ -80,8 +76,10 @@ final class StageRun {
         PictureCheck.verify(run.scene.frame(run.raster), run.renderer, OTHER);
 
         String label = TriangleSource.label(name);
-        double time = quartile(times, frames);
-        double setUpTime = quartile(setUps, frames);
+        Arrays.sort(times, 0, frames);
+        Arrays.sort(setUps, 0, frames);
+        double time = times[0];
+        double setUpTime = setUps[0];
         String jvm = StageResults.jvm();
         print(
                 "frame",
@@ -91,7 +89,7 @@ final class StageRun {
                         side,
                         rounded(time),
                         rounded(setUpTime),
-                        rounded(quartile(clocks, frames)),
+                        rounded(times[frames / 2]),
                         frames,
                         profile.samples(),
                         rounded(profile.samples() / recorded)));
@@ -125,7 +123,6 @@ final class StageRun {
      * does not contain what other programs take.
      */
     private double frame() throws InterruptedException, IOException {
-        long clockStart = System.nanoTime();
         long start = THREADS.getCurrentThreadCpuTime();
         Frame frame = scene.frame(raster);
         long middle = THREADS.getCurrentThreadCpuTime();
@@ -133,15 +130,8 @@ final class StageRun {
             throw new IllegalStateException("nothing was rendered");
         }
         long end = THREADS.getCurrentThreadCpuTime();
-        clock = (System.nanoTime() - clockStart) / 1e6;
         setUp = (middle - start) / 1e6;
         return (end - start) / 1e6;
-    }
-
-    /** Returns the first quartile: other programs can only make a frame slower. */
-    private static double quartile(double[] values, int count) {
-        Arrays.sort(values, 0, count);
-        return values[count / 4];
     }
 
     /** Returns {@code milliseconds} with four decimals. */

@@ -54,8 +54,8 @@ public final class StageTable {
         for (String scene : scenes()) {
             List<String> words = new ArrayList<>(List.of("--scene", scene, "--side", options.get("side", "1024")));
             words.addAll(List.of("--warm-up", options.get("warm-up", "2")));
-            words.addAll(List.of("--measure", options.get("measure", "2")));
-            words.addAll(List.of("--record", options.get("record", "5")));
+            words.addAll(List.of("--measure", options.get("measure", "3")));
+            words.addAll(List.of("--record", options.get("record", "4")));
             words.addAll(List.of("--methods", options.get("methods", "0")));
             process(words, results);
             print(results, jvm, TriangleSource.label(scene));

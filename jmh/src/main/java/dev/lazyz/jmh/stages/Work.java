@@ -165,14 +165,7 @@ record Work(
                     0,
                     "reads a key; depth, its upper half, the index, the minimum"),
             new Work(
-                    Stage.COVER,
-                    "samples of tiles drawn into",
-                    FrameCounts::drawn,
-                    Data.TILE,
-                    8,
-                    0,
-                    0,
-                    "clears a key"),
+                    Stage.COVER, "samples of tiles drawn into", FrameCounts::drawn, Data.TILE, 8, 0, 0, "clears a key"),
             new Work(
                     Stage.RESOLVE,
                     "samples of tiles drawn into",

@@ -24,8 +24,10 @@ class LimitTest {
 
     @Test
     void moreDataThanACacheHoldsMovesMoreSlowly() {
-        assertEquals(2e-1, Limit.of(Stage.TRANSFORM, vertices(100_000, 0), MACHINE).bytes(), 1e-9);
-        assertEquals(4, Limit.of(Stage.TRANSFORM, vertices(1_000_000, 0), MACHINE).bytes(), 1e-9);
+        assertEquals(
+                2e-1, Limit.of(Stage.TRANSFORM, vertices(100_000, 0), MACHINE).bytes(), 1e-9);
+        assertEquals(
+                4, Limit.of(Stage.TRANSFORM, vertices(1_000_000, 0), MACHINE).bytes(), 1e-9);
     }
 
     @Test
@@ -42,8 +44,7 @@ class LimitTest {
     @Test
     void theBestFiguresOfAllMachinesCount() {
         Machine other = new Machine("other", 1e9, 7e9, 1e9, 1e9, 2e9);
-        assertEquals(
-                new Machine("best of all", 12e9, 7e9, 3e9, 36e9, 2e9), Machine.best(List.of(MACHINE, other)));
+        assertEquals(new Machine("best of all", 12e9, 7e9, 3e9, 36e9, 2e9), Machine.best(List.of(MACHINE, other)));
         assertTrue(MACHINE.bandwidth(Machine.L2_SIZE) > MACHINE.bandwidth(Machine.L2_SIZE + 1));
     }
 

@@ -47,9 +47,14 @@ class StageMapTest {
         assertEquals(Stage.ENCODE, stage("strategies.tiled.resolve.VectorFragmentKernel$Component", "find"));
         assertEquals(Stage.COVER, stage("strategies.tiled.raster.VectorBlockKernel$Companion", "wholeColumn"));
         assertEquals(Stage.SHADE, stage("shading.pbr.Microfacets", "any"));
-        assertEquals(StageMap.Kind.CALLER, StageMap.find("dev.lazyz.FragmentBatch", "any").kind());
-        assertEquals(StageMap.Kind.NONE, StageMap.find("dev.lazyz.unknown.Type", "any").kind());
-        assertEquals(StageMap.Kind.NONE, StageMap.find("java.util.Arrays", "fill").kind());
+        assertEquals(
+                StageMap.Kind.CALLER,
+                StageMap.find("dev.lazyz.FragmentBatch", "any").kind());
+        assertEquals(
+                StageMap.Kind.NONE,
+                StageMap.find("dev.lazyz.unknown.Type", "any").kind());
+        assertEquals(
+                StageMap.Kind.NONE, StageMap.find("java.util.Arrays", "fill").kind());
     }
 
     private static Stage stage(String type, String method) {
@@ -82,8 +87,8 @@ class StageMapTest {
 
     /** Returns the names, without {@link StageMap#ROOT}, of all classes in the jar or folder of {@code example}. */
     private static Set<String> classes(Class<?> example) throws IOException, URISyntaxException {
-        Path place =
-                Path.of(example.getProtectionDomain().getCodeSource().getLocation().toURI());
+        Path place = Path.of(
+                example.getProtectionDomain().getCodeSource().getLocation().toURI());
         if (Files.isDirectory(place)) {
             return classes(place);
         }
@@ -95,7 +100,8 @@ class StageMapTest {
     private static Set<String> classes(Path root) throws IOException {
         Set<String> names = new TreeSet<>();
         try (Stream<Path> files = Files.walk(root.resolve("dev/lazyz"))) {
-            files.map(file -> root.relativize(file).toString().replace('\\', '/').replace('/', '.'))
+            files.map(file ->
+                            root.relativize(file).toString().replace('\\', '/').replace('/', '.'))
                     .filter(name -> name.endsWith(".class"))
                     .map(name -> name.substring(StageMap.ROOT.length(), name.length() - ".class".length()))
                     .forEach(names::add);

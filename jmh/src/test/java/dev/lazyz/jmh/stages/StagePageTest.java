@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 class StagePageTest {
     private static final List<String> LINES = List.of(
             "machine {\"jvm\":\"JDK 25\",\"l2\":12e9,\"l3\":6e9,\"memory\":3e9,\"operations\":36e9,\"divisions\":1e9}",
-            "frame {\"jvm\":\"JDK 25\",\"scene\":\"S1\",\"side\":64,\"time\":10,\"setUp\":3,\"clock\":11,"
+            "frame {\"jvm\":\"JDK 25\",\"scene\":\"S1\",\"side\":64,\"time\":10,\"setUp\":3,\"median\":11,"
                     + "\"frames\":9,\"samples\":100,\"found\":0.25}",
             "stage {\"jvm\":\"JDK 25\",\"scene\":\"S1\",\"side\":64,\"stage\":\"transform\",\"time\":3}",
             "stage {\"jvm\":\"JDK 25\",\"scene\":\"S1\",\"side\":64,\"stage\":\"set up\",\"time\":7}",
