@@ -28,7 +28,7 @@ class StagePageTest {
         String page = fill("largest");
         assertTrue(
                 page.contains("JDK 25: the largest difference is *set up* of S1, 7.00 ms with a limit of 0.00."), page);
-        assertTrue(fill("summary").contains("| **1.2** | set up 7.00 |"), fill("summary"));
+        assertTrue(fill("summary").contains("| 12.0 | 10.0 | **0.8** | set up 7.00 |"), fill("summary"));
     }
 
     @Test
