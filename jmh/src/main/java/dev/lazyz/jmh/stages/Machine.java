@@ -32,8 +32,8 @@ record Machine(String jvm, double l2, double l3, double memory, double operation
     private static final int STEPS = 8;
 
     /**
-     * Time for which each figure is measured, and least time of a measurement, nanoseconds. The best measurement counts;
-     * it is short so that some are not interrupted by other programs.
+     * Time for which each figure is measured, and least time of a measurement, nanoseconds. The best measurement
+     * counts; it is short so that some are not interrupted by other programs.
      */
     private static final long WHOLE = 1_000_000_000L;
 

@@ -7,10 +7,10 @@ import java.util.Set;
 /**
  * The stage of each method of the library: the one place that says which code belongs to which stage.
  *
- * <p>A rule names a method, a class with its nested classes, or a package with its subpackages ({@code .*}); the longest
- * one that matches is used. Classes that serve several stages have {@code CALLER}: the method that called them decides.
- * A method that is inlined by kotlinc counts as a part of the method that contains it. A test fails if a class of
- * {@link #PACKAGES} has no rule, or if a rule names nothing.
+ * <p>A rule names a method, a class with its nested classes, or a package with its subpackages ({@code .*}); the
+ * longest one that matches is used. Classes that serve several stages have {@code CALLER}: the method that called them
+ * decides. A method that is inlined by kotlinc counts as a part of the method that contains it. A test fails if a class
+ * of {@link #PACKAGES} has no rule, or if a rule names nothing.
  */
 final class StageMap {
     /** Start of the names of classes of this project. */

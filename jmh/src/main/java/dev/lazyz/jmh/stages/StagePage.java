@@ -283,6 +283,9 @@ public final class StagePage {
     }
 
     private static String milliseconds(double time) {
+        if (Math.abs(time) < NEGLIGIBLE) {
+            return "0.00";
+        }
         return number(Math.abs(time) < 10 ? "%.2f" : Math.abs(time) < 100 ? "%.1f" : "%.0f", time);
     }
 

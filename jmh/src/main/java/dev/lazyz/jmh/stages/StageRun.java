@@ -22,8 +22,8 @@ import java.util.Set;
  * Measures the stages of one scene in this process, and prints each result on a line: its kind, and JSON.
  * {@link StageTable} starts it.
  *
- * <p>A frame is that of {@code PeerRun}: the same triangles, {@code scene.frame(raster)} and a rendering into a sink that
- * drops the rows. First the frames are timed, then they are recorded, and at the end the picture is compared with
+ * <p>A frame is that of {@code PeerRun}: the same triangles, {@code scene.frame(raster)} and a rendering into a sink
+ * that drops the rows. First the frames are timed, then they are recorded, and at the end the picture is compared with
  * another strategy's: if it differs, nothing is printed.
  */
 final class StageRun {

@@ -7,8 +7,8 @@ import java.util.function.ToLongFunction;
  * Work that a stage cannot avoid, for each of some units of a frame. The frame's bits demand it: another implementation
  * of the same stage has to move these bytes and do these operations, too.
  *
- * <p>An operation is one on a 64-bit number, as in {@link Machine}. An operation on 32-bit numbers counts half, because a
- * vector has twice as many of them. Loads, stores, addresses and branches are not counted. A comparison, a minimum, a
+ * <p>An operation is one on a 64-bit number, as in {@link Machine}. An operation on 32-bit numbers counts half, because
+ * a vector has twice as many of them. Loads, stores, addresses and branches are not counted. A comparison, a minimum, a
  * shift or a conversion counts like an addition.
  *
  * @param stage the stage
