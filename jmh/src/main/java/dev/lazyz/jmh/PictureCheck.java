@@ -9,11 +9,11 @@ import java.io.IOException;
 import org.openjdk.jmh.infra.Blackhole;
 
 /** Prevents a benchmark from measuring a wrong image: compares pixel hashes (contract rule 7.2). */
-final class PictureCheck {
+public final class PictureCheck {
     private PictureCheck() {}
 
     /** Returns the renderer called {@code id}. */
-    static Renderer renderer(String id) {
+    public static Renderer renderer(String id) {
         Renderer found = Renderers.find(id);
         if (found == null) {
             throw new IllegalArgumentException("no such strategy: " + id);
@@ -34,7 +34,16 @@ final class PictureCheck {
      * @throws IllegalStateException if they differ
      */
     static void verify(Frame frame, Renderer renderer) throws InterruptedException, IOException {
-        verify(hash(frame, renderer), hash(frame, renderer("zbuffer")), renderer.getId());
+        verify(frame, renderer, "zbuffer");
+    }
+
+    /**
+     * Checks a renderer's image against that of the strategy {@code other}.
+     *
+     * @throws IllegalStateException if they differ
+     */
+    public static void verify(Frame frame, Renderer renderer, String other) throws InterruptedException, IOException {
+        verify(hash(frame, renderer), hash(frame, renderer(other)), renderer.getId());
     }
 
     /**

@@ -10,14 +10,13 @@ import dev.lazyz.Rgba;
 import dev.lazyz.RowSink;
 import dev.lazyz.jmh.report.JsonRecords;
 import dev.lazyz.jmh.report.Options;
+import dev.lazyz.jmh.workload.SteadyState;
 import dev.lazyz.strategies.Renderers;
 import dev.lazyz.world.Scene;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
-import java.lang.management.CompilationMXBean;
-import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -37,12 +36,6 @@ public final class PeerRun {
 
     /** Minimum number of measured frames, however long they take. */
     private static final int LEAST_FRAMES = 5;
-
-    /** Time for which the compilers must have been idle before times are measured, nanoseconds. */
-    private static final long IDLE = 2_000_000_000L;
-
-    /** Maximum length of the warm-up, as a multiple of the requested length. */
-    private static final int LONGEST = 8;
 
     private final Scene scene;
     private final Raster raster;
@@ -95,7 +88,7 @@ public final class PeerRun {
 
     private Measured measure(double warmUp, double measure) throws InterruptedException, IOException {
         double first = frame();
-        warmUp((long) (1e9 * warmUp));
+        SteadyState.await(warmUp, this::frame);
         double[] times = new double[1 << 16];
         int count = 0;
         long end = System.nanoTime() + (long) (1e9 * measure);
@@ -112,23 +105,6 @@ public final class PeerRun {
                 rounded(first),
                 count,
                 Runtime.version().toString());
-    }
-
-    /** Renders for at least {@code least} nanoseconds, and longer while Java's compilers are active. */
-    private void warmUp(long least) throws InterruptedException, IOException {
-        CompilationMXBean compilers = ManagementFactory.getCompilationMXBean();
-        long start = System.nanoTime();
-        long busy = compilers.getTotalCompilationTime();
-        long idleSince = start;
-        for (long now = start;
-                now - start < least || (now - idleSince < IDLE && now - start < LONGEST * least);
-                now = System.nanoTime()) {
-            frame();
-            if (compilers.getTotalCompilationTime() != busy) {
-                busy = compilers.getTotalCompilationTime();
-                idleSince = System.nanoTime();
-            }
-        }
     }
 
     private double frame() throws InterruptedException, IOException {

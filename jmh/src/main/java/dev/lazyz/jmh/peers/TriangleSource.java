@@ -8,11 +8,11 @@ import dev.lazyz.world.Scene;
 import java.nio.file.Path;
 
 /** Finds triangles by name: S1 to S6, a built-in scene, or a file that the library can load. */
-final class TriangleSource {
+public final class TriangleSource {
     private TriangleSource() {}
 
     /** Returns the triangles called {@code name}; a name with a dot is a file. */
-    static Triangles find(String name) {
+    public static Triangles find(String name) {
         if (Workloads.COMPARED.contains(name)) {
             return Workloads.triangles(name);
         }
@@ -21,7 +21,7 @@ final class TriangleSource {
     }
 
     /** Returns the name as tables show it: a file name without its folder. */
-    static String label(String name) {
+    public static String label(String name) {
         return Path.of(name).getFileName().toString();
     }
 }

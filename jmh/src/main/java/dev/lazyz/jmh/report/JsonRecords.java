@@ -87,7 +87,8 @@ public final class JsonRecords {
         return Integer.parseInt(text(object, name));
     }
 
-    private static <R extends Record> R record(JsonObject object, Class<R> type) {
+    /** Returns the record of type {@code type} whose components are in {@code object}. */
+    public static <R extends Record> R record(JsonObject object, Class<R> type) {
         RecordComponent[] components = type.getRecordComponents();
         Class<?>[] types = new Class<?>[components.length];
         Object[] values = new Object[components.length];
