@@ -66,7 +66,11 @@ internal class Zcli(streams: Streams, args: List<String>) : Command("zcli") {
     /** Returns the error for an unknown command. If the word is an input, suggests 'zcli render'. */
     private fun unknown(word: String, commands: Set<String>): Mistake {
         val isInput = SceneFormat.ofFileName(word) != null || Scenes.builtins.any { it.id == word }
-        val hint = if (isInput) "; did you mean 'zcli render $word'?" else Nearest.hint(word, commands)
+        val hint = when {
+            isInput -> "; did you mean 'zcli render $word'?"
+            word == "help" -> "; did you mean 'zcli --help'?"
+            else -> Nearest.hint(word, commands)
+        }
         return Mistake("no command '$word'$hint\nSee 'zcli --help'.")
     }
 }

@@ -107,6 +107,7 @@ class PageCommandsTest {
             "docs/memory.md: java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.memory.MemoryGrid" to MEASURES,
             "docs/memory.md: java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.memory.MemoryGrowth" to MEASURES,
             "docs/mutation-analysis.md: mvn" to "takes minutes, and downloads a tool that no build needs",
+            "docs/performance-stages.md: java -cp jmh" to MEASURES,
             "docs/performance.md: java -cp jmh" to MEASURES,
             "docs/performance.md: java -jar jmh/target/benchmarks.jar dev.lazyz.jmh.kernel" to MEASURES,
             "docs/performance.md: java -jar jmh/target/benchmarks.jar StrategyBenchmark" to MEASURES,

@@ -74,7 +74,7 @@ public class Picture private constructor(public val width: Int, public val heigh
         }
 
         /**
-         * Reads an image file: PNG, TIFF, BMP, GIF, WBMP, or JPEG, whose pixels can differ between JDKs. Of several
+         * Reads an image file: PNG, binary PPM, TIFF, BMP, GIF, WBMP, or JPEG, whose pixels can differ between JDKs. Of several
          * images in a file, it reads the first.
          *
          * @throws SceneFormatException if the file is missing, unreadable, or no image
@@ -101,7 +101,7 @@ public class Picture private constructor(public val width: Int, public val heigh
         @JvmStatic
         @JvmOverloads
         public fun decode(bytes: ByteArray, name: String = "<bytes>"): Picture =
-            ImageDecoder.decode(bytes, admit = {}) { image ->
+            PpmDecoder.decode(bytes, name) ?: ImageDecoder.decode(bytes, admit = {}) { image ->
                 if (Texels.isWide(image)) {
                     val argb = Texels.wide(image)
                     Picture(image.width, image.height) { argb[it] }

@@ -3,6 +3,7 @@ package dev.lazyz.scenes.pictures
 import dev.lazyz.Counters
 import dev.lazyz.Image
 import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.writers.PpmSink
 import dev.lazyz.scenes.writers.toPng
 import java.awt.Transparency
 import java.awt.color.ColorSpace
@@ -67,6 +68,26 @@ class PictureTest {
         image.raster.setPixel(0, 0, intArrayOf(0x0102, 0x0304, 0x0506, 0x0708))
         assertEquals("#0102030405060708", png(image).color(0, 0))
         assertEquals(0x0708_0102_0304_0506L, png(image).argb(0, 0))
+    }
+
+    @Test
+    fun ppmFilesAreRead() {
+        val argb = intArrayOf(0x102030, 0x0A2320, 0xFFFFFF, 0, 0x80FF00, 0x010203)
+        val out = ByteArrayOutputStream()
+        PpmSink(out, 3, 2).use { sink ->
+            for (y in 0..1) sink.row(y, argb.copyOfRange(3 * y, 3 * y + 3), IntArray(3), IntArray(3))
+        }
+        val picture = Picture.decode(out.toByteArray())
+        assertEquals(listOf(3, 2), listOf(picture.width, picture.height))
+        for (i in argb.indices) assertEquals("#%06xff".format(argb[i]), picture.color(i % 3, i / 3))
+        assertEquals("#61625aff", Picture.decode("P6 # one\n1\n# pixel\n1 255\nabZ".toByteArray()).color(0, 0))
+
+        fun message(text: String) =
+            assertThrows(SceneFormatException::class.java) { Picture.decode(text.toByteArray(), "a") }.message.orEmpty()
+        assertTrue("a: it ends 2 bytes before its last pixel" in message("P6 1 1 255\na"))
+        assertTrue("its height is not in 1.." in message("P6 1 99999999999999999999 255\na"))
+        assertTrue("its maximum is 65535" in message("P6 1 1 65535\nabcdef"))
+        assertTrue("its width is not in" in message("P6 "))
     }
 
     @Test
