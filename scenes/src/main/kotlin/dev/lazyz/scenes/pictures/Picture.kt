@@ -74,8 +74,8 @@ public class Picture private constructor(public val width: Int, public val heigh
         }
 
         /**
-         * Reads an image file: PNG, binary PPM, TIFF, BMP, GIF, WBMP, or JPEG, whose pixels can differ between JDKs. Of several
-         * images in a file, it reads the first.
+         * Reads an image file: PNG, binary PPM, TIFF, BMP, GIF, WBMP, or JPEG, whose pixels can differ between JDKs. Of
+         * several images in a file, it reads the first.
          *
          * @throws SceneFormatException if the file is missing, unreadable, or no image
          */
