@@ -87,21 +87,15 @@ internal object Heap {
     }
 
     /**
-     * Returns the greatest number of bytes held at the calls of the function that [work] gets, relative to the state
-     * before. If less is held afterwards, that counts: what others release meanwhile must not hide what [work] holds.
+     * Returns the greatest number of bytes held, relative to the state before, at the calls of the function that [work]
+     * gets.
      */
     fun most(work: (measure: () -> Unit) -> Unit): Long {
         val before = settled()
         var most = 0L
-        work { synchronized(this) { most = maxOf(most, held()) } }
-        return maxOf(0, most - minOf(before, held()))
+        work { synchronized(this) { most = maxOf(most, held() - before) } }
+        return most
     }
-
-    /**
-     * Returns how much more [large] holds than [small]. Noise adds to both, so [small] is measured twice, and its least
-     * result counts.
-     */
-    inline fun growth(small: () -> Long, large: () -> Long): Long = large() - minOf(small(), small())
 
     /**
      * Calls [fail] with the least of several [measurements], unless one of them is at most [limit], since noise only

@@ -36,7 +36,7 @@ internal fun constantMemory(renderer: Renderer) {
     if (many > few + few / 8 + Long.SIZE_BYTES) {
         fail(renderer, "peakBytes is $few for $FEW_ROWS rows of $WIDE samples, $many for $MANY_ROWS")
     }
-    val growth = { Heap.growth({ heldForRows(configured, FEW_ROWS) }, { heldForRows(configured, MANY_ROWS) }) }
+    val growth = { heldForRows(configured, MANY_ROWS) - heldForRows(configured, FEW_ROWS) }
     Heap.requireAtMost(ROWS_ALLOWANCE, growth) {
         fail(renderer, "$MANY_ROWS rows of $WIDE samples hold $it bytes more on the heap than $FEW_ROWS rows")
     }
@@ -66,10 +66,7 @@ internal fun constantMemoryInPrimitives(renderer: Renderer) {
             fail(renderer, "peakBytes is $few for $FEW_PRIMITIVES primitives $order, $many for $MANY_PRIMITIVES")
         }
         val growth = {
-            Heap.growth(
-                { heldForArrivals(renderer, order, FEW_PRIMITIVES) },
-                { heldForArrivals(renderer, order, MANY_PRIMITIVES) },
-            )
+            heldForArrivals(renderer, order, MANY_PRIMITIVES) - heldForArrivals(renderer, order, FEW_PRIMITIVES)
         }
         Heap.requireAtMost(PRIMITIVES_ALLOWANCE, growth) {
             fail(renderer, "$MANY_PRIMITIVES primitives $order hold $it bytes more on the heap than $FEW_PRIMITIVES")
@@ -124,7 +121,7 @@ internal fun budgetOnTheHeap(renderer: Renderer) {
     val speckles = List(SIDE * SHARERS) { (it % SHARERS..<SIDE step SHARERS) to (it / SHARERS..it / SHARERS) }
     for (budget in listOf(0L, 1_000_000L)) {
         val configured = renderer.configured(RenderOptions(memoryBudget = budget, threads = 1))
-        val held = { Heap.growth({ heldForColours(configured, plain) }, { heldForColours(configured, speckles) }) }
+        val held = { heldForColours(configured, speckles) - heldForColours(configured, plain) }
         Heap.requireAtMost(budget + budget / 4 + BUDGET_ALLOWANCE, held) {
             fail(renderer, "the budget is $budget bytes, but $it bytes of the heap are held in addition to the image's")
         }

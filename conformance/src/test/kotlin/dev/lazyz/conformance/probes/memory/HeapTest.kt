@@ -29,20 +29,6 @@ class HeapTest {
     @Test
     fun deadImagesDoNotCount() = assertEquals("1 1 1 1 1 1 1 1", answer("Serial", AskAfterDeadImages::class))
 
-    /** Such as what an earlier test left, and a collection frees in the middle of this one. */
-    @Test
-    fun whatOthersReleaseHidesNothing() {
-        var others: ByteArray? = ByteArray(8 shl 20)
-        val held = Heap.most { measure ->
-            val own = ByteArray(4 shl 20)
-            Reference.reachabilityFence(others)
-            others = null
-            measure()
-            Reference.reachabilityFence(own)
-        }
-        assertTrue(held >= 4 shl 20, "$held")
-    }
-
     private fun answer(collector: String, main: KClass<*>): String {
         val process = ChildJvm.start(listOf("-Xmx512m", "-XX:+Use${collector}GC"), main)
         assertTrue(process.waitFor(60, TimeUnit.SECONDS))
