@@ -50,15 +50,14 @@ internal object Heap {
         if (!isSoon { garbage.get() == null }) notMeasured("this JVM ignores System.gc()")
     }
 
-    /** Ends the rule, as not applicable, if System.gc() has no effect or measurements of known sizes are wrong. */
+    /** Ends the rule, as not applicable, if this JVM does not count live objects, or counts known sizes wrong. */
     private fun requireMeasurable() {
-        requireCollection()
-        if (!isExact()) notMeasured("this JVM's garbage collector counts memory in large regions, not in objects")
+        if (!isExact()) notMeasured("this JVM does not count the bytes of live objects")
     }
 
-    /** Returns whether the heap grows by what is allocated. ZGC counts regions of some megabytes. */
+    /** Returns whether what is allocated is found on the heap, to the byte or nearly so. */
     fun isExact(): Boolean {
-        if (!isKnownToBeExact) isKnownToBeExact = KNOWN.all { isExact(it) }
+        if (!isKnownToBeExact) isKnownToBeExact = HeapContent.measured() != null && KNOWN.all { isExact(it) }
         return isKnownToBeExact
     }
 
@@ -69,7 +68,7 @@ internal object Heap {
                 measure()
                 Reference.reachabilityFence(blocks)
             }
-            if (abs(held - bytes) <= TOLERANCE) return true
+            if (abs(held.total - bytes) <= TOLERANCE) return true
         }
         return false
     }
@@ -87,13 +86,17 @@ internal object Heap {
     }
 
     /**
-     * Returns the greatest number of bytes held, relative to the state before, at the calls of the function that [work]
-     * gets.
+     * Returns the most that is held, in addition to what is held before, at the calls of the function that [work] gets.
      */
-    fun most(work: (measure: () -> Unit) -> Unit): Long {
+    fun most(work: (measure: () -> Unit) -> Unit): HeapContent {
         val before = settled()
-        var most = 0L
-        work { synchronized(this) { most = maxOf(most, held() - before) } }
+        var most = HeapContent.EMPTY
+        work {
+            synchronized(this) {
+                val more = held().growthSince(before)
+                if (more.total > most.total) most = more
+            }
+        }
         return most
     }
 
@@ -101,38 +104,34 @@ internal object Heap {
      * Calls [fail] with the least of several [measurements], unless one of them is at most [limit], since noise only
      * adds. Three measurements are enough if the result is clearly above the limit.
      */
-    fun requireAtMost(limit: Long, measurements: () -> Long, fail: (least: Long) -> Nothing) {
+    fun requireAtMost(limit: Long, measurements: () -> HeapContent, fail: (least: HeapContent) -> Nothing) {
         requireMeasurable()
-        var least = Long.MAX_VALUE
-        repeat(ATTEMPTS) { attempt ->
-            least = minOf(least, measurements())
-            if (least <= limit) return
-            if (attempt >= ENOUGH && least > CLEAR * limit) fail(least)
+        var least = measurements()
+        repeat(ATTEMPTS - 1) { attempt ->
+            if (least.total <= limit) return
+            if (attempt >= ENOUGH && least.total > CLEAR * limit) fail(least)
+            least = minOf(least, measurements(), compareBy { it.total })
         }
-        fail(least)
+        if (least.total > limit) fail(least)
     }
 
-    /** Returns the number of bytes held, once it no longer decreases. */
-    private fun settled(): Long {
+    /** Returns what is held, once it no longer decreases. */
+    private fun settled(): HeapContent {
         var least = held()
         repeat(ATTEMPTS) {
             Thread.sleep(1)
             val now = held()
-            if (now >= least) return least
+            if (now.total >= least.total) return least
             least = now
         }
         return least
     }
 
     /**
-     * Returns the number of bytes held. Most collections leave some dead objects where they are, if they take only a
-     * few per cent of the heap, and these count as used. One of a few removes them all, see [collections].
+     * Returns what is held. Some collectors leave dead objects where they are, if they take only a few per cent of the
+     * heap, and count them as live. One of a few collections removes them all, see [collections].
      */
-    private fun held(): Long {
-        val runtime = Runtime.getRuntime()
-        return (1..collections).minOf {
-            System.gc()
-            runtime.totalMemory() - runtime.freeMemory()
-        }
-    }
+    private fun held(): HeapContent = (1..collections)
+        .map { checkNotNull(HeapContent.measured()) { "this JVM counted live objects before, but does not now" } }
+        .minBy { it.total }
 }

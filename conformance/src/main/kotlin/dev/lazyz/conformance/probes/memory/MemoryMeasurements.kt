@@ -38,15 +38,15 @@ internal fun constantMemory(renderer: Renderer) {
     }
     val growth = { heldForRows(configured, MANY_ROWS) - heldForRows(configured, FEW_ROWS) }
     Heap.requireAtMost(ROWS_ALLOWANCE, growth) {
-        fail(renderer, "$MANY_ROWS rows of $WIDE samples hold $it bytes more on the heap than $FEW_ROWS rows")
+        fail(renderer, "$MANY_ROWS rows of $WIDE samples hold $it than $FEW_ROWS rows")
     }
 }
 
 private fun stripes(rows: Int, onQuery: (Int) -> Unit = {}) =
     Frame(Raster(WIDE, rows), listOf(Stripe(0..3, 0..<rows, 1000, onQuery), Stripe(2..7, 0..<rows, 2000, onQuery)))
 
-/** Returns the bytes held when the last row is queried, and when the first and the last one are delivered. */
-private fun heldForRows(renderer: Renderer, rows: Int): Long = Heap.most { measure ->
+/** Returns what is held when the last row is queried, and when the first and the last one are delivered. */
+private fun heldForRows(renderer: Renderer, rows: Int): HeapContent = Heap.most { measure ->
     val last = Once(rows - 1, measure)
     renderer.render(stripes(rows, last)) { y, _, _, _ -> if (y == 0 || y == rows - 1) measure() }
 }
@@ -69,7 +69,7 @@ internal fun constantMemoryInPrimitives(renderer: Renderer) {
             heldForArrivals(renderer, order, MANY_PRIMITIVES) - heldForArrivals(renderer, order, FEW_PRIMITIVES)
         }
         Heap.requireAtMost(PRIMITIVES_ALLOWANCE, growth) {
-            fail(renderer, "$MANY_PRIMITIVES primitives $order hold $it bytes more on the heap than $FEW_PRIMITIVES")
+            fail(renderer, "$MANY_PRIMITIVES primitives $order hold $it than $FEW_PRIMITIVES")
         }
     }
 }
@@ -99,8 +99,8 @@ private fun arriving(order: Order, count: Int, onQuery: (Int) -> Unit = {}): Fra
     return Frame(Raster(8, 2), primitives)
 }
 
-/** Returns the bytes held when the last primitive is queried, and when the first row is delivered. */
-private fun heldForArrivals(renderer: Renderer, order: Order, count: Int): Long = Heap.most { measure ->
+/** Returns what is held when the last primitive is queried, and when the first row is delivered. */
+private fun heldForArrivals(renderer: Renderer, order: Order, count: Int): HeapContent = Heap.most { measure ->
     renderer.render(arriving(order, count, Once(count - 1, measure))) { y, _, _, _ -> if (y == 0) measure() }
 }
 
@@ -123,13 +123,13 @@ internal fun budgetOnTheHeap(renderer: Renderer) {
         val configured = renderer.configured(RenderOptions(memoryBudget = budget, threads = 1))
         val held = { heldForColours(configured, speckles) - heldForColours(configured, plain) }
         Heap.requireAtMost(budget + budget / 4 + BUDGET_ALLOWANCE, held) {
-            fail(renderer, "the budget is $budget bytes, but $it bytes of the heap are held in addition to the image's")
+            fail(renderer, "the budget is $budget bytes, but many colours hold $it than one colour")
         }
     }
 }
 
-/** Returns the bytes held when the last primitive is queried, and when the first row is delivered. */
-private fun heldForColours(renderer: Renderer, places: List<Pair<IntProgression, IntRange>>): Long {
+/** Returns what is held when the last primitive is queried, and when the first row is delivered. */
+private fun heldForColours(renderer: Renderer, places: List<Pair<IntProgression, IntRange>>): HeapContent {
     var onQuery: (Int) -> Unit = {}
     val primitives = places.mapIndexed { index, (columns, rows) -> Stripe(columns, rows, 1000) { onQuery(index) } }
     return Heap.most { measure ->

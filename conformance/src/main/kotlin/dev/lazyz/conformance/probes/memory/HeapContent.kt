@@ -1,0 +1,80 @@
+package dev.lazyz.conformance.probes.memory
+
+import java.lang.management.ManagementFactory
+import javax.management.ObjectName
+import kotlin.math.max
+
+/**
+ * The bytes of live objects on the heap by class, or the difference of two such contents. Objects are counted one by one,
+ * because the used part of the heap also contains the buffers from which threads allocate, up to some megabytes each.
+ *
+ * @property bytes bytes by the number of the class: a content takes some kilobytes, so that it hardly changes the next one
+ */
+internal class HeapContent private constructor(private val bytes: LongArray) {
+    val total: Long = bytes.sum()
+
+    /** Returns the difference, class by class. */
+    operator fun minus(other: HeapContent): HeapContent =
+        HeapContent(LongArray(max(bytes.size, other.bytes.size)) { of(it) - other.of(it) })
+
+    /**
+     * Returns the growth since [before], class by class, and zero for a class of which there is less: what others have
+     * released meanwhile does not hide what is held.
+     */
+    fun growthSince(before: HeapContent): HeapContent =
+        HeapContent((this - before).bytes.apply { forEachIndexed { of, grown -> this[of] = max(grown, 0) } })
+
+    private fun of(number: Int): Long = bytes.getOrElse(number) { 0L }
+
+    /** Returns such as `1113496 bytes more on the heap (1048592 in int[])`: the total, and the largest class. */
+    override fun toString(): String {
+        val largest = bytes.indices.maxByOrNull { bytes[it] } ?: return "0 bytes more on the heap"
+        return "$total bytes more on the heap (${bytes[largest]} in ${Classes.readable(largest)})"
+    }
+
+    /** Numbers of classes, in the order in which they were first seen. */
+    private object Classes {
+        private val numbers = LinkedHashMap<String, Int>()
+
+        @Synchronized
+        fun number(name: String): Int = numbers.getOrPut(name) { numbers.size }
+
+        /** The JVM prints `[I` for `int[]`. */
+        @Synchronized
+        fun readable(number: Int): String {
+            val name = numbers.keys.elementAt(number)
+            val known = runCatching { Class.forName(name, false, HeapContent::class.java.classLoader) }
+            return known.getOrNull()?.typeName ?: name
+        }
+    }
+
+    companion object {
+        val EMPTY: HeapContent = HeapContent(LongArray(0))
+
+        private val commands = ObjectName("com.sun.management:type=DiagnosticCommand")
+
+        /** Such as `   1:    12345     678901  [B (java.base@17)`: place, instances, bytes, class. */
+        private val line = Regex("""\s*\d+:\s+\d+\s+(\d+)\s+(\S+).*""")
+
+        /**
+         * Collects garbage and counts, with all threads stopped. Takes some tens of milliseconds for each 100 MB.
+         * Returns null if this JVM cannot do that.
+         */
+        fun measured(): HeapContent? {
+            val histogram = runCatching {
+                val options = arrayOf<Any>(emptyArray<String>())
+                val types = arrayOf(Array<String>::class.java.name)
+                ManagementFactory.getPlatformMBeanServer().invoke(commands, "gcClassHistogram", options, types)
+            }
+            val lines = (histogram.getOrNull() as? String ?: return null).lineSequence()
+            val counts = lines.mapNotNull { line.matchEntire(it) }
+                .map { Classes.number(it.groupValues[2]) to it.groupValues[1].toLong() }.toList()
+            if (counts.isEmpty()) return null
+            val bytes = LongArray(counts.maxOf { (number, _) -> number } + 1)
+
+            // Classes of several loaders can share a name
+            for ((number, held) in counts) bytes[number] += held
+            return HeapContent(bytes)
+        }
+    }
+}
