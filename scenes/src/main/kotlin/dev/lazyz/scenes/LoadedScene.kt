@@ -2,6 +2,7 @@ package dev.lazyz.scenes
 
 import dev.lazyz.Raster
 import dev.lazyz.geometry.UpAxis
+import dev.lazyz.lighting.LightMeter
 import dev.lazyz.lighting.LightRig
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
@@ -45,6 +46,24 @@ public class LoadedScene @JvmOverloads constructor(
      * @throws IllegalArgumentException if a side is out of range
      */
     public fun raster(width: Int, height: Int): Raster = depth.raster(width, height, scene.background)
+
+    /**
+     * Returns [scene], which is this input's scene seen by a camera, with its lights: those of [rig], or by default
+     * those of the file's [lightRig] for this camera, or else the scene's own.
+     *
+     * @param intensity the factor of all light, 0 or more; by default what [LightMeter] finds for models, and the
+     *   scene's own for scene files
+     * @throws IllegalArgumentException if the viewpoint of [scene] is not a camera, or [intensity] is negative or not
+     *   finite
+     */
+    public fun lit(scene: Scene, rig: LightRig?, intensity: Float?): Scene {
+        val camera = requireNotNull(scene.viewpoint as? Camera) { "the scene has no camera: ${scene.viewpoint}" }
+        val rigged = rig?.on(scene, camera) ?: lightRig?.let { scene.withLights(it.lights(camera)) } ?: scene
+        val isMetered = isModel && LightMeter.appliesTo(scene, rig)
+        return rigged.withLightIntensity(
+            intensity ?: if (isMetered) LightMeter.intensity(scene) else scene.lightIntensity,
+        )
+    }
 
     /** Returns this input with another scene. */
     public fun withScene(scene: Scene): LoadedScene =

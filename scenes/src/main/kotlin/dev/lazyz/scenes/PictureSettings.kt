@@ -88,7 +88,7 @@ public class PictureSettings private constructor(
      */
     @JvmOverloads
     public fun frame(loaded: LoadedScene, options: RenderOptions = RenderOptions()): SampledFrame {
-        val scene = lit(seen(loaded), loaded)
+        val scene = loaded.lit(seen(loaded), light, lightIntensity)
         val raster = loaded.depth.raster(size.width, size.height, background ?: scene.background)
         if (sampling != null) return sampling.frame(scene, raster, options)
         val isPossible = USUAL_SAMPLING.obstacle(scene, raster) == null
@@ -101,15 +101,6 @@ public class PictureSettings private constructor(
         val own = if (loaded.cameras.isEmpty()) loaded.scene.viewpoint else Camera.fit()
         val upright = loaded.scene.withViewpoint(viewpoint ?: own).withUpAxis(up ?: loaded.usualUp)
         return upright.withViewpoint(upright.camera(size.width, size.height))
-    }
-
-    private fun lit(scene: Scene, loaded: LoadedScene): Scene {
-        val camera = scene.viewpoint as Camera
-        val rigged = light?.on(scene, camera)
-            ?: loaded.lightRig?.let { scene.withLights(it.lights(camera)) } ?: scene
-        val isMetered = loaded.isModel && LightMeter.appliesTo(scene, light)
-        val intensity = lightIntensity ?: if (isMetered) LightMeter.intensity(scene) else scene.lightIntensity
-        return rigged.withLightIntensity(intensity)
     }
 
     override fun toString(): String = "PictureSettings($size)"

@@ -25,10 +25,11 @@ import dev.lazyz.cli.options.INPUT_HELP
 import dev.lazyz.cli.options.LightOptions
 import dev.lazyz.cli.options.LimitOptions
 import dev.lazyz.cli.options.LineOptions
+import dev.lazyz.cli.options.MemoryOptions
 import dev.lazyz.cli.options.PictureOptions
 import dev.lazyz.cli.options.ReadingOptions
 import dev.lazyz.cli.options.SeriesOptions
-import dev.lazyz.cli.options.bytes
+import dev.lazyz.cli.options.StreamOptions
 import dev.lazyz.cli.options.classPath
 import dev.lazyz.cli.options.number
 import dev.lazyz.cli.options.oneOf
@@ -44,7 +45,6 @@ import dev.lazyz.cli.render.RenderJob
 import dev.lazyz.cli.render.RenderRequest
 import dev.lazyz.cli.render.Resumption
 import dev.lazyz.cli.render.StatsForm
-import dev.lazyz.cli.render.StreamRequest
 import dev.lazyz.cli.strategies.StrategyPath
 import dev.lazyz.filter.ShadingRate
 import dev.lazyz.scenes.ImageSize
@@ -103,6 +103,10 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         if (rendering.selector != null && picture.shadingRate == ShadingRate.PIXEL) {
             throw Mistake("--shading-rate pixel cannot be combined with --select")
         }
+        val spooling = streaming.spoolOption ?: limits.spoolOption
+        if (spooling != null && streaming.request == null && memory.bytes == null) {
+            throw Mistake("$spooling needs --stream, or --memory")
+        }
 
         val named = NamedInputs(inputs, reading.format)
         val series = several.series()
@@ -114,15 +118,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         if (code != ExitCode.DONE) throw ProgramResult(code)
     }
 
-    private fun single(): RenderRequest {
-        val extra = streaming.extra ?: limits.spoolOption
-        if (extra != null && streaming.request == null && memory.bytes == null) {
-            throw Mistake("$extra needs --stream, or --memory")
-        }
-        return request()
-    }
-
-    private fun request() = RenderRequest(
+    private fun single() = RenderRequest(
         subject = subject(inputs.single(), null),
         output = output.picture,
         depthOutput = output.depth,
@@ -220,43 +216,6 @@ private class OutputOptions : OptionGroup("Output") {
             "standard error if the picture goes to standard output",
     ).oneOf("json", words(StatsForm.entries))
         .optionalValue(StatsForm.TABLE, acceptsUnattachedValue = false)
-}
-
-/** Options of models that are larger than memory. */
-private class StreamOptions : OptionGroup("Large models") {
-    private val isStreamed by option(
-        "--stream",
-        help = "Read the triangles while they are rendered, and do not keep them: for an .stl, .ply or .obj file of " +
-            "any size. Each triangle has its own normal; materials and textures are not read. The default strategy, " +
-            "zbuffer, hybrid and hierarchical support it; only the default strategy blends translucent surfaces",
-    ).flag()
-
-    private val spool by option(
-        "--spool",
-        help = "The folder for temporary files of --stream and --memory, which take about as much space as the " +
-            "model, and a copy of standard input; default: the folder for temporary files of the system",
-    ).path()
-
-    /** What the options ask for, or null. */
-    val request: StreamRequest? get() = if (isStreamed) forMemory else null
-
-    /** How a model is read part by part, if that is necessary. */
-    val forMemory: StreamRequest get() = StreamRequest(spool)
-
-    /** An option that has an effect only if a model is read part by part, or null. */
-    val extra: String? get() = spool?.let { "--spool" }
-}
-
-/** Options of the memory of the whole program. */
-private class MemoryOptions : OptionGroup("Memory") {
-    val bytes by option(
-        "--memory",
-        help =
-        "Stay within this memory for Java's objects: bytes, or with k, m, g. Chooses strategy, threads, tiles and " +
-            "passes accordingly, or refuses and says what would fit; --explain prints the plan. The launcher " +
-            "script starts Java with -Xmx of this size; with java -jar, add it yourself. --memory-budget, in " +
-            "contrast, is for the working memory of some strategies",
-    ).bytes()
 }
 
 /** Options of the comparison with a reference. */

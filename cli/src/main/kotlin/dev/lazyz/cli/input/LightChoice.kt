@@ -6,7 +6,6 @@ import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.lighting.AmbientOcclusion
 import dev.lazyz.lighting.GroundShadow
-import dev.lazyz.lighting.LightMeter
 import dev.lazyz.lighting.LightRig
 import dev.lazyz.lighting.Matcap
 import dev.lazyz.scenes.LoadLimits
@@ -74,12 +73,9 @@ internal class LightChoice(
     fun lit(scene: Scene, subject: Subject, loaded: LoadedScene): Scene {
         val color = subject.color
         if (matcap != null) return captured(scene, matcap, color, subject.loading.limits)
-        val camera = scene.viewpoint as Camera
-        val rigged = rig?.on(scene, camera) ?: loaded.lightRig?.let { scene.withLights(it.lights(camera)) } ?: scene
-        val isAuto = loaded.isModel && color == null && LightMeter.appliesTo(scene, rig)
-        return rigged.withLightIntensity(
-            intensity ?: if (isAuto) LightMeter.intensity(scene) else scene.lightIntensity,
-        )
+
+        // A chosen colour is shown as it is
+        return loaded.lit(scene, rig, intensity ?: scene.lightIntensity.takeIf { color != null })
     }
 
     /**

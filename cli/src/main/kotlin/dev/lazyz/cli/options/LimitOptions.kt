@@ -44,7 +44,7 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
             "space",
     ).bytes()
 
-    /** An option that has an effect only if a model is read part by part, or null. */
+    /** The option that was given of those that have an effect only if a model is read part by part, or null. */
     val spoolOption: String? get() = spool?.let { "--max-spool" }
 
     /** Returns the limits. */

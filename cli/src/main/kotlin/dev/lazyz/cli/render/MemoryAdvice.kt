@@ -38,7 +38,7 @@ internal class MemoryAdvice(private val request: RenderRequest, private val allo
             memory < allowed -> "and --memory allows $usable (${Bytes.readable(allowed)} less a reserve)"
             else -> "and --memory allows $usable"
         }
-        val steps = "${larger(need)}${stream(streamed)}${smaller(plan, canShrink)}"
+        val steps = "${larger(need)}${stream(streamed)}${smaller(canShrink)}"
         return Mistake("$what $verb, $limit\n${plan?.explain().orEmpty()}$steps See 'zcli render --help'.")
     }
 
@@ -60,8 +60,8 @@ internal class MemoryAdvice(private val request: RenderRequest, private val allo
         else -> ""
     }
 
-    private fun smaller(plan: RenderPlan?, canShrink: Boolean): String {
-        if (plan == null || !canShrink) return ""
+    private fun smaller(canShrink: Boolean): String {
+        if (!canShrink) return ""
         val ways = listOfNotNull(
             "a smaller --size", "a --region",
             "--aa 1".takeIf { request.subject.antiAliasing.wanted > 1 && !request.subject.light.hasOcclusion },

@@ -83,6 +83,7 @@ class StreamTest {
         }
         zcli("render", "teapot", "--stream", "-o", out).mistake("teapot is a built-in scene")
         zcli("render", model, "--spool", folder, "-o", out).mistake("--spool needs --stream, or --memory")
+        zcli("render", model, model, "--spool", folder).mistake("--spool needs --stream, or --memory")
         zcli("render", "-", "--stream", "-o", out).mistake("specify the format of standard input")
         folder.resolve("a.off").writeText("OFF\n0 0 0\n")
         zcli("render", folder.resolve("a.off"), "--stream", "-o", out).mistake("only STL, PLY and OBJ can", "a.off")

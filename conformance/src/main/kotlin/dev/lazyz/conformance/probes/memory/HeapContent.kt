@@ -5,10 +5,11 @@ import javax.management.ObjectName
 import kotlin.math.max
 
 /**
- * The bytes of live objects on the heap by class, or the difference of two such contents. Objects are counted one by one,
- * because the used part of the heap also contains the buffers from which threads allocate, up to some megabytes each.
+ * The bytes of live objects on the heap by class, or the difference of two such contents. Objects are counted one by
+ * one, because the used part of the heap also contains the buffers from which threads allocate, up to some megabytes
+ * each.
  *
- * @property bytes bytes by the number of the class: a content takes some kilobytes, so that it hardly changes the next one
+ * @property bytes bytes by the number of the class: a content takes some kilobytes, and hardly changes the next one
  */
 internal class HeapContent private constructor(private val bytes: LongArray) {
     val total: Long = bytes.sum()
