@@ -115,13 +115,16 @@ internal object Heap {
         if (least.total > limit) fail(least)
     }
 
-    /** Returns what is held, once it no longer decreases. */
+    /**
+     * Returns what is held, once it no longer decreases. The result counts the content before it, which takes as much
+     * memory as the result itself does at the next measurement.
+     */
     private fun settled(): HeapContent {
         var least = held()
         repeat(ATTEMPTS) {
             Thread.sleep(1)
             val now = held()
-            if (now.total >= least.total) return least
+            if (now.total >= least.total) return now
             least = now
         }
         return least

@@ -9,7 +9,7 @@ import kotlin.math.max
  * one, because the used part of the heap also contains the buffers from which threads allocate, up to some megabytes
  * each.
  *
- * @property bytes bytes by the number of the class: a content takes some kilobytes, and hardly changes the next one
+ * @property bytes bytes by the number of the class: a content takes eight bytes for each class that the JVM has loaded
  */
 internal class HeapContent private constructor(private val bytes: LongArray) {
     val total: Long = bytes.sum()

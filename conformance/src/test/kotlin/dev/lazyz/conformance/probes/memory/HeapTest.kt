@@ -30,7 +30,7 @@ class HeapTest {
             thread { while (!isEnough.get()) ByteArray(16) }
         }
         try {
-            repeat(4) { assertEquals(0.0, Heap.most { it() }.total.toDouble(), 64.0 * 1024) }
+            repeat(4) { assertEquals(0.0, Heap.most { it() }.total.toDouble(), 8.0 * 1024) }
         } finally {
             isEnough.set(true)
             threads.forEach { it.join() }
