@@ -59,8 +59,14 @@ public class AovImage private constructor(
     /** The numbers: pixels of a row, rows from the top. Empty unless [Aov.isInteger]. */
     public val ints: IntArray get() = integers
 
-    /** Returns number [channel] of the pixel with the given [index], counted in rows from the top. */
+    /**
+     * Returns number [channel] of the pixel with the given [index], counted in rows from the top.
+     *
+     * @throws IllegalArgumentException if there is no such channel
+     * @throws IndexOutOfBoundsException if there is no such pixel
+     */
     public fun number(index: Int, channel: Int = 0): Double {
+        require(channel in aov.channels.indices) { "channel must be in ${aov.channels.indices}: $channel" }
         val at = index * aov.channels.size + channel
         return if (aov.isInteger) integers[at].toDouble() else reals[at].toDouble()
     }
@@ -72,7 +78,6 @@ public class AovImage private constructor(
      */
     public fun number(x: Int, y: Int, channel: Int): Double {
         require(region.contains(x, y)) { "pixel must be within $region: ($x, $y)" }
-        require(channel in aov.channels.indices) { "channel must be in ${aov.channels.indices}: $channel" }
         return number((y - region.rowStart) * width + x - region.columnStart, channel)
     }
 

@@ -23,6 +23,16 @@ public class SampledFrame internal constructor(
     private val all: Frame,
     public val pixels: Region,
 ) {
+    init {
+        val width = all.raster.width / sampling.factor
+        val height = all.raster.height / sampling.factor
+        val isInside = pixels.columnStart >= 0 && pixels.rowStart >= 0 &&
+            pixels.columnEnd <= width && pixels.rowEnd <= height
+        require(isInside) {
+            "$pixels must be within the picture of $width x $height pixels"
+        }
+    }
+
     /** The samples of the [pixels]; with a filter that is wider than a pixel, also those of the pixels around them. */
     public val frame: Frame = all.within(samples())
 

@@ -90,6 +90,7 @@ class AovTest {
         for (surface in listOf(sliver, masked)) {
             val aovs = render(sampled(listOf(surface)), Aov.DEPTH, Aov.POSITION)
             val depth = aovs[Aov.DEPTH].number(16, 12, 0)
+            assertThrows(IllegalArgumentException::class.java) { aovs[Aov.DEPTH].number(16, 12) }
             assertEquals(5 - aovs[Aov.POSITION].number(16, 12, 2), depth, 1e-6)
             assertTrue(depth in 3.2..6.0) { "$depth" }
             assertEquals(aovs[Aov.DEPTH], render(sampled(listOf(surface)), Aov.DEPTH)[Aov.DEPTH])

@@ -268,6 +268,10 @@ class SuperSamplingTest {
         assertThrows(IllegalArgumentException::class.java) { SuperSampling(4).frame(scene, Raster(100_000, 1)) }
         val odd = Frame(Raster(3, 2), emptyList())
         assertThrows(IllegalArgumentException::class.java) { SuperSampling(2).of(odd) }
+        val small = SuperSampling(2).of(Frame(Raster(20, 20), emptyList()))
+        for (outside in listOf(Region(0, 0, 10, 11), Region(5, 5, 11, 10), Region(20, 20, 30, 30))) {
+            assertThrows(IllegalArgumentException::class.java) { small.within(outside) }
+        }
         val onScreen = Scene(emptyList(), viewpoint = Camera.screen())
         assertThrows(IllegalArgumentException::class.java) { SuperSampling(2).frame(onScreen, raster) }
         val wide = Scene(listOf(Points(FloatArray(3), 1500.0)))

@@ -27,7 +27,7 @@ import java.nio.file.Path
 internal class DiffCommand(private val streams: Streams) : Command("diff") {
     private val expected by argument(
         "EXPECTED",
-        help = "The picture as it should be: a PNG, TIFF, BMP, GIF, WBMP or JPEG file",
+        help = "The picture as it should be: a PNG, PPM, TIFF, BMP, GIF, WBMP or JPEG file",
         completionCandidates = CompletionCandidates.Path,
     ).convert { Path.of(it) }
 
