@@ -24,13 +24,8 @@ public class SampledFrame internal constructor(
     public val pixels: Region,
 ) {
     init {
-        val width = all.raster.width / sampling.factor
-        val height = all.raster.height / sampling.factor
-        val isInside = pixels.columnStart >= 0 && pixels.rowStart >= 0 &&
-            pixels.columnEnd <= width && pixels.rowEnd <= height
-        require(isInside) {
-            "$pixels must be within the picture of $width x $height pixels"
-        }
+        val picture = Region(0, 0, all.raster.width / sampling.factor, all.raster.height / sampling.factor)
+        require(picture.contains(pixels)) { "$pixels must be within the picture, $picture" }
     }
 
     /** The samples of the [pixels]; with a filter that is wider than a pixel, also those of the pixels around them. */

@@ -59,10 +59,9 @@ public class LoadedScene @JvmOverloads constructor(
     public fun lit(scene: Scene, rig: LightRig?, intensity: Float?): Scene {
         val camera = requireNotNull(scene.viewpoint as? Camera) { "the scene has no camera: ${scene.viewpoint}" }
         val rigged = rig?.on(scene, camera) ?: lightRig?.let { scene.withLights(it.lights(camera)) } ?: scene
+        if (intensity != null) return rigged.withLightIntensity(intensity)
         val isMetered = isModel && LightMeter.appliesTo(scene, rig)
-        return rigged.withLightIntensity(
-            intensity ?: if (isMetered) LightMeter.intensity(scene) else scene.lightIntensity,
-        )
+        return rigged.withLightIntensity(if (isMetered) LightMeter.intensity(scene) else scene.lightIntensity)
     }
 
     /** Returns this input with another scene. */

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestFactory
 
+/** What rules measure of the heap is what live objects take, with each collector. */
 class HeapTest {
     @TestFactory
     fun liveObjectsAreCountedExactly(): List<DynamicTest> = listOf("G1", "Serial", "Parallel", "Z").map { collector ->
