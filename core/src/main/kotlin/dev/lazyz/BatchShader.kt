@@ -20,7 +20,10 @@ package dev.lazyz
  * ```
  */
 public fun interface BatchShader : Shader {
-    /** Reads the attributes of the first [FragmentBatch.size] elements of [batch], and writes their colours. */
+    /**
+     * Reads the attributes of the first [FragmentBatch.size] elements of [batch], and writes their colours. It must not
+     * write to other arrays. A colour that is not written is opaque black.
+     */
     public fun shade(batch: FragmentBatch)
 
     /** Shades one fragment, as a batch of one. */

@@ -129,7 +129,7 @@ public class Fragment {
     @JvmField
     public var vertexAlpha: Float = 1f
 
-    /** The colour set by the shader, linear light. */
+    /** The colour set by the shader, linear light. Default 0. */
     public var red: Float = 0f
         private set
 
@@ -141,7 +141,7 @@ public class Fragment {
     public var blue: Float = 0f
         private set
 
-    /** The opacity set by the shader, 0..1. */
+    /** The opacity set by the shader, 0..1. Default 1. */
     public var alpha: Float = 1f
         private set
 
@@ -160,8 +160,8 @@ public class Fragment {
     internal val singleBatch: FragmentBatch by lazy(LazyThreadSafetyMode.NONE) { FragmentBatch(1) }
 
     /**
-     * Moves to column [x], row [y], and resets all attributes to their defaults, so that no value of another primitive
-     * remains.
+     * Moves to column [x], row [y], and resets all attributes and the colour to their defaults, so that no value of
+     * another primitive or sample remains.
      */
     public fun moveTo(x: Int, y: Int) {
         this.x = x
@@ -192,6 +192,7 @@ public class Fragment {
         vertexGreen = 1f
         vertexBlue = 1f
         vertexAlpha = 1f
+        setColor(0f, 0f, 0f)
     }
 
     /** Sets the colour in linear light with straight alpha. [alpha] defaults to 1. */
@@ -217,6 +218,6 @@ public class Fragment {
  * every machine: `+ - * /`, `sqrt`, and [StrictMath] for the rest; no `Math.sin`, `pow`, `fma` (contract rule 6.3).
  */
 public fun interface Shader {
-    /** Reads the attributes of [fragment] and calls [Fragment.setColor]. */
+    /** Reads the attributes of [fragment] and calls [Fragment.setColor]. Without a call, the colour is opaque black. */
     public fun shade(fragment: Fragment)
 }

@@ -128,7 +128,7 @@ public class FragmentBatch internal constructor(capacity: Int) {
     @JvmField
     public val vertexAlpha: FloatArray = FloatArray(capacity)
 
-    /** The colour set by the shader, linear light. */
+    /** The colour set by the shader, linear light. It is 0 unless the shader sets it. */
     @JvmField
     public val red: FloatArray = FloatArray(capacity)
 
@@ -196,6 +196,16 @@ public class FragmentBatch internal constructor(capacity: Int) {
             this.x[at + i] = x + i
             this.y[at + i] = y
         }
+    }
+
+    /** Shades the fragments. Those whose colour [shader] does not set are opaque black. */
+    internal fun shade(shader: Shader) {
+        if (shader !is BatchShader) return shadeEach(shader)
+        red.fill(0f, 0, size)
+        green.fill(0f, 0, size)
+        blue.fill(0f, 0, size)
+        alpha.fill(1f, 0, size)
+        shader.shade(this)
     }
 
     /** Calls [shader] for each fragment. */
@@ -277,8 +287,7 @@ public class FragmentBatch internal constructor(capacity: Int) {
         tangentY[0] = fragment.tangentY
         tangentZ[0] = fragment.tangentZ
         tangentW[0] = fragment.tangentW
-        alpha[0] = 1f
-        shader.shade(this)
+        shade(shader)
         fragment.setColor(red[0], green[0], blue[0], alpha[0])
     }
 

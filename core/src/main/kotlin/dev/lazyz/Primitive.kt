@@ -76,7 +76,10 @@ public interface Primitive {
     /** Returns the depth at the covered sample at column [x], row [y], 0..2^31-1. */
     public fun depth(x: Int, y: Int): Int
 
-    /** Computes the colour at the covered sample [Fragment.x], [Fragment.y] and stores it in [fragment]. */
+    /**
+     * Computes the colour at the covered sample [Fragment.x], [Fragment.y] and stores it in [fragment]. The renderer
+     * has called [Fragment.moveTo] for this primitive and sample; a colour that is not set is opaque black.
+     */
     public fun shade(fragment: Fragment)
 
     /**

@@ -22,4 +22,34 @@ class FragmentBatchTest {
             assertEquals(listOf(0f, 0f, 0f, 0f), left, "$before, then $after")
         }
     }
+
+    /** Contract rule 6.1: each shader sets one fragment in two, alone and in a batch. */
+    @Test
+    fun coloursThatAreNotSetAreBlack() {
+        val plain = Shader { if (it.x == 1) it.setColor(1f, 1f, 1f, 0f) }
+        val batched = BatchShader {
+            for (i in 0 until it.size) {
+                if (it.x[i] == 1) for (component in listOf(it.red, it.green, it.blue)) component[i] = 1f
+                if (it.x[i] == 1) it.alpha[i] = 0f
+            }
+        }
+        val batch = FragmentBatch(2)
+        batch.begin(0)
+        batch.size = 2
+        val fragment = Fragment()
+        for (shader in listOf(plain, batched)) {
+            for (first in listOf(1, 0, 1)) {
+                batch.place(0, first, 0, 1)
+                batch.place(1, 1 - first, 0, 1)
+                batch.shade(shader)
+                for (i in 0..1) {
+                    fragment.moveTo(batch.x[i], 0)
+                    shader.shade(fragment)
+                    val expected = if (batch.x[i] == 1) listOf(1f, 1f, 1f, 0f) else listOf(0f, 0f, 0f, 1f)
+                    assertEquals(expected, with(batch) { listOf(red[i], green[i], blue[i], alpha[i]) })
+                    assertEquals(expected, with(fragment) { listOf(red, green, blue, alpha) })
+                }
+            }
+        }
+    }
 }

@@ -5,6 +5,7 @@ import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.asOpaque
 import dev.lazyz.conformance.cases.changed.dazzling
 import dev.lazyz.conformance.cases.changed.flecked
+import dev.lazyz.conformance.cases.changed.partlyColoured
 import dev.lazyz.conformance.frames.BackFaceCases
 import dev.lazyz.conformance.frames.BlendedCases
 import dev.lazyz.conformance.frames.LongRowCases
@@ -59,6 +60,17 @@ public sealed interface ShadingRules : RulesForOne {
     @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_6_1_everySampleIsShadedSeparately(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         Judgement(renderer(), case.flecked()).equalsReference()
+    }
+
+    /** Primitives and shaders that set a colour at some of their samples only are black at the others. */
+    @Rule(
+        intent = "A colour that a primitive does not set is opaque black, not that of the sample shaded before.",
+        look = "Call Fragment.moveTo before each primitive and sample that is shaded; it resets the colour.",
+        about = [Symptom.COLOR],
+    )
+    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_6_1_coloursThatAreNotSetAreBlack(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        Judgement(renderer(), case.partlyColoured()).equalsReference()
     }
 
     /** Infinite, negative or NaN light is packed as defined. */

@@ -116,6 +116,20 @@ object BrokenColours {
         }
     }
 
+    /** Does not reset the colour of its fragment, but moves it. */
+    fun keepsColours(): BrokenRenderer {
+        val last = Fragment()
+        return primitives("keeps-colours-that-are-not-set") { KeptColour(it, last) }
+    }
+
+    private class KeptColour(private val whole: Primitive, private val last: Fragment) : Primitive by whole {
+        override fun shade(fragment: Fragment) {
+            fragment.setColor(last.red, last.green, last.blue, last.alpha)
+            whole.shade(fragment)
+            last.setColor(fragment.red, fragment.green, fragment.blue, fragment.alpha)
+        }
+    }
+
     private fun Primitive.colorAt(x: Int, y: Int): List<Float> {
         val fragment = Fragment().apply { moveTo(x, y) }
         shade(fragment)

@@ -65,26 +65,23 @@ internal class Moved(whole: Primitive, private val height: Int, private val righ
 
     override fun depth(x: Int, y: Int): Int = whole.depth(x - right, y - down)
 
-    override fun shade(fragment: Fragment) {
-        val x = fragment.x
-        val y = fragment.y
-        fragment.moveTo(x - right, y - down)
-        whole.shade(fragment)
-        fragment.moveTo(x, y)
-    }
+    override fun shade(fragment: Fragment): Unit = shadeElsewhere(fragment, whole::shade)
 
     override fun shadingCursor(x: Int, y: Int): ShadingCursor? {
         val cursor = whole.shadingCursor(x - right, y - down) ?: return null
         return object : ShadingCursor {
             override fun step() = cursor.step()
 
-            override fun shade(fragment: Fragment) {
-                val column = fragment.x
-                fragment.moveTo(column - right, y - down)
-                cursor.shade(fragment)
-                fragment.moveTo(column, y)
-            }
+            override fun shade(fragment: Fragment) = shadeElsewhere(fragment, cursor::shade)
         }
+    }
+
+    /** Gives [fragment] the colour that [shade] computes where this primitive was before it was moved. */
+    private fun shadeElsewhere(fragment: Fragment, shade: (Fragment) -> Unit) {
+        val elsewhere = Fragment()
+        elsewhere.moveTo(fragment.x - right, fragment.y - down)
+        shade(elsewhere)
+        fragment.setColor(elsewhere.red, elsewhere.green, elsewhere.blue, elsewhere.alpha)
     }
 }
 

@@ -18,6 +18,7 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.scenes
 import dev.lazyz.conformance.broken.gallery.RuleNames.showing
 import dev.lazyz.conformance.broken.gallery.RuleNames.tests
 import dev.lazyz.conformance.broken.gallery.RuleNames.ties
+import dev.lazyz.conformance.broken.gallery.RuleNames.unset
 
 /** The gallery's part about colour. */
 internal object ColourGallery {
@@ -38,6 +39,11 @@ internal object ColourGallery {
             BrokenColours::oneColourWithoutCursor,
             "shades every eighth column of primitives without a shading cursor",
             flecks,
+        ),
+        Mutant(
+            BrokenColours::keepsColours,
+            "shows the colour of the fragment shaded before where a primitive sets no colour",
+            unset,
         ),
         Mutant(BrokenColours::premultiplied, "delivers colours multiplied by alpha", nearest),
         Mutant(BrokenColours::alphaLost, "delivers opaque colours", nearest),

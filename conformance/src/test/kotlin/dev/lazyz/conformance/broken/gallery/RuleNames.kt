@@ -22,6 +22,7 @@ internal object RuleNames {
     val refuseHidden = RendererConformance::rule_5_6_hiddenTranslucentPrimitivesAreRefused.name
     val extremes = RendererConformance::rule_5_5_extremesOfLightAndAlphaBlend.name
     val flecks = RendererConformance::rule_6_1_everySampleIsShadedSeparately.name
+    val unset = RendererConformance::rule_6_1_coloursThatAreNotSetAreBlack.name
     val packed = RendererConformance::rule_6_4_coloursOfAnyBrightnessArePacked.name
     val workers = RendererConformance::rule_7_1_failuresInThreadsReachTheCaller.name
     val late = RendererConformance::rule_7_1_primitivesAreNotCalledAfterTheEnd.name

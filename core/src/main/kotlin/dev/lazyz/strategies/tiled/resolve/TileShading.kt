@@ -1,7 +1,6 @@
 package dev.lazyz.strategies.tiled.resolve
 
 import dev.lazyz.Attributes
-import dev.lazyz.BatchShader
 import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
@@ -253,12 +252,7 @@ internal class TileShading(
     private fun shade(fragments: WaitingFragments, shader: Shader) {
         checkpoint.pass()
         val batch = fragments.batch
-        if (shader is BatchShader) {
-            batch.alpha.fill(1f, 0, batch.size)
-            shader.shade(batch)
-        } else {
-            batch.shadeEach(shader)
-        }
+        batch.shade(shader)
         kernel.pack(batch, packed)
         fragments.takeOut(packed, band.argb, keys.columnStart - firstColumn)
     }
