@@ -14,8 +14,8 @@ import org.junit.jupiter.api.TestFactory
 
 /**
  * Correct renderers pass with other frames, however they work. `-Dlazyz.seeds=20` tests all of them, including
- * third-party ones, with this number of seeds and the default effort. `-Dlazyz.effort=rest` tests some of them with one
- * seed and a tenth of the frames.
+ * third-party ones, with this number of seeds and the default effort, and prints which have passed.
+ * `-Dlazyz.effort=rest` tests some of them with one seed and a tenth of the frames.
  */
 class OtherSeedsTest {
     private val seeds: Int? = Integer.getInteger("lazyz.seeds")
@@ -45,6 +45,7 @@ class OtherSeedsTest {
                     val broken = report.results.filterNot { it.outcome in good }.map { it.rule }
                     assertEquals(emptyList<SuiteRule>(), broken) { report.toText() }
                     assertEquals(SuiteRule.all, report.results.map { it.rule })
+                    if (seeds != null) println("${make().id} passes at seed $seed")
                 }
             }
         }
