@@ -67,8 +67,8 @@ internal class Occluders(scene: Scene) {
             val reach = listOf(box.corner(0), box.corner(7)).map { Vectors.minus(it, origin) }
                 .maxOf { maxOf(StrictMath.abs(it.x), StrictMath.abs(it.y), StrictMath.abs(it.z)) }
             if (reach <= LARGEST_REACH) return null
-            return "the scene reaches $reach world units from its origin, more than the $LARGEST_REACH for which " +
-                "shadows can be computed; scale the model down"
+            return "the scene reaches more than $LARGEST_REACH world units from its origin, too far for shadows; " +
+                "scale the model down"
         }
 
         /**

@@ -203,7 +203,7 @@ public class Camera private constructor(
         /** Vertical field of view of [fit], degrees. */
         public const val DEFAULT_FIELD_OF_VIEW: Double = 30.0
 
-        /** Widest vertical field of view of [fit], degrees. To fill a wider one, the eye would have to come too near. */
+        /** Widest vertical field of view of [fit], degrees. To fill a wider one, the eye would have to be too near. */
         public const val MAX_FITTED_FIELD_OF_VIEW: Double = 140.0
 
         /** Margin of [fit] on each side, percent of the width or height of the image. */

@@ -125,4 +125,5 @@ public class PictureSettings private constructor(
  * A model that cannot be shown with the [PictureSettings]: no camera shows it, or the sampling is not possible. The
  * message says why.
  */
-public class NoPictureException(message: String, cause: Throwable? = null) : IllegalArgumentException(message, cause)
+public class NoPictureException internal constructor(message: String, cause: Throwable? = null) :
+    IllegalArgumentException(message, cause)

@@ -25,8 +25,8 @@ import org.joml.Vector3dc
  * @property positions x, y, z for each vertex, world space, relative to [origin]
  * @property triangles three vertex numbers for each triangle; the order of triangles is the submission order
  * @property material the appearance
- * @property normals x, y, z for each vertex, pointing outward, of any length; between the vertices of a triangle, longer
- *   ones have more weight. Null means the normal of each triangle
+ * @property normals x, y, z for each vertex, pointing outward, of any length; between the vertices of a triangle,
+ *   longer ones have more weight. Null means the normal of each triangle
  * @property uvs u, v for each vertex, see [Texture]; null means none
  * @property colors red, green, blue, alpha for each vertex, linear light; null means white
  * @param origin added to all positions; must be finite. It keeps the details of a mesh that is far from the world's
