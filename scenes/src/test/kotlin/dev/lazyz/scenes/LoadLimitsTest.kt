@@ -43,7 +43,8 @@ class LoadLimitsTest {
         val error = assertThrows(SceneFormatException::class.java) {
             Scenes.stream(path, limits = LoadLimits(triangles = 1), spool = folder).close()
         }
-        assertTrue(error.message.orEmpty().endsWith("raise LoadLimits.triangles (zcli: --max-triangles)"), error.message)
+        val advice = "raise LoadLimits.triangles (zcli: --max-triangles)"
+        assertTrue(error.message.orEmpty().endsWith(advice), error.message)
     }
 
     @Test

@@ -47,7 +47,8 @@ class PictureSettingsFailureTest {
     @Test
     fun lightNeedsACameraAndANumberThatIsNotNegative() {
         val missing = message { ball.lit(ball.scene, LightRig.SUN, null) }
-        assertTrue("FittedViewpoint" in missing && "scene.withViewpoint(scene.camera(width, height))" in missing, missing)
+        assertTrue("FittedViewpoint" in missing, missing)
+        assertTrue("use scene.withViewpoint(scene.camera(width, height))" in missing, missing)
 
         // The number is checked first
         val negative = message { ball.lit(ball.scene, LightRig.SUN, -1f) }

@@ -103,7 +103,8 @@ internal object AtomicFile {
         fun says(vararg parts: String) = parts.any { words.contains(it, ignoreCase = true) }
         return when {
             e is AccessDeniedException -> "permission denied; choose a folder you may write to"
-            e is NoSuchFileException && Files.isDirectory(folder) -> "$folder accepts no new files; choose another folder"
+            e is NoSuchFileException && Files.isDirectory(folder) ->
+                "$folder takes no new files; choose another folder"
             e is NoSuchFileException -> "there is no folder $folder; create it or choose another"
             says("no space", "not enough space", "quota") -> "the disk is full ($words); free some space there"
             says("read-only") -> "the file system of $folder is read-only; choose another folder"

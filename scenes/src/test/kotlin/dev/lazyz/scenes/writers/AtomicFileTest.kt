@@ -148,7 +148,7 @@ class AtomicFileTest {
             FileSystemException(temporary, null, "Read-only file system") to readOnly,
             FileSystemException(temporary, null, "File name too long") to "the name is too long; choose a shorter one",
             AccessDeniedException(temporary) to "permission denied; choose a folder you may write to",
-            NoSuchFileException(temporary) to "$folder accepts no new files; choose another folder",
+            NoSuchFileException(temporary) to "$folder takes no new files; choose another folder",
             FileSystemException(temporary) to "the system gives no reason (FileSystemException)",
             FileSystemException(temporary, null, "Input/output error") to "Input/output error",
             IOException() to "the system gives no reason (IOException)",
