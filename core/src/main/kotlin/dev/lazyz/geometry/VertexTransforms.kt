@@ -49,8 +49,13 @@ internal object VertexTransforms {
         return moved?.origin() ?: Vectors.ZERO
     }
 
-    /** Returns normals transformed by the inverse transpose of [m], at unit length. */
+    /** Whether [m] only moves, so that directions stay as they are. */
+    private fun isTranslation(m: Matrix4dc): Boolean =
+        (0 until 3).all { column -> (0 until 3).all { m.get(column, it) == if (column == it) 1.0 else 0.0 } }
+
+    /** Returns normals transformed by the inverse transpose of [m], at unit length; by a translation, unchanged. */
     fun normals(from: FloatArray, m: Matrix4dc): FloatArray {
+        if (isTranslation(m)) return from
         val c = Cofactors(m)
         val sign = if (c.isMirror) -1.0 else 1.0
         val to = FloatArray(from.size)
@@ -70,10 +75,11 @@ internal object VertexTransforms {
     }
 
     /**
-     * Returns tangents, x, y, z and handedness for each, transformed by [m], at unit length. A reflection reverses the
-     * handedness.
+     * Returns tangents, x, y, z and handedness for each, transformed by [m], at unit length; by a translation,
+     * unchanged. A reflection reverses the handedness.
      */
     fun tangents(from: FloatArray, m: Matrix4dc): FloatArray {
+        if (isTranslation(m)) return from
         val sign = if (isMirror(m)) -1f else 1f
         val to = FloatArray(from.size)
         for (i in to.indices step 4) {

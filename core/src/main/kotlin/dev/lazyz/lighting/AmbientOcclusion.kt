@@ -63,13 +63,21 @@ public class AmbientOcclusion private constructor(private val maps: List<Distanc
         private const val OFFSET = 1.5
 
         /**
+         * Returns why [scene] can have neither an [AmbientOcclusion] nor a [GroundShadow], or null if it can have both.
+         * It cannot if it is empty, if its camera's projection is [Projection.Screen], or if its box reaches more than
+         * 1e38 world units along an axis from its origin ([Scene.origin]), because shadows are computed in single
+         * precision.
+         */
+        @JvmStatic
+        public fun problem(scene: Scene): String? = Occluders.problem(scene)
+
+        /**
          * Computes the occlusion in [scene]. See the class for cost and memory.
          *
          * @param directions number of directions on the whole sphere, 8..4096; fewer show edges of single shadows
          * @param size number of texels of a map's side, 16..4096
          * @param options [RenderOptions.threads] and [RenderOptions.executor] are used, the others are not
-         * @throws IllegalArgumentException if a number is out of range, the scene is empty, or its camera's projection
-         *   is [Projection.Screen]
+         * @throws IllegalArgumentException if a number is out of range, or there is a [problem] with the scene
          */
         @JvmStatic
         @JvmOverloads

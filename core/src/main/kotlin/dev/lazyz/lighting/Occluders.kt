@@ -18,11 +18,11 @@ import org.joml.Vector3dc
 /**
  * The surfaces of a scene that hide light: opaque and masked ones; not translucent ones, [Points] and [Lines].
  *
- * @throws IllegalArgumentException if the scene is empty, or given on the screen ([Scene.isOnScreen])
+ * @throws IllegalArgumentException if there is a [problem]
  */
 internal class Occluders(scene: Scene) {
     /** The box around the scene, world space. */
-    val box: Box = requireNotNull(scene.bounds) { "an empty scene has no shadows" }
+    val box: Box
 
     /** What points are relative to. */
     val origin: Vector3dc = scene.origin
@@ -33,7 +33,8 @@ internal class Occluders(scene: Scene) {
     private val scene = scene.withSurfaces(scene.surfaces.filter(::hidesLight))
 
     init {
-        require(!scene.isOnScreen) { "a scene given on the screen has no shadows" }
+        problem(scene)?.let { throw IllegalArgumentException(it) }
+        box = checkNotNull(scene.bounds)
         val diagonal = Vector3d(box.maxX - box.minX, box.maxY - box.minY, box.maxZ - box.minZ)
         val center = box.center
         val away = StrictMath.sqrt(Vectors.dot(center, center))
@@ -57,11 +58,29 @@ internal class Occluders(scene: Scene) {
         return maps
     }
 
-    private companion object {
+    companion object {
+        /** Returns why [scene] cannot have shadows, or null if it can. */
+        fun problem(scene: Scene): String? {
+            val box = scene.bounds ?: return "an empty scene has no shadows"
+            if (scene.isOnScreen) return "a scene given on the screen has no shadows"
+            val origin = scene.origin
+            val reach = listOf(box.corner(0), box.corner(7)).map { Vectors.minus(it, origin) }
+                .maxOf { maxOf(StrictMath.abs(it.x), StrictMath.abs(it.y), StrictMath.abs(it.z)) }
+            if (reach <= LARGEST_REACH) return null
+            return "the scene reaches more than $LARGEST_REACH world units from its origin, too far for shadows; " +
+                "scale the model down"
+        }
+
+        /**
+         * World units along an axis. Shadows are computed in single precision, and the ground reaches 1.2 times as far
+         * beyond a scene: at most 2.2 times this number, which is below the greatest one, 3.4e38.
+         */
+        private const val LARGEST_REACH = 1e38
+
         /** World units; the numbers of smaller scenes would not fit into single precision. */
-        const val LEAST_RADIUS = 1e-30
+        private const val LEAST_RADIUS = 1e-30
 
         /** Likewise, compared with the distance from the world's origin. */
-        const val LEAST_SHARE = 1e-9
+        private const val LEAST_SHARE = 1e-9
     }
 }

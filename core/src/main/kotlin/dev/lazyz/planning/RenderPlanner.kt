@@ -48,7 +48,7 @@ public class RenderPlanner @JvmOverloads constructor(
      * Cost: a few passes over the primitives of the frame; a streamed frame is not read.
      *
      * @param others what else is in memory during the rendering: the scene, and what receives the rows
-     * @throws IllegalArgumentException if none of the [renderers] can render the frame
+     * @throws IllegalArgumentException if there are no [renderers], or none of them can render the frame
      */
     @JvmOverloads
     public fun plan(
@@ -56,6 +56,7 @@ public class RenderPlanner @JvmOverloads constructor(
         renderers: List<Renderer>,
         others: List<MemoryItem> = emptyList(),
     ): RenderPlan {
+        require(renderers.isNotEmpty()) { "there are no renderers to choose from; pass some, as Renderers.builtIn" }
         val filter = frame.filterBytes
         val around = if (filter == 0L) others else others + MemoryItem("samples to pixels", filter)
         var least: RenderPlan? = null
@@ -64,7 +65,7 @@ public class RenderPlanner @JvmOverloads constructor(
             if (plan.fits) return plan
             if (least == null || plan.leastMemory < least.leastMemory) least = plan
         }
-        return requireNotNull(least) { "no renderer can render $frame: ${renderers.joinToString { it.id }}" }
+        return requireNotNull(least) { "none of the renderers can render $frame: ${renderers.joinToString { it.id }}" }
     }
 
     private fun isAble(renderer: Renderer, frame: Frame): Boolean =

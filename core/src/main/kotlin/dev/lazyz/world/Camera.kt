@@ -203,6 +203,9 @@ public class Camera private constructor(
         /** Vertical field of view of [fit], degrees. */
         public const val DEFAULT_FIELD_OF_VIEW: Double = 30.0
 
+        /** Widest vertical field of view of [fit], degrees. To fill a wider one, the eye would have to be too near. */
+        public const val MAX_FITTED_FIELD_OF_VIEW: Double = 140.0
+
         /** Margin of [fit] on each side, percent of the width or height of the image. */
         public const val DEFAULT_MARGIN: Double = 5.0
 
@@ -267,7 +270,8 @@ public class Camera private constructor(
          * @param kind perspective or orthographic
          * @param margin the part of the image that stays free on each side at zoom 1, percent of its width or height,
          *   0 or more and below 50
-         * @param fieldOfView vertical field of view of a perspective camera at zoom 1, degrees, above 0 and below 180
+         * @param fieldOfView vertical field of view of a perspective camera at zoom 1, degrees, above 0 and at most
+         *   [MAX_FITTED_FIELD_OF_VIEW]; a camera at a given place, [perspective], can have a wider one
          * @throws IllegalArgumentException if a number is out of range or not finite
          */
         @JvmStatic
@@ -284,8 +288,9 @@ public class Camera private constructor(
             require(elevation in -90.0..90.0) { "elevation must be in -90..90 degrees: $elevation" }
             require(zoom > 0.0 && zoom.isFinite()) { "zoom must be positive: $zoom" }
             require(margin >= 0.0 && margin < 50.0) { "margin must be 0 or more and below 50 percent: $margin" }
-            require(fieldOfView > 0.0 && fieldOfView < 180.0) {
-                "fieldOfView must be between 0 and 180 degrees: $fieldOfView"
+            require(fieldOfView > 0.0 && fieldOfView <= MAX_FITTED_FIELD_OF_VIEW) {
+                "fieldOfView of a fitted camera must be above 0 and at most $MAX_FITTED_FIELD_OF_VIEW degrees: " +
+                    "$fieldOfView"
             }
             return FittedViewpoint(azimuth, elevation, zoom, kind, margin, fieldOfView)
         }

@@ -16,8 +16,9 @@ import org.joml.Vector3d
  * do not count.
  *
  * With perspective, the eye does not come nearer to the scene than about a hundredth of its size. So a needle that
- * points to the eye can be smaller than the margin permits. The same is true for an orthographic camera if the image of
- * the scene is smaller than a hundred-thousandth of its size, as that of a line seen end-on.
+ * points to the eye can be smaller than the margin permits, and with more than about 115 degrees also a box with a
+ * corner that does. The same is true for an orthographic camera if the image of the scene is smaller than a
+ * hundred-thousandth of its size, as that of a line seen end-on.
  *
  * Cost: all vertices are visited once, a part of them again, see [Scene.farthest]. All of it happens on one thread, so
  * the result does not depend on the number of threads.
@@ -27,7 +28,8 @@ import org.joml.Vector3d
  * @property zoom 1 fills the image except for the margin; larger values show a part
  * @property kind perspective or orthographic
  * @property margin the part of the image that stays free on each side at zoom 1, percent, 0 or more and below 50
- * @property fieldOfView vertical field of view of a perspective camera at zoom 1, degrees
+ * @property fieldOfView vertical field of view of a perspective camera at zoom 1, degrees, above 0 and at most
+ *   [Camera.MAX_FITTED_FIELD_OF_VIEW]
  */
 public class FittedViewpoint internal constructor(
     public val azimuth: Double,

@@ -7,6 +7,7 @@ import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
+import dev.lazyz.world.Fit
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
@@ -22,6 +23,7 @@ import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -191,6 +193,28 @@ class AmbientOcclusionTest {
         assertThrows(IllegalArgumentException::class.java) { AmbientOcclusion.of(Scene(emptyList())) }
         assertThrows(IllegalArgumentException::class.java) {
             AmbientOcclusion.of(scene.withViewpoint(Camera.screen()))
+        }
+    }
+
+    /** Shadows are computed in single precision. */
+    @Test
+    fun scenesTooLargeForSinglePrecisionHaveNoShadows() {
+        fun sphere(x: Double, radius: Double) = Scene(listOf(Sphere(Vector3d(x, 0.0, 0.0), radius, Material())))
+        for (tooLarge in listOf(sphere(0.0, 1.01e38), sphere(0.9e38, 0.2e38), sphere(-1e60, 1e59))) {
+            val problem = checkNotNull(AmbientOcclusion.problem(tooLarge))
+            for (compute in listOf<(Scene) -> Any>({ AmbientOcclusion.of(it, 8, 16) }, { GroundShadow.of(it) })) {
+                val error = assertThrows(IllegalArgumentException::class.java) { compute(tooLarge) }
+                assertEquals(problem, error.message)
+            }
+        }
+        val large = sphere(0.0, 1e38)
+        assertNull(AmbientOcclusion.problem(large))
+        assertTrue(AmbientOcclusion.of(large, 8, 16).at(0f, 1e38f, 0f, 0f, 1f, 0f) > 0.9f)
+        val shadow = GroundShadow.of(large)
+        for (kind in Fit.entries) {
+            val camera = shadow.camera(Camera.fit(kind = kind).camera(large, 1.0))
+            val image = ZBuffer().render(Scene(large.surfaces + shadow, viewpoint = camera).frame(20, 20))
+            assertTrue(image.primitive.indices.any { image.primitive[it] >= 1 && image.argb[it] and 0xFF < 250 })
         }
     }
 

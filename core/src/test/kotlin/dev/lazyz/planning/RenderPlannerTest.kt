@@ -148,6 +148,8 @@ class RenderPlannerTest {
         val planner = RenderPlanner(512 * MEBIBYTE)
         assertThrows(IllegalArgumentException::class.java) { planner.plan(frame, listOf(LazyZBuffer())) }
         assertEquals("tiled", planner.plan(frame, listOf(LazyZBuffer(), Tiled())).renderer.id)
+        val none = assertThrows(IllegalArgumentException::class.java) { planner.plan(frame, emptyList()) }
+        assertEquals("there are no renderers to choose from; pass some, as Renderers.builtIn", none.message)
         assertThrows(IllegalArgumentException::class.java) { RenderPlanner(-1) }
     }
 

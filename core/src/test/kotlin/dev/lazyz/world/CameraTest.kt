@@ -140,6 +140,6 @@ class CameraTest {
         refused { Camera.fit(azimuth = Double.NaN) }
         refused { Camera.fit(zoom = 0.0) }
         for (margin in listOf(-1.0, 50.0, Double.NaN)) refused { Camera.fit(margin = margin) }
-        for (angle in listOf(0.0, 180.0, Double.NaN)) refused { Camera.fit(fieldOfView = angle) }
+        for (angle in listOf(0.0, 140.1, Double.NaN)) refused { Camera.fit(fieldOfView = angle) }
     }
 }

@@ -60,7 +60,7 @@ class FittedViewpointTest {
 
     private fun viewpoint(kind: Fit): FittedViewpoint = Camera.fit(
         between(-360.0, 360.0), pick(90.0, -90.0, 0.0, between(-90.0, 90.0)), pick(1.0, between(0.2, 5.0)), kind,
-        pick(0.0, Camera.DEFAULT_MARGIN, between(0.0, 45.0)), pick(30.0, between(5.0, 120.0)),
+        pick(0.0, Camera.DEFAULT_MARGIN, between(0.0, 45.0)), pick(30.0, between(5.0, Camera.MAX_FITTED_FIELD_OF_VIEW)),
     )
 
     /** Returns x and y in the image, -1..1 between the margins at zoom 1, and -1..1 between the planes. */
@@ -149,6 +149,21 @@ class FittedViewpointTest {
         assertEquals(2.0 + 1.0 / 0.8 + 0.01, camera.far, 1e-9)
         val flat = Camera.fit(0.0, 0.0, 1.0, Fit.ORTHOGRAPHIC, 10.0).camera(scene, 0.5)
         assertEquals(5.0, (flat.projection as Projection.Orthographic).height, 1e-12)
+    }
+
+    /** Up to the widest angle, round bodies fill the image, and boxes from the usual direction. */
+    @Test
+    fun theWidestAngleFillsTheImage() {
+        val corners = FloatArray(24) { if (it / 3 shr it % 3 and 1 == 0) -1f else 1f }
+        val points = List(8) { Vector3d(corners[3 * it] + 0.0, corners[3 * it + 1] + 0.0, corners[3 * it + 2] + 0.0) }
+        val box = Scene(listOf(Mesh(corners, intArrayOf(0, 1, 2, 3, 4, 5, 6, 7, 0))))
+        val widest = Camera.fit(fieldOfView = Camera.MAX_FITTED_FIELD_OF_VIEW)
+        val camera = widest.camera(box, 1.0)
+        assertEquals(1.0, points.maxOf { inImage(it, camera, 1.0, scaleOf(widest)).y }, 1e-9)
+        val sphere = Sphere(Vector3d(), 1.0)
+        val slope = Math.tan(Math.toRadians(Camera.MAX_FITTED_FIELD_OF_VIEW / 2)) * scaleOf(widest)
+        val distance = widest.camera(Scene(listOf(sphere)), 1.0).eye.length()
+        assertEquals(1.0, distance * slope / Math.sqrt(1 + slope * slope), 1e-9)
     }
 
     @Test

@@ -57,11 +57,14 @@ public class LoadedScene @JvmOverloads constructor(
      *   finite
      */
     public fun lit(scene: Scene, rig: LightRig?, intensity: Float?): Scene {
-        val camera = requireNotNull(scene.viewpoint as? Camera) { "the scene has no camera: ${scene.viewpoint}" }
-        val rigged = rig?.on(scene, camera) ?: lightRig?.let { scene.withLights(it.lights(camera)) } ?: scene
-        if (intensity != null) return rigged.withLightIntensity(intensity)
+        val given = intensity?.let { scene.withLightIntensity(it) }
+        val camera = requireNotNull(scene.viewpoint as? Camera) {
+            "light needs a camera, and the viewpoint of the scene is ${scene.viewpoint}; " +
+                "use scene.withViewpoint(scene.camera(width, height))"
+        }
         val isMetered = isModel && LightMeter.appliesTo(scene, rig)
-        return rigged.withLightIntensity(if (isMetered) LightMeter.intensity(scene) else scene.lightIntensity)
+        val bright = given ?: if (isMetered) scene.withLightIntensity(LightMeter.intensity(scene)) else scene
+        return rig?.on(bright, camera) ?: lightRig?.let { bright.withLights(it.lights(camera)) } ?: bright
     }
 
     /** Returns this input with another scene. */

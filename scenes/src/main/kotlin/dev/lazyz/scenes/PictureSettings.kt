@@ -82,15 +82,18 @@ public class PictureSettings private constructor(
      * Sets up the picture of [loaded].
      *
      * @param options the threads of set-up, see [Scene.frame]
-     * @throws IllegalArgumentException if no camera shows the model, for example because it extends beyond the range of
-     *   numbers, or if the chosen [sampling] is not possible
+     * @throws NoPictureException if no camera shows the model, because its numbers would be beyond their range, or if
+     *   the chosen [sampling] is not possible
      * @throws UnsupportedOperationException if the scene cannot be rotated, see [Scene.withUpAxis]
      */
     @JvmOverloads
     public fun frame(loaded: LoadedScene, options: RenderOptions = RenderOptions()): SampledFrame {
         val scene = loaded.lit(seen(loaded), light, lightIntensity)
         val raster = loaded.depth.raster(size.width, size.height, background ?: scene.background)
-        if (sampling != null) return sampling.frame(scene, raster, options)
+        if (sampling != null) {
+            sampling.obstacle(scene, raster)?.let { throw NoPictureException(it) }
+            return sampling.frame(scene, raster, options)
+        }
         val isPossible = USUAL_SAMPLING.obstacle(scene, raster) == null
         return (if (isPossible) USUAL_SAMPLING else SuperSampling.NONE).frame(scene, raster, options)
     }
@@ -100,7 +103,12 @@ public class PictureSettings private constructor(
         if (loaded.scene.isOnScreen) return loaded.scene
         val own = if (loaded.cameras.isEmpty()) loaded.scene.viewpoint else Camera.fit()
         val upright = loaded.scene.withViewpoint(viewpoint ?: own).withUpAxis(up ?: loaded.usualUp)
-        return upright.withViewpoint(upright.camera(size.width, size.height))
+        val camera = try {
+            upright.camera(size.width, size.height)
+        } catch (e: IllegalArgumentException) {
+            throw NoPictureException("there is no such camera: ${e.message}", e)
+        }
+        return upright.withViewpoint(camera)
     }
 
     override fun toString(): String = "PictureSettings($size)"
@@ -112,3 +120,10 @@ public class PictureSettings private constructor(
         private val USUAL_SAMPLING = SuperSampling(USUAL_FACTOR)
     }
 }
+
+/**
+ * A model that cannot be shown with the [PictureSettings]: no camera shows it, or the sampling is not possible. The
+ * message says why.
+ */
+public class NoPictureException internal constructor(message: String, cause: Throwable? = null) :
+    IllegalArgumentException(message, cause)

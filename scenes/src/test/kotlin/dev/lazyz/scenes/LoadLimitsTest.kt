@@ -30,9 +30,21 @@ class LoadLimitsTest {
             val bytes = message(path, LoadLimits(decodedBytes = 100))
             assertTrue("bytes of decoded data" in bytes && "--max-decoded" in bytes, bytes)
             val time = message(path, LoadLimits(time = Duration.ZERO))
-            assertTrue("0 ms" in time && "LoadLimits.time" in time, time)
+            assertTrue("0 ms" in time && time.endsWith("raise LoadLimits.time (zcli: --max-seconds)"), time)
+            for (kept in listOf(triangles, vertices, bytes)) assertTrue(kept.endsWith(", and -Xmx if need be"), kept)
             Scenes.load(path, LoadLimits(decodedBytes = 1000, triangles = 2, vertices = 6))
         }
+    }
+
+    /** They are not kept in memory. */
+    @Test
+    fun limitsOfStreamedTrianglesNeedNoMoreMemory() {
+        val path = Files.write(folder.resolve("square.stl"), squares.getValue("square.stl"))
+        val error = assertThrows(SceneFormatException::class.java) {
+            Scenes.stream(path, limits = LoadLimits(triangles = 1), spool = folder).close()
+        }
+        val advice = "raise LoadLimits.triangles (zcli: --max-triangles)"
+        assertTrue(error.message.orEmpty().endsWith(advice), error.message)
     }
 
     @Test

@@ -14,7 +14,6 @@ import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.Tally
 import dev.lazyz.cli.render.ColorRows
 import dev.lazyz.cli.render.FanOut
-import dev.lazyz.cli.render.PathReportingSink
 import dev.lazyz.cli.render.PictureFile
 import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.strategies.StrategyChoice
@@ -71,9 +70,8 @@ internal class InputPictures(
         val speed = request.series.framesPerSecond ?: Animation.DEFAULT_FRAMES_PER_SECOND
         val animation = Animation(first.pixels.width, first.pixels.height, plan.frames, speed, first.alpha)
         AnimationFiles.write(file, animation) { sink ->
-            val reporting = PathReportingSink(file, sink)
             repeat(plan.frames) { frame ->
-                pictures.render(frame, if (frame == 0) first else null) { _, render -> render(reporting) }
+                pictures.render(frame, if (frame == 0) first else null) { _, render -> render(sink) }
             }
         }
     }

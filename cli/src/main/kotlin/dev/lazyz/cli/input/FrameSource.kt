@@ -96,7 +96,7 @@ internal class FrameSource(
 
         // Lit spheres are the last materials; only what is opaque after that hides light and lines
         val lit = subject.translucency.appliedTo(subject.light.lit(viewed, subject, loaded))
-        val shadowed = subject.light.withShadows(lit, hasFreePlanes, options, streams)
+        val shadowed = subject.light.withShadows(lit, input.name, hasFreePlanes, options, streams)
         if (pointOfView.isPrinted) streams.note(PointOfView.words(shadowed.viewpoint as Camera, up) + "\n")
         val scene = lineWork.drawnOn(toned(shadowed), raster)
         val region = region(raster)

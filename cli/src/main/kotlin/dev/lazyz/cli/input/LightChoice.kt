@@ -81,13 +81,21 @@ internal class LightChoice(
     /**
      * Returns [scene], which has a camera, with the shadows of these options. Uses the threads of [options].
      *
+     * @param name what the scene is called in messages
      * @param hasFreePlanes whether the near and the far plane of the camera can be moved
      */
-    fun withShadows(scene: Scene, hasFreePlanes: Boolean, options: RenderOptions, streams: Streams): Scene {
+    fun withShadows(
+        scene: Scene,
+        name: String,
+        hasFreePlanes: Boolean,
+        options: RenderOptions,
+        streams: Streams,
+    ): Scene {
         if (!(hasOcclusion || hasGroundShadow) || scene.bounds == null) return scene
         if (scene.isOnScreen) {
             throw Mistake("a scene given on the screen has no --ambient-occlusion and no --ground-shadow")
         }
+        AmbientOcclusion.problem(scene)?.let { throw Mistake("$name: $it, or leave out its shadows") }
         streams.progress("computing shadows ...")
         val soft = if (hasOcclusion && matcap == null) occluded(scene, options) else scene
         if (!hasGroundShadow) return soft

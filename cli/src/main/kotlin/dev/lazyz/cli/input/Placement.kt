@@ -31,8 +31,16 @@ internal class Placement(
     )
 }
 
-/** The camera of [base], placed by [placement]. */
-internal class PlacedViewpoint(private val base: Viewpoint, private val placement: Placement) : Viewpoint {
+/**
+ * The camera of [base], placed by [placement].
+ *
+ * @param fieldOfView vertical field of view in degrees in place of that of [base]; null for its own
+ */
+internal class PlacedViewpoint(
+    private val base: Viewpoint,
+    private val placement: Placement,
+    private val fieldOfView: Double?,
+) : Viewpoint {
     override fun camera(scene: Scene, aspect: Double): Camera {
         val own = base.camera(scene, aspect)
         val eye = placement.eye ?: eye(own)
@@ -40,8 +48,10 @@ internal class PlacedViewpoint(private val base: Viewpoint, private val placemen
         val up = placement.up ?: own.up
         val planes = planes(scene, own, eye, target)
         return when (val projection = own.projection) {
-            is Projection.Perspective ->
-                Camera.perspective(eye, target, up, projection.verticalFieldOfView, planes.first, planes.second)
+            is Projection.Perspective -> {
+                val angle = fieldOfView ?: projection.verticalFieldOfView
+                Camera.perspective(eye, target, up, angle, planes.first, planes.second)
+            }
 
             is Projection.Orthographic -> {
                 val height = placement.height ?: projection.height

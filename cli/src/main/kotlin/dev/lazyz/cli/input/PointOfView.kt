@@ -69,7 +69,7 @@ internal class PointOfView(
         val scene = loaded.scene.withViewpoint(chosen(loaded)).withUpAxis(up)
         val viewpoint = turned(magnified(framed(scene.viewpoint)))
         if (!placement.isGiven) return scene.withViewpoint(viewpoint)
-        return scene.withViewpoint(PlacedViewpoint(viewpoint, placement.withUpAxis(up)))
+        return scene.withViewpoint(PlacedViewpoint(viewpoint, placement.withUpAxis(up), standingFieldOfView))
     }
 
     /** Returns these options with the defaults of [style], unless the user chose otherwise, or another camera. */
@@ -154,13 +154,24 @@ internal class PointOfView(
         )
     }
 
+    /** Field of view of a camera that stands where the user says, so that it is not fitted; null if not given. */
+    private val standingFieldOfView: Double?
+        get() = fieldOfView?.takeIf { placement.eye != null }?.let {
+            if (zoom == null || zoom == 1.0) it else narrowed(it, zoom)
+        }
+
     /** Returns [viewpoint] with the field of view and the zoom of the options. */
     private fun magnified(viewpoint: Viewpoint): Viewpoint = when (viewpoint) {
         is FittedViewpoint -> {
             requireKind(viewpoint.kind == Fit.PERSPECTIVE)
+            val fitted = fieldOfView?.takeIf { placement.eye == null }
+            if (fitted != null && fitted > Camera.MAX_FITTED_FIELD_OF_VIEW) {
+                val most = Camera.MAX_FITTED_FIELD_OF_VIEW.toInt()
+                throw Mistake("--fov must be at most $most for a camera that shows all; for more, place it with --eye")
+            }
             Camera.fit(
                 viewpoint.azimuth, viewpoint.elevation, zoom ?: if (fieldOfView == null) viewpoint.zoom else 1.0,
-                viewpoint.kind, viewpoint.margin, fieldOfView ?: viewpoint.fieldOfView,
+                viewpoint.kind, viewpoint.margin, fitted ?: viewpoint.fieldOfView,
             )
         }
         is Camera -> magnified(viewpoint)

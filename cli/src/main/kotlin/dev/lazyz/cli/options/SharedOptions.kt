@@ -235,7 +235,8 @@ internal class CameraOptions : OptionGroup("Camera") {
 
     private val fieldOfView by option(
         "--fov",
-        help = "Vertical field of view of a perspective camera at zoom 1, above 0 and below 180; default: " +
+        help = "Vertical field of view of a perspective camera at zoom 1, above 0 and below 180, or at most " +
+            "${Camera.MAX_FITTED_FIELD_OF_VIEW.toInt()} without --eye if the camera is fitted; default: " +
             "${Camera.DEFAULT_FIELD_OF_VIEW.toInt()}, or the camera's",
     ).number("DEGREES") { Projection.Perspective(it) }
 

@@ -94,6 +94,9 @@ internal object OutputFile {
 
     private fun requirePlaceIn(folder: Path, path: Path) {
         if (Files.isDirectory(path)) throw Mistake("cannot write $path: it is a folder")
-        if (!Files.isWritable(folder)) throw Mistake("cannot write $path: no permission to write in $folder")
+        if (Files.isWritable(folder)) return
+        val isReadOnly = Files.getFileStore(folder).isReadOnly
+        val reason = if (isReadOnly) "the file system of $folder is read-only" else "no permission to write in $folder"
+        throw Mistake("cannot write $path: $reason; choose another folder")
     }
 }

@@ -2,7 +2,6 @@ package dev.lazyz.cli.render
 
 import dev.lazyz.Region
 import dev.lazyz.RowSink
-import dev.lazyz.cli.output.Mistake
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.ImageFiles
 import dev.lazyz.scenes.writers.ImageFormat
@@ -35,12 +34,11 @@ internal object PictureFile {
     /**
      * Calls [render] with a sink that writes the pixels of [region] to [path].
      *
-     * @throws Mistake if the file cannot be written
+     * @throws IOException if the file cannot be written; the message says which, why, and what to do
      */
     fun <T> write(path: Path, region: Region, alpha: AlphaChannel, render: (RowSink) -> T): T {
-        val reporting = { sink: RowSink -> render(PathReportingSink(path, sink)) }
-        if (isPyramid(path)) return DeepZoomFiles.write(path, region.width, region.height, alpha, reporting)
-        return ImageFiles.write(path, region.width, region.height, alpha = alpha, produce = reporting)
+        if (isPyramid(path)) return DeepZoomFiles.write(path, region.width, region.height, alpha, render)
+        return ImageFiles.write(path, region.width, region.height, alpha = alpha, produce = render)
     }
 
     /**
@@ -55,17 +53,6 @@ internal object PictureFile {
         render: (RowSink, Region) -> T,
     ): T = DeepZoomFiles.resume(path, region.width, region.height, alpha, facts) { sink, first ->
         val rest = Region(region.columnStart, region.rowStart + first, region.columnEnd, region.rowEnd)
-        render(PathReportingSink(path, sink), rest)
-    }
-}
-
-/** Adds the path of the file to the message if writing fails. */
-internal class PathReportingSink(private val path: Path, private val sink: RowSink) : RowSink {
-    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
-        try {
-            sink.row(y, argb, depth, primitive)
-        } catch (failure: IOException) {
-            throw Mistake("cannot write $path: ${failure.message}")
-        }
+        render(sink, rest)
     }
 }

@@ -3,7 +3,6 @@ package dev.lazyz.cli.trace
 import dev.lazyz.RowSink
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Mistake
-import dev.lazyz.cli.render.PathReportingSink
 import dev.lazyz.scenes.pictures.Canvas
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.animation.Animation
@@ -48,9 +47,8 @@ internal class Film(
         }
         val most = orders.maxOf { it.size }
         AnimationFiles.write(path, animation) { sink ->
-            val reporting = PathReportingSink(path, sink)
-            for (step in 1..steps) drawn((most.toLong() * step / steps).toInt(), reporting)
-            repeat(pause) { drawn(most, reporting) }
+            for (step in 1..steps) drawn((most.toLong() * step / steps).toInt(), sink)
+            repeat(pause) { drawn(most, sink) }
         }
     }
 

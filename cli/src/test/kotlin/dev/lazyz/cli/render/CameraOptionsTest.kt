@@ -129,6 +129,21 @@ class CameraOptionsTest {
         assertEquals(hash("plane"), hash("plane", "--zoom", "1"))
     }
 
+    /** A fitted camera cannot come near enough to fill the picture, a camera at a given place need not. */
+    @Test
+    fun fittedCamerasHaveALimitOfTheFieldOfView() {
+        for (angle in listOf("140.5", "179.9")) {
+            zcli("render", folder.wedge(), "-o", folder.resolve("wide.png"), "--fov", angle)
+                .mistake("--fov must be at most 140", "--eye")
+            val eye = arrayOf("--eye", "0.3,0.2,1.5", "--fov", angle, "--print-camera")
+            assertTrue("--fov=$angle " in render(folder.wedge(), *eye).errors)
+            assertTrue("--fov=$angle " in render(folder.wedge(), *eye, "--zoom", "1").errors)
+            assertTrue("--fov=$angle " !in render(folder.wedge(), *eye, "--zoom", "2").errors)
+            assertTrue("--fov=$angle " in render("plane", "--fov", angle, "--print-camera").errors)
+        }
+        render(folder.wedge(), "--fov", "140").done()
+    }
+
     @Test
     fun theMarginIsFreeOnBothSides() {
         for ((margin, free) in listOf("0" to 0, "10" to 10, "25" to 25)) {

@@ -201,6 +201,20 @@ class LightOptionsTest {
         }
     }
 
+    /** Numbers near the end of single precision are rendered; only shadows are not computed for them. */
+    @ParameterizedTest
+    @ValueSource(strings = ["v 1e38 0 0\nv -3e38 0 0\nv 0 3e38 0", "v 3e38 0 0\nv 0 0 0\nv 0 1 0"])
+    fun shadowsOfModelsThatAreTooLargeAreAMistake(corners: String) {
+        val huge = folder.resolve("huge.obj")
+        huge.writeText("$corners\nf 1 2 3\n")
+        val out = folder.resolve("huge.png")
+        assertEquals(ExitCode.DONE, zcli("render", huge, "--size", "40x30", "-o", out).code)
+        for (words in listOf("--ground-shadow", "--ambient-occlusion", "--style=product", "--ground-shadow --fov=9")) {
+            zcli("render", huge, "-o", out, *words.split(' ').toTypedArray())
+                .mistake("$huge: ", "reaches more than 1.0E38 world units from its origin", "scale the model down")
+        }
+    }
+
     /** Surfaces that are rendered as opaque have shadows. */
     @Test
     fun opaqueSurfacesHaveShadows() {

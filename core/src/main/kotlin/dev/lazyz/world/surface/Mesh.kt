@@ -25,7 +25,8 @@ import org.joml.Vector3dc
  * @property positions x, y, z for each vertex, world space, relative to [origin]
  * @property triangles three vertex numbers for each triangle; the order of triangles is the submission order
  * @property material the appearance
- * @property normals x, y, z for each vertex, pointing outward, of any length; null means the normal of each triangle
+ * @property normals x, y, z for each vertex, pointing outward, of any length; between the vertices of a triangle,
+ *   longer ones have more weight. Null means the normal of each triangle
  * @property uvs u, v for each vertex, see [Texture]; null means none
  * @property colors red, green, blue, alpha for each vertex, linear light; null means white
  * @param origin added to all positions; must be finite. It keeps the details of a mesh that is far from the world's
@@ -111,10 +112,11 @@ public class Mesh @JvmOverloads constructor(
 
     /**
      * Returns this mesh transformed by an affine [transform]. Normals are transformed by the inverse transpose,
-     * tangents like directions. A reflection also reverses the vertex order of every triangle, so that outside stays
-     * outside, and the handedness of tangents. If the result is far
-     * from the world's origin compared with its size, it gets an [origin] at its centre. Cost: linear in the size of
-     * the mesh.
+     * tangents like directions, and both get unit length; a translation, the identity among them, leaves them as they
+     * are. A reflection also reverses the vertex order of every triangle, so that outside stays outside, and the
+     * handedness of tangents. If the result is far from the world's origin compared with its size, it gets an [origin]
+     * at its centre, otherwise its origin is zero. Unless the origin changes, the identity gives the same picture, bit
+     * for bit. Cost: linear in the size of the mesh.
      */
     public fun transformed(transform: Matrix4dc): Mesh {
         val corners = triangles.copyOf()

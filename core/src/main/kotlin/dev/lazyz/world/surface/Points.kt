@@ -88,8 +88,8 @@ public class Points @JvmOverloads constructor(
     }
 
     /**
-     * Returns these points transformed by an affine [transform]. Normals are transformed by the inverse transpose. The
-     * size is unchanged.
+     * Returns these points transformed by an affine [transform]. Normals are transformed by the inverse transpose, and
+     * get unit length; a translation leaves them as they are. The size is unchanged.
      */
     public fun transformed(transform: Matrix4dc): Points {
         val moved = VertexTransforms.origin(bounds, transform)

@@ -2,11 +2,16 @@ package dev.lazyz.world.surface
 
 import dev.lazyz.SampleScenes
 import dev.lazyz.geometry.Box
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
 import java.util.Random
 import org.joml.Matrix4d
 import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -136,6 +141,27 @@ class MeshTest {
                 assertTrue(face.dot(corner.sub(center)) > 0) { "outside is not outside after $matrix" }
             }
         }
+    }
+
+    /** The lengths of normals are weights between vertices. */
+    @Test
+    fun theIdentityKeepsThePictureAndTranslationsTheNormals() {
+        val normals = floatArrayOf(0f, 0f, 9f, 0.3f, 0.1f, 0.2f, -0.4f, 0.5f, 0.7f)
+        val tangents = floatArrayOf(3f, 0f, 0f, 1f, 0.1f, 0f, 0f, -1f, 0f, 2f, 0f, 1f)
+        val mesh = Mesh(
+            floatArrayOf(0f, 0f, 0f, 1f, 0.1f, 0f, 0.2f, 1f, 0.5f), intArrayOf(0, 1, 2),
+            Material(shading = Shading.PHONG), normals, tangents = tangents,
+        )
+        fun picture(mesh: Mesh) = ZBuffer().render(Scene(listOf(mesh)).frame(40, 40)).argb
+        assertArrayEquals(picture(mesh), picture(mesh.transformed(Matrix4d())))
+        val moved = mesh.transformed(Matrix4d().translation(1.0, 2.0, 3.0))
+        assertArrayEquals(normals, moved.normals)
+        assertArrayEquals(tangents, moved.tangents)
+        val scaled = mesh.transformed(Matrix4d().scaling(2.0))
+        assertFalse(picture(mesh).contentEquals(picture(scaled)))
+        for (vertex in 0 until 3) assertEquals(1.0, point(scaled.normals!!, vertex).length(), 1e-6)
+        val cloud = Points(mesh.positions, normals = normals)
+        assertArrayEquals(normals, cloud.transformed(Matrix4d()).normals)
     }
 
     @Test

@@ -44,7 +44,8 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
 
     private fun vertices(source: Source, count: Long, bytes: Long) {
         used = used.copy(vertices = used.vertices + count)
-        check(source, used.vertices, limits.vertices, "vertices", "vertices", "--max-vertices")
+        val memory = if (bytes > 0) MORE_MEMORY else ""
+        check(source, used.vertices, limits.vertices, "vertices", "vertices", "--max-vertices", memory)
         decode(source, count * bytes)
     }
 
@@ -56,7 +57,8 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
 
     private fun triangles(source: Source, count: Long, bytes: Long) {
         used = used.copy(triangles = used.triangles + count)
-        check(source, used.triangles, limits.triangles, "triangles", "triangles", "--max-triangles")
+        val memory = if (bytes > 0) MORE_MEMORY else ""
+        check(source, used.triangles, limits.triangles, "triangles", "triangles", "--max-triangles", memory)
         decode(source, count * bytes)
     }
 
@@ -66,7 +68,7 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     /** Adds [count] texels; fails if [source] then exceeds a limit. Call it before allocating memory for them. */
     fun texels(source: Source, count: Long) {
         used = used.copy(texels = used.texels + count)
-        check(source, used.texels, limits.texels, "pixels of textures", "texels", "--max-texels")
+        check(source, used.texels, limits.texels, "pixels of textures", "texels", "--max-texels", MORE_MEMORY)
         decode(source, count * TEXEL_BYTES)
     }
 
@@ -74,11 +76,11 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     fun decode(source: Source, bytes: Long) {
         used = used.copy(decoded = used.decoded + bytes)
         val most = limits.decodedBytes ?: LoadLimits.defaultDecodedBytes(read, limits.usableMemory)
-        check(source, used.decoded, most, "bytes of decoded data", "decodedBytes", "--max-decoded")
+        check(source, used.decoded, most, "bytes of decoded data", "decodedBytes", "--max-decoded", MORE_MEMORY)
         if (Thread.currentThread().isInterrupted) source.fail(null, "is not read further: the thread is interrupted")
         val time = limits.time ?: return
         if (System.nanoTime() - start >= time.toNanos()) {
-            exceeded(source, "takes more than ${time.toMillis()} ms to read", "time", "--max-seconds")
+            exceeded(source, "takes more than ${time.toMillis()} ms to read", "time", "--max-seconds", "")
         }
     }
 
@@ -97,16 +99,27 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
         return mesh.withSmoothNormals(creaseAngle)
     }
 
-    private fun check(source: Source, used: Long, most: Long, what: String, limit: String, flag: String) {
-        if (used > most) exceeded(source, "has more than $most $what: $used at least", limit, flag)
+    private fun check(
+        source: Source,
+        used: Long,
+        most: Long,
+        what: String,
+        limit: String,
+        flag: String,
+        memory: String,
+    ) {
+        if (used > most) exceeded(source, "has more than $most $what: $used at least", limit, flag, memory)
     }
 
-    private fun exceeded(source: Source, problem: String, limit: String, flag: String): Nothing =
-        source.fail(null, problem, "if it can be trusted, raise LoadLimits.$limit (zcli: $flag), and -Xmx if need be")
+    private fun exceeded(source: Source, problem: String, limit: String, flag: String, memory: String): Nothing =
+        source.fail(null, problem, "if it can be trusted, raise LoadLimits.$limit (zcli: $flag)$memory")
 
     companion object {
         /** Remedy for JSON that is nested too deeply. */
         const val NESTING_REMEDY: String = "if it can be trusted, raise LoadLimits.nesting (zcli: --max-nesting)"
+
+        /** What else may be needed where a limit is on what is kept in memory. */
+        private const val MORE_MEMORY = ", and -Xmx if need be"
 
         /** Nanoseconds per millisecond. */
         private const val NANOSECONDS = 1_000_000L

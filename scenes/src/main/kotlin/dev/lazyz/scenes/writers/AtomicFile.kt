@@ -6,6 +6,7 @@ import java.nio.file.AccessDeniedException
 import java.nio.file.AtomicMoveNotSupportedException
 import java.nio.file.FileSystemException
 import java.nio.file.Files
+import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption.ATOMIC_MOVE
 import java.nio.file.StandardCopyOption.REPLACE_EXISTING
@@ -89,11 +90,26 @@ internal object AtomicFile {
 
     private fun explained(path: Path, e: IOException): IOException {
         if (e.message?.startsWith("cannot write") == true) return e
-        val reason = when (e) {
-            is AccessDeniedException -> "permission denied; choose a folder you may write to"
-            is FileSystemException -> e.reason ?: e.toString()
-            else -> e.message ?: e.toString()
+        return IOException("cannot write $path: ${reason(path, e)}", e)
+    }
+
+    /**
+     * Returns why writing failed, and what to do. The files that exceptions name are temporary, so they are left out.
+     * For most causes, the exception has only the words of the operating system.
+     */
+    private fun reason(path: Path, e: IOException): String {
+        val folder = path.toAbsolutePath().parent
+        val words = ((e as? FileSystemException)?.reason ?: e.message.takeIf { e !is FileSystemException }).orEmpty()
+        fun says(vararg parts: String) = parts.any { words.contains(it, ignoreCase = true) }
+        return when {
+            e is AccessDeniedException -> "permission denied; choose a folder you may write to"
+            e is NoSuchFileException && Files.isDirectory(folder) ->
+                "$folder takes no new files; choose another folder"
+            e is NoSuchFileException -> "there is no folder $folder; create it or choose another"
+            says("no space", "not enough space", "quota") -> "the disk is full ($words); free some space there"
+            says("read-only") -> "the file system of $folder is read-only; choose another folder"
+            says("name too long") -> "the name is too long; choose a shorter one"
+            else -> words.ifEmpty { "the system gives no reason (${e.javaClass.simpleName})" }
         }
-        return IOException("cannot write $path: $reason", e)
     }
 }

@@ -194,7 +194,7 @@ internal class RandomScenes(seed: Long) {
                 random.nextDouble() + 0.01,
                 pick(Fit.entries),
                 random.nextDouble() * 40,
-                1.0 + 170 * random.nextDouble(),
+                1.0 + 139 * random.nextDouble(),
             )
         }
     }

@@ -81,6 +81,7 @@ class SceneFileErrorsTest {
             arguments(file(""""background": [0, 01, 0]"""), "background[1]", "must be a number, not 01"),
             arguments(file(""""background": [0, NaN, 0]"""), "background[1]", "must be a number, not NaN"),
             arguments(file(""""camera": {"fit": {"elevation": 91}}"""), "camera.fit", "-90..90 degrees: 91"),
+            arguments(file(""""camera": {"fit": {"fieldOfView": 141}}"""), "camera.fit", "at most 140.0 degrees: 141"),
             arguments(file(""""camera": {}"""), "camera", "\"orthographic\", \"screen\", \"fit\""),
             arguments(file(""""camera": {"screen": {"near": 2}}"""), "camera.screen", "near must be less than far"),
             arguments(file(""""up": "z", "camera": {"screen": {}}"""), "camera.screen", "remove \"up\""),

@@ -1,7 +1,10 @@
 package dev.lazyz.scenes.writers
 
 import java.io.IOException
+import java.nio.file.AccessDeniedException
+import java.nio.file.FileSystemException
 import java.nio.file.Files
+import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -126,6 +129,36 @@ class AtomicFileTest {
         } finally {
             locked.toFile().setWritable(true)
         }
+    }
+
+    /** Whatever the system says, the temporary file is not named. */
+    @Test
+    fun usualCausesAreExplained() {
+        val path = folder.resolve("a.png")
+        val temporary = "$folder/.a.png.1234.lazyz-tmp"
+        val gone = folder.resolve("gone/a.png")
+        fun explained(cause: IOException, file: Path = path): String = assertThrows(IOException::class.java) {
+            AtomicFile.explaining<Unit>(file) { throw cause }
+        }.message.orEmpty().removePrefix("cannot write $file: ")
+        val full = "the disk is full (No space left on device); free some space there"
+        val readOnly = "the file system of $folder is read-only; choose another folder"
+        val causes = listOf(
+            IOException("No space left on device") to full,
+            FileSystemException(temporary, null, "No space left on device") to full,
+            FileSystemException(temporary, null, "Read-only file system") to readOnly,
+            FileSystemException(temporary, null, "File name too long") to "the name is too long; choose a shorter one",
+            AccessDeniedException(temporary) to "permission denied; choose a folder you may write to",
+            NoSuchFileException(temporary) to "$folder takes no new files; choose another folder",
+            FileSystemException(temporary) to "the system gives no reason (FileSystemException)",
+            FileSystemException(temporary, null, "Input/output error") to "Input/output error",
+            IOException() to "the system gives no reason (IOException)",
+        )
+        for ((cause, expected) in causes) assertEquals(expected, explained(cause))
+        val missing = "there is no folder ${gone.parent}; create it or choose another"
+        assertEquals(missing, explained(NoSuchFileException(temporary), gone))
+        val long = folder.resolve("a".repeat(250) + ".png")
+        val error = assertThrows(IOException::class.java) { failingRender(long) }
+        assertEquals("cannot write $long: the name is too long; choose a shorter one", error.message)
     }
 
     private fun failingRender(path: Path) {

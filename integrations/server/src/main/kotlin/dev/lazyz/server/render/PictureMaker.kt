@@ -5,6 +5,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.NoPictureException
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.writers.AlphaChannel
@@ -49,7 +50,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         requireGoingOn()
         val frame = try {
             request.settings.frame(loaded, options)
-        } catch (e: IllegalArgumentException) {
+        } catch (e: NoPictureException) {
             throw Problem(Problem.UNPROCESSABLE, "the model cannot be shown as requested: ${e.message}")
         }
         requireGoingOn()
