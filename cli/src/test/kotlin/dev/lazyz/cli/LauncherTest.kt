@@ -31,6 +31,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.BeforeAll
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
@@ -94,6 +95,7 @@ class LauncherTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun memoryIsTheHeapOfJava() {
         val java = folder.resolve("java/bin/java")
         Files.createDirectories(java.parent)
@@ -143,6 +145,7 @@ class LauncherTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun everyCommandOfTheTrainingRunSucceeds() {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
         val process = ProcessBuilder(java, "-cp", "${home.resolve("zcli.jar")}", "dev.lazyz.cli.TrainingRunKt")
@@ -152,6 +155,7 @@ class LauncherTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun exitCodeAndWordsPassThrough() {
         assertEquals(2, zcli("render", "no such  model", environment = OFF).exitValue())
         assertTrue("'no such  model'" in errors, errors)
@@ -206,6 +210,7 @@ class LauncherTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun shortRunsDoWithoutTheSecondCompiler() {
         val java = folder.resolve("jdk/bin/java")
         Files.createDirectories(java.parent)
@@ -241,6 +246,7 @@ class LauncherTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun noJava() {
         assertEquals(2, zcli("scenes", environment = mapOf("JAVA_HOME" to "/nowhere")).exitValue())
         assertTrue(errors.startsWith("zcli: error: no Java at '/nowhere/bin/java'"), errors)

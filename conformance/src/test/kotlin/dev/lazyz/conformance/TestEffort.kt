@@ -8,7 +8,7 @@ package dev.lazyz.conformance
  */
 internal object TestEffort {
     private val effort: String? = System.getProperty("lazyz.effort")
-    private val isRest: Boolean get() = effort == "rest"
+    val isRest: Boolean get() = effort == "rest"
 
     val isDefault: Boolean get() = effort == null
     val isFull: Boolean get() = effort == "full"

@@ -106,7 +106,7 @@ class DiagnosisTest {
 
     @Test
     fun reportBeginsWithTheCauseAndIsShortHoweverMuchFails() {
-        val report = Conformance { BrokenRenderers.lastWinsTies() }.tries(0.1).withoutShrinking().run()
+        val report = Conformance { BrokenRenderers.lastWinsTies() }.tries(0.02).withoutShrinking().run()
         val text = report.toText()
         assertTrue(report.results.count { it.outcome.isFailure } > 10, text)
         val lines = text.lines()
