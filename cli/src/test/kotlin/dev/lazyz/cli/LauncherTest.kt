@@ -1,6 +1,5 @@
 package dev.lazyz.cli
 
-import dev.lazyz.strategies.tiled.Tiled
 import java.io.File
 import java.nio.ByteBuffer
 import java.nio.channels.FileChannel
@@ -85,11 +84,15 @@ class LauncherTest {
         // Such as a container image that is used elsewhere
         render(mapOf("TZ" to "XXX-9", "LC_ALL" to "C.UTF-8"))
         assertEquals(before, Files.getLastModifiedTime(archives.single()), "time zones do not matter")
+    }
 
-        // A truncated archive is created again
-        val size = archive.fileSize()
+    @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
+    fun truncatedArchiveIsMadeAgain() {
+        render()
+        val archive = archives.single()
         archive.toFile().setWritable(true)
-        FileChannel.open(archive, StandardOpenOption.WRITE).use { it.truncate(size / 2) }
+        FileChannel.open(archive, StandardOpenOption.WRITE).use { it.truncate(archive.fileSize() / 2) }
         render()
         assertEquals(archives.single().fileName.toString().substringAfter('-'), "${archives.single().fileSize()}.jsa")
     }
@@ -185,8 +188,9 @@ class LauncherTest {
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun vectorApiOnRequest() {
-        assumeTrue(Tiled().kernel == "vector", "this machine has no vectors that are wide enough")
         val jar = "${home.resolve("zcli.jar")}"
+        val offered = output("--add-modules", "jdk.incubator.vector", "-jar", jar)
+        assumeTrue(statIn(offered, "kernel") == "vector", "this machine has no vectors that are wide enough")
         assertEquals("scalar", kernel("-jar", jar))
         assertEquals("vector", kernel("-Dzcli.kernel=vector", "-jar", jar))
         // Without the export, the module is not loaded, and nothing is printed
@@ -200,13 +204,19 @@ class LauncherTest {
 
     /** Returns the kernel that `--stats` prints in a process of plain Java, which must not print a warning. */
     private fun kernel(vararg start: String): String {
+        val text = output(*start)
+        assertTrue(text.startsWith("{"), text)
+        return statIn(text, "kernel")
+    }
+
+    /** Returns all that a process of plain Java prints. */
+    private fun output(vararg start: String): String {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
         val process = ProcessBuilder(listOf(java) + start + KERNEL_JOB).directory(folder.toFile())
             .redirectErrorStream(true).start()
         val text = process.inputStream.readAllBytes().decodeToString()
         assertEquals(0, process.waitFor(), text)
-        assertTrue(text.startsWith("{"), text)
-        return statIn(text, "kernel")
+        return text
     }
 
     @Test
