@@ -84,8 +84,8 @@ class PageCommandsTest {
             "--memory-budget 64k" to "--memory-budget 64k --size 160x120",
             "--minutes 60" to "--minutes 0.01",
             "--tries 10" to "--tries 0.5",
-            "my.jar --report report" to "my.jar --report report --tries 0.05",
-            "--explore" to "--explore --tries 0.05",
+            "my.jar --report report" to "my.jar --report report --tries 0.05 --rule 9.6",
+            "--explore" to "--explore --tries 0.05 --rule 9.6",
         )
 
         private const val MEASURES = "takes minutes to hours on a quiet machine; .ci/run starts each benchmark"

@@ -83,12 +83,12 @@ class MemoryOptionTest {
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun theMemoryThatTheMessageNamesIsEnough() {
-        val refused = render(12, "a.png", listOf("city", "--size", "3000", "--aa", "2"))
+        val refused = render(12, "a.png", listOf("city", "--size", "2000", "--aa", "2"))
         assertEquals(2, refused.code)
         for (part in listOf("--memory allows 12.0 MiB", "reserve for the garbage collector", "--aa 1", "--size")) {
             assertTrue(part in refused.errors, refused.errors)
         }
-        val outcome = render(named(refused.errors), "a.png", listOf("city", "--size", "3000", "--aa", "2"))
+        val outcome = render(named(refused.errors), "a.png", listOf("city", "--size", "2000", "--aa", "2"))
         assertEquals(0, outcome.code, outcome.errors)
     }
 
@@ -98,7 +98,7 @@ class MemoryOptionTest {
 
     /** A plan has few enough passes over the model to end soon. */
     @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "full")
     fun theMemoryThatIsNamedForATranslucentModelIsEnoughToEndSoon() {
         model.writeBytes(Hills(220).stl())
         val words = listOf("hills.stl", "--stream", "--color", "#ff000080", "--size", "500")

@@ -14,8 +14,10 @@ import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 
 /** Finds the rule that a mistake is about, among all the rules that it breaks. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class DiagnosisTest {
     private val names = RuleNames
 

@@ -53,7 +53,7 @@ class WarnockTest {
     }
 
     @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "full")
     fun depthsGrowWithVisibleComplexityOnly() {
         // More layers show more edges, but a hundred times as many layers show less than a hundred times as many edges
         for (submission in Submission.entries) {
