@@ -4,8 +4,8 @@ package dev.lazyz.conformance
  * How much the longest tests try. `mvn verify` alone tries a part of the wrong renderers and of the frames, always the
  * same part, so that it takes minutes. `-Dlazyz.effort=rest` tries another part, which is what the continuous build
  * does on its second JDK; `-Dlazyz.effort=full` tries all. Other tests that take long are annotated with
- * `@EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")`, and those that need not run again on another
- * JDK with `@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")`.
+ * `@EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")`, and those that need not run again on
+ * another JDK with `@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")`.
  */
 internal object TestEffort {
     private val effort: String? = System.getProperty("lazyz.effort")
