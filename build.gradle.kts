@@ -18,7 +18,7 @@ val catalog = libs
 val javaRelease = 17
 
 /** Modules of many short tests, which would mostly wait for the optimizing compiler. */
-val shortTests = listOf("scenes", "testing", "server", "cli")
+val shortTests = listOf("scenes", "testing", "server", "spark", "cli")
 
 /** A jar that runs alone: its file name and main class, by module. */
 val fatJars = mapOf(
@@ -82,7 +82,7 @@ configure(subprojects.filter { it.name != "bom" }) {
     tasks.withType<Test>().configureEach {
         useJUnitPlatform()
         jvmArgs("--add-modules", "jdk.incubator.vector", "-XX:+UseSerialGC", "-XX:MarkSweepAlwaysCompactCount=1")
-        if (project.name in shortTests) jvmArgs("-XX:TieredStopAtLevel=1")
+        if (project.name in shortTests) jvmArgs("-XX:TieredStopAtLevel=1", "-XX:MaxVectorSize=8")
         maxParallelForks = 2
         include("**/*Test.class", "**/*Properties.class", "**/*Example.class")
         systemProperty("jqwik.database", "")

@@ -11,11 +11,13 @@ import kotlin.io.path.relativeTo
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 
 /**
  * Which libraries and functions the sources of `core` may import and call, and what a strategy consists of.
  * `PackagesTest` of `cli` checks the dependencies between packages.
  */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class ArchitectureTest {
     private val root: Path = ProjectFiles.root.resolve("core/src/main/kotlin/dev/lazyz")
 

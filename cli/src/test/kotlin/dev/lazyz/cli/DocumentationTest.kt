@@ -7,9 +7,11 @@ import kotlin.io.path.readText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** `docs/cli.md` and `--help` describe the same flags. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class DocumentationTest {
     private val page: String = ProjectFiles.root.resolve("docs/cli.md").readText()
 

@@ -1,6 +1,5 @@
 package dev.lazyz.cli
 
-import dev.lazyz.strategies.tiled.Tiled
 import java.io.File
 import java.nio.ByteBuffer
 import java.nio.channels.FileChannel
@@ -31,6 +30,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.BeforeAll
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
@@ -84,16 +84,21 @@ class LauncherTest {
         // Such as a container image that is used elsewhere
         render(mapOf("TZ" to "XXX-9", "LC_ALL" to "C.UTF-8"))
         assertEquals(before, Files.getLastModifiedTime(archives.single()), "time zones do not matter")
+    }
 
-        // A truncated archive is created again
-        val size = archive.fileSize()
+    @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
+    fun truncatedArchiveIsMadeAgain() {
+        render()
+        val archive = archives.single()
         archive.toFile().setWritable(true)
-        FileChannel.open(archive, StandardOpenOption.WRITE).use { it.truncate(size / 2) }
+        FileChannel.open(archive, StandardOpenOption.WRITE).use { it.truncate(archive.fileSize() / 2) }
         render()
         assertEquals(archives.single().fileName.toString().substringAfter('-'), "${archives.single().fileSize()}.jsa")
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun memoryIsTheHeapOfJava() {
         val java = folder.resolve("java/bin/java")
         Files.createDirectories(java.parent)
@@ -143,6 +148,7 @@ class LauncherTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun everyCommandOfTheTrainingRunSucceeds() {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
         val process = ProcessBuilder(java, "-cp", "${home.resolve("zcli.jar")}", "dev.lazyz.cli.TrainingRunKt")
@@ -152,6 +158,7 @@ class LauncherTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun exitCodeAndWordsPassThrough() {
         assertEquals(2, zcli("render", "no such  model", environment = OFF).exitValue())
         assertTrue("'no such  model'" in errors, errors)
@@ -181,8 +188,9 @@ class LauncherTest {
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun vectorApiOnRequest() {
-        assumeTrue(Tiled().kernel == "vector", "this machine has no vectors that are wide enough")
         val jar = "${home.resolve("zcli.jar")}"
+        val offered = output("--add-modules", "jdk.incubator.vector", "-jar", jar)
+        assumeTrue(statIn(offered, "kernel") == "vector", "this machine has no vectors that are wide enough")
         assertEquals("scalar", kernel("-jar", jar))
         assertEquals("vector", kernel("-Dzcli.kernel=vector", "-jar", jar))
         // Without the export, the module is not loaded, and nothing is printed
@@ -196,16 +204,23 @@ class LauncherTest {
 
     /** Returns the kernel that `--stats` prints in a process of plain Java, which must not print a warning. */
     private fun kernel(vararg start: String): String {
+        val text = output(*start)
+        assertTrue(text.startsWith("{"), text)
+        return statIn(text, "kernel")
+    }
+
+    /** Returns all that a process of plain Java prints. */
+    private fun output(vararg start: String): String {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
         val process = ProcessBuilder(listOf(java) + start + KERNEL_JOB).directory(folder.toFile())
             .redirectErrorStream(true).start()
         val text = process.inputStream.readAllBytes().decodeToString()
         assertEquals(0, process.waitFor(), text)
-        assertTrue(text.startsWith("{"), text)
-        return statIn(text, "kernel")
+        return text
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun shortRunsDoWithoutTheSecondCompiler() {
         val java = folder.resolve("jdk/bin/java")
         Files.createDirectories(java.parent)
@@ -241,6 +256,7 @@ class LauncherTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun noJava() {
         assertEquals(2, zcli("scenes", environment = mapOf("JAVA_HOME" to "/nowhere")).exitValue())
         assertTrue(errors.startsWith("zcli: error: no Java at '/nowhere/bin/java'"), errors)

@@ -6,6 +6,7 @@ import kotlin.io.path.readText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
 
@@ -13,6 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource
  * `MODULE/api/packages.md` describes each package that has public types. The pages of the API documentation are made of
  * it. The texts begin with the words of `docs/architecture.md`, and those of strategies with the words of the renderer.
  */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class PackageTextsTest {
     private fun publicPackages(module: String): List<String> {
         val type = Regex("""^public .*(?:class|interface) ([\w/]+)/\w[\w$]* .*""")

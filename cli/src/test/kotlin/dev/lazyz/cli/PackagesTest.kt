@@ -10,12 +10,14 @@ import kotlin.io.path.relativeTo
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
 
 /**
  * The packages of each module: dependencies between them have no cycles, and each file is in the folder of its package.
  */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class PackagesTest {
     private val root: Path = ProjectFiles.root
 

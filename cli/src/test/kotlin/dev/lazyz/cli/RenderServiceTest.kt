@@ -12,11 +12,13 @@ import kotlin.io.path.writeText
 import org.junit.jupiter.api.AfterAll
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
 
 /** The parameters of the render service mean the same as the options of `zcli render` with their names. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class RenderServiceTest {
     @TempDir
     lateinit var folder: Path

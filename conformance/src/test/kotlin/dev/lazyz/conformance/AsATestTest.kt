@@ -72,7 +72,7 @@ class AsATestTest {
     }
 
     @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "full")
     fun oneTestARule() {
         val results = run()
         assertEquals(SuiteRun.rules, results.keys)

@@ -17,25 +17,42 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestFactory
 
 /**
- * Runs the suite on every built-in renderer and on the oracle. The default build tests the default one, see
- * [TestEffort]. [ZBufferConformanceTest] tests `zbuffer`.
+ * Runs the suite on every built-in renderer and on the oracle. The default build tests the default one, without the
+ * first rule in [LONG], which [ZBufferConformanceTest] tries on `zbuffer`; the effort `rest` tests this rule, and the
+ * others, each rule in [LONG] with one of them; `full` tests all with all rules. See [TestEffort].
  */
 class BuiltInRenderersTest {
     @TestFactory
     fun passes(): List<DynamicTest> {
         val renderers = Renderers.builtIn.filter { it !is ZBuffer } + ReferenceRenderer()
-        return TestEffort.share(renderers.size, renderers).map { dynamicTest(it.id) { assertPasses(it) } }
+        return renderers.withIndex().filter { (i, _) -> i == 0 || !TestEffort.isDefault }.map { (i, renderer) ->
+            val long = setOfNotNull(LONG.getOrNull(i))
+            val rules = when {
+                TestEffort.isFull -> SuiteRun.rules
+                TestEffort.isDefault -> SuiteRun.rules - long
+                i == 0 -> long
+                else -> SuiteRun.rules - LONG + long
+            }
+            dynamicTest(renderer.id) { assertPasses(renderer, rules) }
+        }
     }
 
-    private fun assertPasses(renderer: Renderer) {
-        val run = SuiteRun.of(tries = if (TestEffort.isFull || renderer is Lists) 1.0 else 0.2) { renderer }
+    private fun assertPasses(renderer: Renderer, rules: Set<String>) {
+        val tries = if (TestEffort.isFull || renderer is Lists) {
+            1.0
+        } else if (TestEffort.isDefault) {
+            0.1
+        } else {
+            0.05
+        }
+        val run = SuiteRun.of(tries, rules) { renderer }
 
         // The oracle queries every primitive at every sample, whatever the cost
         val excused = if (renderer is ReferenceRenderer) setOf(RuleNames.outside) else emptySet()
         assertTrue(run.failures.keys.containsAll(excused))
         val failures = run.failures - excused
         assertEquals("", failures.entries.joinToString("\n\n") { (rule, failure) -> "$rule\n${failure.message}" })
-        assertEquals(SuiteRun.rules, run.rules)
+        assertEquals(rules, run.rules)
         if (renderer is Lists) assertMeetsAllPairs(run.report.distribution)
     }
 
@@ -54,5 +71,14 @@ class BuiltInRenderersTest {
         val run = SuiteRun.of(FromJava::class, tries = 0.05, *rules.toTypedArray())
         assertEquals(emptyMap<String, Throwable>(), run.failures)
         assertEquals(rules, run.rules)
+    }
+
+    private companion object {
+        /** Rules that take seconds for any number of tries. */
+        val LONG = listOf(
+            "rule_7_3_promiseOfConstantMemoryIsKept",
+            "rule_5_3_allPairsOnATinyRasterAreDrawnCorrectly",
+            "rule_1_1_columnsAndRowsAreNotTruncated",
+        )
     }
 }

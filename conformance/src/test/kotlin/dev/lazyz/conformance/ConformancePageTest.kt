@@ -49,7 +49,7 @@ class ConformancePageTest {
     private class MyRenderer : PlainRenderer("mine")
 
     @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "full")
     fun programJudges(@TempDir folder: Path) {
         val report = Conformance { MyRenderer() }.tries(0.1).output(folder).run()
         check(report.isConformant) { report.toText() }

@@ -29,8 +29,9 @@ import net.jqwik.api.statistics.Statistics
 import org.junit.jupiter.api.Assertions.assertTrue
 
 /**
- * The main promise of the library: all built-in renderers give the same bits, on more than 10,000 frames, with random
- * options and in random regions.
+ * The main promise of the library: all built-in renderers give the same bits, on 7,200 frames, with random options and
+ * in random regions. Each frame is rendered by the first renderer and by about half of the others, with the effort
+ * `rest` by the other half, and with `full` by all; see [TestEffort].
  *
  * [RendererConformance] compares each with the oracle, on fewer frames. This test compares them with each other.
  */
@@ -50,7 +51,7 @@ class StrategiesAgreeProperties {
     fun rule_7_1_inScenes(@ForAll(supplier = WorldCases::class) case: FrameCase, @ForAll salt: Long) = agree(case, salt)
 
     /** Rasters of several tiles and subdivisions, and enough primitives to hide each other. */
-    @Property(tries = 150, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 100, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_onLargerFrames(@ForAll(supplier = LargerCases::class) case: FrameCase, @ForAll salt: Long) =
         agree(case, salt)
 
@@ -64,7 +65,9 @@ class StrategiesAgreeProperties {
         val renderers = Renderers.builtIn.filter {
             !part.frame.hasTranslucency || Capability.TRANSPARENCY in it.capabilities
         }
-        val configured = renderers.map { it.configured(options(random).supportedBy(it)) }
+        val configured = renderers.map { it.configured(options(random).supportedBy(it)) }.filterIndexed { i, _ ->
+            i == 0 || random.nextBoolean() == TestEffort.isDefault || TestEffort.isFull
+        }
         val images = configured.map { it to it.render(part.frame) }
         val (first, expected) = images.first()
         for ((renderer, image) in images) {

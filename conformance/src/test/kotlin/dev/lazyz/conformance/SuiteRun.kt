@@ -23,9 +23,12 @@ class SuiteRun private constructor(val report: ConformanceReport) {
         /** The names of all rules. */
         val rules: Set<String> = SuiteRule.all.mapTo(LinkedHashSet()) { it.name }
 
-        /** Tests the renderers that [make] returns with [tries] times the default number of frames. */
-        fun of(tries: Double, make: () -> Renderer): SuiteRun =
-            SuiteRun(Conformance(make).tries(tries).withoutShrinking().run())
+        /** Tests the renderers that [make] returns with [tries] times the default number of frames of [rules]. */
+        fun of(tries: Double, rules: Set<String> = this.rules, make: () -> Renderer): SuiteRun {
+            val conformance = Conformance(make).tries(tries).withoutShrinking()
+            for (rule in rules) conformance.rule(rule)
+            return SuiteRun(conformance.run())
+        }
 
         /** Runs the suite [subject]: the rules named [rules], or all. */
         fun of(subject: KClass<out RendererConformance>, tries: Double, vararg rules: String): SuiteRun {

@@ -32,7 +32,7 @@ import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** AOVs are the same bits for every renderer, number of threads and region; counts add up to the counters. */
 class AovStrategiesTest {
-    private val raster = Raster(40, 30)
+    private val raster = Raster(24, 18)
     private val ofScene = Aov.entries.toSet() - Aov.SHADING_CALLS
 
     /** Many triangles in a batch, of each kind of shading, behind and in front of each other. */
@@ -68,7 +68,7 @@ class AovStrategiesTest {
                     val aovs = AovFrame(frame, ofScene).render(renderer.configured(options))
                     assertEquals(expected.images, aovs.images) { "${renderer.id}, $threads threads, $frame" }
                 }
-                for (region in listOf(Region(7, 3, 20, 29), Region(0, 0, 1, 1), Region(39, 29, 40, 30))) {
+                for (region in listOf(Region(5, 3, 14, 17), Region(0, 0, 1, 1), Region(23, 17, 24, 18))) {
                     val part = AovFrame(frame.within(region), ofScene).render(renderer)
                     part.images.zip(expected.images).forEach { (image, whole) -> requirePart(whole, image, region) }
                 }

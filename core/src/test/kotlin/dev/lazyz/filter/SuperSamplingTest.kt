@@ -175,6 +175,7 @@ class SuperSamplingTest {
             for (column in 0 until samples.width) {
                 val weight = filter.weight((column + 0.5) / factor - x - 0.5) * inside(filter, column, factor, x) *
                     filter.weight((row + 0.5) / factor - y - 0.5) * inside(filter, row, factor, y)
+                if (weight == 0.0) continue
                 val color = samples.argb(column, row)
                 sums[4] += weight
                 sums[3] += weight * (color ushr 24)

@@ -18,13 +18,8 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 class GroundShadowTest {
-    /** A ball that floats above its ground, which a second ball determines. */
-    private val scene = Scene(
-        listOf(Sphere(Vector3d(0.0, 2.0, 0.0), 1.0, Material()), Sphere(Vector3d(0.0, 0.1, 0.0), 0.1, Material())),
-    )
-
     private fun picture(scene: Scene, viewpoint: Camera, background: Rgba, strength: Float = 0.6f): Image {
-        val shadow = GroundShadow.of(scene, strength)
+        val shadow = shadow(scene, strength)
         val all = scene.withSurfaces(scene.surfaces + shadow).withViewpoint(shadow.camera(viewpoint))
         return ZBuffer().render(all.frame(Raster(80, 60, background)))
     }
@@ -100,7 +95,7 @@ class GroundShadowTest {
         for (kind in Fit.entries) {
             for (elevation in listOf(5.0, 45.0, 90.0)) {
                 val camera = Camera.fit(0.0, elevation, zoom = 0.2, kind = kind).camera(scene, 80.0 / 60.0)
-                val shadow = GroundShadow.of(scene)
+                val shadow = shadow(scene)
                 val wide = shadow.camera(camera)
                 assertTrue(wide.near <= camera.near && wide.far >= camera.far)
                 val image = picture(scene, camera, Rgba.WHITE)
@@ -124,8 +119,21 @@ class GroundShadowTest {
 
     @Test
     fun camerasThatFitIgnoreIt() {
-        val with = scene.withSurfaces(scene.surfaces + GroundShadow.of(scene))
+        val with = scene.withSurfaces(scene.surfaces + shadow(scene))
         assertEquals(scene.camera(80, 60).eye, with.camera(80, 60).eye)
         assertEquals(scene.bounds.toString(), with.bounds.toString())
+    }
+
+    private companion object {
+        /** A ball that floats above its ground, which a second ball determines. */
+        val scene = Scene(
+            listOf(Sphere(Vector3d(0.0, 2.0, 0.0), 1.0, Material()), Sphere(Vector3d(0.0, 0.1, 0.0), 0.1, Material())),
+        )
+
+        /** By scene and strength: a shadow takes longer than a picture. */
+        private val shadows = HashMap<Pair<Scene, Float>, GroundShadow>()
+
+        fun shadow(scene: Scene, strength: Float = 0.6f): GroundShadow =
+            shadows.getOrPut(scene to strength) { GroundShadow.of(scene, strength) }
     }
 }

@@ -19,8 +19,10 @@ import org.joml.Vector4d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 
 /** [FittedViewpoint]: the scene is in the middle of the image and touches the margin. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class FittedViewpointTest {
     private val random = Random(11)
 
@@ -99,7 +101,7 @@ class FittedViewpointTest {
     @Test
     fun verticesAreInTheMiddleAndTouchTheMargin() {
         var needles = 0
-        repeat(3000) {
+        repeat(1000) {
             val surfaces = List(pick(1, 1, 3)) { surface() }.distinctBy { (_, points) -> points[0].x > 9e4 }
             val points = surfaces.flatMap { it.second }
             val scene = Scene(surfaces.map { it.first })
@@ -110,7 +112,7 @@ class FittedViewpointTest {
             assertFits(viewpoint, scene, points, 1e-9 + 1e-13 * far / size * viewpoint.fieldOfView)
             if (isNeedle(viewpoint.camera(scene, 1.0), points)) needles++
         }
-        assertTrue(needles < 300) { "$needles of 3000 scenes are not checked" }
+        assertTrue(needles < 100) { "$needles of 1000 scenes are not checked" }
     }
 
     @Test

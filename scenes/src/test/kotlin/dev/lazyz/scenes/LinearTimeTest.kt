@@ -9,8 +9,10 @@ import java.time.Duration
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 
 /** Files made to take long are read in time: what was quadratic would take minutes. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class LinearTimeTest {
     private fun meshes(bytes: ByteArray, format: SceneFormat): List<Mesh> =
         assertTimeoutPreemptively<List<Mesh>>(Duration.ofSeconds(30)) {

@@ -11,9 +11,11 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** Each limit is reached, and says its name. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class LoadLimitsTest {
     @TempDir
     lateinit var folder: Path

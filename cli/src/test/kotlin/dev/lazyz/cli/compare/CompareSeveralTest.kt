@@ -20,9 +20,11 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** `zcli compare` on several files, folders and views. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class CompareSeveralTest {
     @TempDir
     lateinit var folder: Path

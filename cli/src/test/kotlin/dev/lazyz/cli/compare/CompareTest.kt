@@ -33,12 +33,14 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.CsvSource
 import org.junit.jupiter.params.provider.MethodSource
 
 /** `zcli compare` runs the strategies and compares each with the first. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class CompareTest {
     @TempDir
     lateinit var folder: Path

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
@@ -49,12 +50,13 @@ class ConformanceTest {
     }
 
     @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "full")
     fun ourOwnAreJudgedByAllRules() {
         assertTrue(" conforms: " in conformance("--strategy", "zbuffer").done().text)
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun wrongOneIsToldWithTheCommandThatShowsItAgain() {
         val jar = jar(FickleRenderer::class.java, StutteringRenderer::class.java)
         val report = folder.resolve("a report")
@@ -91,6 +93,7 @@ class ConformanceTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun reportIsVerified() {
         val jar = jar(StutteringRenderer::class.java)
         val report = folder.resolve("report")
@@ -110,6 +113,7 @@ class ConformanceTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun framesOfOnesOwnAreTried() {
         val frames = folder.resolve("frames")
         val rule = "rule_7_1_userFramesAreDrawnCorrectly"
@@ -129,6 +133,7 @@ class ConformanceTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun exploringTellsItsSeed() {
         val seeds = List(2) {
             conformance("--strategy", "zbuffer", "--rule", ties, "--explore", "--json").done().stat("seed")
@@ -137,6 +142,7 @@ class ConformanceTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun exploringAgainWithTheSeedOfASummaryIsTheSame() {
         fun frames(text: String) = text.lines().dropWhile { " frames, of which" !in it }.dropLast(2)
         val rule = arrayOf("--strategy", "zbuffer", "--rule", ties)
@@ -167,6 +173,7 @@ class ConformanceTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun strategyThatExitsGetsAVerdictAndTheOtherRulesAreTried() {
         val jar = jar(ExitingRenderer::class.java)
         val rules = arrayOf("--rule", ties, "--rule", "rule_9_6_framesWithoutPrimitivesShowTheBackground")
@@ -211,6 +218,7 @@ class ConformanceTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun strategyThatEndsTheProcessAtOnceGetsAVerdict() {
         val strategies = mapOf("stillborn" to StillbornRenderer::class, "halted" to HaltedRenderer::class)
         for ((id, renderer) in strategies) {
@@ -222,6 +230,7 @@ class ConformanceTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun strategyThatIsNeverMadeGetsAVerdict() {
         val jar = jar(EternalRenderer::class.java)
         val words = arrayOf("--strategy", "eternal", "--classpath", jar, "--deadline", "0.5")
@@ -265,6 +274,7 @@ class ConformanceTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun mistakesAreToldInWords() {
         val jar = jar(CapableRenderer::class.java)
         conformance("--strategy", "capabel", "--classpath", jar)
@@ -291,6 +301,7 @@ class ConformanceTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun twoStrategiesAreComparedOnFramesOfAnySize() {
         val jar = jar(FickleRenderer::class.java)
         val corpus = folder.resolve("corpus")

@@ -20,11 +20,18 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assumptions.assumeTrue
 
 /**
- * Chromium without a window, which shows pages as a reader sees them. Tests are skipped on machines without it.
+ * Chromium without a window, which shows pages as a reader sees them. On machines without it, a test that makes an
+ * instance is skipped.
  *
  * @param folder for its files
  */
 internal class Browser(private val folder: Path) {
+    private val program = NAMES.flatMap { name -> PLACES.map { it.resolve(name) } }.firstOrNull { it.exists() }
+
+    init {
+        assumeTrue(program != null, "there is no Chromium: none of $NAMES in $PLACES")
+    }
+
     /**
      * What became of a page.
      *
@@ -39,8 +46,6 @@ internal class Browser(private val folder: Path) {
      * because windows of Chromium are at least 500 columns wide.
      */
     fun visit(page: String, width: Int, probe: String): Visit {
-        val program = NAMES.flatMap { name -> PLACES.map { it.resolve(name) } }.firstOrNull { it.exists() }
-        assumeTrue(program != null, "there is no Chromium: none of $NAMES in $PLACES")
         val answer = CompletableFuture<String>()
         val requests = ConcurrentLinkedQueue<String>()
         val server = HttpServer.create(InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0)

@@ -11,15 +11,26 @@ import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonPrimitive
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.BeforeEach
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.CsvSource
 
 /** Pages of `zcli` in a browser, on phones and desktops: nothing is loaded, too wide or broken. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class PagesInBrowserTest {
     @TempDir
     lateinit var folder: Path
+
+    private lateinit var browser: Browser
+
+    /** Before pages are made, which would be in vain without a browser. */
+    @BeforeEach
+    fun find() {
+        browser = Browser(folder)
+    }
 
     private val size = arrayOf("--size", "200x150")
 
@@ -39,7 +50,7 @@ class PagesInBrowserTest {
     }
 
     private fun requireSound(page: String, width: Int) {
-        val visit = Browser(folder).visit(
+        val visit = browser.visit(
             page,
             width,
             """
@@ -92,7 +103,7 @@ class PagesInBrowserTest {
                 }
             }
         }
-        val facts = Browser(folder).visit(
+        val facts = browser.visit(
             page,
             800,
             """

@@ -42,14 +42,14 @@ internal fun PageShell.fill(commands: String) {
         .copyTo(folder.resolve("docs/images").createDirectories().resolve("flange.obj"))
     folder.resolve("cli/target").createDirectories().resolve("zcli").createSymbolicLinkPointingTo(program)
     for (name in listOf("my.jar", "mine.jar")) folder.rendererJar(MyRenderer::class.java, name = name)
-    for (name in listOf("golden.png", "new.png")) {
+    for (name in listOf("golden.png", "new.png").filter { it in commands }) {
         zcli("render", "teapot", "--size", "64", "-o", folder.resolve(name)).done()
     }
     val picture = folder.resolve("pictures").createDirectories().resolve("part.png")
     zcli("render", models.resolve("part.stl"), "--size", "512", "-o", picture).done()
     folder.resolve("new").createDirectories()
     if ("report.json" in commands) {
-        val options = listOf("--strategy", "my-id", "--tries", "0.05", "--in-process", "--quiet")
+        val options = listOf("--strategy", "my-id", "--tries", "0.05", "--rule", "9.6", "--in-process", "--quiet")
         val jar = folder.resolve("my.jar")
         zcli("conformance", "--classpath", jar, "--report", folder.resolve("report"), *options.toTypedArray()).done()
     }

@@ -13,12 +13,14 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.CsvSource
 import org.junit.jupiter.params.provider.ValueSource
 
 /** Colours, textures, backgrounds and square sizes from the command line. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class ColorOptionsTest {
     @TempDir
     lateinit var folder: Path

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
@@ -52,6 +53,7 @@ class LightOptionsTest {
 
     @ParameterizedTest
     @ValueSource(strings = ["studio", "three-point", "flat", "headlight", "sun", "STUDIO"])
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun presetsReplaceTheLight(light: String) {
         val pixels = argb(cubes, "--light", light)
         if (light.lowercase() == "studio") assertEquals(argb(cubes), pixels) else assertNotEquals(argb(cubes), pixels)
@@ -71,6 +73,7 @@ class LightOptionsTest {
 
     /** The lights that a scene file names are those of the flag, also from another side; flags replace what it says. */
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun sceneFilesNameTheirLight() {
         fun scene(members: String) = folder.resolve("named.json").apply {
             writeText("""{"lazyz": 1, $members "surfaces": [{"sphere": {"center": [0, 0, 0], "radius": 1}}]}""")
@@ -96,6 +99,7 @@ class LightOptionsTest {
 
     /** Models with dark materials get more light; a colour that the user chose, and scene files, do not. */
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun darkModelsAreLegible() {
         val dark = model("dark", "Kd 0.02 0.02 0.02")
         val fixed = brightness(argb(dark, "--background", "black", "--light-intensity", "1"))
@@ -113,6 +117,7 @@ class LightOptionsTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun occlusionDarkensContactsOnly() {
         val open = argb(cubes, "--ambient-occlusion", "--view", "top")
         val contact = argb(cubes, "--ambient-occlusion", "--view", "bottom")
@@ -134,6 +139,7 @@ class LightOptionsTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun theGroundIsDarkerBelowTheModel() {
         val without = argb(cubes, "--elevation", "30")
         val with = argb(cubes, "--elevation", "30", "--ground-shadow")
@@ -180,6 +186,7 @@ class LightOptionsTest {
 
     /** Planes that the user chose cut the model, and the ground does not change that. */
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun thePlanesOfTheUserStay() {
         val planes = arrayOf("--eye", "0.5,1,9", "--near", "8.4", "--far", "20", "--aa", "1")
         val cut = argb(cubes, *planes)
@@ -189,6 +196,7 @@ class LightOptionsTest {
 
     /** A floor of the model is not hidden by the ground. */
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun aFloorAtTheLowestPointIsVisible() {
         val floor = folder.resolve("floor.obj")
         floor.writeText("v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nf 4 3 2 1\n")
@@ -217,6 +225,7 @@ class LightOptionsTest {
 
     /** Surfaces that are rendered as opaque have shadows. */
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun opaqueSurfacesHaveShadows() {
         val glass = model("pane", "Kd 0.5 0.5 0.5\nd 0.5")
         val dark = argb(glass, "--ground-shadow", "--opaque").filter { it != -1 }.size
@@ -239,6 +248,7 @@ class LightOptionsTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun allStrategiesGiveTheSamePicture() {
         zcli("compare", cubes, "--size", "40x30", "--style", "product").done()
     }

@@ -10,8 +10,10 @@ import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class LimitsTest {
     @TempDir
     lateinit var folder: Path

@@ -16,11 +16,13 @@ import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assumptions.assumeFalse
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.CsvSource
 
 /** Every mistake of a user causes one message and exit code 2, and leaves no file. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class RenderMistakesTest {
     @TempDir
     lateinit var folder: Path

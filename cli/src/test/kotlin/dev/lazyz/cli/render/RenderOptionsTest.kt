@@ -16,11 +16,13 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
 
 /** Each flag of `zcli render` has the documented effect. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class RenderOptionsTest {
     @TempDir
     lateinit var folder: Path

@@ -16,6 +16,7 @@ import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
@@ -33,6 +34,7 @@ class StreamTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun thePictureIsThatOfTheWholeModel() {
         model.writeBytes(Hills(70).stl())
         for (options in listOf(
@@ -48,6 +50,7 @@ class StreamTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun standardInputIsCopied() {
         val text = "solid s\n" + List(9) { number ->
             "facet normal 0 0 0\nouter loop\nvertex 0 0 $number\nvertex 1 $number 0\nvertex $number 1 2\nendloop\nendfacet\n"
@@ -64,6 +67,7 @@ class StreamTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun whatNeedsTheWholeModelIsRefused() {
         model.writeBytes(Hills(3).stl())
         for ((words, problem) in listOf(
@@ -101,6 +105,7 @@ class StreamTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun translucentSurfacesBlend() {
         model.writeBytes(Hills(40).stl())
         for (options in listOf(
@@ -115,6 +120,7 @@ class StreamTest {
 
     /** Without --stream the model is refused. */
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun aModelLargerThanTheHeapIsShown() {
         model.writeBytes(Hills(900).stl())
         val options = listOf("--shading", "flat", "--aa", "1", "--size", "80x60")

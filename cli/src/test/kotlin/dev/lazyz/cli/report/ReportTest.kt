@@ -29,6 +29,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** Correct only the first time. */
@@ -46,6 +47,7 @@ class WrongLaterRenderer : Renderer {
 }
 
 /** `zcli report` writes what `zcli compare`, `zcli trace` and `zcli render --aov` know. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class ReportTest {
     @TempDir
     lateinit var folder: Path

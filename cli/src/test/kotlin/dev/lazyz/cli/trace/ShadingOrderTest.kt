@@ -18,8 +18,10 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 
 /** In which order strategies shade, and what for nothing. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class ShadingOrderTest {
     private val frames: Map<String, Frame> =
         Scenes.builtins.associate { it.id to it.scene().frame(96, 64) }.filterValues { !it.hasTranslucency }

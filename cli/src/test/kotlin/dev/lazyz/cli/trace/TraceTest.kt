@@ -11,9 +11,11 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** `zcli trace`. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class TraceTest {
     @TempDir
     lateinit var folder: Path

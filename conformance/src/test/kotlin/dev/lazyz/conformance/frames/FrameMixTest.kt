@@ -124,7 +124,7 @@ class FrameMixTest {
         val random = Random(1995)
         val frames = Frames.of(FrameMix.usual().with(FrameKind.CONFETTI, 0)).generator(1000)
         var longest = 0
-        repeat(5) {
+        repeat(3) {
             var smallest = generateSequence { frames.next(random) }.first { isTied(it) }
             repeat(200) { smallest = smallest.shrink().filter(::isTied).findFirst().orElse(smallest) }
             val case = smallest.value()

@@ -44,6 +44,7 @@ class ExactShadingTest {
     @Example
     fun rule_6_5_mistakesAreFound() {
         val cases = kinds.flatMap { known(it, 60) }
+        val exact = cases.associateWith { exact(it) }
         val mistakes = mapOf<String, (Inside, Changes) -> Unit>(
             "highlights" to Inside.Companion::loseHighlight,
             "emission" to Inside.Companion::loseEmission,
@@ -65,8 +66,7 @@ class ExactShadingTest {
         )
         for ((name, mistake) in mistakes) {
             val fault = cases.firstNotNullOfOrNull { case ->
-                val exact = exact(case)
-                BrokenShading.changed(case.frame, mistake) { Comparison().fault(case, exact) }
+                BrokenShading.changed(case.frame, mistake) { Comparison().fault(case, exact.getValue(case)) }
             }
             assertNotNull(fault, name)
         }

@@ -9,8 +9,10 @@ import dev.lazyz.world.FrameBuilder
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.fail
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 
 /** Compares set-up with integer arithmetic, for all polygons on a small lattice: contract rules 2.1 to 2.5. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class SmallLatticeTest {
     private val shader = Shader { it.setColor(1f, 1f, 1f, 1f) }
     private val spans = Spans()

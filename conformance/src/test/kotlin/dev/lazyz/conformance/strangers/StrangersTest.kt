@@ -34,7 +34,7 @@ class StrangersTest {
         if (System.getProperty("lazyz.record") == "true") record()
         val recorded = recorded()
         val noticed = strangers.filter { recorded[it.id] != MISSED }
-        return TestEffort.sample(20, noticed).map { stranger ->
+        return TestEffort.sample(30, noticed).map { stranger ->
             dynamicTest(stranger.id) {
                 val rule = recorded.getValue(stranger.id)
 

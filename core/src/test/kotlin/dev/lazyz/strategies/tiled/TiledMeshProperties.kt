@@ -44,7 +44,7 @@ import org.junit.jupiter.api.Test
  * and tiles.
  */
 class TiledMeshProperties {
-    @Property(tries = 100, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 50, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_meshesComeOutAsTheirTrianglesOneByOne(@ForAll seed: Long) {
         val frame = frame(Random(seed))
         assertFalse(frame.content.batches.isEmpty())
@@ -132,10 +132,10 @@ class TiledMeshProperties {
         }
     }
 
-    @Property(tries = 20, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 10, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_trianglesOfASampleOrTwoHaveAllAttributes(@ForAll seed: Long) = assertAttributes(Random(seed), 60, 50)
 
-    @Property(tries = 10, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 4, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_manyTrianglesOfATileHaveAllAttributes(@ForAll seed: Long) = assertAttributes(Random(seed), 34, 160)
 
     /**

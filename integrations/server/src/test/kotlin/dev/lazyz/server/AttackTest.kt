@@ -9,6 +9,8 @@ import java.util.zip.ZipOutputStream
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** Clients that are slow, wrong or hostile. */
 class AttackTest {
@@ -43,6 +45,7 @@ class AttackTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun anUploadThatTricklesIsCutOff() = attack(config.withUploadRate(1L shl 40)) { client ->
         val answer = client.answer(head + "Content-Length: 1000\r\n\r\nv 0 0 0\n")
         assertTrue(answer.startsWith("HTTP/1.1 408 ") && "bytes a second" in answer) { answer }
@@ -100,6 +103,7 @@ class AttackTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun bombsAreRefusedWithinTheLimits() = attack { client ->
         val bombs = mapOf(
             "PLY with many vertices" to (

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -29,6 +30,7 @@ class GrowthTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     void theModelChoosesWell() throws IOException {
         GrowthPage page = new GrowthPage(committed());
         assertTrue(page.good(false) >= GOOD * page.points(false), page.good(false) + " of " + page.points(false));
@@ -45,6 +47,7 @@ class GrowthTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     void thePageAndTheModelAreThoseOfTheResults() throws IOException {
         String remedy = "run GrowthPage, see jmh/README.md";
         for (String name : List.of("growth.md", "growth-tables.md")) {

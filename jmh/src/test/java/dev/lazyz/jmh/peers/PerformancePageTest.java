@@ -11,8 +11,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
 
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class PerformancePageTest {
     private static final Results RESULTS = new Results(
             Map.of("processor", "a \"fast\" one"),

@@ -16,9 +16,11 @@ import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.MethodSource
 
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class BuiltinsTest {
     @ParameterizedTest
     @MethodSource("builtins")

@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DynamicTest
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestFactory
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /**
@@ -15,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir
  *
  * A glance in the usual build. How to look for hours stands in `docs/fuzzing.md`.
  */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class FuzzTest {
     @TempDir
     lateinit var folder: Path

@@ -27,6 +27,7 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
@@ -81,6 +82,7 @@ class StreamedIndexedTest {
     private fun hills(side: Int, change: IndexedHills.() -> Unit = {}) = IndexedHills(side).apply(change)
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun objFilesOfSeveralParts() {
         for (side in listOf(1, 30, 150)) {
             assertSame(obj(hills(side).obj()), if (side == 30) all else listOf(Tiled()))
@@ -90,6 +92,7 @@ class StreamedIndexedTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun polygonsAreCutAsInMemory() {
         assertSame(obj(hills(60) { corners = 4 }.obj()), all)
         assertSame(write("model.ply", hills(60) { corners = 4 }.ply("ascii")), all)
@@ -108,6 +111,7 @@ class StreamedIndexedTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun coloursOfVertices() {
         assertSame(obj(hills(90) { isColored = true }.obj()), all)
         assertSame(obj("v 0 0 0\nv 1 0 0 1 0 0\nv 0 1 0\nv 1 1 0 0 0.5 1\nv 2 2 0\nf 1 2 3\nf 4 3 5\n"), all)
@@ -118,6 +122,7 @@ class StreamedIndexedTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun coloursOfFaces() {
         for (format in FORMATS) {
             assertSame(write("model.ply", hills(50) { haveFacesColors = true }.ply(format)), all)
@@ -134,6 +139,7 @@ class StreamedIndexedTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun modelsFarFromTheOrigin() {
         assertSame(obj(hills(90) { offset = 1e7 }.obj()))
         for (format in FORMATS) {
@@ -163,6 +169,7 @@ class StreamedIndexedTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun plyStrips() {
         for (format in FORMATS) assertSame(write("model.ply", hills(120) { areStrips = true }.ply(format)))
     }
@@ -194,6 +201,7 @@ class StreamedIndexedTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun cutFilesShowWhatIsThere() {
         for (format in FORMATS) {
             for (isLast in listOf(false, true)) {
@@ -209,6 +217,7 @@ class StreamedIndexedTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun mistakesAreFoundAsInMemory() {
         val wrong = listOf(
             "model.obj" to "v 0 0\n", "model.obj" to "v 0 0 zero\n", "model.obj" to "f 1 2 3\n",

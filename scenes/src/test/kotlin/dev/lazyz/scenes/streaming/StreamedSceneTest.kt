@@ -25,9 +25,11 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** Files that are read part by part show the same as files that are read whole. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class StreamedSceneTest {
     @TempDir
     lateinit var folder: Path

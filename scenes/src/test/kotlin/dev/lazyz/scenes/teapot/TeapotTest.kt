@@ -10,7 +10,9 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class TeapotTest {
     private val resolutions = listOf(1, 2, 3, 7, 10, 32)
 

@@ -20,8 +20,10 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.assertThrows
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class DeepZoomTest {
     @TempDir
     lateinit var folder: Path

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.assertThrows
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
@@ -30,6 +31,7 @@ class PulledImageTest {
     private val teapot = Scenes.builtins.first { it.id == "teapot" }.scene()
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun writersOfJavaWriteThePicture() {
         for (background in listOf(Rgba.WHITE, Rgba.TRANSPARENT)) {
             val frame = teapot.frame(Samples(300, 200, background = background))
@@ -44,6 +46,7 @@ class PulledImageTest {
 
     /** A band has 41 rows here. */
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun partsOfAWidePicture() {
         val region = Region(1000, 300, 101_000, 400)
         val frame = teapot.frame(Samples(102_000, 800)).within(region)
