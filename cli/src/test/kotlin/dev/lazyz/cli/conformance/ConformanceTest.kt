@@ -305,11 +305,11 @@ class ConformanceTest {
     fun twoStrategiesAreComparedOnFramesOfAnySize() {
         val jar = jar(FickleRenderer::class.java)
         val corpus = folder.resolve("corpus")
-        val words = arrayOf("--against", "zbuffer", "--minutes", "0.01", "--corpus", corpus)
-        val same = conformance("--strategy", "hierarchical", *words).done()
+        val words = arrayOf("--against", "zbuffer", "--corpus", corpus, "--minutes")
+        val same = conformance("--strategy", "hierarchical", *words, "0.01").done()
         assertTrue("hierarchical against zbuffer: " in same.text && "no picture differs" in same.text, same.text)
         assertTrue(corpus.resolve("recipes.txt").exists())
-        val other = conformance("--strategy", "fickle", "--classpath", jar, *words)
+        val other = conformance("--strategy", "fickle", "--classpath", jar, *words, "0.05")
         assertEquals(1, other.code)
         assertTrue(Regex("against zbuffer: .* differs?; ") in other.text, other.text)
     }
