@@ -164,7 +164,7 @@ private class CompareLine(private val input: String) {
         val lead = verdict.word.padEnd(Verdict.entries.maxOf { it.word.length } + 2)
         if (verdict != Verdict.OK) return lead + if (message.startsWith(input)) message else "$input: $message"
         return buildString {
-            append("$lead$input: %,d primitives".format(null, primitives))
+            append("$lead$input: ").append("%,d primitives".format(null, primitives))
             if (notBlending > 0) append(", translucent: $notBlending strategies left out")
             if (blank > 0) append(", nothing is visible")
         }

@@ -58,6 +58,12 @@ class CompareSeveralTest {
         assertEquals(files.take(4).size + 1, compare(folder.resolve("models"), "--format", "obj").done().lines().size)
     }
 
+    @Test
+    fun namesMayHavePercentSigns() {
+        val files = listOf("50%off.obj", "a%n.obj", "p%%q.obj").map { folder.wedge(it) }
+        assertEquals(files.map { "ok       $it: 4 primitives" }, compare(*files.toTypedArray()).done().lines().dropLast(1))
+    }
+
     /** Two links to the own folder make exponentially many paths. */
     @Test
     @Timeout(60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
