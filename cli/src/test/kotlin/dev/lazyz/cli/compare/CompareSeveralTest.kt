@@ -61,7 +61,12 @@ class CompareSeveralTest {
     @Test
     fun namesMayHavePercentSigns() {
         val files = listOf("50%off.obj", "a%n.obj", "p%%q.obj").map { folder.wedge(it) }
-        assertEquals(files.map { "ok       $it: 4 primitives" }, compare(*files.toTypedArray()).done().lines().dropLast(1))
+        assertEquals(
+            files.map {
+                "ok       $it: 4 primitives"
+            },
+            compare(*files.toTypedArray()).done().lines().dropLast(1)
+        )
     }
 
     /** Two links to the own folder make exponentially many paths. */
