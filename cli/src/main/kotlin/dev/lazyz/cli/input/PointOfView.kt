@@ -156,9 +156,7 @@ internal class PointOfView(
 
     /** Field of view of a camera that stands where the user says, so that it is not fitted; null if not given. */
     private val standingFieldOfView: Double?
-        get() = fieldOfView?.takeIf { placement.eye != null }?.let {
-            if (zoom == null || zoom == 1.0) it else narrowed(it, zoom)
-        }
+        get() = fieldOfView?.takeIf { placement.eye != null }?.let { narrowed(it, zoom ?: 1.0) }
 
     /** Returns [viewpoint] with the field of view and the zoom of the options. */
     private fun magnified(viewpoint: Viewpoint): Viewpoint = when (viewpoint) {
@@ -184,7 +182,7 @@ internal class PointOfView(
         when (val own = projection) {
             is Projection.Perspective -> {
                 val angle = fieldOfView ?: own.verticalFieldOfView
-                Camera.perspective(eye, target, up, if (zoom == null) angle else narrowed(angle, zoom), near, far)
+                Camera.perspective(eye, target, up, narrowed(angle, zoom ?: 1.0), near, far)
             }
             is Projection.Orthographic ->
                 Camera.orthographic(eye, target, up, if (zoom == null) own.height else own.height / zoom, near, far)
@@ -215,9 +213,14 @@ internal class PointOfView(
     }
 
     companion object {
-        /** Returns the vertical field of view, in degrees, of a camera with this one that magnifies by [zoom]. */
-        fun narrowed(degrees: Double, zoom: Double): Double =
-            StrictMath.atan(StrictMath.tan(degrees * (StrictMath.PI / 360.0)) / zoom) * (360.0 / StrictMath.PI)
+        /**
+         * Returns the vertical field of view, in degrees, of a camera with this one that magnifies by [zoom]: at 1,
+         * exactly this one.
+         */
+        fun narrowed(degrees: Double, zoom: Double): Double {
+            if (zoom == 1.0) return degrees
+            return StrictMath.atan(StrictMath.tan(degrees * (StrictMath.PI / 360.0)) / zoom) * (360.0 / StrictMath.PI)
+        }
 
         /** Returns the options that give exactly [camera] for a model whose axis [up] points up. */
         fun words(camera: Camera, up: UpAxis): String {

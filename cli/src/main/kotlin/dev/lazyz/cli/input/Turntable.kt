@@ -90,7 +90,7 @@ internal class TurntableFraming(
         }
         val distance = maxOf(upward / slope, across / (slope * aspect), front + 2 * room)
         val eye = Vector3d(at.direction).mul(distance).add(center)
-        val field = if (start.zoom == 1.0) start.fieldOfView else PointOfView.narrowed(start.fieldOfView, start.zoom)
+        val field = PointOfView.narrowed(start.fieldOfView, start.zoom)
         return Camera.perspective(eye, center, at.up, field, distance - front - room, distance + back + room)
     }
 

@@ -61,12 +61,8 @@ class CompareSeveralTest {
     @Test
     fun namesMayHavePercentSigns() {
         val files = listOf("50%off.obj", "a%n.obj", "p%%q.obj").map { folder.wedge(it) }
-        assertEquals(
-            files.map {
-                "ok       $it: 4 primitives"
-            },
-            compare(*files.toTypedArray()).done().lines().dropLast(1)
-        )
+        val expected = files.map { "ok       $it: 4 primitives" }
+        assertEquals(expected, compare(*files.toTypedArray()).done().lines().dropLast(1))
     }
 
     /** Two links to the own folder make exponentially many paths. */

@@ -60,19 +60,7 @@ public class Confetti @JvmOverloads constructor(
 
     override fun shade(fragment: Fragment): Unit = shader.shade(fragment)
 
-    /** Steps by counting columns, so that a renderer that makes one step too many gets another colour. */
-    override fun shadingCursor(x: Int, y: Int): ShadingCursor = object : ShadingCursor {
-        private var column = x
-
-        override fun step() {
-            column++
-        }
-
-        override fun shade(fragment: Fragment) {
-            fragment.moveTo(column, y)
-            shader.shade(fragment)
-        }
-    }
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor = CountingCursor(shader, x, y)
 
     override fun toString(): String {
         val form = depthForm?.let { ", LinearForm(${code(it.c)}, ${code(it.dx)}, ${code(it.dy)})" }.orEmpty()

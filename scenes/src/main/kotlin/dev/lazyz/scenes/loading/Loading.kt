@@ -44,8 +44,7 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
 
     private fun vertices(source: Source, count: Long, bytes: Long) {
         used = used.copy(vertices = used.vertices + count)
-        val memory = if (bytes > 0) MORE_MEMORY else ""
-        check(source, used.vertices, limits.vertices, "vertices", "vertices", "--max-vertices", memory)
+        check(source, used.vertices, limits.vertices, "vertices", "vertices", "--max-vertices", moreMemory(bytes))
         decode(source, count * bytes)
     }
 
@@ -57,8 +56,7 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
 
     private fun triangles(source: Source, count: Long, bytes: Long) {
         used = used.copy(triangles = used.triangles + count)
-        val memory = if (bytes > 0) MORE_MEMORY else ""
-        check(source, used.triangles, limits.triangles, "triangles", "triangles", "--max-triangles", memory)
+        check(source, used.triangles, limits.triangles, "triangles", "triangles", "--max-triangles", moreMemory(bytes))
         decode(source, count * bytes)
     }
 
@@ -98,6 +96,9 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
         }
         return mesh.withSmoothNormals(creaseAngle)
     }
+
+    /** What else may be needed for more elements of [bytes] each; nothing, if they are not kept in memory. */
+    private fun moreMemory(bytes: Long): String = if (bytes > 0) MORE_MEMORY else ""
 
     private fun check(
         source: Source,

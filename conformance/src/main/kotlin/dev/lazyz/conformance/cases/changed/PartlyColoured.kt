@@ -7,6 +7,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Shader
 import dev.lazyz.ShadingCursor
+import dev.lazyz.conformance.cases.CountingCursor
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.scenes.Tint
 
@@ -39,22 +40,11 @@ private class PartialBatchTint(private val number: Int) : BatchShader {
     }
 }
 
-/** A primitive with the colours of [shader]. Its shading cursor has a sample of its own. */
+/** A primitive with the colours of [shader]. */
 private class WithShader(private val whole: Primitive, private val shader: Shader) : Primitive by whole {
     override fun shade(fragment: Fragment): Unit = shader.shade(fragment)
 
-    override fun shadingCursor(x: Int, y: Int): ShadingCursor = object : ShadingCursor {
-        private var column = x
-
-        override fun step() {
-            column++
-        }
-
-        override fun shade(fragment: Fragment) {
-            fragment.moveTo(column, y)
-            shader.shade(fragment)
-        }
-    }
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor = CountingCursor(shader, x, y)
 }
 
 private const val ADDED = 0.25f

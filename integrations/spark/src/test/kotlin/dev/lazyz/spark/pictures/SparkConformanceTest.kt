@@ -15,9 +15,8 @@ class SparkConformanceTest {
     fun rulesAreKept() {
         val suite = conformance()
         val (step, first) = if (System.getProperty("lazyz.effort") == null) Pair(9, 0) else Pair(3, 1)
-        SuiteRule.all.filterIndexed { i, rule ->
-            i % step == first && rule.name !in LONG
-        }.forEach { suite.rule(it.name) }
+        val some = SuiteRule.all.filterIndexed { i, rule -> i % step == first && rule.name !in LONG }
+        for (rule in some) suite.rule(rule.name)
         val report = suite.run()
         assertTrue(report.isConformant) { report.toText() }
     }
