@@ -38,6 +38,15 @@ class ConformancePageTest {
     }
 
     @Test
+    fun pageHasEveryRule() {
+        val page = root.resolve("docs/conformance.md").readText()
+        val listed = Regex("(?m)^\\| `(rule_\\w+)`( \\(SHOULD\\))? \\|").findAll(page).map {
+            it.groupValues[1]
+        }.toList()
+        assertEquals(SuiteRun.rules.sorted(), listed.sorted())
+    }
+
+    @Test
     fun programDrawsTheSceneOfAFailure(@TempDir folder: Path) {
         val path = folder.resolve("rule.json")
         path.writeText("""{"lazyz": 1, "size": [3, 2], "camera": {"screen": {}}, "surfaces": []}""")

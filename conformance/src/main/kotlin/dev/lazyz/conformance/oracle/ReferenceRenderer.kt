@@ -130,31 +130,18 @@ public class ReferenceRenderer : Renderer {
         }
 
         private fun blended(nearestFirst: List<Int>, x: Int, y: Int): Rgba {
-            var t = 1f
-            val sums = FloatArray(4)
-            fun add(color: Rgba) {
-                val a = if (color.alpha > 0f) minOf(color.alpha, 1f) else 0f
-                if (a == 0f) return
-                val w = t * a
-                sums[0] += w * color.red
-                sums[1] += w * color.green
-                sums[2] += w * color.blue
-                sums[3] += w
-                t *= 1f - a
-            }
+            val sample = BlendedSample()
             for (index in nearestFirst) {
                 if (!frame.primitives[index].isTranslucent) break
-                if (t > 0f) add(color(index, x, y))
+                if (sample.isOpen) sample.add(color(index, x, y))
             }
+            if (!sample.isOpen) return sample.color
             val backdrop = nearestFirst.firstOrNull { !frame.primitives[it].isTranslucent }
-            if (t == 0f) return divided(sums)
             val behind = if (backdrop == null) raster.background else color(backdrop, x, y)
-            if (sums[3] == 0f) return behind
-            add(behind)
-            return divided(sums)
+            if (!sample.hasColor) return behind
+            sample.add(behind)
+            return sample.color
         }
-
-        private fun divided(sums: FloatArray) = Rgba(sums[0] / sums[3], sums[1] / sums[3], sums[2] / sums[3], sums[3])
 
         private fun color(index: Int, x: Int, y: Int): Rgba {
             shade(index, x, y)

@@ -37,7 +37,7 @@ internal enum class Planted(private val throwable: (String) -> Throwable) {
 }
 
 /** A kind of query that a renderer makes to a primitive. */
-internal enum class Question { SPANS, DEPTH, COLOUR }
+internal enum class Question { SPANS, DEPTH, COLOUR, BOUNDS, TRANSLUCENCY }
 
 /**
  * A copy of [frame] whose primitives throw after they have answered a total of [patience] queries of one kind.
@@ -58,31 +58,32 @@ internal class Trap(
     /** Whether the exception has been thrown. */
     val isSprung: Boolean get() = left.get() < 0
 
-    private fun step(question: Question) {
+    /** Returns the [answer] to a query of this kind, or throws. */
+    private inline fun <T> after(question: Question, answer: () -> T): T {
         if (question == this.question && left.decrementAndGet() < 0) {
             left.set(-1)
             throw planted
         }
+        return answer()
     }
 
     private inner class Trapped(whole: Primitive) : Recovered(whole) {
         /** Without a linear form, the renderer must call [depth], which may throw. */
         override val depthForm: LinearForm? get() = if (question == Question.DEPTH) null else whole.depthForm
 
-        override fun spans(y: Int, spans: Spans) {
-            step(Question.SPANS)
-            whole.spans(y, spans)
-        }
+        override val rowStart: Int get() = after(Question.BOUNDS) { whole.rowStart }
+        override val rowEnd: Int get() = after(Question.BOUNDS) { whole.rowEnd }
+        override val columnStart: Int get() = after(Question.BOUNDS) { whole.columnStart }
+        override val columnEnd: Int get() = after(Question.BOUNDS) { whole.columnEnd }
+        override val leastDepth: Int get() = after(Question.BOUNDS) { whole.leastDepth }
+        override val greatestDepth: Int get() = after(Question.BOUNDS) { whole.greatestDepth }
+        override val isTranslucent: Boolean get() = after(Question.TRANSLUCENCY) { whole.isTranslucent }
 
-        override fun depth(x: Int, y: Int): Int {
-            step(Question.DEPTH)
-            return whole.depth(x, y)
-        }
+        override fun spans(y: Int, spans: Spans): Unit = after(Question.SPANS) { whole.spans(y, spans) }
 
-        override fun shade(fragment: Fragment) {
-            step(Question.COLOUR)
-            whole.shade(fragment)
-        }
+        override fun depth(x: Int, y: Int): Int = after(Question.DEPTH) { whole.depth(x, y) }
+
+        override fun shade(fragment: Fragment): Unit = after(Question.COLOUR) { whole.shade(fragment) }
 
         override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
     }

@@ -1,10 +1,8 @@
 package dev.lazyz.conformance.probes
 
-import dev.lazyz.Capability
 import dev.lazyz.FillRule
 import dev.lazyz.Frame
 import dev.lazyz.Raster
-import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.Confetti
 import dev.lazyz.conformance.frames.Frames
@@ -14,24 +12,30 @@ import java.io.OutputStream
 import java.io.PrintStream
 import java.nio.file.Files
 import java.nio.file.Path
-import java.util.Locale
 import java.util.Properties
-import java.util.TimeZone
 import java.util.concurrent.ConcurrentLinkedQueue
 
 // Checks for side effects of renderings. Other threads of the process may print, and other processes may create files.
 // Therefore only output of the renderer's own threads counts, and only files that appear with each rendering.
 
-/** Fails if rendering a few frames, one with many layers, leaves output, changed global state, threads or files. */
-internal fun leavesNothingBehind(renderer: Renderer) {
-    val isParallel = Capability.PARALLEL in renderer.capabilities
-    val configured = if (isParallel) renderer.configured(RenderOptions(threads = 2, tileSize = 8)) else renderer
+/**
+ * Fails if making a renderer and rendering a few frames, one with many layers, leaves output, changed global state,
+ * threads or files.
+ */
+internal fun leavesNothingBehind(make: () -> Renderer) {
+    val renderer = make()
     fun render() {
-        for (frame in frames) configured.render(frame) { _, _, _, _ -> }
+        for (frame in frames) renderer.render(frame) { _, _, _, _ -> }
     }
     fun failIf(words: String?) {
         if (words != null) throw AssertionError("${renderer.id} leaves behind $words")
     }
+    failIf(
+        settingChangedBy {
+            make()
+            render()
+        }?.let { "another $it" },
+    )
 
     // Render once: some side effects show immediately
     val here = names(Path.of(""))
@@ -57,15 +61,20 @@ private const val ENOUGH = 16
 private const val WATCHED = 10
 private const val MOST_PRINTED = 80
 
-/** Two polygons; many primitives at each sample; no primitives. */
-private val frames: List<Frame> = listOf(
+/** Two polygons; many primitives at each sample; no primitives; a wide and a high raster. */
+internal val frames: List<Frame> = listOf(
     FrameBuilder(Raster(24, 16))
         .polygon(Frames.tint(0), FillRule.NON_ZERO, doubleArrayOf(1.0, 1.0, 0.5, 23.0, 2.0, 0.5, 4.0, 15.0, 0.5))
         .polygon(Frames.tint(1), FillRule.NON_ZERO, doubleArrayOf(2.0, 14.0, 0.2, 20.0, 15.0, 0.8, 12.0, 1.0, 0.5))
         .build(),
     Frame(Raster(5, 3), List(300) { Confetti(it, 0, 5, 0, 3, 20) }),
     Frame(Raster(3, 5), emptyList()),
+    Frame(Raster(FAR, 2), List(2) { Confetti(it, 0, FAR, 0, 2, 20) }),
+    Frame(Raster(2, FAR), List(2) { Confetti(it, 0, 2, 0, FAR, 20) }),
 )
+
+/** More columns or rows than most renderers process at a time. */
+private const val FAR = 1500
 
 private fun names(folder: Path): Set<String> = Files.newDirectoryStream(folder).use { paths ->
     paths.mapTo(HashSet()) { "${it.fileName}" }
@@ -96,12 +105,9 @@ private fun threadsBeyond(before: Set<Thread>): String? {
 
 private const val PATIENCE_NANOSECONDS = 300_000_000L
 
-/** State that is shared by the whole process. */
+/** State of the whole process that no mark can replace meanwhile, see [settingChangedBy]. */
 private class GlobalState {
     private val parts: Map<String, Any?> = mapOf(
-        "locale" to Locale.getDefault(),
-        "time zone" to TimeZone.getDefault(),
-        "handler of uncaught exceptions" to Thread.getDefaultUncaughtExceptionHandler(),
         "standard output" to System.out,
         "standard error" to System.err,
         "standard input" to System.`in`,

@@ -59,3 +59,21 @@ internal class OverwritingSink(private val frame: Frame) : RowSink {
         const val NONSENSE = 0x5A5A5A5A
     }
 }
+
+/** A sink that calls [render] at the first rows, and copies each row afterwards. */
+internal class RenderingSink(frame: Frame, private val render: () -> Unit) : RowSink {
+    private val collector = Image.Collector(frame.region)
+    private var left = RENDERINGS
+
+    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        if (left-- > 0) render()
+        collector.row(y, argb, depth, primitive)
+    }
+
+    /** Returns the delivered picture. */
+    fun image(counters: Counters): Image = collector.toImage(counters)
+
+    private companion object {
+        const val RENDERINGS = 3
+    }
+}

@@ -7,6 +7,7 @@ import dev.lazyz.Raster
 import dev.lazyz.conformance.cases.Confetti
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.Rasters
+import dev.lazyz.conformance.cases.changed.alike
 import dev.lazyz.conformance.cases.changed.asOpaque
 import dev.lazyz.conformance.cases.changed.behindMany
 import dev.lazyz.conformance.cases.changed.on
@@ -192,6 +193,20 @@ public sealed interface PictureRules : RulesForOne {
         Judgement(renderer(), case.padded()).equalsReference()
     }
 
+    /** Primitives that are equal, or the same object, are drawn as different ones. */
+    @Rule(
+        intent = "A primitive is identified by its index alone: two may be equal, and one may be submitted twice.",
+        look = "Look for sets and maps of primitives, for indexOf, and for comparisons of primitives with ==.",
+    )
+    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_9_4_equalPrimitivesAreDrawnSeparately(@ForAll(supplier = TiedCases::class) case: FrameCase) {
+        val renderer = renderer()
+        Judgement(renderer, case.alike()).equalsReference()
+        if (Capability.TRANSPARENCY in renderer.capabilities) {
+            Judgement(renderer, case.glazed(MIXED).alike()).equalsReference()
+        }
+    }
+
     /** Indices are correct behind and in front of more primitives than 16 bits can number. */
     @Rule(
         intent = "Indices have 31 bits: a frame may have more primitives than a short or a float can represent.",
@@ -236,5 +251,10 @@ public sealed interface PictureRules : RulesForOne {
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_9_6_narrowRastersAreDrawnCorrectly(@ForAll(supplier = NarrowCases::class) case: FrameCase) {
         Judgement(renderer(), case).equalsReference()
+    }
+
+    private companion object {
+        /** Every other primitive, as the choice of `glazed`. */
+        const val MIXED = 0x5555
     }
 }

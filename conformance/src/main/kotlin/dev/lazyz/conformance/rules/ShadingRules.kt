@@ -1,11 +1,13 @@
 package dev.lazyz.conformance.rules
 
 import dev.lazyz.Capability
+import dev.lazyz.RenderOptions
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.asOpaque
 import dev.lazyz.conformance.cases.changed.dazzling
 import dev.lazyz.conformance.cases.changed.flecked
 import dev.lazyz.conformance.cases.changed.partlyColoured
+import dev.lazyz.conformance.cases.veils
 import dev.lazyz.conformance.frames.BackFaceCases
 import dev.lazyz.conformance.frames.BlendedCases
 import dev.lazyz.conformance.frames.LongRowCases
@@ -48,6 +50,24 @@ public sealed interface ShadingRules : RulesForOne {
         val renderer = renderer()
         requireDeclared(renderer, Capability.TRANSPARENCY)
         Judgement(renderer, case.dazzling()).equalsReference()
+    }
+
+    /** Where the least change of a sum changes the picture, all layers are added in single precision, in order. */
+    @Rule(
+        intent = "Blending is rounded as defined at every step, however little light a layer lets through.",
+        look = "Add in single precision, from near to far, until transmittance is exactly 0; divide once, at the end.",
+        about = [Symptom.TRANSLUCENT],
+    )
+    @Property(tries = 4, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_5_5_sumsAreRoundedAsDefined(@ForAll salt: Long) {
+        val renderer = renderer()
+        requireDeclared(renderer, Capability.TRANSPARENCY)
+        val case = veils(salt)
+        Judgement(renderer, case).equalsReference()
+
+        // With several threads, and without any memory budget, renderers take other code paths
+        val options = RenderOptions(memoryBudget = 0L, threads = 2, tileSize = 8).supportedBy(renderer)
+        Judgement(renderer.configured(options), case, "$options").equalsReference()
     }
 
     /** Surfaces with nearly the same colour everywhere are shaded at every sample, with or without a shading cursor. */

@@ -4,11 +4,13 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.frames.MixedCases
+import dev.lazyz.conformance.frames.SeveralCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.OverwritingSink
+import dev.lazyz.conformance.probes.RenderingSink
 import dev.lazyz.conformance.probes.ThreadWitness
 import dev.lazyz.conformance.probes.threads.Crowd
 import dev.lazyz.conformance.probes.threads.Interruption
@@ -66,6 +68,25 @@ public sealed interface ThreadRules : RulesForOne {
         val expected = Rendering.of(ReferenceRenderer(), case.frame).image
         val difference = difference(expected, sink.image(counters)) ?: return
         Judgement(renderer, case, "a sink that overwrites its rows").fail("", difference)
+    }
+
+    /** A sink may render other frames with the same renderer, and its row does not change meanwhile. */
+    @Rule(
+        intent = "A sink may render: renderings of one thread can be nested, and do not disturb each other.",
+        look = "Look for row arrays, buffers or locks that all renderings of a thread share, as in a ThreadLocal.",
+        about = [Symptom.AGAIN],
+    )
+    @Property(tries = 20, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_8_sinkMayRender(@ForAll(supplier = SeveralCases::class) cases: List<FrameCase>) {
+        val usual = renderer()
+        for (renderer in listOf(usual, usual.configured(FOUR_THREADS))) {
+            val (outer, inner) = cases
+            val sink = RenderingSink(outer.frame) { Judgement(renderer, inner).equalsReference() }
+            val counters = renderer.render(outer.frame, sink)
+            val expected = Rendering.of(ReferenceRenderer(), outer.frame).image
+            val difference = difference(expected, sink.image(counters)) ?: continue
+            Judgement(renderer, outer, "a sink that renders").fail("", difference)
+        }
     }
 
     /**

@@ -2,10 +2,12 @@ package dev.lazyz.conformance.rules
 
 import dev.lazyz.Coherence
 import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
 import dev.lazyz.conformance.probes.leavesNothingBehind
+import dev.lazyz.conformance.probes.memory.leavesNoObjects
 import net.jqwik.api.Property
 
-/** The rule about side effects of a rendering. Part of `RendererConformance`. */
+/** Rules about side effects of a rendering. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
 public sealed interface TidyRules : RulesForOne {
     /** A rendering leaves no output, no thread, no file and no changed global state. */
@@ -15,11 +17,28 @@ public sealed interface TidyRules : RulesForOne {
     )
     @Property(tries = 1)
     public fun rule_7_9_renderingsLeaveNothingBehind() {
-        val renderer = renderer()
-        leavesNothingBehind(renderer)
+        leavesNothingBehind { renderer() }
+        for (options in VARIED) leavesNothingBehind { configured(options) }
+    }
 
-        // Without any memory budget, renderers take other code paths
-        val options = RenderOptions(Coherence.ADAPTIVE, 0L, threads = 2, tileSize = 8)
-        leavesNothingBehind(renderer.configured(options.supportedBy(renderer)))
+    /** However often a renderer renders, it holds no more memory. */
+    @Rule(
+        intent = "A renderer may be used a million times in a process, so not even a few bytes may remain each time.",
+        look = "Look for static collections, listeners, shutdown hooks and caches to which each rendering adds.",
+    )
+    @Property(tries = 1)
+    public fun rule_7_9_renderingsHoldNoMoreMemory() {
+        for (options in VARIED) leavesNoObjects(configured(options))
+    }
+
+    private fun configured(options: RenderOptions): Renderer =
+        renderer().let { it.configured(options.supportedBy(it)) }
+
+    private companion object {
+        /** With several threads; and without any memory budget, where renderers take other code paths. */
+        val VARIED = listOf(
+            RenderOptions(threads = 2, tileSize = 8),
+            RenderOptions(Coherence.ADAPTIVE, 0L, threads = 2, tileSize = 8),
+        )
     }
 }

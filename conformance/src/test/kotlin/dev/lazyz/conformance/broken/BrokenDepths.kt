@@ -8,6 +8,7 @@ import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Spans
+import dev.lazyz.conformance.cases.changed.renumbered
 import dev.lazyz.strategies.zbuffer.ZBuffer
 
 /** Renderers that are correct except for depths and their comparison. */
@@ -112,4 +113,13 @@ object BrokenDepths {
 
     private fun Image.withDepths(change: (i: Int, depth: Int) -> Int) =
         Image(region, argb, IntArray(depth.size) { change(it, depth[it]) }, primitive, counters)
+
+    fun dropsEqualPrimitives() = drawing("drops-equal-primitives") { frame ->
+        val seen = HashSet<Primitive>()
+        frame.keeping { seen.add(frame.primitives[it]) }
+    }
+
+    fun numbersByEquality() = painting("numbers-by-equality") { image, frame ->
+        image.renumbered { frame.primitives.indexOf(frame.primitives[it]) }
+    }
 }

@@ -6,6 +6,7 @@ import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
+import dev.lazyz.Rgba
 import dev.lazyz.Selector
 import dev.lazyz.ShadingCursor
 import dev.lazyz.strategies.lists.Lists
@@ -18,6 +19,33 @@ object BrokenGlass {
     /** Where all weights are 0, the colour is black. */
     fun backdropLostAtAlpha0() = blending("backdrop-lost-at-alpha-0") { cell ->
         blend(cell, isShownAsItIs = { it > 0f })
+    }
+
+    /** All sums and the division in double precision. */
+    fun blendsInDouble() = blending("blends-in-double") { cell ->
+        if (!cell.isTranslucent(0)) return@blending cell.show(0)
+        var transmittance = 1.0
+        val sums = DoubleArray(4)
+        fun add(color: Rgba) {
+            val weight = transmittance * color.alpha.coerceIn(0f, 1f)
+            for ((i, it) in listOf(color.red, color.green, color.blue, 1f).withIndex()) sums[i] += weight * it
+            transmittance *= 1.0 - color.alpha.coerceIn(0f, 1f)
+        }
+        var i = 0
+        while (i < cell.size && cell.isTranslucent(i)) add(colorOf(cell.shade(i++)))
+        val backdrop = if (i < cell.size) colorOf(cell.shade(i)) else cell.background
+        if (sums[3] == 0.0) return@blending with(backdrop) { cell.show(0, red, green, blue, alpha) }
+        add(backdrop)
+        val (red, green, blue) = sums.take(3).map { (it / sums[3]).toFloat() }
+        cell.show(0, red, green, blue, sums[3].toFloat())
+    }
+
+    private fun colorOf(fragment: Fragment) = with(fragment) { Rgba(red, green, blue, alpha) }
+
+    fun stopsEarly() = blending("stops-early") { cell -> blend(cell, isOpen = { it > 1e-7f }) }
+
+    fun multipliesByTheReciprocal() = blending("multiplies-by-the-reciprocal") { cell ->
+        blend(cell, quotient = { sum, divisor -> sum * (1f / divisor) })
     }
 
     /** Shades all translucent fragments in front of the backdrop, and then blends. */
@@ -53,13 +81,15 @@ object BrokenGlass {
     }
 
     /**
-     * Contract rule 5.5, with a parameter for which fragments are added, and one for when the backdrop is shown
-     * unchanged.
+     * Contract rule 5.5, with parameters for which fragments are added, when the backdrop is shown unchanged, up to
+     * which transmittance fragments are added, and how sums are divided.
      */
     private fun blend(
         cell: Cell,
         isAdded: (Float) -> Boolean = { it > 0f },
         isShownAsItIs: (Float) -> Boolean = { true },
+        isOpen: (Float) -> Boolean = { it > 0f },
+        quotient: (Float, Float) -> Float = { sum, divisor -> sum / divisor },
     ) {
         if (!cell.isTranslucent(0)) return cell.show(0)
         var transmittance = 1f
@@ -72,10 +102,10 @@ object BrokenGlass {
             transmittance *= 1f - opacity
         }
         var i = 0
-        while (i < cell.size && cell.isTranslucent(i) && transmittance > 0f) {
+        while (i < cell.size && cell.isTranslucent(i) && isOpen(transmittance)) {
             with(cell.shade(i++)) { add(red, green, blue, alpha) }
         }
-        if (transmittance > 0f) {
+        if (isOpen(transmittance)) {
             val (light, alpha) = if (i < cell.size) {
                 with(cell.shade(i)) { floatArrayOf(red, green, blue) to alpha }
             } else {
@@ -85,7 +115,8 @@ object BrokenGlass {
             add(light[0], light[1], light[2], alpha)
         }
         val divisor = if (sums[3] == 0f) 1f else sums[3]
-        cell.show(0, sums[0] / divisor, sums[1] / divisor, sums[2] / divisor, sums[3])
+        val (red, green, blue) = sums.take(3).map { quotient(it, divisor) }
+        cell.show(0, red, green, blue, sums[3])
     }
 
     private fun blending(id: String, promises: Set<Capability> = emptySet(), selector: Selector): BrokenRenderer =

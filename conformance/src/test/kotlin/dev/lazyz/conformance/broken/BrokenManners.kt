@@ -94,6 +94,15 @@ object BrokenManners {
         emit(image, sink)
     }
 
+    fun wrapsAtTheStart() = BrokenRenderer("wraps-at-the-start") { frame, sink ->
+        try {
+            frame.hasTranslucency
+        } catch (e: RuntimeException) {
+            throw IllegalStateException("the frame is not valid", e)
+        }
+        ZBuffer().render(frame, sink)
+    }
+
     fun swallowsTheSinks() = BrokenRenderer("swallows-the-sinks-exceptions") { frame, sink ->
         val image = ZBuffer().render(frame)
         val patient = RowSink { y, argb, depth, primitive ->

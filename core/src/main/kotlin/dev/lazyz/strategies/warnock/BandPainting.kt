@@ -3,6 +3,7 @@ package dev.lazyz.strategies.warnock
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
+import dev.lazyz.LinearForm
 import dev.lazyz.Region
 import dev.lazyz.raster.VisibilityOrder
 
@@ -40,22 +41,26 @@ internal class BandPainting(frame: Frame, bandHeight: Int, private val counters:
         }
         counters.depthEvaluations += area.size
         counters.depthPasses += area.size
-        val primitive = cover.primitive
-        val form = primitive.depthForm
+        val form = cover.primitive.depthForm
         for (y in area.rowStart until area.rowEnd) {
-            var at = at(area.columnStart, y)
-            if (form == null) {
-                for (x in area.columnStart until area.columnEnd) {
-                    keys[at++] =
-                        test.key(primitive.depth(x, y), cover.index)
-                }
-                continue
-            }
-            var z = form.at(area.columnStart, y)
-            for (x in area.columnStart until area.columnEnd) {
-                keys[at++] = order.key(z, cover.index)
-                z += form.dx
-            }
+            if (form == null) fillRow(area, y, cover) else fillRow(area, y, cover.index, form)
+        }
+    }
+
+    private fun fillRow(area: Region, y: Int, cover: Footprint) {
+        var at = at(area.columnStart, y)
+        for (x in area.columnStart until area.columnEnd) {
+            keys[at++] = test.key(cover.primitive.depth(x, y), cover.index)
+        }
+    }
+
+    /** Where depth is linear, each sample takes one addition. */
+    private fun fillRow(area: Region, y: Int, index: Int, form: LinearForm) {
+        var at = at(area.columnStart, y)
+        var z = form.at(area.columnStart, y)
+        for (x in area.columnStart until area.columnEnd) {
+            keys[at++] = order.key(z, index)
+            z += form.dx
         }
     }
 

@@ -101,6 +101,27 @@ internal object Heap {
     }
 
     /**
+     * Returns the growth of each class that each of several calls of [work] causes, at least. Ends the rule, as not
+     * applicable, if this JVM does not count live objects.
+     */
+    fun leastGrowth(work: () -> Unit): HeapContent {
+        if (HeapContent.measured() == null) notMeasured("this JVM does not count the bytes of live objects")
+        var before = held()
+        var least: HeapContent? = null
+        repeat(PERIODS) {
+            work()
+            val after = held()
+            val growth = after.growthSince(before)
+            least = least?.atMost(growth) ?: growth
+            before = after
+        }
+        return checkNotNull(least)
+    }
+
+    /** How often [leastGrowth] calls its argument. What it keeps itself no longer grows from the third call on. */
+    const val PERIODS: Int = 4
+
+    /**
      * Calls [fail] with the least of several [measurements], unless one of them is at most [limit], since noise only
      * adds. Three measurements are enough if the result is clearly above the limit.
      */

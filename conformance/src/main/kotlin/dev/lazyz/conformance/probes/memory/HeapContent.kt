@@ -3,6 +3,7 @@ package dev.lazyz.conformance.probes.memory
 import java.lang.management.ManagementFactory
 import javax.management.ObjectName
 import kotlin.math.max
+import kotlin.math.min
 
 /**
  * The bytes of live objects on the heap by class, or the difference of two such contents. Objects are counted one by
@@ -24,6 +25,10 @@ internal class HeapContent private constructor(private val bytes: LongArray) {
      */
     fun growthSince(before: HeapContent): HeapContent =
         HeapContent((this - before).bytes.apply { forEachIndexed { of, grown -> this[of] = max(grown, 0) } })
+
+    /** Returns the lesser of both, class by class. */
+    fun atMost(other: HeapContent): HeapContent =
+        HeapContent(LongArray(max(bytes.size, other.bytes.size)) { min(of(it), other.of(it)) })
 
     private fun of(number: Int): Long = bytes.getOrElse(number) { 0L }
 

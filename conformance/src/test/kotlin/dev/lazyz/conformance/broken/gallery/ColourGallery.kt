@@ -14,6 +14,7 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.packed
 import dev.lazyz.conformance.broken.gallery.RuleNames.pointsBlend
 import dev.lazyz.conformance.broken.gallery.RuleNames.refuse
 import dev.lazyz.conformance.broken.gallery.RuleNames.refuseHidden
+import dev.lazyz.conformance.broken.gallery.RuleNames.rounded
 import dev.lazyz.conformance.broken.gallery.RuleNames.scenes
 import dev.lazyz.conformance.broken.gallery.RuleNames.showing
 import dev.lazyz.conformance.broken.gallery.RuleNames.tests
@@ -69,6 +70,9 @@ internal object ColourGallery {
             "where all fragments have alpha 0, the result is black instead of the backdrop",
             extremes,
         ),
+        Mutant(BrokenGlass::blendsInDouble, "blends in double precision", rounded),
+        Mutant(BrokenGlass::stopsEarly, "stops blending at a transmittance of 1e-7", rounded),
+        Mutant(BrokenGlass::multipliesByTheReciprocal, "multiplies sums by the reciprocal of the weights", rounded),
         Mutant(BrokenGlass::nanIsWhite, "NaN is packed as white", packed),
         Mutant(BrokenGlass::shadesAhead, "shades all translucent fragments before it blends", showing),
         Mutant(

@@ -6,6 +6,7 @@ import dev.lazyz.conformance.broken.BrokenRenderers
 import dev.lazyz.conformance.broken.gallery.RuleNames.background
 import dev.lazyz.conformance.broken.gallery.RuleNames.copies
 import dev.lazyz.conformance.broken.gallery.RuleNames.counts
+import dev.lazyz.conformance.broken.gallery.RuleNames.equal
 import dev.lazyz.conformance.broken.gallery.RuleNames.hidden
 import dev.lazyz.conformance.broken.gallery.RuleNames.index
 import dev.lazyz.conformance.broken.gallery.RuleNames.many
@@ -53,6 +54,8 @@ internal object DepthAndOrderGallery {
         Mutant(BrokenDepths::clampedToPlanes, "depth is clamped to the near and the far plane", own),
         Mutant(BrokenRenderers::backgroundAtInfinity, "a background that is always behind everything", background),
         Mutant(BrokenDepths::backgroundLosesTies, "the background loses ties", background),
+        Mutant(BrokenDepths::dropsEqualPrimitives, "a primitive that equals an earlier one is dropped", equal),
+        Mutant(BrokenDepths::numbersByEquality, "the index is that of the first primitive that is equal", equal),
         Mutant(
             BrokenRenderers::dropsTheInvisible,
             "primitives that cover nothing get no index, so later primitives have wrong ones",

@@ -83,5 +83,9 @@ internal object RuleNames {
     val budget = RendererConformance::rule_8_1_promiseToStayWithinTheBudgetIsKept.name
     val heap = RendererConformance::rule_8_1_heapStaysWithinTheBudget.name
     val tidy = RendererConformance::rule_7_9_renderingsLeaveNothingBehind.name
+    val leaks = RendererConformance::rule_7_9_renderingsHoldNoMoreMemory.name
+    val nested = RendererConformance::rule_7_8_sinkMayRender.name
+    val equal = RendererConformance::rule_9_4_equalPrimitivesAreDrawnSeparately.name
+    val rounded = RendererConformance::rule_5_5_sumsAreRoundedAsDefined.name
     val arrivals = RendererConformance::rule_8_1_promiseToStreamPrimitivesIsKept.name
 }

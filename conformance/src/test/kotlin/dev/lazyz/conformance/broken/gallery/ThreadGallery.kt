@@ -14,6 +14,7 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.late
 import dev.lazyz.conformance.broken.gallery.RuleNames.lost
 import dev.lazyz.conformance.broken.gallery.RuleNames.lostCounts
 import dev.lazyz.conformance.broken.gallery.RuleNames.meets
+import dev.lazyz.conformance.broken.gallery.RuleNames.nested
 import dev.lazyz.conformance.broken.gallery.RuleNames.overwrites
 import dev.lazyz.conformance.broken.gallery.RuleNames.status
 import dev.lazyz.conformance.broken.gallery.RuleNames.workers
@@ -49,12 +50,25 @@ internal object ThreadGallery {
             overwrites,
         ),
         Mutant(::fillsRowsLater, "the next row is written into the arrays that the sink still has", overwrites),
+        Mutant(::keepsRowsInAThread, "the arrays of a row are in a thread local, for all renderings", nested),
         Mutant(::losesTheInterrupt, "the interrupt status is cleared, and the picture is made all the same", status),
         Mutant(::interruptsTwice, "InterruptedException is thrown with the status still set", status),
     )
 
     private fun crew(id: String, threads: Int, tools: () -> Tools) = BrokenRenderer(id) { frame, sink ->
         emit(Crew(frame, threads, tools()).render(), sink)
+    }
+
+    private fun keepsRowsInAThread(): BrokenRenderer {
+        val rows = ThreadLocal.withInitial { List(3) { IntArray(0) } }
+        return BrokenRenderer("keeps-rows-in-a-thread") { frame, sink ->
+            if (rows.get()[0].size < frame.width) rows.set(List(3) { IntArray(frame.width) })
+            val own = rows.get()
+            ZBuffer().render(frame) { y, argb, depth, primitive ->
+                for ((from, to) in listOf(argb, depth, primitive).zip(own)) from.copyInto(to, 0, 0, frame.width)
+                sink.row(y, own[0], own[1], own[2])
+            }
+        }
     }
 
     private fun callsAfterTheEnd() = BrokenRenderer("calls-after-the-end") { frame, sink ->

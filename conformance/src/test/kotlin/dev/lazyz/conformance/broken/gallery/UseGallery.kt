@@ -47,6 +47,11 @@ internal object UseGallery {
         Mutant(BrokenManners::tileSeam, "the first column of a tile is a copy of the one before", options),
         Mutant(BrokenManners::swallowsExceptions, "what a primitive throws is swallowed", accidents),
         Mutant(BrokenManners::wrapsExceptions, "what a primitive throws is wrapped", accidents),
+        Mutant(
+            BrokenManners::wrapsAtTheStart,
+            "what a primitive throws is wrapped if it is asked whether it is translucent",
+            accidents,
+        ),
         Mutant(BrokenManners::failsAfterAFailure, "after one failure, every later call fails", accidents, sinks),
         Mutant(BrokenManners::swallowsTheSinks, "what the sink throws is swallowed", sinks),
         Mutant(BrokenManners::goesOnAfterTheSinkFailed, "the sink gets more rows after it has thrown", sinks),
