@@ -25,7 +25,7 @@ import java.util.concurrent.ConcurrentLinkedQueue
 internal fun leavesNothingBehind(make: () -> Renderer) {
     val renderer = make()
     fun render() {
-        for (frame in frames) renderer.render(frame) { _, _, _, _ -> }
+        for (frame in framesOfAllShapes) renderer.render(frame) { _, _, _, _ -> }
     }
     fun failIf(words: String?) {
         if (words != null) throw AssertionError("${renderer.id} leaves behind $words")
@@ -62,7 +62,7 @@ private const val WATCHED = 10
 private const val MOST_PRINTED = 80
 
 /** Two polygons; many primitives at each sample; no primitives; a wide and a high raster. */
-internal val frames: List<Frame> = listOf(
+internal val framesOfAllShapes: List<Frame> = listOf(
     FrameBuilder(Raster(24, 16))
         .polygon(Frames.tint(0), FillRule.NON_ZERO, doubleArrayOf(1.0, 1.0, 0.5, 23.0, 2.0, 0.5, 4.0, 15.0, 0.5))
         .polygon(Frames.tint(1), FillRule.NON_ZERO, doubleArrayOf(2.0, 14.0, 0.2, 20.0, 15.0, 0.8, 12.0, 1.0, 0.5))
