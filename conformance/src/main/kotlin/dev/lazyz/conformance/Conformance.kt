@@ -1,6 +1,7 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
+import dev.lazyz.conformance.probes.SettingsBefore
 import dev.lazyz.conformance.report.ConformanceReport
 import dev.lazyz.conformance.report.StrategyInfo
 import dev.lazyz.conformance.results.RuleListener
@@ -158,12 +159,18 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
 
         Supervisor.follow()
 
+        // With a journal, the process is the suite's own, and nobody else changes its settings
+        val settingsBefore = journal?.let { SettingsBefore() }
+
         // Read the user's frames now, so that an unreadable file is reported before any rule is run
         settings.frames?.cases
         val chosen = SuiteRule.all.filter { rules.isEmpty() || it in rules }
         val judged = judged(settings.deadline)
         val start = System.nanoTime()
-        val results = RunUnderWay(renderer, subject, chosen, settings, journal?.let { Journal(it) }, listener).execute()
+        val run = RunUnderWay(
+            renderer, subject, chosen, settings, journal?.let { Journal(it) }, listener, settingsBefore,
+        )
+        val results = run.execute()
         val milliseconds = (System.nanoTime() - start) / NANOSECONDS
         val report = settings.report(judged, command, results, milliseconds)
         output?.let { report.writeTo(it) }

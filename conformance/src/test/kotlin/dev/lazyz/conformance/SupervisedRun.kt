@@ -7,6 +7,8 @@ import dev.lazyz.conformance.broken.gallery.RuleNames
 import dev.lazyz.conformance.broken.gallery.RunGallery
 import java.nio.file.Path
 import java.time.Duration
+import java.util.SimpleTimeZone
+import java.util.TimeZone
 import kotlin.io.path.exists
 import kotlin.io.path.writeText
 import kotlin.system.exitProcess
@@ -27,6 +29,7 @@ internal object SupervisedRun {
             error("it goes on")
         },
         "never made" to { RunGallery.never() },
+        "sets the time zone when its class is loaded" to { ZonedRenderer() },
     )
 
     /** A short run whose outcome does not depend on how busy the machine is. */
@@ -40,6 +43,7 @@ internal object SupervisedRun {
     private fun rules(name: String): List<String> = when (name) {
         "right", "wrong" -> emptyList()
         "wrong by few rules" -> listOf("2.5", "5.1", "5.2", "7.4")
+        "sets the time zone when its class is loaded" -> listOf(RuleNames.empty, RuleNames.tidy)
         else -> RULES
     }
 
@@ -51,6 +55,15 @@ internal object SupervisedRun {
 
     /** A rule with primitives to draw, and a rule without. */
     val RULES: List<String> = listOf(RuleNames.ties, "rule_9_6_framesWithoutPrimitivesShowTheBackground")
+}
+
+/** Changes a setting of the process once, before the first rule. */
+private class ZonedRenderer : PlainRenderer("zoned") {
+    private companion object {
+        init {
+            TimeZone.setDefault(SimpleTimeZone(1000, "Elsewhere"))
+        }
+    }
 }
 
 /** Files of a [SupervisedRun] in [folder]. */

@@ -1,5 +1,6 @@
 package dev.lazyz.conformance
 
+import dev.lazyz.conformance.broken.gallery.RuleNames
 import java.nio.file.Path
 import java.time.Duration
 import java.util.concurrent.TimeUnit
@@ -42,6 +43,15 @@ class SupervisionTest {
             val words = "The process ends while the renderer is created, before the first rule"
             assertEquals(name.startsWith("exits"), words in told.printed) { told.printed }
         }
+    }
+
+    @Test
+    fun settingThatChangedBeforeTheFirstRuleIsFound() {
+        files.supervision("sets the time zone when its class is loaded", Duration.ofSeconds(20))
+            .run { files.report.exists() }
+        assertTrue("leaves behind another default time zone" in files.report.readText())
+        val outcomes = RecordedReport.read(files.report).outcomes
+        assertEquals(mapOf(RuleNames.empty to "passed", RuleNames.tidy to "failed"), outcomes)
     }
 
     @Test

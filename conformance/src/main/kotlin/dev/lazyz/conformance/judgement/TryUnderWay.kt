@@ -8,6 +8,9 @@ internal interface TryUnderWay {
     /** The user's own frames. */
     val ownCases: List<FrameCase>
 
+    /** The name of a setting of the process that has changed since the run began; null if there is none. */
+    val settingChanged: String?
+
     /**
      * Called before a rule renders [case]. [how] describes how the renderer differs from the default; empty if it does
      * not.

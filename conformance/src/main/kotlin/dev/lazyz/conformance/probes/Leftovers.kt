@@ -6,6 +6,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.Confetti
 import dev.lazyz.conformance.frames.Frames
+import dev.lazyz.conformance.judgement.TryUnderWay
 import dev.lazyz.world.FrameBuilder
 import java.io.ByteArrayOutputStream
 import java.io.OutputStream
@@ -30,6 +31,7 @@ internal fun leavesNothingBehind(make: () -> Renderer) {
     fun failIf(words: String?) {
         if (words != null) throw AssertionError("${renderer.id} leaves behind $words")
     }
+    failIf(TryUnderWay.current?.settingChanged?.let { "another $it" })
     failIf(
         settingChangedBy {
             make()

@@ -75,8 +75,10 @@ internal class Effort :
         val (result, verdict) = Trial(rule, settings.waivers.of(rule.name), settings.deadline, tally.steps, journal)
             .use { trial ->
                 trial.own = settings.frames
+                trial.settingsBefore = run?.settingsBefore
                 trial.notRun = tally.whyNoFurtherRule
                 val result = tried(trial, context, property)
+                run?.settingsBefore?.restore()
                 result to trial.verdict(result, LocalDate.now())
             }
         tally.add(verdict)

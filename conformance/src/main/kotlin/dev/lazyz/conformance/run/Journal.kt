@@ -27,6 +27,9 @@ internal class Journal(private val path: Path) {
     @Volatile
     private var touched = 0L
 
+    /** Whether the last line has a rule without an outcome. */
+    private var isOpen = false
+
     init {
         // Keep all lines, because a follower continues reading where it stopped
         val isUnfinished = Files.exists(path) && path.readText().let { it.isNotEmpty() && !it.endsWith("\n") }
@@ -36,13 +39,20 @@ internal class Journal(private val path: Path) {
     /** Returns how an earlier process ended during [rule], or null if none did. */
     fun endAt(rule: SuiteRule): ProcessEnd? = ends[rule.name]
 
-    fun begins(rule: SuiteRule): Unit = append("$rule ")
+    /** Begins a line; a rule before it that has no outcome, because the suite itself failed, keeps its own line. */
+    fun begins(rule: SuiteRule) {
+        append(if (isOpen) "\n$rule " else "$rule ")
+        isOpen = true
+    }
 
     fun tries(): Unit = append(TRY)
 
     fun shrinks(): Unit = append(STEP)
 
-    fun ends(result: RuleResult): Unit = append(" ${result.outcome} ${result.milliseconds}\n")
+    fun ends(result: RuleResult) {
+        append(" ${result.outcome} ${result.milliseconds}\n")
+        isOpen = false
+    }
 
     /** Shows progress of the current try by updating the file's time, at most once a second. */
     fun goesOn() {

@@ -1,6 +1,7 @@
 package dev.lazyz.conformance.run
 
 import dev.lazyz.Renderer
+import dev.lazyz.conformance.probes.SettingsBefore
 import dev.lazyz.conformance.results.RuleListener
 import dev.lazyz.conformance.results.RuleResult
 import dev.lazyz.conformance.results.SuiteRule
@@ -26,6 +27,7 @@ internal class RunUnderWay(
     val settings: Settings,
     val journal: Journal? = null,
     private val listener: RuleListener = RuleListener { _, _, _ -> },
+    val settingsBefore: SettingsBefore? = null,
 ) {
     private val results = LinkedHashMap<String, RuleResult>()
 

@@ -8,6 +8,7 @@ import dev.lazyz.conformance.judgement.NotDeclared
 import dev.lazyz.conformance.judgement.ProcessEnded
 import dev.lazyz.conformance.judgement.TimedOut
 import dev.lazyz.conformance.judgement.TryUnderWay
+import dev.lazyz.conformance.probes.SettingsBefore
 import dev.lazyz.conformance.judgement.Violation
 import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.results.RuleFailure
@@ -41,6 +42,11 @@ internal class Trial(
     AutoCloseable {
     /** The user's own frames; null if there are none. */
     var own: OwnFrames? = null
+
+    /** The settings of the process before the run; null if other code uses the same process. */
+    var settingsBefore: SettingsBefore? = null
+
+    override val settingChanged: String? get() = settingsBefore?.changed
 
     override val ownCases: List<FrameCase> get() = own?.cases.orEmpty()
 
