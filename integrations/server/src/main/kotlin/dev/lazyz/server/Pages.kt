@@ -5,7 +5,11 @@ import dev.lazyz.server.render.Problem
 
 /** The paths of the server that need no model. */
 internal class Pages(private val service: Service) {
-    /** Returns the answer to GET or HEAD, or null if there is no such page. Throws [Problem] if the server is not ready. */
+    /**
+     * Returns the answer to GET or HEAD, or null if there is no such page.
+     *
+     * @throws Problem if the page says that the server is ready, and it is not
+     */
     fun answer(path: String): Answer? = when (path) {
         "/" -> Answer.text(help())
         "/health/live" -> Answer.text("alive\n")
