@@ -81,7 +81,8 @@ internal class Input(
         // Without an extension, the first bytes determine the format. An unknown extension is a mistake
         val ending = path.fileName.toString().substringAfterLast('.', "")
         if (format != null || ending.isEmpty() || SceneFormat.ofFileName(word) != null) return path
-        throw Mistake("'.${printable(ending)}' of $shown is not a known extension; specify the format with --format $FORMATS")
+        val unknown = "'.${printable(ending)}' of $shown is not a known extension"
+        throw Mistake("$unknown; specify the format with --format $FORMATS")
     }
 
     private fun requireFile(path: Path) {
@@ -93,7 +94,9 @@ internal class Input(
             throw Mistake("there is no built-in scene and no file '$shown'$hint\nSee 'zcli scenes'.")
         }
         if (!Files.isRegularFile(path)) {
-            throw Mistake("$shown is a pipe or a device; send it to standard input, with --format: zcli ... - < $shown")
+            throw Mistake(
+                "$shown is a pipe or a device; send it to standard input, with --format: zcli ... - < $shown",
+            )
         }
         if (!Files.isReadable(path)) throw Mistake("$shown: permission denied")
     }

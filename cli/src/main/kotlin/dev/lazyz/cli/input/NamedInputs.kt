@@ -61,7 +61,8 @@ internal class NamedInputs(private val words: List<String>, private val format: 
                 return "${printable(folder)} is a folder, and this command takes one file"
             }
             val endings = (if (format == null) SceneFormat.entries else listOf(format)).flatMap { it.extensions }
-            return "${printable(folder)} has no models or scene files, whose names end in ${endings.joinToString { ".$it" }}"
+            val names = endings.joinToString { ".$it" }
+            return "${printable(folder)} has no models or scene files, whose names end in $names"
         }
     }
 }

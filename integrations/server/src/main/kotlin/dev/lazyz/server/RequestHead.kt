@@ -63,9 +63,9 @@ internal object RequestHead {
         if (size > HttpObjectDecoder.DEFAULT_MAX_HEADER_SIZE) return tooLong()
 
         val hosts = headers.getAll(HttpHeaderNames.HOST)
-        val isHostNeeded = request.protocolVersion() != HttpVersion.HTTP_1_0
-        if (hosts.size > 1 || !hosts.all(HOST::matches) || isHostNeeded && hosts.isEmpty()) {
-            return Problem(Problem.BAD_REQUEST, "a request has one header Host, a name or a number, perhaps with a port")
+        val least = if (request.protocolVersion() == HttpVersion.HTTP_1_0) 0 else 1
+        if (hosts.size !in least..1 || !hosts.all(HOST::matches)) {
+            return Problem(Problem.BAD_REQUEST, "a request has one header Host, with a name or a number")
         }
 
         // The decoder reads chunks, and requires that they are the last coding

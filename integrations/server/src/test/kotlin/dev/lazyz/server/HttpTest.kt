@@ -15,7 +15,8 @@ class HttpTest {
     private val last = "GET /none HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n"
 
     /** The statuses of the answers to [requests], until the server closes the connection. */
-    private fun answers(requests: String): List<Int> = statuses(client.open(requests).use { it.getInputStream().text() })
+    private fun answers(requests: String): List<Int> =
+        client.open(requests).use { statuses(it.getInputStream().text()) }
 
     @ParameterizedTest
     @CsvSource(

@@ -15,7 +15,9 @@ class OverloadTest {
     private val config = ServerConfig(port = 0, renders = 1, queue = 1, log = {})
 
     private fun Client.begin(path: String) =
-        Client.MODEL.decodeToString().let { open("POST $path HTTP/1.1\r\nHost: x\r\nContent-Length: ${it.length}\r\n\r\n$it") }
+        Client.MODEL.decodeToString().let {
+            open("POST $path HTTP/1.1\r\nHost: x\r\nContent-Length: ${it.length}\r\n\r\n$it")
+        }
 
     @Test
     fun aFullQueueRefusesFurtherRequests() = RenderServer(config).start().use { server ->
