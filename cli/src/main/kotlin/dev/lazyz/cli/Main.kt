@@ -18,6 +18,7 @@ import kotlin.system.exitProcess
 fun main(args: Array<String>) {
     VectorModule.loadIfWanted()
     val streams = Streams.ofProcess()
+    Thread.setDefaultUncaughtExceptionHandler(ThreadEnd(streams.messages))
     exitProcess(run(args, streams))
 }
 

@@ -10,7 +10,9 @@ import java.nio.file.Path
 import java.nio.file.attribute.FileTime
 import java.util.concurrent.TimeUnit
 import javax.imageio.ImageIO
+import kotlin.io.path.createDirectory
 import kotlin.io.path.exists
+import kotlin.io.path.fileSize
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.writeText
@@ -64,6 +66,18 @@ class ProcessTest {
 
     @Test
     @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    fun theAdviceForANameWithBracesWorks() {
+        folder.wedge("{a,b}.obj")
+        val picture = folder.resolve("{a,b}.png").apply { writeText("old") }
+        assertEquals(2, start("render", "{a,b}.obj", "--size", "8").code())
+        assertEquals("zcli: error: {a,b}.png exists; to replace it, use -o '{{a,b}.png'\n", errors)
+        val depth = listOf("--depth-out", "{a,b}.pfm")
+        assertEquals(0, child.code(child.start(listOf("render", "{a,b}.obj", "-o", "{{a,b}.png") + depth)), errors)
+        assertEquals(640, picture.image.width)
+    }
+
+    @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun closedPipe() {
         val process = start("render", "teapot", "-o", "-", "--size", "1500x1500")
         process.inputStream.close()
@@ -78,6 +92,21 @@ class ProcessTest {
         process.destroy()
         assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
         assertEquals(listOf("errors.txt"), folder.listDirectoryEntries().map { it.name })
+    }
+
+    @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    fun aTerminatedRunOfTheSuiteLeavesNoFile() {
+        val temporary = folder.resolve("temporary").createDirectory()
+        val words = listOf("conformance", "--strategy", "lazy", "--quiet")
+        val process = start(words, listOf("-Djava.io.tmpdir=$temporary")) {}
+        child.await(process, "no journal") {
+            temporary.listDirectoryEntries().any { it.resolve("journal").run { exists() && fileSize() > 0 } }
+        }
+        process.destroy()
+        assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
+        assertEquals(emptyList<Path>(), temporary.listDirectoryEntries())
+        assertEquals("", errors)
     }
 
     @Test
@@ -142,6 +171,17 @@ class ProcessTest {
         assertEquals(2, process.code())
         assertTrue("needs 1.6 GiB" in errors && "--aa 1" in errors && "-Xmx" in errors, errors)
         assertTrue(!folder.resolve("x.png").exists())
+    }
+
+    /** Threads that help run out of memory, too. Whether one does between two pieces of work is a matter of luck. */
+    @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
+    fun memoryThatIsUsedUpIsReportedOnce() {
+        val job = listOf("render", "teapot", "--size", "300", "--style", "product", "--memory", "32m", "-o", "x.png")
+        repeat(5) {
+            assertEquals(2, child.code(child.start(job, listOf("-Xmx32m"))))
+            assertTrue(errors.startsWith("zcli: error: ") && "OutOfMemoryError" !in errors, errors)
+        }
     }
 
     /** Each picture takes 69 MiB, and any two of them are more than the heap. */

@@ -37,6 +37,17 @@ class SmallPartsTest {
     }
 
     @Test
+    fun aHelperWithoutMemoryEndsSilently() {
+        val errors = ByteArrayOutputStream()
+        val handler = ThreadEnd(PrintStream(errors, true))
+        handler.uncaughtException(Thread.currentThread(), OutOfMemoryError("Java heap space"))
+        assertEquals("", errors.toString())
+        handler.uncaughtException(Thread("lazyz-1"), IllegalStateException("the cursor ran away"))
+        val start = "Exception in thread \"lazyz-1\" java.lang.IllegalStateException: the cursor ran away\n\tat "
+        assertTrue(errors.toString().startsWith(start)) { "$errors" }
+    }
+
+    @Test
     fun bytesAreReadable() {
         val expected = mapOf(
             0L to "0 bytes",

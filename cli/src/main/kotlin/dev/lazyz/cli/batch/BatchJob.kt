@@ -9,6 +9,7 @@ import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.Progress
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.output.printable
 import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.sheet.ContactSheet
 import dev.lazyz.cli.strategies.StrategyChoice
@@ -90,7 +91,8 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
             streams.note(Failure.bugReport(failure, request.args.toTypedArray()) + "\n")
         }
         val message = mistake ?: "bug in zcli, $failure"
-        streams.error(if (input in message) message else "$input: $message")
+        val name = printable(input)
+        streams.error(if (name in message) message else "$name: $message")
         if (request.stats != StatsForm.JSON) return
         val line = buildJsonObject {
             put("input", input)

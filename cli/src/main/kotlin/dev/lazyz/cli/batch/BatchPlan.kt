@@ -4,6 +4,9 @@ import dev.lazyz.cli.input.Input
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.OutputPlaces
+import dev.lazyz.cli.output.OutputTemplate
+import dev.lazyz.cli.output.Placeholder
+import dev.lazyz.cli.output.printable
 import dev.lazyz.cli.render.Outputs
 import dev.lazyz.cli.render.PictureFile
 import dev.lazyz.world.View
@@ -51,7 +54,7 @@ internal class BatchPlan(private val request: BatchRequest) {
     }
 
     /** The file of the contact sheet. */
-    val sheet: Path get() = Path.of(template.text)
+    val sheet: Path get() = Path.of(checkNotNull(template.name) { "a sheet is one file" })
 
     val inputs: List<InputPlan>
 
@@ -123,7 +126,7 @@ internal class BatchPlan(private val request: BatchRequest) {
     }
 
     private fun label(input: Input, view: View?, frame: Int): String = listOfNotNull(
-        input.baseName ?: input.name,
+        printable(input.baseName ?: input.name),
         view?.name?.lowercase(),
         if (series.turntable == null) null else "${frame + 1}",
     ).joinToString(" ")

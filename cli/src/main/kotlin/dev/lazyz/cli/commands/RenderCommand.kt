@@ -13,7 +13,6 @@ import com.github.ajalt.clikt.parameters.options.optionalValue
 import dev.lazyz.Selector
 import dev.lazyz.cli.batch.BatchJob
 import dev.lazyz.cli.batch.BatchRequest
-import dev.lazyz.cli.batch.OutputTemplate
 import dev.lazyz.cli.input.NamedInputs
 import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.options.AovOptions
@@ -39,6 +38,7 @@ import dev.lazyz.cli.options.subject
 import dev.lazyz.cli.options.words
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.OutputTemplate
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.render.ReferenceRequest
 import dev.lazyz.cli.render.RenderJob
@@ -111,16 +111,21 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         val named = NamedInputs(inputs, reading.format)
         val series = several.series()
         val isSingle = named.isSingle && several.views == null && series.turntable == null && !series.isSheet &&
-            series.columns == null && series.framesPerSecond == null && !OutputTemplate.isTemplate(output.picture)
+            series.columns == null && series.framesPerSecond == null
+        val template = output.picture?.let { OutputTemplate(it) }
         val code = StrategyPath.with(rendering.classPath) {
-            if (isSingle) RenderJob(single(), streams).run() else BatchJob(several(named), streams).run()
+            if (isSingle && template?.placeholders.isNullOrEmpty()) {
+                RenderJob(single(template?.name), streams).run()
+            } else {
+                BatchJob(several(named), streams).run()
+            }
         }
         if (code != ExitCode.DONE) throw ProgramResult(code)
     }
 
-    private fun single() = RenderRequest(
+    private fun single(picture: String?) = RenderRequest(
         subject = subject(inputs.single(), null),
-        output = output.picture,
+        output = picture,
         depthOutput = output.depth,
         aovs = aovs.outputs,
         strategy = rendering.strategy,

@@ -8,6 +8,7 @@ import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.OutputClosed
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.output.printable
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
@@ -123,8 +124,9 @@ internal class CompareSeveralJob(
     }
 }
 
-/** The line that is printed for one [input]. */
-private class CompareLine(private val input: String) {
+/** The line that is printed for one input. */
+private class CompareLine(input: String) {
+    private val name = printable(input)
     var verdict = Verdict.OK
         private set
 
@@ -162,9 +164,9 @@ private class CompareLine(private val input: String) {
     override fun toString(): String {
         // Messages about files already begin with the name of the file
         val lead = verdict.word.padEnd(Verdict.entries.maxOf { it.word.length } + 2)
-        if (verdict != Verdict.OK) return lead + if (message.startsWith(input)) message else "$input: $message"
+        if (verdict != Verdict.OK) return lead + if (message.startsWith(name)) message else "$name: $message"
         return buildString {
-            append("$lead$input: ").append("%,d primitives".format(null, primitives))
+            append("$lead$name: ").append("%,d primitives".format(null, primitives))
             if (notBlending > 0) append(", translucent: $notBlending strategies left out")
             if (blank > 0) append(", nothing is visible")
         }

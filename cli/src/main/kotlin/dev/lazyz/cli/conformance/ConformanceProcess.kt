@@ -40,6 +40,10 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
         return code
     }
 
+    private fun delete() {
+        for (file in listOf(output, done, journal, folder)) file.deleteIfExists()
+    }
+
     private fun command(args: List<String>, seed: Long): List<String> {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
         val options = ManagementFactory.getRuntimeMXBean().inputArguments.filter { option ->
@@ -77,10 +81,14 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
         fun run(args: List<String>, seed: Long, deadline: Duration, listener: RuleListener): Answer {
             val folder = Files.createTempDirectory("zcli-conformance")
             val process = ConformanceProcess(folder)
+            val early = EarlyEnd { process.delete() }
             try {
                 val outcome = Supervision(process.command(args, seed), process.journal, deadline)
                     .listener(listener)
-                    .run { process.done.exists() }
+                    .run {
+                        early.awaitIfBegun()
+                        process.done.exists()
+                    }
                 val report = if (process.output.exists()) process.output.readText() else null
                 val messages = outcome.printed.lines().filterNot { it.startsWith(INCUBATOR) }.joinToString("\n")
 
@@ -88,7 +96,8 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
                 val code = process.done.readText().toIntOrNull() ?: outcome.code.takeIf { it != 0 } ?: ExitCode.BUG
                 return Answer(code, report, messages)
             } finally {
-                for (file in listOf(process.output, process.done, process.journal, folder)) file.deleteIfExists()
+                early.withdraw()
+                process.delete()
             }
         }
     }

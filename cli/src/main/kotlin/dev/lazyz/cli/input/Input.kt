@@ -3,6 +3,7 @@ package dev.lazyz.cli.input
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Nearest
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.output.printable
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
@@ -38,6 +39,9 @@ internal class Input(
 
     /** The name of the input in messages. */
     val name: String get() = if (isStandardInput) "standard input" else word
+
+    /** The name on one line. */
+    private val shown: String get() = printable(name)
 
     /** The name of the input without folder and extension, or null if it has none. */
     val baseName: String?
@@ -77,21 +81,24 @@ internal class Input(
         // Without an extension, the first bytes determine the format. An unknown extension is a mistake
         val ending = path.fileName.toString().substringAfterLast('.', "")
         if (format != null || ending.isEmpty() || SceneFormat.ofFileName(word) != null) return path
-        throw Mistake("'.$ending' of $word is not a known extension; specify the format with --format $FORMATS")
+        val unknown = "'.${printable(ending)}' of $shown is not a known extension"
+        throw Mistake("$unknown; specify the format with --format $FORMATS")
     }
 
     private fun requireFile(path: Path) {
         val isThere = word.isNotEmpty() && Files.exists(path)
         if (isThere && Files.isDirectory(path)) throw Mistake(NamedInputs.problem(word, format))
         if (!isThere) {
-            if (format != null || SceneFormat.ofFileName(word) != null) throw Mistake("$word: no such file")
+            if (format != null || SceneFormat.ofFileName(word) != null) throw Mistake("$shown: no such file")
             val hint = Nearest.hint(word, Scenes.builtins.map { it.id })
-            throw Mistake("there is no built-in scene and no file '$word'$hint\nSee 'zcli scenes'.")
+            throw Mistake("there is no built-in scene and no file '$shown'$hint\nSee 'zcli scenes'.")
         }
         if (!Files.isRegularFile(path)) {
-            throw Mistake("$word is a pipe or a device; send it to standard input, with --format: zcli ... - < $word")
+            throw Mistake(
+                "$shown is a pipe or a device; send it to standard input, with --format: zcli ... - < $shown",
+            )
         }
-        if (!Files.isReadable(path)) throw Mistake("$word: permission denied")
+        if (!Files.isReadable(path)) throw Mistake("$shown: permission denied")
     }
 
     private companion object {

@@ -1,5 +1,6 @@
 package dev.lazyz.cli.input
 
+import dev.lazyz.cli.output.printable
 import dev.lazyz.scenes.SceneFormat
 import java.io.IOException
 import java.nio.file.Files
@@ -57,10 +58,11 @@ internal class NamedInputs(private val words: List<String>, private val format: 
         fun problem(folder: String, format: SceneFormat?): String {
             val path = Path.of(folder)
             if (NamedInputs(emptyList(), format).files(path) != listOf("$path")) {
-                return "$folder is a folder, and this command takes one file"
+                return "${printable(folder)} is a folder, and this command takes one file"
             }
             val endings = (if (format == null) SceneFormat.entries else listOf(format)).flatMap { it.extensions }
-            return "$folder has no models or scene files, whose names end in ${endings.joinToString { ".$it" }}"
+            val names = endings.joinToString { ".$it" }
+            return "${printable(folder)} has no models or scene files, whose names end in $names"
         }
     }
 }

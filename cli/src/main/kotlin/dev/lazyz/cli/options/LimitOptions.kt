@@ -6,6 +6,7 @@ import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.ReferencePolicy
 import java.time.Duration
+import kotlin.math.ceil
 
 /** Options that limit what the input can use. */
 internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
@@ -54,8 +55,12 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
         vertices = vertices ?: Long.MAX_VALUE,
         texels = texels ?: Long.MAX_VALUE,
         nesting = nesting ?: LoadLimits.DEFAULT_NESTING,
-        time = seconds?.let { Duration.ofNanos((it * 1e9).toLong()) },
+        time = seconds?.let { Duration.ofMillis(ceil(it * MILLISECONDS).toLong()) },
         spoolBytes = spool,
         references = if (isOutsideAllowed) ReferencePolicy.ANYWHERE else ReferencePolicy.WITHIN_FOLDER,
     )
+
+    private companion object {
+        const val MILLISECONDS = 1000
+    }
 }

@@ -21,7 +21,7 @@ internal object Failure {
 
     /** Returns the message for the user, or null if [failure] is a bug in zcli. */
     fun mistake(failure: Throwable): String? = when (failure) {
-        is Mistake, is SceneFormatException -> failure.message?.let { printable(it) }
+        is Mistake, is SceneFormatException -> failure.message?.lines()?.joinToString("\n", transform = ::printable)
         is FileSystemException -> describe(failure)
         is OutOfMemoryError -> outOfMemory(failure)
         is IOException -> failure.message ?: failure.javaClass.simpleName
@@ -60,13 +60,12 @@ internal object Failure {
         append(failure.stackTraceToString())
     }
 
-    /** Replaces control characters, which a terminal would execute, because messages quote files. */
-    private fun printable(message: String): String =
-        message.map { if (it.isISOControl() && it != '\n') '?' else it }.joinToString("")
-
-    private fun describe(failure: FileSystemException): String = when (failure) {
-        is NoSuchFileException -> "${failure.file}: no such file or folder"
-        is AccessDeniedException -> "${failure.file}: permission denied"
-        else -> "${failure.file}: ${failure.reason ?: failure.javaClass.simpleName}"
+    private fun describe(failure: FileSystemException): String {
+        val what = when (failure) {
+            is NoSuchFileException -> "no such file or folder"
+            is AccessDeniedException -> "permission denied"
+            else -> failure.reason ?: failure.javaClass.simpleName
+        }
+        return printable("${failure.file}: $what")
     }
 }

@@ -4,11 +4,14 @@ import dev.lazyz.Region
 import dev.lazyz.RowSink
 import dev.lazyz.cli.input.Input
 import dev.lazyz.cli.input.Shot
+import dev.lazyz.cli.output.CommandLine
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputClosed
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.OutputPlaces
+import dev.lazyz.cli.output.OutputTemplate
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.output.printable
 import dev.lazyz.planning.MemoryItem
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.PfmSink
@@ -114,7 +117,10 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
     private fun defaultPath(input: Input): Path {
         val name = input.baseName ?: throw Mistake("specify the output file: -o FILE.png, or -o - for a pipe")
         val path = Path.of("$name.png")
-        if (Files.exists(path)) throw Mistake("$path exists; to replace it, use -o $path")
+        if (Files.exists(path)) {
+            val template = OutputTemplate.of("$path")
+            throw Mistake("${printable("$path")} exists; to replace it, use -o ${CommandLine.word(template)}")
+        }
         return path
     }
 

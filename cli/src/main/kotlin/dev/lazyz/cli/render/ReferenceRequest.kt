@@ -1,6 +1,7 @@
 package dev.lazyz.cli.render
 
 import dev.lazyz.cli.output.CommandLine
+import dev.lazyz.cli.output.OutputTemplate
 import java.nio.file.Path
 
 /**
@@ -21,6 +22,6 @@ internal class ReferenceRequest(
     val creation: String
         get() {
             val kept = CommandLine.without(args, setOf("-o", "--output", "--ref", "--ref-threshold", "--diff"))
-            return CommandLine.of(kept.take(1) + listOf("-o", "$file") + kept.drop(1))
+            return CommandLine.of(kept.take(1) + listOf("-o", OutputTemplate.of("$file")) + kept.drop(1))
         }
 }

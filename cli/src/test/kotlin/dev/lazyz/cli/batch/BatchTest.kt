@@ -120,6 +120,28 @@ class BatchTest {
     }
 
     @Test
+    fun aNameWithoutPlaceholdersIsThatOfOnePicture() {
+        render("teapot", "-o", "$folder/{{a}.png", "--depth-out", folder.resolve("a.pfm")).done()
+        assertTrue(folder.resolve("{a}.png").exists())
+        render("teapot", "--contact-sheet", "-o", "$folder/{{b}.png").done()
+        assertTrue(folder.resolve("{b}.png").exists())
+        val missing = folder.resolve("{c}.png")
+        render("teapot", "--ref", missing).mistake("-o '$folder/{{c}.png'")
+    }
+
+    @Test
+    fun aLineOfAMessageNamesOneInput() {
+        val bad = folder.wedge("c\nd.obj").apply { writeText("v 1") }
+        val run = render("a\nb.obj", bad, "-o", "$out/{stem}.png")
+        val named = listOf("a?b.obj: no such file", "$folder/c?d.obj, line 1")
+        for ((line, words) in run.errors.lines().zip(named)) assertTrue(line.startsWith("zcli: error: $words"), line)
+        assertEquals(4, run.errors.lines().size, run.errors)
+        val blank = folder.wedge("e\nf.obj")
+        val empty = render(blank, "teapot", "--eye", "0,0,9", "--target", "0,0,90", "-o", "$out/{stem}.png")
+        assertTrue(empty.errors.startsWith("zcli: warning: e?f: nothing is visible")) { empty.errors }
+    }
+
+    @Test
     fun twoPicturesOfOneNameAreAMistakeBeforeAnythingIsRendered() {
         render("teapot", "city", "-o", "$out/x.png").mistake("x.png", "teapot", "city", "{stem}")
         render("teapot", "--views", "iso,top", "-o", "$out/{stem}.png").mistake("teapot, iso", "teapot, top", "{view}")

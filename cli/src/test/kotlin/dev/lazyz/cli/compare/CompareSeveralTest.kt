@@ -46,6 +46,22 @@ class CompareSeveralTest {
     }
 
     @Test
+    fun namesMayHaveEndsOfLines() {
+        val good = folder.wedge("a\nb.obj")
+        val bad = folder.wedge("c\nd.obj").apply { writeText("v 1") }
+        val lines = compare(good, bad, "e\nf.obj").lines()
+        val starts = listOf(
+            "ok       $folder/a?b.obj: 4 primitives",
+            "error    $folder/c?d.obj, line 1",
+            "error    e?f.obj: no such file",
+        )
+        assertEquals(4, lines.size) { "$lines" }
+        for ((line, start) in lines.zip(starts)) assertTrue(line.startsWith(start)) { line }
+        val json = compare(good, "teapot", "--json").text
+        assertTrue("a\\nb.obj" in json) { json }
+    }
+
+    @Test
     fun foldersAreWalkedInOrder() {
         val files = models()
         val run = compare(folder.resolve("models"), "teapot").done()

@@ -35,6 +35,14 @@ class LimitsTest {
     }
 
     @Test
+    fun timesAreWholeMilliseconds() {
+        val file = folder.resolve("a.obj")
+        file.writeText("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n".repeat(100_000))
+        zcli("render", file, "--max-seconds", 0.0001, "-o", out).mistake("takes more than 1 ms to read")
+        zcli("render", file, "--max-seconds", 0, "-o", out).mistake("takes more than 0 ms to read")
+    }
+
+    @Test
     fun nestingHasALimit() {
         val scene = folder.resolve("a.json").apply { writeText("""{"lazyz": 1, "surfaces": [[]]}""") }
         zcli("render", scene, "--max-nesting", 2, "-o", out).mistake("nested more than 2 deep", "--max-nesting")

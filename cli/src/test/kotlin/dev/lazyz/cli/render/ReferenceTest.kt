@@ -113,7 +113,7 @@ class ReferenceTest {
         assertEquals("render --refs -- -o x", without("render --refs --ref q -- -o x"))
         assertEquals("zcli render 'a b' ''", CommandLine.of(listOf("render", "a b", "")))
         val words = listOf("a&b", "it's", "{name}.png")
-        assertEquals("zcli 'a&b' 'it'\\''s' {name}.png", CommandLine.of(words))
+        assertEquals("zcli 'a&b' 'it'\\''s' '{name}.png'", CommandLine.of(words))
     }
 
     @Test

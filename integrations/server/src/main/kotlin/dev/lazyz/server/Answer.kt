@@ -63,8 +63,8 @@ internal class Answer private constructor(
         private const val LONGEST_WARNING = 300
 
         /** A page. */
-        fun text(text: String, type: String = "text/plain; charset=utf-8", status: Int = 200): Answer =
-            Answer(HttpResponseStatus.valueOf(status), text, null, "").apply {
+        fun text(text: String, type: String = "text/plain; charset=utf-8"): Answer =
+            Answer(HttpResponseStatus.OK, text, null, "").apply {
                 headers.set(HttpHeaderNames.CONTENT_TYPE, type)
                 headers.set(HttpHeaderNames.CACHE_CONTROL, "no-store")
             }

@@ -44,6 +44,7 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
     private var job: RenderJob? = null
     private var isLastRequest = false
     private var isReceived = true
+    private var hasBody = false
     private var isHead = false
 
     /** Whether a request is in work. */
@@ -98,10 +99,12 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
         begin(request.method().name(), request.uri())
         isReceived = false
         isHead = request.method() == HttpMethod.HEAD
-        isLastRequest = service.isDraining || !HttpUtil.isKeepAlive(request) || request.decoderResult().isFailure
+        val problem = RequestHead.problem(request)
+        isLastRequest = service.isDraining || !HttpUtil.isKeepAlive(request) || problem != null
+        if (problem != null) return fail(problem)
+        hasBody = RequestHead.hasBody(request)
         try {
-            RequestLine.requireValid(request)
-            val target = QueryStringDecoder(request.uri())
+            val target = QueryStringDecoder(RequestHead.originForm(request.uri()))
             if (target.path() != "/render") return page(request, target.path())
             val render = RenderRequest(service, request, target.parameters())
             this.render = render
@@ -192,8 +195,6 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
     }
 
     private fun fail(problem: Problem) {
-        // What of the model is still to come is not awaited
-        if (!isReceived && line?.mayHaveBody == true) isLastRequest = true
         val answer = Answer.problem(problem)
         if (problem.status == Problem.METHOD_NOT_ALLOWED) {
             answer.headers.set(HttpHeaderNames.ALLOW, if (line?.isRender == true) "POST" else "GET, HEAD")
@@ -203,6 +204,9 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
 
     private fun send(answer: Answer, sent: () -> Unit = {}) {
         state = State.ANSWER
+
+        // What is still to come of a body is not awaited, and perhaps never comes
+        if (!isReceived && hasBody) isLastRequest = true
         clock.endEach()
         releaseUpload()
         clock.after(config.downloadTime) { context.close() }

@@ -5,7 +5,11 @@ import dev.lazyz.server.render.Problem
 
 /** The paths of the server that need no model. */
 internal class Pages(private val service: Service) {
-    /** Returns the answer to GET or HEAD, or null if there is no such page. */
+    /**
+     * Returns the answer to GET or HEAD, or null if there is no such page.
+     *
+     * @throws Problem if the page says that the server is ready, and it is not
+     */
     fun answer(path: String): Answer? = when (path) {
         "/" -> Answer.text(help())
         "/health/live" -> Answer.text("alive\n")
@@ -14,10 +18,10 @@ internal class Pages(private val service: Service) {
         else -> null
     }
 
-    private fun ready(): Answer = when {
-        service.isDraining -> Answer.text("the server is being closed\n", status = Problem.UNAVAILABLE)
-        service.queue.isFull -> Answer.text("the queue is full\n", status = Problem.UNAVAILABLE)
-        else -> Answer.text("ready\n")
+    private fun ready(): Answer {
+        if (service.isDraining) throw service.draining()
+        if (service.queue.isFull) throw Problem(Problem.UNAVAILABLE, "the queue is full", Problem.SOON)
+        return Answer.text("ready\n")
     }
 
     private fun help(): String = buildString {

@@ -39,13 +39,9 @@ internal class RenderRequest(private val service: Service, request: HttpRequest,
         }
         format = wish.format ?: MediaTypes.format(request.headers().get(HttpHeaderNames.CONTENT_TYPE))
         requireMemory(service.maker.pictureNeed(wish), "a smaller size, or aa")
-        if (service.isDraining) throw Problem(Problem.UNAVAILABLE, "the server is being closed", Problem.SOON)
+        if (service.isDraining) throw service.draining()
         if (service.queue.isFull) throw tooMany()
-        val length = try {
-            HttpUtil.getContentLength(request, UNKNOWN)
-        } catch (_: NumberFormatException) {
-            throw Problem(Problem.BAD_REQUEST, "Content-Length is not a number")
-        }
+        val length = HttpUtil.getContentLength(request, UNKNOWN)
         upload = Upload(length.takeIf { it >= 0 }, service.mostBody, service.uploads)
     }
 

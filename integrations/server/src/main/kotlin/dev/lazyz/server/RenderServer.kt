@@ -15,6 +15,7 @@ import io.netty.util.concurrent.DefaultThreadFactory
 import io.netty.util.concurrent.GlobalEventExecutor
 import java.io.IOException
 import java.net.InetSocketAddress
+import java.nio.channels.UnresolvedAddressException
 import java.time.Duration
 import java.util.concurrent.TimeUnit
 
@@ -85,8 +86,7 @@ public class RenderServer @JvmOverloads constructor(public val config: ServerCon
         if (!bound.isSuccess) {
             service.close()
             threads.shutdownGracefully(0, 0, TimeUnit.SECONDS)
-            val reason = bound.cause().message ?: bound.cause().toString()
-            throw IOException("cannot listen at ${config.host}:${config.port}: $reason", bound.cause())
+            throw IOException("cannot listen at ${config.host}:${config.port}: ${reason(bound.cause())}", bound.cause())
         }
         running = Running(service, threads, channels, bound.channel() as NioServerSocketChannel)
         return this
@@ -123,6 +123,12 @@ public class RenderServer @JvmOverloads constructor(public val config: ServerCon
         closing.threads.shutdownGracefully(0, 1, TimeUnit.SECONDS).awaitUninterruptibly()
         running = null
         if (isInterrupted) Thread.currentThread().interrupt()
+    }
+
+    private fun reason(failure: Throwable): String = when (failure) {
+        is UnresolvedAddressException ->
+            "the host is unknown; use the name or number of an address of this machine"
+        else -> failure.message ?: failure.toString()
     }
 
     /** Waits until all requests are answered, or [time] is over. Returns false if the thread is interrupted. */

@@ -16,8 +16,8 @@ import java.util.function.Consumer
  *   of processors
  * @property queue requests that wait for their rendering, 0..100000. Further ones are answered with status 429
  * @property connections open connections, 1..1000000. Further ones are answered with status 503
- * @property memory bytes of heap for uploads, renderings and finished pictures, at least 1 MiB. A quarter of it is for
- *   uploads. The default is half of the maximum heap
+ * @property memory bytes of heap for uploads, renderings and finished pictures, at least 1 MiB, and at most the
+ *   maximum heap. A quarter of it is for uploads. The default is half of the maximum heap
  * @property body maximum bytes of a model, 1 or more. More than the memory for uploads is never accepted
  * @property pixels maximum pixels of a picture, 1 or more
  * @property limits limits on what a model can request. [LoadLimits.decodedBytes] is by default a part of [memory],
@@ -59,6 +59,10 @@ public class ServerConfig @JvmOverloads constructor(
         require(queue in 0..MOST_QUEUE) { "queue must be in 0..$MOST_QUEUE: $queue" }
         require(connections in 1..MOST_CONNECTIONS) { "connections must be in 1..$MOST_CONNECTIONS: $connections" }
         require(memory >= LEAST_MEMORY) { "memory must be at least $LEAST_MEMORY bytes: $memory" }
+        val heap = Runtime.getRuntime().maxMemory()
+        require(memory <= heap) {
+            "memory must be at most the heap, $heap bytes: $memory; start Java with a larger -Xmx"
+        }
         require(body >= 1) { "body must be at least 1 byte: $body" }
         require(pixels >= 1) { "pixels must be at least 1: $pixels" }
         require(uploadRate >= 0) { "uploadRate must not be negative: $uploadRate" }

@@ -4,6 +4,7 @@ import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.server.metrics.Metrics
 import dev.lazyz.server.render.MemoryBudget
 import dev.lazyz.server.render.PictureMaker
+import dev.lazyz.server.render.Problem
 import dev.lazyz.server.render.RenderQueue
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.function.Consumer
@@ -60,6 +61,9 @@ internal class Service(val config: ServerConfig) : AutoCloseable {
     } catch (failure: RuntimeException) {
         LOGGER.log(System.Logger.Level.ERROR, "a line of the log could not be written: $line", failure)
     }
+
+    /** What a client is told after [isDraining] is set. */
+    fun draining() = Problem(Problem.UNAVAILABLE, "the server is being closed", Problem.SOON)
 
     /** Reports a bug to the system logger, with its stack trace. */
     fun report(bug: Throwable) = LOGGER.log(System.Logger.Level.ERROR, "this is a bug in lazyz-server", bug)

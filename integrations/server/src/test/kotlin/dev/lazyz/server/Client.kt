@@ -49,6 +49,10 @@ internal class Client(private val server: RenderServer) {
         /** A picture that takes much longer than a test. */
         const val LONG = "/render?size=4096&aa=8"
 
+        /** The statuses of the answers in [text]. */
+        fun statuses(text: String): List<Int> =
+            Regex("HTTP/1.1 (\\d+)").findAll(text).map { it.groupValues[1].toInt() }.toList()
+
         /** Waits until [condition] holds. */
         fun await(message: () -> String, condition: () -> Boolean) {
             val end = System.nanoTime() + 30_000_000_000

@@ -39,6 +39,8 @@ class CommandLineTest {
             listOf("--prot", "1") to "there is no option '--prot'",
             listOf("--port") to "--port needs a value, N",
             listOf("--port", "70000") to "--port 70000: port must be in 0..65535: 70000",
+            listOf("--memory", "9999999m") to "--memory 9999999m: memory must be at most the heap, " +
+                "${Runtime.getRuntime().maxMemory()} bytes: 10485758951424; start Java with a larger -Xmx",
             listOf("--memory", "1k") to "--memory 1k: memory must be at least 1048576 bytes: 1024",
         )) {
             assertEquals(message, assertThrows(Mistake::class.java) { CommandLine.config(words) }.message)

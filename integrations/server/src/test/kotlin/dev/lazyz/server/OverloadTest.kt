@@ -15,7 +15,9 @@ class OverloadTest {
     private val config = ServerConfig(port = 0, renders = 1, queue = 1, log = {})
 
     private fun Client.begin(path: String) =
-        Client.MODEL.decodeToString().let { open("POST $path HTTP/1.1\r\nContent-Length: ${it.length}\r\n\r\n$it") }
+        Client.MODEL.decodeToString().let {
+            open("POST $path HTTP/1.1\r\nHost: x\r\nContent-Length: ${it.length}\r\n\r\n$it")
+        }
 
     @Test
     fun aFullQueueRefusesFurtherRequests() = RenderServer(config).start().use { server ->
@@ -28,7 +30,10 @@ class OverloadTest {
         val refused = client.post("/render?size=8", Client.MODEL)
         assertEquals(429, refused.statusCode())
         assertTrue(refused.headers().firstValue("retry-after").get().toInt() > 0)
-        assertEquals(503, client.get("/health/ready").statusCode())
+        val ready = client.get("/health/ready")
+        assertEquals(503, ready.statusCode())
+        assertEquals("application/problem+json", ready.headers().firstValue("content-type").get())
+        assertTrue("\"detail\":\"the queue is full" in ready.body()) { ready.body() }
         assertEquals(200, client.get("/health/live").statusCode())
 
         // The end of the first client frees its place, and the second has its picture
@@ -105,6 +110,21 @@ class OverloadTest {
         }
     }
 
+    /** With the usual 4 x 4 samples a pixel, its side would be too long for a raster. */
+    @Test
+    fun aWidePictureTakesTheMemoryOfOneSampleAPixel() {
+        RenderServer(config.withMemory(192L shl 20)).start().use { server ->
+            val client = Client(server)
+            val usual = client.post("/render?size=100000x1", Client.MODEL)
+            assertEquals(200, usual.statusCode()) { usual.body().decodeToString() }
+            val single = client.post("/render?size=100000x1&aa=1", Client.MODEL)
+            assertEquals(single.headers().firstValue("etag"), usual.headers().firstValue("etag"))
+            val chosen = client.post("/render?size=1x100000&aa=4", Client.MODEL)
+            assertEquals(400, chosen.statusCode())
+            assertTrue("aa: with 4 x 4 samples a pixel, a side has at most 65536" in chosen.body().decodeToString())
+        }
+    }
+
     @Test
     fun tooManyConnectionsAreRefused() = RenderServer(config.withConnections(1)).start().use { server ->
         val client = Client(server)
@@ -134,7 +154,7 @@ class OverloadTest {
         val client = Client(server)
         client.begin(Client.LONG).use { socket ->
             client.await("lazyz_renders_running", 1)
-            repeat(100) { socket.send("GET /health/live HTTP/1.1\r\n\r\n") }
+            repeat(100) { socket.send("GET /health/live HTTP/1.1\r\nHost: x\r\n\r\n") }
             assertEquals(1.0, client.metric("lazyz_requests_open"))
         }
         client.await("lazyz_renders_running", 0)
@@ -160,7 +180,7 @@ class OverloadTest {
             client.begin(Client.LONG).use { socket ->
                 client.await("lazyz_renders_running", 1)
                 assertThrows(SocketException::class.java) {
-                    repeat(100_000) { socket.send("GET /health/live HTTP/1.1\r\n\r\n") }
+                    repeat(100_000) { socket.send("GET /health/live HTTP/1.1\r\nHost: x\r\n\r\n") }
                 }
             }
             client.await("lazyz_renders_running", 0)

@@ -7,12 +7,14 @@ import dev.lazyz.scenes.Scenes
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
 import java.io.ByteArrayInputStream
+import java.io.IOException
 import java.util.concurrent.ConcurrentLinkedQueue
 import javax.imageio.ImageIO
 import org.junit.jupiter.api.AfterAll
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.params.ParameterizedTest
@@ -121,6 +123,15 @@ class RenderServerTest {
         val lines = log.toList()
         assertFalse(lines.any { line -> line.any { it.isISOControl() } }) { "$lines" }
         assertTrue(lines.any { Regex("""\S+Z 127\.0\.0\.1 GET /health/live\?x=%0a%1b 200 6B \d+ms""").matches(it) })
+    }
+
+    @Test
+    fun anAddressThatIsUnknownIsNamed() {
+        val unknown = RenderServer(ServerConfig(host = "nowhere.invalid", port = 0, log = {}))
+        val failure = assertThrows(IOException::class.java, unknown::start)
+        val message = "cannot listen at nowhere.invalid:0: the host is unknown; use the name or number of an address " +
+            "of this machine"
+        assertEquals(message, failure.message)
     }
 
     @Test

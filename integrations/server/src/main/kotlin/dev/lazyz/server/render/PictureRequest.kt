@@ -7,6 +7,7 @@ import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.PictureSettings
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Camera
+import dev.lazyz.world.Scene
 
 /**
  * What a client wants to see of a model.
@@ -25,6 +26,10 @@ internal class PictureRequest(val format: SceneFormat?, val settings: PictureSet
 
     companion object {
         private val USUAL_SIZE = ImageSize(640, 480)
+        private val USUAL_SAMPLING = SuperSampling(PictureSettings.USUAL_FACTOR)
+
+        /** Shows what is possible for every model of a size: some have further obstacles. */
+        private val NOTHING = Scene(emptyList())
         private val SIZE = Regex("""(\d{1,9})(?:[xX](\d{1,9}))?""")
         private val DECIMAL = Regex("""[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?""")
         private val HEX = Regex("[0-9a-fA-F]{3,8}")
@@ -51,13 +56,16 @@ internal class PictureRequest(val format: SceneFormat?, val settings: PictureSet
                 named(given, Parameter.PROJECTION, projections) ?: usual.kind,
                 number(given, Parameter.MARGIN, 0.0..45.0) ?: usual.margin,
             )
+            val sampling = named(given, Parameter.AA, factors)?.let { SuperSampling(it) }
+            val obstacle = (sampling ?: USUAL_SAMPLING).obstacle(NOTHING, Raster(size.width, size.height))
+            if (sampling != null && obstacle != null) fail("aa: $obstacle; use aa=1")
             val settings = PictureSettings(size.width, size.height)
                 .withViewpoint(viewpoint)
                 .withUp(named(given, Parameter.UP, axes))
                 .withLight(named(given, Parameter.LIGHT, lights))
                 .withLightIntensity(number(given, Parameter.LIGHT_INTENSITY, 0.0..1000.0)?.toFloat())
                 .withBackground(given[Parameter.BACKGROUND]?.let(::color))
-                .withSampling(named(given, Parameter.AA, factors)?.let { SuperSampling(it) })
+                .withSampling(if (obstacle == null) sampling else SuperSampling.NONE)
             return PictureRequest(named(given, Parameter.FORMAT, formats), settings)
         }
 

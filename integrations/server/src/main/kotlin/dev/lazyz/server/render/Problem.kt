@@ -15,15 +15,19 @@ internal class Problem(val status: Int, override val message: String, val retryS
         const val METHOD_NOT_ALLOWED = 405
         const val TIMEOUT = 408
         const val TOO_LARGE = 413
+        const val TARGET_TOO_LONG = 414
         const val UNSUPPORTED = 415
         const val EXPECTATION_FAILED = 417
         const val UNPROCESSABLE = 422
         const val TOO_MANY = 429
+        const val HEADERS_TOO_LONG = 431
 
         /** As of nginx, for the log: the client has closed the connection, and gets no answer. */
         const val GONE = 499
         const val BUG = 500
+        const val NOT_IMPLEMENTED = 501
         const val UNAVAILABLE = 503
+        const val VERSION_UNSUPPORTED = 505
 
         /** The time after which a place is probably free. */
         const val SOON = 2

@@ -1,7 +1,4 @@
-package dev.lazyz.cli.batch
-
-import dev.lazyz.cli.output.Mistake
-import dev.lazyz.cli.output.Nearest
+package dev.lazyz.cli.output
 
 /** What stands in braces in `-o`, and is replaced by something of the picture. */
 internal enum class Placeholder {
@@ -39,6 +36,9 @@ internal class OutputTemplate(val text: String) {
     /** The placeholders in it. */
     val placeholders: Set<Placeholder> = parts.filterIsInstance<Placeholder>().toSet()
 
+    /** The name of the only file, or null if there are placeholders. */
+    val name: String? get() = if (placeholders.isEmpty()) expand { it.word } else null
+
     /** Returns the name of a file; [value] returns what replaces a placeholder. */
     fun expand(value: (Placeholder) -> String): String =
         parts.joinToString("") { if (it is Placeholder) value(it) else it as String }
@@ -74,7 +74,7 @@ internal class OutputTemplate(val text: String) {
     companion object {
         private val known = Placeholder.entries.associateBy { it.name.lowercase() }
 
-        /** Whether [text] has placeholders. */
-        fun isTemplate(text: String?): Boolean = text != null && '{' in text
+        /** Returns the template without placeholders whose only file is [name]. */
+        fun of(name: String): String = name.replace("{", "{{")
     }
 }

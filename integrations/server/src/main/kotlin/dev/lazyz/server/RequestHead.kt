@@ -1,0 +1,85 @@
+package dev.lazyz.server
+
+import dev.lazyz.server.render.Problem
+import io.netty.handler.codec.TooLongFrameException
+import io.netty.handler.codec.http.HttpHeaderNames
+import io.netty.handler.codec.http.HttpHeaderValues
+import io.netty.handler.codec.http.HttpObjectDecoder
+import io.netty.handler.codec.http.HttpRequest
+import io.netty.handler.codec.http.HttpUtil
+import io.netty.handler.codec.http.HttpVersion
+import io.netty.handler.codec.http.TooLongHttpHeaderException
+import io.netty.handler.codec.http.TooLongHttpLineException
+
+/** The first line and the headers of a request, as RFC 9110 and RFC 9112 define them. */
+internal object RequestHead {
+    /** The scheme and the host of a target in absolute form. */
+    private val AUTHORITY = Regex("""https?://[^/?#]+""", RegexOption.IGNORE_CASE)
+
+    /** A name, or a number in brackets, and a port; the name can be empty. */
+    private val HOST = Regex("""([\w.~!$&'()*+,;=%-]*|\[[\w.:]+])(:\d*)?""")
+
+    /** The colon and the space after the name of a header, and the end of its line. */
+    private const val HEADER_EXTRA = 4
+
+    /** Returns [target] without scheme and host, which clients put in front of it if they think of a proxy. */
+    fun originForm(target: String): String {
+        val authority = AUTHORITY.matchAt(target, 0) ?: return target
+        return target.substring(authority.value.length).let { if (it.startsWith("/")) it else "/$it" }
+    }
+
+    /** Returns whether a body follows the head. */
+    fun hasBody(request: HttpRequest): Boolean =
+        HttpUtil.isTransferEncodingChunked(request) || HttpUtil.getContentLength(request, 0L) > 0
+
+    /**
+     * Returns what is wrong with [request] if it is not valid HTTP, or expects what the server cannot do, otherwise
+     * null. After that it is uncertain where the next request begins.
+     */
+    fun problem(request: HttpRequest): Problem? {
+        val cause = request.decoderResult().cause()
+        return if (cause != null) invalid(cause) else version(request) ?: headers(request) ?: expectation(request)
+    }
+
+    private fun invalid(cause: Throwable): Problem = when (cause) {
+        is TooLongHttpLineException -> Problem(Problem.TARGET_TOO_LONG, "the address is too long")
+        is TooLongHttpHeaderException, is TooLongFrameException -> tooLong()
+        else -> Problem(Problem.BAD_REQUEST, "this is not HTTP: ${cause.message}")
+    }
+
+    private fun tooLong() = Problem(Problem.HEADERS_TOO_LONG, "the headers are too long")
+
+    private fun version(request: HttpRequest): Problem? {
+        val version = request.protocolVersion()
+        if (version.majorVersion() == 1) return null
+        return Problem(Problem.VERSION_UNSUPPORTED, "$version is not supported; use HTTP/1.1")
+    }
+
+    private fun headers(request: HttpRequest): Problem? {
+        val headers = request.headers()
+
+        // The decoder does not count the ends of lines
+        val size = headers.sumOf { it.key.length + it.value.length + HEADER_EXTRA }
+        if (size > HttpObjectDecoder.DEFAULT_MAX_HEADER_SIZE) return tooLong()
+
+        val hosts = headers.getAll(HttpHeaderNames.HOST)
+        val least = if (request.protocolVersion() == HttpVersion.HTTP_1_0) 0 else 1
+        if (hosts.size !in least..1 || !hosts.all(HOST::matches)) {
+            return Problem(Problem.BAD_REQUEST, "a request has one header Host, with a name or a number")
+        }
+
+        // The decoder reads chunks, and requires that they are the last coding
+        val coding = headers.getAll(HttpHeaderNames.TRANSFER_ENCODING).joinToString()
+        if (coding.isEmpty() || HttpHeaderValues.CHUNKED.contentEqualsIgnoreCase(coding)) return null
+        return Problem(
+            Problem.NOT_IMPLEMENTED,
+            "transfer coding '$coding' is not supported; send the model as it is, or chunked",
+        )
+    }
+
+    private fun expectation(request: HttpRequest): Problem? {
+        val expectation = request.headers().get(HttpHeaderNames.EXPECT)
+        if (expectation == null || HttpHeaderValues.CONTINUE.contentEqualsIgnoreCase(expectation)) return null
+        return Problem(Problem.EXPECTATION_FAILED, "the expectation '$expectation' is not supported")
+    }
+}
