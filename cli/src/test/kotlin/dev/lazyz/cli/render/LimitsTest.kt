@@ -6,6 +6,7 @@ import dev.lazyz.cli.zcli
 import java.nio.file.Path
 import kotlin.io.path.createDirectory
 import kotlin.io.path.exists
+import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assumptions.assumeTrue
@@ -32,6 +33,17 @@ class LimitsTest {
         val enough = listOf("--max-triangles=4", "--max-vertices=4", "--max-decoded=1k", "--max-texels=0")
         zcli("render", wedge, *enough.toTypedArray(), "-o", out)
             .let { check(it.code == ExitCode.DONE) { it.errors } }
+    }
+
+    @Test
+    fun limitsApplyToModelsThatAreReadPartByPart() {
+        val model = folder.resolve("hills.stl").apply { writeBytes(Hills(2).stl()) }
+        for ((flag, enough) in listOf("--max-triangles" to 8, "--max-vertices" to 24)) {
+            zcli("render", model, "--stream", flag, enough - 1, "-o", out).mistake("hills.stl", flag)
+            check(zcli("render", model, "--stream", flag, enough, "-o", out).code == ExitCode.DONE)
+        }
+        val decoded = zcli("render", model, "--stream", "--max-decoded", "1g", "-o", out)
+        decoded.mistake("--max-decoded has no effect with --stream", "--max-triangles, --max-vertices or --max-spool")
     }
 
     @Test

@@ -19,7 +19,8 @@ import org.joml.Vector3dc
 
 /**
  * Reads stereolithography files of any size part by part. The triangles and their colours are those of [StlParser]
- * without smooth normals; for the limits, each corner is a vertex. A binary file is read where it is, an ASCII file is converted once to a [FacetSpool].
+ * without smooth normals; for the limits, each corner is a vertex. A binary file is read where it is, an ASCII file is
+ * converted once to a [FacetSpool].
  */
 internal object StlStreaming {
     /** Opens [input], whose first bytes [source] has. */

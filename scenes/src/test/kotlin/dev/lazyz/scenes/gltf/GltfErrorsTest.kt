@@ -187,9 +187,12 @@ class GltfErrorsTest {
     @Test
     fun numbersOfElementsAreWholeNumbers() {
         for (wrong in listOf("0.5", "\"0\"", "\"\"", "true", "1e30")) {
-            assertFails(changed("\"mesh\":0", "\"mesh\":$wrong"), "nodes[0].mesh", "the type of the value is not allowed")
+            val text = changed("\"mesh\":0", "\"mesh\":$wrong")
+            assertFails(text, "nodes[0].mesh", "the type of the value is not allowed")
         }
         assertFails(changed("\"mesh\":0", "\"mesh\":0,\"matrix\":\"1\""), "nodes[0].matrix", "not allowed here")
+        assertFails(changed("\"nodes\":[0]", "\"nodes\":[0.5]"), "scenes[0].nodes[0]", "0.5 is not a whole number")
+        assertFails(changed("\"POSITION\":0", "\"POSITION\":0.5"), "$PRIMITIVE.attributes.POSITION")
         val whole = changed("\"mesh\":0", "\"mesh\":0.0").toByteArray()
         assertEquals(1, GltfParser.parse(TestSources.of(whole)).surfaces.size)
     }
@@ -208,8 +211,9 @@ class GltfErrorsTest {
     @Test
     fun filesThatNeedALaterVersionAreRefused() {
         fun asset(more: String) = changed("\"version\":\"2.0\"", "\"version\":\"2.1\"$more")
-        assertFails(asset(",\"minVersion\":\"2.1\""), "asset.minVersion", "needs glTF 2.1, and 2.0 is supported")
-        for (good in listOf(asset(""), asset(",\"minVersion\":\"2.0\""))) {
+        assertFails(asset(",\"minVersion\":\"2.1\""), "asset.minVersion", "needs glTF \"2.1\", and 2.0 is supported")
+        assertFails(asset(",\"minVersion\":\"10.0\""), "asset.minVersion", "\"10.0\"")
+        for (good in listOf("", ",\"minVersion\":\"2.0\"", ",\"minVersion\":\"1.0\"").map(::asset)) {
             assertEquals(1, GltfParser.parse(TestSources.of(good.toByteArray())).surfaces.size)
         }
     }

@@ -57,6 +57,9 @@ internal object GltfJson {
     /** The source that the current thread is reading. */
     private val reading = ThreadLocal<Source>()
 
+    /** The versions that do not ask for more than 2.0. */
+    private val SUPPORTED = Regex("[01]\\.[0-9]+|2\\.0+")
+
     private const val REMEDY = "correct it or export the model again"
 
     /** The kind of file that contains the JSON. */
@@ -75,9 +78,9 @@ internal object GltfJson {
         if (!version.startsWith("2.")) {
             source.fail("asset.version", "the version is \"$version\", not 2.0", "export the model as glTF 2.0")
         }
-        val least = tree.path("asset").path("minVersion")
-        if (!least.isMissingNode && least.asText() != "2.0") {
-            val problem = "the file needs glTF ${least.asText()}, and 2.0 is supported"
+        val least = tree.path("asset").path("minVersion").asText("2.0")
+        if (!SUPPORTED.matches(least)) {
+            val problem = "the file needs glTF \"$least\", and 2.0 is supported"
             source.fail("asset.minVersion", problem, "export the model as glTF 2.0")
         }
         try {
