@@ -170,7 +170,11 @@ internal class MemoryPlanning(
     private fun estimate(): Enough {
         val file = source.input.fileBytes ?: return Enough(null)
         val blank = source.blank(request.choices.options())
-        val drawing = if (choice.usual is Tiled) TILED_PER_BYTE else OTHERS_PER_BYTE
+        val drawing = when {
+            choice.usual !is Tiled -> OTHERS_PER_BYTE
+            format in MESHES -> MESH_PER_BYTE
+            else -> COMPACT_PER_BYTE
+        }
         val model = MemoryItem("program, scene and primitives", least - least / RESERVE_PART + file * drawing)
         return Enough(enough(blank, listOf(model) + others(blank.pixels)), isEstimate = true)
     }
@@ -203,9 +207,16 @@ internal class MemoryPlanning(
         /** Part of the memory for reading that is a reserve, one in so many. */
         const val RESERVE_PART = 4
 
-        /** About what set-up and drawing take for each byte of a file, measured, with a reserve. */
-        const val TILED_PER_BYTE = 3L
-        const val OTHERS_PER_BYTE = 32L
+        /** About what set-up and drawing take for each byte of a file of [MESHES], with `tiled`; measured. */
+        const val MESH_PER_BYTE = 3L
+
+        /** Likewise for other formats, whose meshes take fewer bytes. */
+        const val COMPACT_PER_BYTE = 8L
+
+        /** Likewise for strategies that need an object for each triangle. */
+        const val OTHERS_PER_BYTE = 96L
+
+        val MESHES = setOf(SceneFormat.STL, SceneFormat.PLY, SceneFormat.OBJ, SceneFormat.OFF)
 
         /** Set-up that needs less than this part of the memory is not checked. */
         const val SMALL_PART = 16

@@ -64,8 +64,8 @@ class NamedMemoryTest {
 
     @Test
     fun theNamedAmountIsAcceptedAsHeapToo() {
-        val words = words("${folder.resolve(models[1])}", "200x5000", 1, "flat")
-        for (small in listOf(14, 22)) {
+        val words = words("${folder.resolve(models[0])}", "200x5000", 1, "phong")
+        for (small in listOf(12, 15)) {
             val (code, errors) = run(words, small)
             assertEquals(2, code, errors)
             val (next, later) = run(words, named(errors))
