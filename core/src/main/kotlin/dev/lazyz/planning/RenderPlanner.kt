@@ -26,8 +26,8 @@ import dev.lazyz.world.material.Shading
  * ```
  *
  * The needs of `Tiled` are upper bounds; those of other renderers come from the model of
- * [dev.lazyz.strategies.Renderers.estimates], doubled, and vertices of triangles. Custom primitives, surfaces and shaders that hold more memory
- * than they report are not known.
+ * [dev.lazyz.strategies.Renderers.estimates], doubled, and vertices of triangles. Custom primitives, surfaces and
+ * shaders that hold more memory than they report are not known.
  *
  * @param memory bytes of memory that may be used, in all
  * @param options what is requested. Threads and size of tiles are the most that a plan may use; a budget and a limit
