@@ -6,7 +6,8 @@ import java.util.function.IntPredicate
  * The input of a renderer: a raster, primitives in submission order, and the part of the raster to render.
  *
  * All rounding has already happened when primitives are set up, so that renderers cannot differ in their result; a
- * renderer only chooses the order of evaluation. Immutable, and thread safe if its primitives are.
+ * renderer only chooses the order of evaluation. The list of primitives is not copied; do not change it. Immutable, and
+ * thread safe if its primitives are.
  *
  * @property raster the grid of samples
  * @property region the samples to render; by default the whole raster

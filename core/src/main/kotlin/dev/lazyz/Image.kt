@@ -6,7 +6,7 @@ import java.security.MessageDigest
  * A rendered image: a colour, a depth and the index of the visible primitive for each sample.
  *
  * Two images are equal if their regions, colours, depths and primitives are equal, bit for bit (contract rule 7.1).
- * Immutable: the arrays are not copied and must not be changed.
+ * The arrays are not copied; do not change them. Immutable and thread safe.
  *
  * @property region the samples of the raster that the image shows; usually the whole raster
  * @property argb colours in rows from the top, 8-bit sRGB with straight alpha, `0xAARRGGBB`

@@ -12,7 +12,10 @@ public class Region(
     public val rowEnd: Int,
 ) {
     init {
-        require(columnStart in 0 until columnEnd && rowStart in 0 until rowEnd) { "a region must hold a sample: $this" }
+        require(columnStart >= 0) { "columnStart must not be negative: $columnStart" }
+        require(rowStart >= 0) { "rowStart must not be negative: $rowStart" }
+        require(columnEnd > columnStart) { "columnEnd must be greater than columnStart, $columnStart: $columnEnd" }
+        require(rowEnd > rowStart) { "rowEnd must be greater than rowStart, $rowStart: $rowEnd" }
     }
 
     /** Number of columns. */

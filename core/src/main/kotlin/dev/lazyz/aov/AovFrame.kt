@@ -15,8 +15,8 @@ import java.io.IOException
  * ```
  *
  * Works with every [Renderer], by the rows that it hands out: attributes are computed for the visible primitive of each
- * pixel, after hidden surfaces are removed, by the functions that shading uses. Immutable and thread safe, if the
- * frame's primitives are.
+ * pixel, after hidden surfaces are removed, by the functions that shading uses. The set is not copied; do not change
+ * it. Immutable and thread safe, if the frame's primitives are.
  *
  * Memory: 4 bytes for each number, see [Aov.channels], and 24 bytes a column. Cost: an evaluation of the attributes for
  * each covered pixel, on the calling thread; for [Aov.OVERDRAW] one pass over the spans of all primitives; for

@@ -5,8 +5,8 @@ import dev.lazyz.geometry.UpAxis
 import org.joml.Vector3d
 
 /**
- * One AOV of a picture: [Aov.channels] numbers for each pixel of [region], in rows from the top. Immutable: arrays are
- * not copied and must not be changed.
+ * One AOV of a picture: [Aov.channels] numbers for each pixel of [region], in rows from the top. The array is not
+ * copied; do not change it. Immutable and thread safe.
  *
  * @property aov what the numbers mean
  * @property region the pixels

@@ -28,7 +28,8 @@ import dev.lazyz.world.surface.Surface
  * Silhouettes of rough surfaces leave crumbs: visible parts between hidden parts. Those that are shorter than 8 times
  * the width and not near another line are left out.
  *
- * The number of primitives depends on the camera. Immutable and thread safe if its surfaces are.
+ * The number of primitives depends on the camera. The list of surfaces is not copied; do not change it. Immutable and
+ * thread safe if its surfaces are.
  *
  * Cost: linear in the number of triangles and edges, as long as few triangles are long and thin on the raster.
  * Neighbours of triangles are found once, and visibility each time the scene is set up.

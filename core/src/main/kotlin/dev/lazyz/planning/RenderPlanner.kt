@@ -7,12 +7,14 @@ import dev.lazyz.Renderer
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.pipeline.LayeredRendering
+import dev.lazyz.setup.planar.triangleBatch
 import dev.lazyz.strategies.FrameNumbers
 import dev.lazyz.strategies.PictureMemory
 import dev.lazyz.strategies.StrategyModel
 import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.tiled.TiledMemory
+import dev.lazyz.world.material.Shading
 
 /**
  * Plans renderings that stay within limited memory: chooses a renderer, its threads, its tiles, the bands of a streamed
@@ -24,8 +26,8 @@ import dev.lazyz.strategies.tiled.TiledMemory
  * ```
  *
  * The needs of `Tiled` are upper bounds; those of other renderers come from the model of
- * [dev.lazyz.strategies.Renderers.estimates], doubled. Custom primitives, surfaces and shaders that hold more memory
- * than they report are not known.
+ * [dev.lazyz.strategies.Renderers.estimates], doubled, and vertices of triangles. Custom primitives, surfaces and
+ * shaders that hold more memory than they report are not known.
  *
  * @param memory bytes of memory that may be used, in all
  * @param options what is requested. Threads and size of tiles are the most that a plan may use; a budget and a limit
@@ -136,7 +138,10 @@ public class RenderPlanner @JvmOverloads constructor(
     private fun other(renderer: Renderer, frame: Frame, others: List<MemoryItem>): RenderPlan {
         val isStreamed = frame.isStreamed
         val numbers = if (isStreamed) pictureOnly(frame) else FrameNumbers.of(frame)
-        val parts = if (isStreamed) others + MemoryItem("parts of the model", OBJECTS_BYTES) else others
+        val parts = others + when {
+            isStreamed -> listOf(MemoryItem("parts of the model", OBJECTS_BYTES))
+            else -> listOf(MemoryItem("vertices of triangles", VERTEX_BYTES * vertices(frame)))
+        }.filter { it.bytes > 0 }
         val whole = bytes(renderer, numbers, frame, options.memoryBudget)
         var chosen = options.withBandBytes(null)
         var need = whole
@@ -158,6 +163,13 @@ public class RenderPlanner @JvmOverloads constructor(
         val model = StrategyModel.bytes(renderer.id, numbers, budget)
         if (!model.isNaN()) return (MODEL_MARGIN * model).toLong()
         return PictureMemory.bytesPerSample(renderer) * frame.region.size + UNKNOWN_BYTES * numbers.primitives
+    }
+
+    /** The vertices of the objects of triangles. Triangles with a normal of their own do not share them. */
+    private fun vertices(frame: Frame): Long = frame.content.batches.indices.sumOf { number ->
+        val mesh = frame.content.triangleBatch(number).mesh
+        val isFlat = mesh.normals == null || mesh.material.shading == Shading.FLAT
+        if (isFlat) 3L * mesh.triangleCount else mesh.vertexCount.toLong()
     }
 
     /** Of a streamed frame only the picture is known, and its primitives are not kept. */
@@ -185,6 +197,9 @@ public class RenderPlanner @JvmOverloads constructor(
 
         /** The same with an object for each triangle, which other strategies need. */
         const val OBJECTS_BYTES = 160L shl 20
+
+        /** Clip space, place in the world, and attributes of a vertex. */
+        const val VERTEX_BYTES = 144L
 
         /** The model gives what is to be expected; this is what is reserved. */
         const val MODEL_MARGIN = 2.0

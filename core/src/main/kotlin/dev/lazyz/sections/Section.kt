@@ -32,7 +32,7 @@ import org.joml.Vector3dc
  * not cut, with a warning. New vertices get normals, texture coordinates and colours by linear interpolation. Materials
  * become two-sided, because a cut opens the view of inner walls.
  *
- * Immutable and thread safe.
+ * The list is not copied; do not change it. Immutable and thread safe.
  *
  * @property planes the planes; those of an earlier cut do not hinder a later one
  * @param capMaterial returns the material of a cap from that of its mesh; by default [darkened]

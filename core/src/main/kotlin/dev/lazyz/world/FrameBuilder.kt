@@ -32,6 +32,8 @@ public class FrameBuilder(private val raster: Raster) {
     /**
      * Adds a polygon. It is treated as opaque, whatever alpha [shader] sets.
      *
+     * The arrays are copied, and can be changed afterwards.
+     *
      * @param contours x, y, depth triples for each closed contour; with a vertex that is NaN or infinite, the polygon
      *   covers nothing
      * @throws IllegalArgumentException if a contour does not consist of triples, or a vertex is more than 2^19 pixels
@@ -43,7 +45,7 @@ public class FrameBuilder(private val raster: Raster) {
 
     /**
      * Adds a polygon of one contour, convex or concave, in one [color]. It is translucent if the alpha of the colour is
-     * below 1. Throws like the other [polygon].
+     * below 1. The array is copied, and can be changed afterwards. Throws like the other [polygon].
      */
     public fun polygon(color: Rgba, contour: DoubleArray): FrameBuilder = apply {
         val shader = Shader { it.setColor(color.red, color.green, color.blue, color.alpha) }

@@ -28,7 +28,8 @@ import org.joml.Vector3dc
  * Surfaces, lights and a viewpoint, in world space: right-handed, y up, any unit of length.
  *
  * Immutable and thread safe if its surfaces are (the built-in ones are). The order of [surfaces] is the submission
- * order, which resolves ties of depth (contract rule 5.2).
+ * order, which resolves ties of depth (contract rule 5.2). The lists, also those of `with...` methods, are not copied;
+ * do not change them.
  *
  * @property surfaces the surfaces, in submission order
  * @property lights light sources; if empty, [Light.studio] lights for the camera are used for materials without

@@ -8,11 +8,13 @@ import dev.lazyz.SampleScenes
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.lazy.LazyZBuffer
+import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.tiled.TiledMemory
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.MeshSource
 import dev.lazyz.world.surface.StreamedMesh
@@ -100,6 +102,26 @@ class RenderPlannerTest {
         val plan = RenderPlanner(16 * MEBIBYTE).plan(frame, listOf(LazyZBuffer()))
         assertTrue(plan.fits, "$plan")
         assertTrue("a budget of" in plan.summary || plan.bytes < 9 * MEBIBYTE, plan.summary)
+    }
+
+    /** Strategies without batches need an object for each triangle, and for a flat one also its vertices. */
+    @Test
+    fun objectsOfTrianglesAreCounted() {
+        val flat = soup(60_000, 0.02, Material(shading = Shading.FLAT))
+        for (mesh in listOf(flat, flat.withSmoothNormals(180.0).withMaterials { it.withShading(Shading.PHONG) })) {
+            val frame = scene(mesh).frame(Raster(2_000, 2_000))
+            val sampled = SuperSampling.NONE.of(frame)
+            val planned = RenderPlanner(512 * MEBIBYTE).plan(sampled, listOf(Lists())).bytes
+            val before = usedMemory()
+            val objects = frame.primitives.toList()
+            val taken = usedMemory() - before
+            assertTrue(planned >= taken) { "${objects.size} triangles take $taken bytes, and $planned are planned" }
+        }
+    }
+
+    private fun usedMemory(): Long {
+        repeat(2) { System.gc() }
+        return Runtime.getRuntime().run { totalMemory() - freeMemory() }
     }
 
     /** Triangles that are read again for each pass. */

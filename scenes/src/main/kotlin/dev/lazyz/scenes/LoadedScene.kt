@@ -9,7 +9,7 @@ import dev.lazyz.world.Scene
 import java.nio.file.Path
 
 /**
- * A scene that was read, and warnings about what the reader ignored.
+ * A scene that was read, and warnings about what the reader ignored. The lists are not copied; do not change them.
  *
  * @property scene the contents of the file, with the file's camera and lights if it has them
  * @property warnings one sentence each, in the order of the file: for example a missing texture or a skipped face

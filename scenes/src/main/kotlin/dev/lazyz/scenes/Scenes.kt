@@ -140,7 +140,8 @@ public object Scenes {
      *
      * @param format the format, or null if the extension of the name or the first bytes determine it; STL, PLY and OBJ
      *   are supported
-     * @param limits limits on what the file can request; [LoadLimits.decodedBytes] does not apply
+     * @param limits limits on what the file can request; [LoadLimits.decodedBytes] does not apply, and each corner of
+     *   an STL file counts as a vertex
      * @param spool the folder of temporary files
      * @throws SceneFormatException as [load]; also if the format is not supported or there is no space for temporary
      *   files

@@ -107,6 +107,13 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         if (spooling != null && streaming.request == null && memory.bytes == null) {
             throw Mistake("$spooling needs --stream, or --memory")
         }
+        val whole = limits.wholeOption
+        if (whole != null && streaming.request != null) {
+            throw Mistake(
+                "$whole has no effect with --stream, which keeps no decoded input; use --max-triangles, " +
+                    "--max-vertices or --max-spool",
+            )
+        }
 
         val named = NamedInputs(inputs, reading.format)
         val series = several.series()

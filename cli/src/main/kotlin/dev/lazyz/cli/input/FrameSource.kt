@@ -105,6 +105,13 @@ internal class FrameSource(
         return Shot(sampled, subject.background?.gradient, up)
     }
 
+    /** Returns a picture of nothing, of the size that the options choose. */
+    fun blank(options: RenderOptions): Shot {
+        val size = subject.size ?: DEFAULT_SIZE
+        val raster = Raster(size.width, size.height)
+        return Shot(subject.antiAliasing.frame(Scene(emptyList()), raster, options).within(region(raster)))
+    }
+
     /** Returns the colour and the texture that the user chose, or null. */
     private fun paint(scene: Scene): Paint? {
         val file = subject.texture ?: return subject.color?.let { Paint(it, null) }

@@ -21,7 +21,7 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
         "--max-decoded",
         help =
         "Maximum memory for decoded input: bytes, or with k, m, g; default: 128m plus 512 times the size of the " +
-            "files, at most half of Java's memory",
+            "files, at most half of Java's memory. Not for --stream, which keeps no decoded input",
     ).bytes()
 
     private val triangles by option("--max-triangles", help = "Maximum triangles; default: no limit").count()
@@ -47,6 +47,9 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
 
     /** The option that was given of those that have an effect only if a model is read part by part, or null. */
     val spoolOption: String? get() = spool?.let { "--max-spool" }
+
+    /** The option that was given of those that have no effect if a model is read part by part, or null. */
+    val wholeOption: String? get() = decoded?.let { "--max-decoded" }
 
     /** Returns the limits. */
     fun limits() = LoadLimits(

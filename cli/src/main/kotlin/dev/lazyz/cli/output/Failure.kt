@@ -13,7 +13,7 @@ import java.nio.file.NoSuchFileException
 import java.util.ServiceConfigurationError
 
 /** A mistake of the user, or a bad file. The user sees only the message. */
-internal class Mistake(message: String) : RuntimeException(message)
+internal open class Mistake(message: String) : RuntimeException(message)
 
 /** Converts exceptions to messages. */
 internal object Failure {

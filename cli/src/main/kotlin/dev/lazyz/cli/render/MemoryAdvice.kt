@@ -6,6 +6,26 @@ import dev.lazyz.planning.RenderPlan
 import dev.lazyz.scenes.SceneFormat
 
 /**
+ * A step of a rendering that does not fit into memory.
+ *
+ * @property what what does not fit
+ * @property need how many bytes it needs, if that is known
+ * @property streamed the format of the model, if it can be read part by part, and is not yet
+ */
+internal class Shortage(val what: String, val need: Long?, val streamed: SceneFormat? = null)
+
+/**
+ * The memory with which a whole rendering fits.
+ *
+ * @property bytes the bytes, or null if that is not known
+ * @property isEstimate whether it is not measured, but estimated by the size of the model
+ */
+internal class Enough(val bytes: Long?, val isEstimate: Boolean = false)
+
+/** The mistake that a rendering does not fit into memory. [enough] bytes would do, if that is known. */
+internal class MemoryRefusal(message: String, val enough: Long?) : Mistake(message)
+
+/**
  * What to do if a rendering of [request] does not fit into memory.
  *
  * @param allowed the bytes of `--memory`
@@ -18,36 +38,35 @@ internal class MemoryAdvice(private val request: RenderRequest, private val allo
     /**
      * Returns the mistake to report.
      *
-     * @param what what does not fit
-     * @param need how many bytes it needs, if that is known
+     * @param shortage the first step that does not fit
      * @param plan the plan that needs the least, if there is one
      * @param canShrink whether a smaller picture would fit
-     * @param streamed the format of the model, if it can be read part by part, and is not yet
      */
     fun refusal(
-        what: String,
-        need: Long?,
+        shortage: Shortage,
+        enough: Enough,
         plan: RenderPlan? = null,
         canShrink: Boolean = false,
-        streamed: SceneFormat? = null,
-    ): Mistake {
-        val verb = if (need == null) "needs more" else "needs ${Bytes.readable(need + TENTH)}"
+    ): MemoryRefusal {
+        val verb = if (shortage.need == null) "needs more" else "needs ${Bytes.readable(shortage.need + TENTH)}"
         val usable = Bytes.readable(memory)
         val limit = when {
             isHeapSmaller -> "and Java was started with only $usable (-Xmx)"
             memory < allowed -> "and --memory allows $usable (${Bytes.readable(allowed)} less a reserve)"
             else -> "and --memory allows $usable"
         }
-        val steps = "${larger(need)}${stream(streamed)}${smaller(canShrink)}"
-        return Mistake("$what $verb, $limit\n${plan?.explain().orEmpty()}$steps See 'zcli render --help'.")
+        val steps = "${larger(enough)}${stream(shortage.streamed)}${smaller(canShrink)}"
+        val text = "${shortage.what} $verb, $limit\n${plan?.explain().orEmpty()}$steps See 'zcli render --help'."
+        return MemoryRefusal(text, enough.bytes)
     }
 
-    private fun larger(need: Long?): String {
-        val enough = need?.let { "${((it + it / MARGIN) shr 20) + SLACK}m" }
+    private fun larger(enough: Enough): String {
+        val amount = enough.bytes?.let { "${((it + it / MARGIN) shr 20) + SLACK}m" }
+        val origin = if (enough.isEstimate) ", an estimate by the size of the model" else ""
         return when {
-            isHeapSmaller && enough != null -> "Start Java with -Xmx$enough, and use --memory $enough."
+            isHeapSmaller && amount != null -> "Start Java with -Xmx$amount, and use --memory $amount$origin."
             isHeapSmaller -> "Start Java with a larger -Xmx, and use a larger --memory."
-            enough != null -> "Use --memory $enough."
+            amount != null -> "Use --memory $amount$origin."
             else -> "Use a larger --memory; how much is enough is not known."
         }
     }

@@ -5,79 +5,178 @@ import dev.lazyz.Region
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.Bytes
-import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.planning.MemoryItem
 import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.planning.SetUpMemory
+import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.strategies.tiled.Tiled
 
 /**
  * The option `--memory`: plans a rendering of [request] that stays within [allowed] bytes of Java's memory, or refuses
  * it before it begins. What is already in memory is measured after a garbage collection.
+ *
+ * A step that does not fit into [allowed] bytes is still made if Java has the memory for it: the refusal comes when it
+ * is known what the whole rendering needs.
+ *
+ * @param others what receives the rows of a picture, and what is kept of it
  */
-internal class MemoryPlanning(private val allowed: Long, private val request: RenderRequest) {
+internal class MemoryPlanning(
+    private val allowed: Long,
+    private val request: RenderRequest,
+    private val source: FrameSource,
+    private val choice: StrategyChoice,
+    private val others: (Region) -> List<MemoryItem>,
+) {
+    private val heap = Runtime.getRuntime().maxMemory()
+
     /** Bytes that may be used: not more than Java itself may use. */
-    val memory: Long = minOf(allowed, Runtime.getRuntime().maxMemory())
+    val memory: Long = minOf(allowed, heap)
     private val advice = MemoryAdvice(request, allowed, memory)
 
+    /** What the steps so far need, at least. */
+    private var least = 0L
+
+    /** The first step that does not fit. */
+    private var shortage: Shortage? = null
+
+    private val format = source.input.statedFormat
+
+    /** What reading the model as a whole needs, or 0 if that is unknown. */
+    private val readingNeed: Long =
+        source.input.fileBytes?.let { PROGRAM_BYTES + Scenes.leastMemory(format, it) } ?: 0
+
+    /** Whether the model can be read part by part with the other options. */
+    private val canStream: Boolean
+        get() = choice.canStream && request.streamingForMemory.obstacle(request) == null
+
+    /** Whether the picture is the same if the model is read part by part. */
+    private val isSameInParts: Boolean
+        get() = format == SceneFormat.STL && request.subject.hasFaceNormals && canStream
+
     /**
-     * Returns how to read the model of [source]: null for as a whole, if it fits, or if its need is unknown; or part
-     * by part, if the picture is the same.
+     * Returns how to read the model: null for as a whole, if it fits, or if its need is unknown; or part by part, if
+     * the picture is the same.
      *
-     * @throws Mistake if the model does not fit
+     * @throws MemoryRefusal if the model does not fit
      */
-    fun streaming(source: FrameSource, choice: StrategyChoice): StreamRequest? {
-        val input = source.input
-        val need = PROGRAM_BYTES + Scenes.leastMemory(input.statedFormat, input.fileBytes ?: return null)
-        if (need <= memory) return null
-        val streaming = request.streamingForMemory
-        val isPossible = choice.canStream && streaming.obstacle(request) == null
-        if (input.statedFormat == SceneFormat.STL && request.subject.hasFaceNormals && isPossible) return streaming
-        throw advice.refusal("reading ${input.name}", need, streamed = input.statedFormat.takeIf { isPossible })
+    fun streaming(): StreamRequest? {
+        if (readingNeed > memory && isSameInParts) return request.streamingForMemory
+        recordReading()
+        return null
+    }
+
+    private fun recordReading() {
+        val need = readingNeed
+        if (need > 0) record("reading ${source.input.name}", need, need - need / RESERVE_PART)
+    }
+
+    /** The limits for reading the model as a whole. */
+    val loading: LoadOptions
+        get() = with(request.subject.loading) {
+            LoadOptions(limits.withMemory(maxOf(memory, least)), animationTime, smoothNormals)
+        }
+
+    /**
+     * Whether the model can be read in the other way, as a whole or part by part, and perhaps with less memory, after
+     * [refusal] of reading it as [streaming] says. Prepares for that.
+     */
+    fun hasOtherWay(streaming: StreamRequest?, refusal: MemoryRefusal): Boolean {
+        if (!isSameInParts) return false
+        if (streaming != null && (readingNeed > heap || readingNeed >= (refusal.enough ?: Long.MAX_VALUE))) return false
+        least = 0
+        shortage = null
+        if (streaming != null) recordReading()
+        return true
     }
 
     /** Calls [prepare], which reads and sets up all that a rendering needs. */
-    fun <T> preparing(source: FrameSource, prepare: () -> T): T = try {
+    fun <T> preparing(prepare: () -> T): T = try {
         prepare()
     } catch (full: OutOfMemoryError) {
-        throw advice.refusal("reading and setting up ${source.input.name}", null)
+        throw exhausted()
+    } catch (refused: SceneFormatException) {
+        throw if (refused.cause is OutOfMemoryError) exhausted() else refused
+    }
+
+    private fun exhausted(): MemoryRefusal {
+        val unknown = Shortage("reading and setting up ${source.input.name}", null)
+        return advice.refusal(shortage ?: unknown, if (shortage == null) Enough(null) else estimate())
     }
 
     /**
      * Checks that [loaded] can be set up.
      *
-     * @throws Mistake otherwise
+     * @throws MemoryRefusal otherwise
      */
-    fun requireSetUp(source: FrameSource, loaded: LoadedScene) {
+    fun requireSetUp(loaded: LoadedScene) {
         val setUp = SetUpMemory.bytes(loaded.scene)
 
         // Small scenes need no look at the memory, which takes time
         if (setUp < memory / SMALL_PART) return
-        val need = RenderPlan.leastMemory(held() + setUp)
-        if (need > memory) throw advice.refusal("setting up ${source.input.name}", need)
+        val bytes = held() + setUp
+        record("setting up ${source.input.name}", RenderPlan.leastMemory(bytes), bytes)
+    }
+
+    /** Records a step that needs [need] bytes, and refuses it if Java does not even have the [bytes] of its objects. */
+    private fun record(what: String, need: Long, bytes: Long) {
+        least = maxOf(least, need)
+        if (need <= memory) return
+        val first = shortage ?: Shortage(what, need, format.takeIf { canStream })
+        shortage = first
+        if (bytes > heap) throw advice.refusal(first, estimate())
     }
 
     /**
-     * Returns the plan for [shot], with the first strategy of [choice] that fits.
+     * Returns the plan for [shot], with the first strategy that fits.
      *
-     * @param outputs what receives the rows
-     * @throws Mistake if none fits
+     * @throws MemoryRefusal if none fits, or if an earlier step did not fit
      */
-    fun plan(source: FrameSource, shot: Shot, choice: StrategyChoice, outputs: List<MemoryItem>): RenderPlan {
-        val others = listOf(MemoryItem("program, scene and primitives", held())) + outputs
-        val planner = RenderPlanner(memory, request.choices.options())
-        val renderers = choice.rendererChoices(shot.frame, memory)
-        val plan = shot.plan(planner, renderers, others)
+    fun plan(shot: Shot): RenderPlan {
+        val program = MemoryItem("program, scene and primitives", held())
+        val all = listOf(program) + others(shot.pixels)
+        val plan = plan(shot, all, memory)
+        val short = shortage
+        if (short != null) throw advice.refusal(short, Enough(enough(shot, all)))
         if (plan.fits) return plan
 
         // Would a picture of one pixel fit?
         val corner = with(shot.pixels) { Region(columnStart, rowStart, columnStart + 1, rowStart + 1) }
-        val smallest = shot.within(corner).plan(planner, renderers, others.take(1))
-        throw advice.refusal("the picture", plan.leastMemory, plan, canShrink = smallest.fits)
+        val smallest = plan(shot.within(corner), listOf(program), memory)
+        val picture = Shortage("the picture", plan.leastMemory)
+        throw advice.refusal(picture, Enough(enough(shot, all)), plan, canShrink = smallest.fits)
+    }
+
+    private fun plan(shot: Shot, items: List<MemoryItem>, bytes: Long): RenderPlan =
+        shot.plan(RenderPlanner(bytes, request.choices.options()), choice.rendererChoices(shot.frame, bytes), items)
+
+    /** Returns the memory with which [shot] can be rendered, besides [items], after the steps so far. */
+    private fun enough(shot: Shot, items: List<MemoryItem>): Long {
+        // With more memory, another plan may be the first
+        var bytes = least
+        while (true) {
+            val plan = plan(shot, items, bytes)
+            if (plan.fits) return bytes
+            bytes = plan.leastMemory
+        }
+    }
+
+    /** Estimates the memory that is enough by the size of the file, or returns that it is not known. */
+    private fun estimate(): Enough {
+        val file = source.input.fileBytes ?: return Enough(null)
+        val blank = source.blank(request.choices.options())
+        val drawing = when {
+            choice.usual !is Tiled -> OTHERS_PER_BYTE
+            format in MESHES -> MESH_PER_BYTE
+            else -> COMPACT_PER_BYTE
+        }
+        val model = MemoryItem("program, scene and primitives", least - least / RESERVE_PART + file * drawing)
+        return Enough(enough(blank, listOf(model) + others(blank.pixels)), isEstimate = true)
     }
 
     /** Returns lines about the [plan], and about the disk. */
@@ -104,6 +203,20 @@ internal class MemoryPlanning(private val allowed: Long, private val request: Re
     private companion object {
         /** What the program takes before it reads anything; measured, with a reserve. */
         const val PROGRAM_BYTES = 12L shl 20
+
+        /** Part of the memory for reading that is a reserve, one in so many. */
+        const val RESERVE_PART = 4
+
+        /** About what set-up and drawing take for each byte of a file of [MESHES], with `tiled`; measured. */
+        const val MESH_PER_BYTE = 3L
+
+        /** Likewise for other formats, whose meshes take fewer bytes. */
+        const val COMPACT_PER_BYTE = 8L
+
+        /** Likewise for strategies that need an object for each triangle. */
+        const val OTHERS_PER_BYTE = 96L
+
+        val MESHES = setOf(SceneFormat.STL, SceneFormat.PLY, SceneFormat.OBJ, SceneFormat.OFF)
 
         /** Set-up that needs less than this part of the memory is not checked. */
         const val SMALL_PART = 16

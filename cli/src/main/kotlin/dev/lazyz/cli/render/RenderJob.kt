@@ -1,5 +1,6 @@
 package dev.lazyz.cli.render
 
+import dev.lazyz.Region
 import dev.lazyz.cli.diff.DifferenceText
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.output.ExitCode
@@ -15,44 +16,52 @@ import kotlinx.serialization.json.JsonObject
 
 /** One run of `zcli render`: reads, sets up, chooses a strategy, renders to all sinks at once, compares, reports. */
 internal class RenderJob(private val request: RenderRequest, private val streams: Streams) {
-    private val planning = request.memory?.let { MemoryPlanning(it, request) }
+    // These report mistakes in the options before anything is read
+    private val source = FrameSource(request.subject, streams)
+    private val choice = StrategyChoice(request.strategy, request.choices)
+    private val outputs = Outputs(request, source.input, streams)
+    private val reference = request.reference?.let { ReferenceCheck(it) }
+    private val planning = request.memory?.let { MemoryPlanning(it, request, source, choice, ::others) }
 
     /** Returns the exit code. */
     fun run(): Int {
-        // Report mistakes in the options before anything is read
-        val source = FrameSource(request.subject, streams)
-        val choice = StrategyChoice(request.strategy, request.choices)
-        val outputs = Outputs(request, source.input, streams)
-        val reference = request.reference?.let { ReferenceCheck(it) }
-
         request.streaming?.requirePossible(request)
-        val streaming = request.streaming ?: planning?.streaming(source, choice)
-            ?: return run(source, prepared(source) { source.load() }, choice, outputs, reference, null)
-        return prepared(source) { source.stream(streaming.spool) }
-            .use { run(source, it.loaded, choice, outputs, reference, streaming) }
+        if (planning == null) return run(request.streaming)
+        val streaming = request.streaming ?: planning.streaming()
+        return try {
+            run(streaming)
+        } catch (refusal: MemoryRefusal) {
+            if (request.streaming != null || !planning.hasOtherWay(streaming, refusal)) throw refusal
+            runOtherwise(refusal, if (streaming == null) request.streamingForMemory else null)
+        }
+    }
+
+    /** Reads the model in another way after [refusal]. If that does not fit either, reports what needs less. */
+    private fun runOtherwise(refusal: MemoryRefusal, streaming: StreamRequest?): Int = try {
+        run(streaming)
+    } catch (other: MemoryRefusal) {
+        throw listOf(refusal, other).minBy { it.enough ?: Long.MAX_VALUE }
+    }
+
+    private fun run(streaming: StreamRequest?): Int {
+        if (streaming == null) {
+            val whole = if (planning == null) source else FrameSource(request.subject, streams, planning.loading)
+            return run(prepared { whole.load() }, null)
+        }
+        return prepared { source.stream(streaming.spool) }.use { run(it.loaded, streaming) }
     }
 
     /** Calls [prepare], and reports it if the memory is not enough for that. */
-    private fun <T> prepared(source: FrameSource, prepare: () -> T): T =
-        if (planning == null) prepare() else planning.preparing(source, prepare)
+    private fun <T> prepared(prepare: () -> T): T = if (planning == null) prepare() else planning.preparing(prepare)
 
-    private fun run(
-        source: FrameSource,
-        loaded: LoadedScene,
-        choice: StrategyChoice,
-        outputs: Outputs,
-        reference: ReferenceCheck?,
-        streaming: StreamRequest?,
-    ): Int {
+    private fun run(loaded: LoadedScene, streaming: StreamRequest?): Int {
         // Set up, and choose a strategy that supports the frame
         source.requireKept(loaded, outputs.replaced)
         val start = System.nanoTime()
-        planning?.requireSetUp(source, loaded)
-        val shot = prepared(source) { source.frame(loaded, request.choices.options()) }
+        planning?.requireSetUp(loaded)
+        val shot = prepared { source.frame(loaded, request.choices.options()) }
         val frame = shot.frame
-        val keptBytes =
-            (reference?.bytesPerPixel ?: 0) * shot.pixels.size + request.aovs.bytesPerPixel * shot.pixels.size
-        val plan = planning?.plan(source, shot, choice, outputs.memory(shot.pixels) + kept(keptBytes))
+        val plan = planning?.plan(shot)
         val strategy = plan?.renderer ?: choice.strategyFor(frame)
         if (request.isExplained) {
             val memory = planning?.memory ?: Runtime.getRuntime().maxMemory()
@@ -96,8 +105,12 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         return if (difference?.isMatch == false) ExitCode.DIFFERENT else ExitCode.DONE
     }
 
-    /** The pixels that are kept to be compared, and other data of each pixel. */
-    private fun kept(bytes: Long) = if (bytes == 0L) emptyList() else listOf(MemoryItem("pixels that are kept", bytes))
+    /** What receives the [pixels]; those that are kept to be compared, and other data of each of them. */
+    private fun others(pixels: Region): List<MemoryItem> {
+        val kept = ((reference?.bytesPerPixel ?: 0) + request.aovs.bytesPerPixel) * pixels.size
+        val items = if (kept == 0L) emptyList() else listOf(MemoryItem("pixels that are kept", kept))
+        return outputs.memory(pixels) + items
+    }
 
     /** Prints [statistics] to standard output, or to standard error if standard output contains the picture. */
     private fun printStatistics(form: StatsForm, statistics: Statistics, comparison: JsonObject?) {

@@ -6,6 +6,7 @@ import dev.lazyz.cli.zcli
 import java.nio.file.Path
 import kotlin.io.path.createDirectory
 import kotlin.io.path.exists
+import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assumptions.assumeTrue
@@ -40,6 +41,17 @@ class LimitsTest {
         file.writeText("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n".repeat(100_000))
         zcli("render", file, "--max-seconds", 0.0001, "-o", out).mistake("takes more than 1 ms to read")
         zcli("render", file, "--max-seconds", 0, "-o", out).mistake("takes more than 0 ms to read")
+    }
+
+    @Test
+    fun limitsApplyToModelsThatAreReadPartByPart() {
+        val model = folder.resolve("hills.stl").apply { writeBytes(Hills(2).stl()) }
+        for ((flag, enough) in listOf("--max-triangles" to 8, "--max-vertices" to 24)) {
+            zcli("render", model, "--stream", flag, enough - 1, "-o", out).mistake("hills.stl", flag)
+            check(zcli("render", model, "--stream", flag, enough, "-o", out).code == ExitCode.DONE)
+        }
+        val decoded = zcli("render", model, "--stream", "--max-decoded", "1g", "-o", out)
+        decoded.mistake("--max-decoded has no effect with --stream", "--max-triangles, --max-vertices or --max-spool")
     }
 
     @Test

@@ -88,7 +88,7 @@ internal class Rendering(
             val band = bandAt(number)
             while (!band.isComplete) {
                 val tile = schedule.take(0)
-                if (tile != Schedule.NONE) render(tile, renderers[0]) else schedule.awaitUntil { band.isComplete }
+                if (tile != Schedule.NONE) render(tile, renderers[0]) else schedule.awaitUntil({ band.isComplete })
                 passCallerCheckpoint()
             }
 

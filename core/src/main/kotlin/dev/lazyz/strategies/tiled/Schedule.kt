@@ -3,6 +3,7 @@ package dev.lazyz.strategies.tiled
 import dev.lazyz.strategies.tiled.raster.CancellationCheck
 import java.util.concurrent.atomic.AtomicLongArray
 import java.util.concurrent.atomic.AtomicReference
+import java.util.concurrent.locks.Condition
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
@@ -73,12 +74,15 @@ internal class Schedule(private val columns: Int, threads: Int) : CancellationCh
         return false
     }
 
-    /** Returns the next tile for thread number [thread] once it is available, or [NONE] when the rendering is over. */
+    /**
+     * Returns the next tile for thread number [thread] once it is available, or [NONE] when the rendering is over. For
+     * the threads of an executor, whose interrupt status is not ours: it neither ends the wait nor the rendering.
+     */
     fun takeOrWait(thread: Int): Long {
         while (!isOver) {
             val tile = take(thread)
             if (tile != NONE) return tile
-            awaitUntil(::hasTiles)
+            awaitUntil(::hasTiles, Condition::awaitUninterruptibly)
         }
         return NONE
     }
@@ -86,13 +90,16 @@ internal class Schedule(private val columns: Int, threads: Int) : CancellationCh
     /**
      * Waits until [condition] holds or the rendering is over. Changes of the condition must be signalled. Spins before
      * it sleeps, because a tile takes less time than waking a thread.
+     *
+     * @param sleep waits for a signal
+     * @throws InterruptedException if the thread is interrupted, unless [sleep] is for threads of an executor
      */
-    fun awaitUntil(condition: () -> Boolean) {
+    fun awaitUntil(condition: () -> Boolean, sleep: Condition.() -> Unit = Condition::await) {
         for (spin in 0 until SPINS) {
             if (isOver || condition()) return
             Thread.onSpinWait()
         }
-        lock.withLock { while (!isOver && !condition()) changed.await() }
+        lock.withLock { while (!isOver && !condition()) changed.sleep() }
     }
 
     /** Makes waiting threads check their conditions again. */

@@ -63,7 +63,7 @@ public enum class TextureEncoding {
  * With a [mipFilter], the smaller copies of the image are computed when a sample first needs one; they take a third of
  * the image's memory. Samples with little of the texture in each, as in a close view, cost the same as without.
  *
- * The texels are not copied: immutable and thread safe if the caller does not change the array.
+ * The array of texels is not copied; do not change it. Immutable and thread safe.
  *
  * Sources: Lance Williams, "Pyramidal Parametrics", SIGGRAPH 1983; Paul Heckbert, "Fundamentals of Texture Mapping and
  * Image Warping", 1989, for the footprint; J. McCormack et al., "Feline: Fast Elliptical Lines for Anisotropic Texture

@@ -17,8 +17,8 @@ import org.joml.Vector3dc
  * A flat polygon with any number of contours: convex, concave, with holes, or self-intersecting.
  *
  * Each contour is closed. Depth and attributes are those of the plane through a reference triangle of the polygon's
- * vertices (contract rule 3.5), so all vertices should be in one plane; if they are not, that plane is drawn. Immutable
- * and thread safe if the lists of vertices are not changed.
+ * vertices (contract rule 3.5), so all vertices should be in one plane; if they are not, that plane is drawn. The lists
+ * are not copied; do not change them. Immutable and thread safe.
  *
  * @property contours lists of vertices, world space; the outer contour is counter-clockwise seen from the front
  * @property material the appearance

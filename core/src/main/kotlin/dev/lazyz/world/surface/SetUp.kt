@@ -43,7 +43,7 @@ public class SetUp internal constructor(
     public val origin: Vector3dc,
     internal val workers: Workers,
 ) {
-    /** Creates a set-up without environment and tone mapping. */
+    /** Creates a set-up without environment and tone mapping. The list is not copied; do not change it. */
     @JvmOverloads
     public constructor(raster: Raster, camera: Camera, lights: List<Light>, origin: Vector3dc = Vector3d()) :
         this(raster, camera, SceneLight(lights), origin, Workers.ALL)

@@ -247,4 +247,27 @@ class TiledThreadsTest {
             tiled(2).render(frame { _, _ -> }) { _, _, _, _ -> error("a row") }
         }
     }
+
+    /** Somebody else interrupts the threads of the executor: that is not an interrupt of the caller. */
+    @Test
+    fun anInterruptedThreadOfTheExecutorDoesNotEndTheRendering() {
+        val isKept = CountDownLatch(2)
+        val executor = Executor { task ->
+            val run = {
+                Thread.currentThread().interrupt()
+                task.run()
+                if (Thread.interrupted()) isKept.countDown()
+            }
+            Thread(run).apply { isDaemon = true }.start()
+        }
+        val renderer = Tiled(RenderOptions(threads = 3, tileSize = 16, executor = executor))
+        val rows = ArrayList<Int>()
+        renderer.render(frame { _, _ -> }) { y, _, _, _ ->
+            // The threads of the executor have nothing to do, and wait
+            if (y % 16 == 0) LockSupport.parkNanos(20_000_000)
+            rows += y
+        }
+        assertEquals((0 until 64).toList(), rows)
+        assertTrue(isKept.await(10, TimeUnit.SECONDS), "the status of the threads is left as it was")
+    }
 }

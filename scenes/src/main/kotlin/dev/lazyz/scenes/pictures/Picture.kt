@@ -60,8 +60,8 @@ public class Picture private constructor(public val width: Int, public val heigh
         public fun of(image: Image): Picture = ofArgb(image.width, image.height, image.argb)
 
         /**
-         * Returns a picture of [width] x [height] colours in rows from the top, `0xAARRGGBB`. The array is not copied
-         * and must not be changed.
+         * Returns a picture of [width] x [height] colours in rows from the top, `0xAARRGGBB`. The array is not copied;
+         * do not change it.
          *
          * @throws IllegalArgumentException if the array does not have one element for each pixel
          */

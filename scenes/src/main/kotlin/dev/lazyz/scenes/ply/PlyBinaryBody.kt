@@ -39,8 +39,8 @@ internal class PlyBinaryBody(
                 val count = listLength(property, next(property.countType))
                 if (!hasList(property, count)) return cutOff()
                 val list = row.lists[column]
-                list.resize(count)
-                for (i in 0 until count) list.numbers[i] = next(property.type)
+                list.resize(count.toInt())
+                for (i in 0 until count.toInt()) list.numbers[i] = next(property.type)
             }
         }
         return true
@@ -64,9 +64,9 @@ internal class PlyBinaryBody(
     }
 
     /** Whether the [count] numbers of a list are there; they are then in memory. */
-    private fun hasList(list: PlyProperty, count: Int): Boolean {
+    private fun hasList(list: PlyProperty, count: Long): Boolean {
         if (count > (end - position) / list.type.size) return false
-        val bytes = count.toLong() * list.type.size
+        val bytes = count * list.type.size
         if (window.isPart && bytes > LONGEST_LIST) {
             source.fail(location, "list ${list.name} has $count numbers, too many to be read part by part", "split it")
         }
@@ -97,8 +97,8 @@ internal class PlyBinaryBody(
         if (!has(list.leastSize)) return -1.also { cutOff() }
         val count = listLength(list, next(checkNotNull(list.countType)))
         if (!hasList(list, count)) return -1.also { cutOff() }
-        at += Int.SIZE_BYTES * count
-        return count
+        at += Int.SIZE_BYTES * count.toInt()
+        return count.toInt()
     }
 
     /** Returns the number of type [PlyType.INT] at [index]. */

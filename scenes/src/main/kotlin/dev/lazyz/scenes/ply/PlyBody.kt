@@ -53,14 +53,14 @@ internal abstract class PlyBody(protected val source: Source, private val header
     }
 
     /**
-     * Returns the length of a list, which the file gives as [count]. Returns `Int.MAX_VALUE` if [count] is larger.
-     * Fails if [count] is not an integer, 0 or more.
+     * Returns the length of a list, which the file gives as [count]. Fails if [count] is not an integer that the
+     * largest type can have, 0 or more.
      */
-    protected fun listLength(property: PlyProperty, count: Double): Int {
-        if (!(count >= 0.0) || (count < Int.MAX_VALUE && count != count.toInt().toDouble())) {
+    protected fun listLength(property: PlyProperty, count: Double): Long {
+        if (!(count in 0.0..LONGEST_LIST) || count != round(count)) {
             source.fail(location, "the length of list ${property.name} is $count", "export the model again")
         }
-        return count.toInt()
+        return count.toLong()
     }
 
     /**
@@ -78,6 +78,9 @@ internal abstract class PlyBody(protected val source: Source, private val header
     }
 
     companion object {
+        /** The largest number of type [PlyType.UINT]. */
+        private const val LONGEST_LIST = 4294967295.0
+
         /**
          * Returns the body in the form that [header] specifies, in a file of [size] bytes. The body begins in [window].
          */

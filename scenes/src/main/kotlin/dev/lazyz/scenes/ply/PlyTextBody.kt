@@ -46,8 +46,8 @@ internal class PlyTextBody(source: Source, header: PlyHeader, window: ByteWindow
                 if (count > wordsLeft && lines.isCutOff) return false
                 if (count > wordsLeft) tooLong(property, count)
                 val list = row.lists[column]
-                list.resize(count)
-                for (i in 0 until count) list.numbers[i] = next(property)
+                list.resize(count.toInt())
+                for (i in 0 until count.toInt()) list.numbers[i] = next(property)
             }
         }
         if (lines.nextWord()) longRows++
@@ -59,7 +59,7 @@ internal class PlyTextBody(source: Source, header: PlyHeader, window: ByteWindow
         if (longRows > 0) source.warn("$longRows rows have words after their last property; these words are ignored")
     }
 
-    private fun tooLong(property: PlyProperty, count: Int): Nothing = source.fail(
+    private fun tooLong(property: PlyProperty, count: Long): Nothing = source.fail(
         location,
         "list ${property.name} announces $count numbers, but the line has $wordsLeft more",
         "complete the line",

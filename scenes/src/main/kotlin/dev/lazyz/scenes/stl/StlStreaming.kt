@@ -19,7 +19,8 @@ import org.joml.Vector3dc
 
 /**
  * Reads stereolithography files of any size part by part. The triangles and their colours are those of [StlParser]
- * without smooth normals. A binary file is read where it is, an ASCII file is converted once to a [FacetSpool].
+ * without smooth normals; for the limits, each corner is a vertex. A binary file is read where it is, an ASCII file is
+ * converted once to a [FacetSpool].
  */
 internal object StlStreaming {
     /** Opens [input], whose first bytes [source] has. */
@@ -43,7 +44,12 @@ internal object StlStreaming {
         val spool = input.spool(source, origin)
         input.bytes().use { bytes ->
             val lines = TextLines(ByteWindow(ByteArray(0), bytes))
-            StlAscii(source, origin, lines).read { CornerSink(spool::add) }
+            StlAscii(source, origin, lines).read {
+                CornerSink { x, y, z ->
+                    source.loading.streamedVertices(source, 1)
+                    spool.add(x, y, z)
+                }
+            }
         }
         return spool
     }
@@ -52,6 +58,7 @@ internal object StlStreaming {
         val count = StlBinary.countOf(source, file.size)
         if (count > FacetSpool.MOST) source.fail(null, "has $count facets, at most ${FacetSpool.MOST}", "split it")
         source.loading.streamed(source, count)
+        source.loading.streamedVertices(source, 3 * count)
 
         // Look at all facets once: where they are, and whether they have colours
         val words = StlWords()

@@ -63,6 +63,14 @@ internal class PackagePart(val source: Source, val path: String, input: InputStr
         return null
     }
 
+    /** Returns the namespace that the current element declares for [prefix], or null if it declares none. */
+    fun namespace(prefix: String): String? {
+        for (i in 0 until attributeCount) {
+            if (reader.getAttributePrefix(i) == "xmlns" && attributeName(i) == prefix) return attribute(i)
+        }
+        return null
+    }
+
     /** Returns the integer, 0 or more, in the attribute called [name], or null if there is no such attribute. */
     fun number(name: String): Int? = attribute(name)?.let { whole(it) }
 

@@ -17,6 +17,7 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
     fun read(): ThreeMfModel {
         part.forEachChild { root ->
             if (root != "model") part.fail("the element is $root, not model", "check what kind of file it is")
+            requireExtensions()
             part.forEachChild { name ->
                 when (name) {
                     "resources" -> part.forEachChild { readResource(it) }
@@ -27,6 +28,17 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
         }
         part.close()
         return model
+    }
+
+    /** Fails if the file requires an extension that is not supported (section 2.3.2 and 3.4). */
+    private fun requireExtensions() {
+        for (prefix in TextLines.words(part.attribute("requiredextensions") ?: "")) {
+            val namespace = part.namespace(prefix)
+                ?: part.fail("the required extension \"$prefix\" is not declared: there is no xmlns:$prefix")
+            if (namespace !in EXTENSIONS) {
+                part.fail("the file requires the extension $namespace, which is not supported", "export it without")
+            }
+        }
     }
 
     private fun readResource(name: String) {
@@ -44,7 +56,7 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
         part.number("pid")?.let { found.defaultGroup = it }
         part.number("pindex")?.let { found.defaultIndex = it }
         if (part.attribute("slicestackid") != null) unused.add("slicestackid")
-        model.objects[number] = found
+        if (model.objects.put(number, found) != null) part.fail("two objects have the id $number")
         part.forEachChild { name ->
             when (name) {
                 "mesh" -> ThreeMfMeshReader(part, found, unused).read()
@@ -78,5 +90,12 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
     private companion object {
         /** Elements that do not affect the picture. */
         val IRRELEVANT = setOf("metadata", "metadatagroup", "trianglesets")
+
+        /** Materials, production, and sets of triangles, which do not affect the picture. */
+        val EXTENSIONS = setOf(
+            "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
+            "http://schemas.microsoft.com/3dmanufacturing/production/2015/06",
+            "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07",
+        )
     }
 }

@@ -183,4 +183,50 @@ class GltfErrorsTest {
             "materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}},"alphaMode":"MASK"}]"""
         TestSources.assertSurvivesDamage(GltfParser, files.glb(rest), changes = listOf(0x01))
     }
+
+    @Test
+    fun numbersOfElementsAreWholeNumbers() {
+        for (wrong in listOf("0.5", "\"0\"", "\"\"", "true", "1e30")) {
+            val text = changed("\"mesh\":0", "\"mesh\":$wrong")
+            assertFails(text, "nodes[0].mesh", "the type of the value is not allowed")
+        }
+        assertFails(changed("\"mesh\":0", "\"mesh\":0,\"matrix\":\"1\""), "nodes[0].matrix", "not allowed here")
+        assertFails(changed("\"nodes\":[0]", "\"nodes\":[0.5]"), "scenes[0].nodes[0]", "0.5 is not a whole number")
+        assertFails(changed("\"POSITION\":0", "\"POSITION\":0.5"), "$PRIMITIVE.attributes.POSITION")
+        val whole = changed("\"mesh\":0", "\"mesh\":0.0").toByteArray()
+        assertEquals(1, GltfParser.parse(TestSources.of(whole)).surfaces.size)
+    }
+
+    @Test
+    fun textAfterTheJsonIsRefused() {
+        val json = files().json(mesh)
+        for (more in listOf("x", "{}", " }", "\n1")) {
+            val error = TestSources.error(GltfParser, TestSources.of((json + more).toByteArray()))
+            assertTrue("there is more text after the JSON object" in error.message!!, error.message)
+            assertTrue(error.location!!.startsWith("line "), error.message)
+        }
+        assertEquals(1, GltfParser.parse(TestSources.of("$json \r\n\t".toByteArray())).surfaces.size)
+    }
+
+    @Test
+    fun filesThatNeedALaterVersionAreRefused() {
+        fun asset(more: String) = changed("\"version\":\"2.0\"", "\"version\":\"2.1\"$more")
+        assertFails(asset(",\"minVersion\":\"2.1\""), "asset.minVersion", "needs glTF \"2.1\", and 2.0 is supported")
+        assertFails(asset(",\"minVersion\":\"10.0\""), "asset.minVersion", "\"10.0\"")
+        for (good in listOf("", ",\"minVersion\":\"2.0\"", ",\"minVersion\":\"1.0\"").map(::asset)) {
+            assertEquals(1, GltfParser.parse(TestSources.of(good.toByteArray())).surfaces.size)
+        }
+    }
+
+    @Test
+    fun aLengthInTheHeaderThatIsTooSmallIsNamed() {
+        val binary = files().glb(mesh)
+        for (length in listOf(12, 30, binary.size - 30, binary.size - 1)) {
+            val wrong = binary.copyOf()
+            ByteBuffer.wrap(wrong).order(ByteOrder.LITTLE_ENDIAN).putInt(8, length)
+            assertFails(wrong, "byte 8", "the header announces a file of $length bytes, but the chunk at byte ")
+        }
+        val longer = GltfParser.parse(TestSources.of(binary + ByteArray(20)))
+        assertEquals(1, longer.surfaces.size)
+    }
 }

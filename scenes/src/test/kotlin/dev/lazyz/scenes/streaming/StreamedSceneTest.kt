@@ -215,6 +215,14 @@ class StreamedSceneTest {
         file.writeText(ascii(finite))
         assertRefused("more than 9000 triangles", limits = most)
 
+        // Each corner is a vertex of its own
+        val vertices = LoadLimits().withVertices(3L * finite.size - 1)
+        file.writeBytes(binary(finite))
+        assertRefused("more than ${3 * finite.size - 1} vertices", "--max-vertices", limits = vertices)
+        file.writeText(ascii(finite))
+        assertRefused("more than ${3 * finite.size - 1} vertices", limits = vertices)
+        stream(LoadLimits().withVertices(3L * finite.size)).close()
+
         // Decoded data is not kept, so its limit does not apply
         stream(LoadLimits().withDecodedBytes(1000)).close()
     }

@@ -116,4 +116,24 @@ class ThreeMfErrorsTest {
         val stored = ThreeMfFiles.stored("a.model" to text.toByteArray())
         TestSources.assertSurvivesDamage(ThreeMfParser, stored, changes = listOf(1))
     }
+
+    @Test
+    fun requiredExtensionsThatAreNotSupportedAreRefused() {
+        val known = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02"
+        fun file(words: String) = ThreeMfFiles.of(
+            model(one, item).replace("<model ", "<model requiredextensions=\"$words\" xmlns:k=\"$known\" "),
+        )
+        val line2 = "3D/3dmodel.model, line 2"
+        assertFails(file("m"), line2, "the file requires the extension http://m, which is not supported")
+        assertFails(file("k p"), line2, "the extension http://p, which is not supported")
+        assertFails(file("q"), line2, "the required extension \"q\" is not declared")
+        for (words in listOf("k", "", " ")) {
+            assertEquals(1, ThreeMfParser.parse(TestSources.of(file(words))).surfaces.size, words)
+        }
+    }
+
+    @Test
+    fun twoObjectsWithOneIdAreRefused() {
+        assertFails("$one\n$one", item, "3D/3dmodel.model, line 4", "two objects have the id 1")
+    }
 }

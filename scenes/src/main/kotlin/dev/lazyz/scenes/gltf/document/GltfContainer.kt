@@ -35,14 +35,15 @@ internal object GltfContainer {
             source.fail("byte $end", "the file ends before the $length bytes that byte 8 announces", COPY_AGAIN)
         }
         if (version == 1) return version1(source, buffer, length.toInt())
-        val text = chunk(source, buffer, HEADER)
+        val text = chunk(source, buffer, HEADER, length)
         if (text.type != JSON_CHUNK) source.fail("byte $HEADER", "the first chunk is not JSON", COPY_AGAIN)
         val gltf = GltfJson.read(source, text.start, text.length)
 
         // Chunks after the second belong to extensions and are ignored
         val next = text.start + text.length
-        if (next + CHUNK_HEADER > length) return GltfDocument(source, gltf, null)
-        val binary = chunk(source, buffer, next).takeIf { it.type == BINARY_CHUNK }
+        val hasNext = next + CHUNK_HEADER <= length || isBinaryChunk(buffer, next)
+        if (!hasNext) return GltfDocument(source, gltf, null)
+        val binary = chunk(source, buffer, next, length).takeIf { it.type == BINARY_CHUNK }
         return GltfDocument(source, gltf, binary?.let { buffer.slice(it.start, it.length) })
     }
 
@@ -62,12 +63,22 @@ internal object GltfContainer {
 
     private class Chunk(val type: Int, val start: Int, val length: Int)
 
-    private fun chunk(source: Source, buffer: ByteBuffer, at: Int): Chunk {
+    /** Whether a chunk of binary data begins at [at], also if that is beyond the length in the header. */
+    private fun isBinaryChunk(buffer: ByteBuffer, at: Int): Boolean =
+        at + CHUNK_HEADER <= buffer.capacity() && buffer.getInt(at + 4) == BINARY_CHUNK
+
+    /** Returns the chunk that begins at [at] in a file whose header announces [total] bytes. */
+    private fun chunk(source: Source, buffer: ByteBuffer, at: Int, total: Long): Chunk {
         val start = at + CHUNK_HEADER
         if (start > buffer.capacity()) source.fail("byte $at", "the file ends within the header of a chunk", COPY_AGAIN)
         val length = buffer.getInt(at).toLong() and 0xFFFFFFFFL
         if (start + length > buffer.capacity()) {
             source.fail("byte $at", "the file ends within this chunk of $length bytes", COPY_AGAIN)
+        }
+        if (start + length > total) {
+            val problem = "the header announces a file of $total bytes, but the chunk at byte $at ends after " +
+                "${start + length} bytes"
+            source.fail("byte 8", problem, COPY_AGAIN)
         }
         return Chunk(buffer.getInt(at + 4), start, length.toInt())
     }

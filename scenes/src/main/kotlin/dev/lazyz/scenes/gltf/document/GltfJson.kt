@@ -1,12 +1,19 @@
 package dev.lazyz.scenes.gltf.document
 
 import com.fasterxml.jackson.core.JsonFactory
+import com.fasterxml.jackson.core.JsonParser
 import com.fasterxml.jackson.core.JsonProcessingException
 import com.fasterxml.jackson.core.StreamReadConstraints
 import com.fasterxml.jackson.core.exc.StreamConstraintsException
+import com.fasterxml.jackson.databind.DeserializationContext
 import com.fasterxml.jackson.databind.JsonMappingException
 import com.fasterxml.jackson.databind.JsonNode
 import com.fasterxml.jackson.databind.ObjectMapper
+import com.fasterxml.jackson.databind.cfg.CoercionAction
+import com.fasterxml.jackson.databind.cfg.CoercionInputShape
+import com.fasterxml.jackson.databind.deser.std.StdDeserializer
+import com.fasterxml.jackson.databind.module.SimpleModule
+import com.fasterxml.jackson.databind.type.LogicalType
 import de.javagl.jgltf.impl.v2.GlTF
 import de.javagl.jgltf.model.io.JacksonUtils
 import de.javagl.jgltf.model.io.JsonError
@@ -25,11 +32,33 @@ import java.io.IOException
 internal object GltfJson {
     /** Created once, because it analyses jgltf's classes and caches the results. */
     private val mapper: ObjectMapper by lazy {
-        JacksonUtils.createObjectMapper { error -> reading.get()?.let { report(it, error) } }
+        JacksonUtils.createObjectMapper { error -> reading.get()?.let { report(it, error) } }.apply {
+            // Text is no number
+            for (type in listOf(LogicalType.Integer, LogicalType.Float, LogicalType.Boolean)) {
+                for (shape in listOf(CoercionInputShape.String, CoercionInputShape.EmptyString)) {
+                    coercionConfigFor(type).setCoercion(shape, CoercionAction.Fail)
+                }
+            }
+            registerModule(SimpleModule().addDeserializer(Int::class.javaObjectType, WholeNumbers))
+        }
+    }
+
+    /** Reads integers, also those with a fraction of 0, as 1.0; jgltf's classes have no others. */
+    private object WholeNumbers : StdDeserializer<Int>(Int::class.javaObjectType) {
+        private fun readResolve(): Any = WholeNumbers
+
+        override fun deserialize(parser: JsonParser, context: DeserializationContext): Int {
+            val number = if (parser.currentToken().isNumeric) parser.doubleValue else Double.NaN
+            if (number.toInt().toDouble() == number) return number.toInt()
+            return context.reportInputMismatch(this, "%s is not a whole number", parser.text)
+        }
     }
 
     /** The source that the current thread is reading. */
     private val reading = ThreadLocal<Source>()
+
+    /** The versions that do not ask for more than 2.0. */
+    private val SUPPORTED = Regex("[01]\\.[0-9]+|2\\.0+")
 
     private const val REMEDY = "correct it or export the model again"
 
@@ -48,6 +77,11 @@ internal object GltfJson {
         val version = tree.path("asset").path("version").asText("")
         if (!version.startsWith("2.")) {
             source.fail("asset.version", "the version is \"$version\", not 2.0", "export the model as glTF 2.0")
+        }
+        val least = tree.path("asset").path("minVersion").asText("2.0")
+        if (!SUPPORTED.matches(least)) {
+            val problem = "the file needs glTF \"$least\", and 2.0 is supported"
+            source.fail("asset.minVersion", problem, "export the model as glTF 2.0")
         }
         try {
             reading.set(source)
@@ -73,7 +107,9 @@ internal object GltfJson {
             StreamReadConstraints.builder().maxNestingDepth(nesting).maxStringLength(Int.MAX_VALUE).build()
         val factory = JsonFactory.builder().streamReadConstraints(constraints).build()
         val tree: JsonNode? = try {
-            factory.createParser(source.bytes, start, length).use { mapper.readTree(it) }
+            factory.createParser(source.bytes, start, length).use { parser ->
+                mapper.readTree<JsonNode?>(parser).also { requireEnd(source, parser) }
+            }
         } catch (e: JsonProcessingException) {
             if (e is StreamConstraintsException && "nesting depth" in e.originalMessage) {
                 val most = source.loading.limits.nesting
@@ -86,6 +122,20 @@ internal object GltfJson {
         }
         if (tree?.isObject != true) source.fail(null, "the file holds no JSON object", "check what kind of file it is")
         return tree
+    }
+
+    /** Fails if there is text after the value that [parser] has read. */
+    private fun requireEnd(source: Source, parser: JsonParser) {
+        val end = try {
+            parser.nextToken() == null
+        } catch (_: JsonProcessingException) {
+            false
+        }
+        if (end) return
+        val place = parser.currentLocation()
+        source.fail(
+            "line ${place.lineNr}, column ${place.columnNr}", "there is more text after the JSON object", REMEDY,
+        )
     }
 
     /**

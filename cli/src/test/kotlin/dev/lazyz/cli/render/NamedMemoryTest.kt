@@ -1,0 +1,96 @@
+package dev.lazyz.cli.render
+
+import dev.lazyz.cli.ChildZcli
+import dev.lazyz.cli.zcli
+import java.nio.file.Path
+import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
+import org.junit.jupiter.api.io.TempDir
+
+/** The memory that a refusal names is accepted, whichever step was refused. */
+class NamedMemoryTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private val models: List<String> by lazy {
+        folder.resolve("hills.stl").writeBytes(Hills(150).stl())
+        folder.resolve("hills.ply").writeText(Hills(200).ply())
+        folder.resolve("hills.obj").writeText(Hills(120).obj())
+        listOf("hills.stl", "hills.ply", "hills.obj", "city", "teapot")
+    }
+
+    /** The amount of memory that a message says to use, in MiB. */
+    private fun named(errors: String): Int =
+        checkNotNull(Regex("se --memory (\\d+)m").find(errors)) { errors }.groupValues[1].toInt()
+
+    private fun words(model: String, size: String, aa: Int, shading: String) = listOf(
+        "render", model, "--size", size, "--aa", "$aa", "--shading", shading, "-o", "$folder/a.png",
+    )
+
+    /** Calls [check] with the words of each command of the grid. */
+    private fun grid(sizes: List<String>, factors: List<Int>, check: (List<String>) -> Unit) {
+        for (model in models) {
+            val input = if ('.' in model) "$folder/$model" else model
+            for (size in sizes) {
+                for (aa in factors) for (shading in listOf("flat", "phong")) check(words(input, size, aa, shading))
+            }
+        }
+    }
+
+    @Test
+    fun theNamedAmountIsAcceptedInALargeHeap() {
+        val isWhole = System.getProperty("lazyz.effort") != null
+        val sizes = if (isWhole) listOf("200x5000", "300x200") else listOf("200x5000")
+        grid(sizes, if (isWhole) listOf(1, 2) else listOf(1)) { words ->
+            val refused = zcli(*words.toTypedArray(), "--memory", "1m")
+            assertEquals(2, refused.code, refused.errors)
+            val amount = named(refused.errors)
+            zcli(*words.toTypedArray(), "--memory", "${amount}m").done()
+            val less = zcli(*words.toTypedArray(), "--memory", "${amount / 4 * 3}m")
+            assertEquals(2, less.code, "$words: $amount MiB is much more than necessary")
+        }
+    }
+
+    /** Runs a command in a Java whose heap has [mebibytes], as the launcher does. */
+    private fun run(words: List<String>, mebibytes: Int): Pair<Int, String> {
+        val child = ChildZcli(folder)
+        val process = child.start(words + listOf("--memory", "${mebibytes}m"), listOf("-Xmx${mebibytes}m", SERIAL))
+        return child.code(process) to child.errors
+    }
+
+    @Test
+    fun theNamedAmountIsAcceptedAsHeapToo() {
+        val words = words("${folder.resolve(models[0])}", "200x5000", 1, "phong")
+        for (small in listOf(12, 15)) {
+            val (code, errors) = run(words, small)
+            assertEquals(2, code, errors)
+            val (next, later) = run(words, named(errors))
+            assertEquals(0, next, "$errors\n$later")
+        }
+    }
+
+    @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "full")
+    fun theNamedAmountIsAcceptedAsHeapInTheWholeGrid() {
+        var refusals = 0
+        grid(listOf("200x5000", "640x480"), listOf(1, 4)) { words ->
+            for (small in listOf(12, 16, 24)) {
+                val (code, errors) = run(words, small)
+                if (code == 0) continue
+                refusals++
+                val (next, later) = run(words, named(errors))
+                assertEquals(0, next, "$words with $small MiB: $errors\n$later")
+            }
+        }
+        assertTrue(refusals > 20, "$refusals refusals")
+    }
+
+    private companion object {
+        /** The garbage collector that the launcher chooses. */
+        const val SERIAL = "-XX:+UseSerialGC"
+    }
+}
