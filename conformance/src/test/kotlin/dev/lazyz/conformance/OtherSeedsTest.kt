@@ -13,12 +13,15 @@ import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.TestFactory
 
 /**
- * Correct renderers pass with other frames, however they work. `-Dlazyz.seeds=20` tests all of them, including
- * third-party ones, with this number of seeds and the default effort, and prints which have passed.
+ * Correct renderers pass with other frames, however they work. `-Dlazyz.seeds=1..20` tests all of them, including
+ * third-party ones, with these seeds and the default effort, and prints which have passed.
  * `-Dlazyz.effort=rest` tests some of them with one seed and a tenth of the frames.
  */
 class OtherSeedsTest {
-    private val seeds: Int? = Integer.getInteger("lazyz.seeds")
+    private val seeds: LongRange? = System.getProperty("lazyz.seeds")?.let { range ->
+        val (first, last) = range.split("..").map { it.toLong() }
+        first..last
+    }
 
     /** Without seeds, [BuiltInRenderersTest] is enough. */
     @TestFactory
@@ -39,7 +42,7 @@ class OtherSeedsTest {
     private fun passing(renderers: List<() -> Renderer>, good: Set<RuleOutcome>): List<DynamicTest> {
         val tries = if (seeds == null) 0.1 else 1.0
         return renderers.flatMap { make ->
-            (1L..(seeds ?: 1)).map { seed ->
+            (seeds ?: 1L..1L).map { seed ->
                 dynamicTest("${make().id} at seed $seed") {
                     val report = Conformance { make() }.seed(seed).tries(tries).run()
                     val broken = report.results.filterNot { it.outcome in good }.map { it.rule }
