@@ -25,8 +25,8 @@ import java.util.concurrent.ConcurrentLinkedQueue
  */
 internal fun leavesNothingBehind(make: () -> Renderer) {
     val renderer = make()
-    fun render() {
-        for (frame in framesOfAllShapes) renderer.render(frame) { _, _, _, _ -> }
+    fun render(frames: List<Frame> = smallFrames + largeFrames) {
+        for (frame in frames) renderer.render(frame) { _, _, _, _ -> }
     }
     fun failIf(words: String?) {
         if (words != null) throw AssertionError("${renderer.id} leaves behind $words")
@@ -49,7 +49,7 @@ internal fun leavesNothingBehind(make: () -> Renderer) {
     failIf((names(Path.of("")) - here).firstOrNull()?.let { "the file $it" })
 
     // Render many times: a thread pool fills up only after a while, and other processes create files occasionally
-    repeat(ENOUGH * Runtime.getRuntime().availableProcessors()) { render() }
+    repeat(ENOUGH * Runtime.getRuntime().availableProcessors()) { render(smallFrames) }
     val threads = threads()
     val temporary = Path.of(System.getProperty("java.io.tmpdir"))
     val files = names(temporary)
@@ -63,14 +63,18 @@ private const val ENOUGH = 16
 private const val WATCHED = 10
 private const val MOST_PRINTED = 80
 
-/** Two polygons; many primitives at each sample; no primitives; a wide and a high raster. */
-internal val framesOfAllShapes: List<Frame> = listOf(
+/** Two polygons; many primitives at each sample; no primitives. */
+internal val smallFrames: List<Frame> = listOf(
     FrameBuilder(Raster(24, 16))
         .polygon(Frames.tint(0), FillRule.NON_ZERO, doubleArrayOf(1.0, 1.0, 0.5, 23.0, 2.0, 0.5, 4.0, 15.0, 0.5))
         .polygon(Frames.tint(1), FillRule.NON_ZERO, doubleArrayOf(2.0, 14.0, 0.2, 20.0, 15.0, 0.8, 12.0, 1.0, 0.5))
         .build(),
     Frame(Raster(5, 3), List(300) { Confetti(it, 0, 5, 0, 3, 20) }),
     Frame(Raster(3, 5), emptyList()),
+)
+
+/** A wide and a high raster. */
+private val largeFrames: List<Frame> = listOf(
     Frame(Raster(FAR, 2), List(2) { Confetti(it, 0, FAR, 0, 2, 20) }),
     Frame(Raster(2, FAR), List(2) { Confetti(it, 0, 2, 0, FAR, 20) }),
 )

@@ -3,7 +3,7 @@ package dev.lazyz.conformance.probes.memory
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.notMeasured
-import dev.lazyz.conformance.probes.framesOfAllShapes
+import dev.lazyz.conformance.probes.smallFrames
 
 /** Pools and caches are full after this number of renderings of each frame. */
 private const val FIRST = 32
@@ -12,7 +12,7 @@ private const val RENDERINGS = 48
 /** Fails if each rendering leaves an object on the heap. */
 internal fun leavesNoObjects(renderer: Renderer) {
     fun render(times: Int) = repeat(times) {
-        for (frame in framesOfAllShapes) renderer.render(frame) { _, _, _, _ -> }
+        for (frame in smallFrames) renderer.render(frame) { _, _, _, _ -> }
     }
     render(FIRST)
     val start = System.nanoTime()
@@ -23,7 +23,7 @@ internal fun leavesNoObjects(renderer: Renderer) {
     val milliseconds = (System.nanoTime() - start) / NANOSECONDS / Heap.PERIODS
     val others = Heap.leastGrowth { Thread.sleep(milliseconds) }
     if (others.total >= LIMIT / 2) notMeasured("other threads of this process hold more and more memory")
-    fail(renderer, "after each $RENDERINGS renderings of ${framesOfAllShapes.size} frames there are $growth")
+    fail(renderer, "after each $RENDERINGS renderings of ${smallFrames.size} frames there are $growth")
 }
 
 /** An object takes at least 16 bytes. */
