@@ -205,7 +205,9 @@ class GltfErrorsTest {
             assertTrue("there is more text after the JSON object" in error.message!!, error.message)
             assertTrue(error.location!!.startsWith("line "), error.message)
         }
-        assertEquals(1, GltfParser.parse(TestSources.of("$json \r\n\t".toByteArray())).surfaces.size)
+        for (padding in listOf(" \r\n\t", "\u0000\u0000")) {
+            assertEquals(1, GltfParser.parse(TestSources.of("$json$padding".toByteArray())).surfaces.size)
+        }
     }
 
     @Test

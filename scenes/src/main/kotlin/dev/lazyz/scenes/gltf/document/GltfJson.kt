@@ -107,7 +107,7 @@ internal object GltfJson {
             StreamReadConstraints.builder().maxNestingDepth(nesting).maxStringLength(Int.MAX_VALUE).build()
         val factory = JsonFactory.builder().streamReadConstraints(constraints).build()
         val tree: JsonNode? = try {
-            factory.createParser(source.bytes, start, length).use { parser ->
+            factory.createParser(source.bytes, start, withoutPadding(source, start, length)).use { parser ->
                 mapper.readTree<JsonNode?>(parser).also { requireEnd(source, parser) }
             }
         } catch (e: JsonProcessingException) {
@@ -122,6 +122,13 @@ internal object GltfJson {
         }
         if (tree?.isObject != true) source.fail(null, "the file holds no JSON object", "check what kind of file it is")
         return tree
+    }
+
+    /** Some exporters pad the JSON of a GLB file with zeros, although the specification asks for spaces. */
+    private fun withoutPadding(source: Source, start: Int, length: Int): Int {
+        var size = length
+        while (size > 0 && source.bytes[start + size - 1] == 0.toByte()) size--
+        return size
     }
 
     /** Fails if there is text after the value that [parser] has read. */
