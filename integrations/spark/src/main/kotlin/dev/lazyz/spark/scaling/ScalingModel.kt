@@ -1,0 +1,201 @@
+package dev.lazyz.spark.scaling
+
+import kotlin.math.abs
+import kotlin.math.ln
+import kotlin.math.pow
+
+/**
+ * The picture that a model is about.
+ *
+ * @property samples all samples
+ * @property visible samples that show triangles
+ * @property bandEnds for each band the share of the visible samples that are in it or above it
+ */
+internal class PictureFacts(val samples: Long, val visible: Long, val bandEnds: List<Double>) {
+    val bands: Int get() = bandEnds.size
+
+    /** The share of the visible samples above a band. */
+    fun bandStart(band: Int): Double = if (band == 0) 0.0 else bandEnds[band - 1]
+}
+
+/**
+ * A share of the triangles, from [from] to [to] in 0..1, in a part of the picture.
+ *
+ * @property samples of this part of the picture
+ * @property top the share of the visible samples above the part
+ * @property bottom the share above its end
+ * @property strips the share of its strips that are left after splits
+ */
+internal class ExpectedPiece(
+    val from: Double,
+    val to: Double,
+    val samples: Double,
+    val top: Double,
+    val bottom: Double,
+    val strips: Double,
+)
+
+/**
+ * Bytes and fragments of parts, by the share of the triangles that they have.
+ *
+ * @property reach for [Split.SCATTERED] how many layers of triangles cover a visible sample; for [Split.RANGES] the part
+ *   of the visible samples that a part covers, divided by its share of the triangles
+ * @property bytes of a fragment, and how many more if no neighbour is in the part
+ */
+internal class PartSizes(private val facts: PictureFacts, val split: Split, val reach: Double, val bytes: DoubleArray) {
+    /** Expected fragments of [piece]. */
+    fun fragments(piece: ExpectedPiece): Double = facts.visible * piece.strips * when (split) {
+        Split.SCATTERED -> (piece.bottom - piece.top) * (1 - (1 - (piece.to - piece.from)).pow(reach))
+        Split.RANGES -> rows(piece)
+    }
+
+    /** The part of the visible samples that is both in the range, which is widened to its reach, and in the rows. */
+    private fun rows(piece: ExpectedPiece): Double {
+        val width = minOf(1.0, reach * (piece.to - piece.from))
+        val start = ((piece.from + piece.to - width) / 2).coerceIn(0.0, 1 - width)
+        return (minOf(start + width, piece.bottom) - maxOf(start, piece.top)).coerceAtLeast(0.0)
+    }
+
+    /** Expected bytes of [piece]. */
+    fun bytes(piece: ExpectedPiece): Long {
+        val fragments = fragments(piece)
+        val density = fragments / (facts.visible * piece.strips * (piece.bottom - piece.top))
+        return Fit.sum(bytes, sizeFeatures(fragments, density)).toLong()
+    }
+
+    companion object {
+        /** What bytes of runs depend on. At random, a fragment begins a run with the probability of 1 - [density]. */
+        fun sizeFeatures(fragments: Double, density: Double): DoubleArray =
+            doubleArrayOf(fragments, fragments * (1 - density))
+
+        /** Returns the reach of parts with a [share] of the triangles that cover [covered] of the visible samples. */
+        fun reach(split: Split, share: List<Double>, covered: List<Double>): Double = when (split) {
+            Split.SCATTERED -> Fit.factors(share.map { doubleArrayOf(-ln(1 - it)) }, covered.map { -ln(1 - it) })[0]
+            Split.RANGES -> Fit.factors(share.map { doubleArrayOf(it) }, covered)[0]
+        }
+    }
+}
+
+/**
+ * Predicts times, by expected sizes in the algorithms that [MergeSimulation] has.
+ *
+ * @property drawing seconds for each of [drawFeatures]
+ * @property merging seconds for each of [mergeFeatures]
+ */
+internal class ScalingModel(
+    private val facts: PictureFacts,
+    private val sizes: PartSizes,
+    private val overdraw: Double,
+    val drawing: DoubleArray,
+    val merging: DoubleArray,
+    private val network: Network,
+) : Compositing<ExpectedPiece> {
+    override fun bytes(piece: ExpectedPiece): Long = sizes.bytes(piece)
+
+    override fun split(piece: ExpectedPiece, ways: Int): List<ExpectedPiece> = with(piece) {
+        List(ways) { ExpectedPiece(from, to, samples / ways, top, bottom, strips / ways) }
+    }
+
+    override fun merge(pieces: List<ExpectedPiece>): Timed<ExpectedPiece> {
+        val features = mergeFeatures(pieces[0].samples, pieces.sumOf { sizes.fragments(it) })
+        val merged = with(pieces[0]) { ExpectedPiece(pieces.minOf { it.from }, pieces.maxOf { it.to }, samples, top, bottom, strips) }
+        return Timed(merged, Fit.sum(merging, features))
+    }
+
+    /** Seconds of an executor that draws a part of [parts], if all have [triangles]. */
+    fun drawSeconds(triangles: Double, parts: Int): Double =
+        Fit.sum(drawing, drawFeatures(sizes.split, sizes.reach, triangles, triangles / parts, overdraw, facts))
+
+    /** Bytes of a part of [parts], all bands. */
+    fun partBytes(parts: Int): Long = sizes.bytes(whole(0, parts))
+
+    /** Predicts the job's merging of [nodes] parts. */
+    fun tree(nodes: Int, fanIn: Int): Simulated<ExpectedPiece> = MergeSimulation(this, network).tree(
+        List(nodes) { node -> (0 until facts.bands).associateWith { band(node, nodes, it) }.filter { sizes.fragments(it.value) > 0 } },
+        fanIn,
+    )
+
+    /** Predicts radix-k. */
+    fun swap(nodes: Int, factors: List<Int>): Simulated<ExpectedPiece> =
+        MergeSimulation(this, network).swap(List(nodes) { whole(it, nodes) }, factors)
+
+    private fun whole(node: Int, nodes: Int) =
+        ExpectedPiece(node.toDouble() / nodes, (node + 1.0) / nodes, facts.samples.toDouble(), 0.0, 1.0, 1.0)
+
+    private fun band(node: Int, nodes: Int, band: Int) = ExpectedPiece(
+        node.toDouble() / nodes,
+        (node + 1.0) / nodes,
+        facts.samples.toDouble() / facts.bands,
+        facts.bandStart(band),
+        facts.bandEnds[band],
+        1.0,
+    )
+
+    companion object {
+        /** Triangles that a task draws at a time. */
+        private const val CHUNK = 1 shl 17
+
+        /** What merging depends on: the samples of the region, and the fragments of all parts. */
+        fun mergeFeatures(samples: Double, fragments: Double): DoubleArray = doubleArrayOf(samples, fragments)
+
+        /**
+         * What drawing [own] of [all] triangles depends on: their number, the fragments that they cover, and the samples
+         * that each chunk of them reaches.
+         */
+        fun drawFeatures(
+            split: Split,
+            reach: Double,
+            all: Double,
+            own: Double,
+            overdraw: Double,
+            facts: PictureFacts,
+        ): DoubleArray {
+            val chunks = kotlin.math.ceil(own / CHUNK)
+            val reached = if (split == Split.SCATTERED) 1.0 else minOf(1.0, reach * own / chunks / all)
+            return doubleArrayOf(own, facts.visible * overdraw * own / all, facts.samples * chunks * reached)
+        }
+    }
+}
+
+/** Least squares. */
+internal object Fit {
+    /** Returns the prediction for [features]. */
+    fun sum(factors: DoubleArray, features: DoubleArray): Double = features.indices.sumOf { factors[it] * features[it] }
+
+    /**
+     * Returns the factors, none of them negative, that make the sum of the squares of relative errors least. A factor
+     * that would be negative is 0, and the others are computed without it.
+     */
+    fun factors(features: List<DoubleArray>, measured: List<Double>): DoubleArray {
+        require(measured.all { it > 0 && it.isFinite() }) { "all must be positive: $measured" }
+        val used = features[0].indices.toMutableList()
+        while (true) {
+            val found = solve(features, measured, used)
+            val least = found.indices.minBy { found[it] }
+            if (found[least] >= 0) return DoubleArray(features[0].size) { i -> used.indexOf(i).let { if (it < 0) 0.0 else found[it] } }
+            used.removeAt(least)
+        }
+    }
+
+    /** Solves the normal equations by elimination. */
+    private fun solve(features: List<DoubleArray>, measured: List<Double>, used: List<Int>): DoubleArray {
+        val n = used.size
+        val rows = Array(n) { DoubleArray(n + 1) }
+        for ((all, value) in features.zip(measured)) {
+            for (i in 0 until n) {
+                for (j in 0 until n) rows[i][j] += all[used[i]] * all[used[j]] / (value * value)
+                rows[i][n] += all[used[i]] / value
+            }
+        }
+        for (column in 0 until n) {
+            val pivot = (column until n).maxBy { abs(rows[it][column]) }
+            rows[column] = rows[pivot].also { rows[pivot] = rows[column] }
+            for (row in 0 until n) {
+                if (row == column) continue
+                val factor = rows[row][column] / rows[column][column]
+                for (k in column..n) rows[row][k] -= factor * rows[column][k]
+            }
+        }
+        return DoubleArray(n) { rows[it][n] / rows[it][it] }
+    }
+}
