@@ -36,6 +36,7 @@ internal class Network(val bytesPerSecond: Double, val latency: Double) {
  * @property roundBytes of each round the bytes that the busiest node sends or receives
  * @property totalBytes what all nodes sent in these rounds
  * @property collectedBytes what the driver, or the first node, receives at the end; it is not part of the others
+ * @property merges how often pieces were merged
  * @property pieces the merged picture
  */
 internal class Simulated<T>(
@@ -44,6 +45,7 @@ internal class Simulated<T>(
     val roundBytes: List<Long>,
     val totalBytes: Long,
     val collectedBytes: Long,
+    val merges: Int,
     val pieces: List<T>,
 ) {
     val seconds: Double get() = networkSeconds + mergeSeconds
@@ -65,9 +67,11 @@ internal class MergeSimulation<T>(private val compositing: Compositing<T>, priva
         private var mergeSeconds = 0.0
         private val bytes = ArrayList<Long>()
         private var total = 0L
+        private var merges = 0
 
         /** Adds a round that ends when its last node has finished. */
-        fun add(loads: Collection<Load>) {
+        fun add(loads: Collection<Load>, merged: Int) {
+            merges += merged
             val last = loads.maxBy { network.seconds(it.busiest) + it.seconds }
             networkSeconds += network.seconds(last.busiest)
             mergeSeconds += last.seconds
@@ -79,7 +83,7 @@ internal class MergeSimulation<T>(private val compositing: Compositing<T>, priva
         fun collect(pieces: List<T>, own: Int): Simulated<T> {
             val collected = pieces.drop(own).sumOf { compositing.bytes(it) }
             networkSeconds += network.seconds(collected)
-            return Simulated(networkSeconds, mergeSeconds, bytes, total, collected, pieces)
+            return Simulated(networkSeconds, mergeSeconds, bytes, total, collected, merges, pieces)
         }
     }
 
@@ -96,15 +100,15 @@ internal class MergeSimulation<T>(private val compositing: Compositing<T>, priva
         var groups = nodes
         while (groups > fanIn) {
             groups = (groups + fanIn - 1) / fanIn
-            held = stage(held, nodes, rounds) { BandKey(it.band, it.group / fanIn) to it.hash(fanIn) }
+            held = stage(held, nodes, rounds) { key ->
+                BandKey(key.band, key.group / fanIn).let { it to it.hashCode() }
+            }
         }
         held = stage(held, nodes, rounds) { BandKey(it.band, 0) to it.band }
         return rounds.collect(held.map { it.piece }, own = 0)
     }
 
     private inner class Held(val key: BandKey, val node: Int, val piece: T)
-
-    private fun BandKey.hash(fanIn: Int): Int = BandKey(band, group / fanIn).hashCode()
 
     private fun stage(held: List<Held>, nodes: Int, rounds: Rounds, next: (BandKey) -> Pair<BandKey, Int>): List<Held> {
         val loads = HashMap<Int, Load>()
@@ -122,7 +126,7 @@ internal class MergeSimulation<T>(private val compositing: Compositing<T>, priva
             load.seconds += result.seconds
             Held(to.first, node, result.value)
         }
-        rounds.add(loads.values)
+        rounds.add(loads.values, merged.size)
         return merged
     }
 
@@ -154,7 +158,7 @@ internal class MergeSimulation<T>(private val compositing: Compositing<T>, priva
                 loads[node].seconds += result.seconds
                 result.value
             }
-            rounds.add(loads)
+            rounds.add(loads, pieces.size)
             stride *= k
         }
         return rounds.collect(pieces, own = 1)

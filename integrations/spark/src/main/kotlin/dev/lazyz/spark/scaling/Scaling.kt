@@ -3,6 +3,7 @@ package dev.lazyz.spark.scaling
 import dev.lazyz.spark.scaling.PartPictures.Companion.timed
 import dev.lazyz.spark.triangles.jobs.SortLast
 import java.util.Locale
+import kotlin.math.log10
 import kotlin.math.pow
 import kotlin.math.roundToInt
 import kotlin.math.sqrt
@@ -26,9 +27,9 @@ internal fun main() {
     println(study.report())
 }
 
-private const val SIDE = 1024
+private const val SIDE = 2048
 private const val STRIPS = 64
-private const val RINGS = 300
+private const val RINGS = 1000
 private val PARTS = listOf(2, 4, 8, 16, 32, 64)
 
 /** Seconds of Spark for a task that does nothing, on one thread; network and other machines not included. */
@@ -128,9 +129,9 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
     /** The picture, as its parts have shown. */
     private val facts: PictureFacts by lazy {
         val bands = mergings[0].simulated.getValue(TREE).pieces.flatMap { it.cells }
-        val counts = (0 until pictures.bandSetUp.bands).map { n -> bands.filter { it.number == n }.sumOf { it.fragments } }
+        val counts = List(pictures.bandSetUp.bands) { n -> bands.filter { it.number == n }.sumOf { it.fragments } }
         val ends = counts.runningReduce(Long::plus).map { it.toDouble() / counts.sum() }
-        PictureFacts(pictures.width.toLong() * pictures.height, counts.sum(), ends)
+        PictureFacts(pictures.width.toLong() * pictures.height, counts.sum(), ends, pictures.stripSetUp.bands)
     }
 
     private fun drawings(split: Split, parts: (Int) -> Boolean) =
@@ -147,7 +148,9 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
             val covered = means.map { (_, all) -> all.map { it.fragments }.average() / facts.visible }
             val seen = means.flatMap { it.second }.filter { it.fragments > LEAST }
             val bytes = Fit.factors(
-                seen.map { PartSizes.sizeFeatures(it.fragments.toDouble(), it.fragments.toDouble() / facts.visible) },
+                seen.map {
+                    PartSizes.sizeFeatures(it.fragments.toDouble(), it.fragments.toDouble() / facts.visible)
+                },
                 seen.map { it.bytes.toDouble() },
             )
             PartSizes(facts, split, PartSizes.reach(split, means.map { 1.0 / it.first }, covered), bytes)
@@ -158,17 +161,21 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
         val fitted = drawings.filter { it.parts <= FITTED }
         Fit.factors(
             fitted.map {
-                val all = it.drawn.triangles.toDouble() * it.parts
-                ScalingModel.drawFeatures(it.split, sizes.getValue(it.split).reach, all, all / it.parts, overdraw, facts)
+                val own = it.drawn.triangles.toDouble()
+                val reach = sizes.getValue(it.split).reach
+                ScalingModel.drawFeatures(it.split, reach, own * it.parts, own, overdraw, facts)
             },
             fitted.map { it.drawn.seconds },
         )
     }
 
     private val merging by lazy {
-        val fitted = mergings.filter { it.parts <= FITTED }.flatMap { it.costs }.filter { it.fragments > LEAST }
+        val fitted = mergings.filter { it.parts <= FITTED }.flatMap { it.costs }.filter { it.fragments.sum() > LEAST }
         Fit.factors(
-            fitted.map { ScalingModel.mergeFeatures(it.samples.toDouble(), it.fragments.toDouble()) },
+            fitted.map {
+                val fragments = it.fragments.map(Long::toDouble)
+                ScalingModel.mergeFeatures(it.samples.toDouble(), it.regions.toDouble(), fragments)
+            },
             fitted.map { it.seconds },
         )
     }
@@ -177,7 +184,7 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
 
     /** Returns all tables, as Markdown. */
     fun report(): String = buildString {
-        appendLine(predictions()).appendLine(limits()).appendLine(fitted()).appendLine(checks()).append(algorithms())
+        for (table in listOf(predictions(), limits(), comparison(), fitted(), checks(), algorithms())) appendLine(table)
     }
 
     /** Seconds by what they are for. */
@@ -188,13 +195,15 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
         val draw = model.drawSeconds(triangles, executors)
         val merging = merge.mergeSeconds
         val network = merge.networkSeconds
-        val tasks = (merge.roundBytes.size + 1) * executors * taskSeconds
-        val total = read + draw + merging + network + tasks
+        val tasks = (merge.roundBytes.size + 1) * executors
+        val empty = tasks - executors - merge.merges
+        val tasksSeconds = tasks * taskSeconds
+        val total = read + draw + merging + network + tasksSeconds
     }
 
     private fun predictions() = table(
         "triangles", "executors", "parts", "read, s", "draw, s", "merge, s", "network, s", "Spark's tasks, s",
-        "total, s", "of ideal",
+        "of them empty", "total, s", "of ideal",
     ) {
         for (triangles in TRIANGLES) {
             for (executors in listOf(10, 100, 1000)) {
@@ -203,7 +212,8 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
                     with(Times(split, triangles, executors)) {
                         row(
                             power(triangles), "%,d".form(executors), split.label(), read.form(), draw.form(),
-                            merging.form(), network.form(), tasks.form(), total.form(), percent(ideal / total),
+                            merging.form(), network.form(), tasksSeconds.form(), percent(empty.toDouble() / tasks),
+                            total.form(), percent(ideal / total),
                         )
                     }
                 }
@@ -224,12 +234,30 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
         }
     }
 
+    private fun comparison() = table(
+        "executors", "parts", "Spark's tree, s", "factors", "radix-k, s", "raw radix-k, s",
+    ) {
+        for (executors in listOf(10, 100, 1000)) {
+            val factors = factors(executors, GREATEST)
+            val plain = MergeSimulation(raw, network).swap(List(executors) { facts.samples }, factors)
+            for (split in Split.entries) {
+                val model = model(split)
+                row(
+                    "%,d".form(executors), split.label(), model.tree(executors, SortLast.FAN_IN).seconds.form(),
+                    factors.joinToString(" x "), model.swap(executors, factors).seconds.form(), plain.seconds.form(),
+                )
+            }
+        }
+    }
+
     private fun fitted() = table("fitted or measured", "value") {
         row("drawing, of a triangle", "%.0f ns".form(1e9 * drawing[0]))
         row("drawing, of a fragment", "%.1f ns".form(1e9 * drawing[1]))
         row("drawing, of a sample for each 131,072 triangles", "%.2f ns".form(1e9 * drawing[2]))
+        row("drawing, of a sample of the bands of a part", "%.2f ns".form(1e9 * drawing[3]))
         row("merging, of a sample", "%.2f ns".form(1e9 * merging[0]))
-        row("merging, of a fragment", "%.1f ns".form(1e9 * merging[1]))
+        row("merging, of a band or strip", "%.1f us".form(1e6 * merging[1]))
+        row("merging, of a fragment", "%.1f + %.1f (1 - density) ns".form(1e9 * merging[2], 1e9 * merging[3]))
         row("merging two raw arrays, of a sample", "%.2f ns".form(1e9 * raw.merge(listOf(1L, 1L)).seconds))
         row("fragments of all triangles, for each visible sample", "%.2f".form(overdraw))
         for (split in Split.entries) with(sizes.getValue(split)) {
@@ -287,9 +315,13 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
     companion object {
         private const val TREE = "Spark's tree"
         private const val BINARY = "binary swap"
+        private const val RADIX = "radix-k"
+
+        /** Greatest k of radix-k. */
+        const val GREATEST: Int = 8
 
         /** Greatest k of each algorithm. */
-        private val SWAPS = mapOf(BINARY to 2, "radix-k, 8" to 8)
+        private val SWAPS = mapOf(BINARY to 2, RADIX to GREATEST)
         private val SHOWN = listOf(4, 16, 64)
 
         /** The model is fitted to measurements with so many parts at most. */
@@ -310,11 +342,11 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
         private val TRIANGLES = listOf(1e9, 1e12)
         private const val MOST_DOUBLINGS = 16
 
-        /** Returns factors of [nodes], a power of two, of which each is [most] or less. */
+        /** Returns factors of [nodes], the greatest first, of which each is [most] or less. */
         fun factors(nodes: Int, most: Int): List<Int> = buildList {
             var rest = nodes
             while (rest > 1) {
-                add(minOf(rest, most))
+                add((minOf(rest, most) downTo 2).first { rest % it == 0 })
                 rest /= last()
             }
         }
@@ -333,7 +365,7 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
 
         private fun deviation(model: Double, measured: Double) = "%+.0f%%".form(100 * (model / measured - 1))
 
-        private fun power(triangles: Double) = "10^" + "%.0f".form(kotlin.math.log10(triangles))
+        private fun power(triangles: Double) = "10^" + "%.0f".form(log10(triangles))
 
         private fun Long.megabytes() = "%.1f".form(this / 1e6)
 

@@ -1,6 +1,7 @@
 package dev.lazyz.spark.scaling
 
 import kotlin.math.abs
+import kotlin.math.ceil
 import kotlin.math.ln
 import kotlin.math.pow
 
@@ -10,8 +11,9 @@ import kotlin.math.pow
  * @property samples all samples
  * @property visible samples that show triangles
  * @property bandEnds for each band the share of the visible samples that are in it or above it
+ * @property strips regions into which nodes divide it when they split it
  */
-internal class PictureFacts(val samples: Long, val visible: Long, val bandEnds: List<Double>) {
+internal class PictureFacts(val samples: Long, val visible: Long, val bandEnds: List<Double>, val strips: Int) {
     val bands: Int get() = bandEnds.size
 
     /** The share of the visible samples above a band. */
@@ -22,6 +24,7 @@ internal class PictureFacts(val samples: Long, val visible: Long, val bandEnds: 
  * A share of the triangles, from [from] to [to] in 0..1, in a part of the picture.
  *
  * @property samples of this part of the picture
+ * @property regions bands or strips of this part
  * @property top the share of the visible samples above the part
  * @property bottom the share above its end
  * @property strips the share of its strips that are left after splits
@@ -30,28 +33,32 @@ internal class ExpectedPiece(
     val from: Double,
     val to: Double,
     val samples: Double,
+    val regions: Double,
     val top: Double,
     val bottom: Double,
     val strips: Double,
-)
+) {
+    /** The share of the triangles. */
+    val share: Double get() = minOf(1.0, to - from)
+}
 
 /**
  * Bytes and fragments of parts, by the share of the triangles that they have.
  *
- * @property reach for [Split.SCATTERED] how many layers of triangles cover a visible sample; for [Split.RANGES] the part
- *   of the visible samples that a part covers, divided by its share of the triangles
+ * @property reach for [Split.SCATTERED] how many layers of triangles cover a visible sample; for [Split.RANGES] the
+ *   share of the visible samples that a part covers, divided by its share of the triangles
  * @property bytes of a fragment, and how many more if no neighbour is in the part
  */
 internal class PartSizes(private val facts: PictureFacts, val split: Split, val reach: Double, val bytes: DoubleArray) {
     /** Expected fragments of [piece]. */
     fun fragments(piece: ExpectedPiece): Double = facts.visible * piece.strips * when (split) {
-        Split.SCATTERED -> (piece.bottom - piece.top) * (1 - (1 - (piece.to - piece.from)).pow(reach))
+        Split.SCATTERED -> (piece.bottom - piece.top) * (1 - (1 - piece.share).pow(reach))
         Split.RANGES -> rows(piece)
     }
 
     /** The part of the visible samples that is both in the range, which is widened to its reach, and in the rows. */
     private fun rows(piece: ExpectedPiece): Double {
-        val width = minOf(1.0, reach * (piece.to - piece.from))
+        val width = minOf(1.0, reach * piece.share)
         val start = ((piece.from + piece.to - width) / 2).coerceIn(0.0, 1 - width)
         return (minOf(start + width, piece.bottom) - maxOf(start, piece.top)).coerceAtLeast(0.0)
     }
@@ -93,12 +100,14 @@ internal class ScalingModel(
     override fun bytes(piece: ExpectedPiece): Long = sizes.bytes(piece)
 
     override fun split(piece: ExpectedPiece, ways: Int): List<ExpectedPiece> = with(piece) {
-        List(ways) { ExpectedPiece(from, to, samples / ways, top, bottom, strips / ways) }
+        List(ways) { ExpectedPiece(from, to, samples / ways, regions / ways, top, bottom, strips / ways) }
     }
 
     override fun merge(pieces: List<ExpectedPiece>): Timed<ExpectedPiece> {
-        val features = mergeFeatures(pieces[0].samples, pieces.sumOf { sizes.fragments(it) })
-        val merged = with(pieces[0]) { ExpectedPiece(pieces.minOf { it.from }, pieces.maxOf { it.to }, samples, top, bottom, strips) }
+        val features = mergeFeatures(pieces[0].samples, pieces[0].regions, pieces.map { sizes.fragments(it) })
+        val merged = with(pieces[0]) {
+            ExpectedPiece(pieces.minOf { it.from }, pieces.maxOf { it.to }, samples, regions, top, bottom, strips)
+        }
         return Timed(merged, Fit.sum(merging, features))
     }
 
@@ -111,7 +120,9 @@ internal class ScalingModel(
 
     /** Predicts the job's merging of [nodes] parts. */
     fun tree(nodes: Int, fanIn: Int): Simulated<ExpectedPiece> = MergeSimulation(this, network).tree(
-        List(nodes) { node -> (0 until facts.bands).associateWith { band(node, nodes, it) }.filter { sizes.fragments(it.value) > 0 } },
+        List(nodes) { node ->
+            (0 until facts.bands).associateWith { band(node, nodes, it) }.filter { sizes.fragments(it.value) > 0 }
+        },
         fanIn,
     )
 
@@ -119,28 +130,36 @@ internal class ScalingModel(
     fun swap(nodes: Int, factors: List<Int>): Simulated<ExpectedPiece> =
         MergeSimulation(this, network).swap(List(nodes) { whole(it, nodes) }, factors)
 
-    private fun whole(node: Int, nodes: Int) =
-        ExpectedPiece(node.toDouble() / nodes, (node + 1.0) / nodes, facts.samples.toDouble(), 0.0, 1.0, 1.0)
+    private fun whole(node: Int, nodes: Int): ExpectedPiece {
+        val from = node.toDouble() / nodes
+        return ExpectedPiece(
+            from, from + 1.0 / nodes, facts.samples.toDouble(), facts.strips.toDouble(),
+            top = 0.0, bottom = 1.0, strips = 1.0,
+        )
+    }
 
-    private fun band(node: Int, nodes: Int, band: Int) = ExpectedPiece(
-        node.toDouble() / nodes,
-        (node + 1.0) / nodes,
-        facts.samples.toDouble() / facts.bands,
-        facts.bandStart(band),
-        facts.bandEnds[band],
-        1.0,
-    )
+    private fun band(node: Int, nodes: Int, band: Int): ExpectedPiece {
+        val from = node.toDouble() / nodes
+        val samples = facts.samples.toDouble() / facts.bands
+        return ExpectedPiece(
+            from, from + 1.0 / nodes, samples, regions = 1.0, facts.bandStart(band), facts.bandEnds[band], strips = 1.0,
+        )
+    }
 
     companion object {
         /** Triangles that a task draws at a time. */
         private const val CHUNK = 1 shl 17
 
-        /** What merging depends on: the samples of the region, and the fragments of all parts. */
-        fun mergeFeatures(samples: Double, fragments: Double): DoubleArray = doubleArrayOf(samples, fragments)
+        /**
+         * What merging depends on: the samples and the number of regions, the [fragments] of each part, and how sparse
+         * they are.
+         */
+        fun mergeFeatures(samples: Double, regions: Double, fragments: List<Double>): DoubleArray =
+            doubleArrayOf(samples, regions, fragments.sum(), fragments.sumOf { it * (1 - it / samples) })
 
         /**
-         * What drawing [own] of [all] triangles depends on: their number, the fragments that they cover, and the samples
-         * that each chunk of them reaches.
+         * What drawing [own] of [all] triangles depends on: their number, the fragments that they cover, the
+         * samples that each chunk of them reaches, and the samples of all bands that they reach.
          */
         fun drawFeatures(
             split: Split,
@@ -150,9 +169,11 @@ internal class ScalingModel(
             overdraw: Double,
             facts: PictureFacts,
         ): DoubleArray {
-            val chunks = kotlin.math.ceil(own / CHUNK)
-            val reached = if (split == Split.SCATTERED) 1.0 else minOf(1.0, reach * own / chunks / all)
-            return doubleArrayOf(own, facts.visible * overdraw * own / all, facts.samples * chunks * reached)
+            val chunks = ceil(own / CHUNK)
+            val ofChunk = if (split == Split.SCATTERED) 1.0 else minOf(1.0, reach * own / chunks / all)
+            val ofPart = if (split == Split.SCATTERED) 1.0 else minOf(1.0, reach * own / all + 1.0 / facts.bands)
+            val fragments = facts.visible * overdraw * own / all
+            return doubleArrayOf(own, fragments, facts.samples * chunks * ofChunk, facts.samples * ofPart)
         }
     }
 }
@@ -163,8 +184,8 @@ internal object Fit {
     fun sum(factors: DoubleArray, features: DoubleArray): Double = features.indices.sumOf { factors[it] * features[it] }
 
     /**
-     * Returns the factors, none of them negative, that make the sum of the squares of relative errors least. A factor
-     * that would be negative is 0, and the others are computed without it.
+     * Returns the factors, none of them negative, that make the sum of the squares of errors least, each divided by the
+     * measured value. A factor that would be negative is 0, and the others are computed without it.
      */
     fun factors(features: List<DoubleArray>, measured: List<Double>): DoubleArray {
         require(measured.all { it > 0 && it.isFinite() }) { "all must be positive: $measured" }
@@ -172,7 +193,9 @@ internal object Fit {
         while (true) {
             val found = solve(features, measured, used)
             val least = found.indices.minBy { found[it] }
-            if (found[least] >= 0) return DoubleArray(features[0].size) { i -> used.indexOf(i).let { if (it < 0) 0.0 else found[it] } }
+            if (found[least] >= 0) {
+                return DoubleArray(features[0].size).also { all -> used.forEachIndexed { i, to -> all[to] = found[i] } }
+            }
             used.removeAt(least)
         }
     }
@@ -183,8 +206,8 @@ internal object Fit {
         val rows = Array(n) { DoubleArray(n + 1) }
         for ((all, value) in features.zip(measured)) {
             for (i in 0 until n) {
-                for (j in 0 until n) rows[i][j] += all[used[i]] * all[used[j]] / (value * value)
-                rows[i][n] += all[used[i]] / value
+                for (j in 0 until n) rows[i][j] += all[used[i]] * all[used[j]] / value
+                rows[i][n] += all[used[i]]
             }
         }
         for (column in 0 until n) {

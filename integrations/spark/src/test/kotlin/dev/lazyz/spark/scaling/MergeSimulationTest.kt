@@ -55,7 +55,9 @@ class MergeSimulationTest {
 
     @Test
     fun factorsMustFit() {
-        val error = assertThrows(IllegalArgumentException::class.java) { simulation.swap(List(4) { picture }, listOf(2)) }
+        val error = assertThrows(IllegalArgumentException::class.java) {
+            simulation.swap(List(4) { picture }, listOf(2))
+        }
         assertEquals("[2] must multiply to 4 nodes", error.message)
     }
 

@@ -51,7 +51,7 @@ class PartPicturesTest {
     fun everyTriangleIsInOnePart() {
         val sphere = BumpySphere(rings = 20)
         for (split in Split.entries) {
-            val indices = (0 until parts).flatMap { part -> sphere.rows(part, parts, split).map { it.getLong(0).toInt() } }
+            val indices = (0 until parts).flatMap { sphere.rows(it, parts, split) }.map { it.getLong(0).toInt() }
             assertEquals((0 until sphere.triangles).toList(), indices.sorted())
             val sizes = (0 until parts).map { sphere.rows(it, parts, split).size }
             assertTrue(sizes.max() < 1.2 * sizes.min()) { "$split $sizes" }

@@ -5,12 +5,14 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 
 class ScalingModelTest {
-    private val facts = PictureFacts(samples = 4000, visible = 1000, bandEnds = listOf(0.25, 0.5, 0.75, 1.0))
+    private val facts =
+        PictureFacts(samples = 4000, visible = 1000, bandEnds = listOf(0.25, 0.5, 0.75, 1.0), strips = 8)
 
     private fun sizes(split: Split, reach: Double) = PartSizes(facts, split, reach, doubleArrayOf(4.0, 2.0))
 
     private fun model(split: Split, reach: Double) = ScalingModel(
-        facts, sizes(split, reach), 2.0, doubleArrayOf(1.0, 0.0, 0.0), doubleArrayOf(0.0, 1.0), Network(1e9, 1.0),
+        facts, sizes(split, reach), 2.0, doubleArrayOf(1.0, 0.0, 0.0, 0.0), doubleArrayOf(0.0, 0.0, 1.0, 0.0),
+        Network(1e9, 1.0),
     )
 
     @Test
@@ -32,7 +34,9 @@ class ScalingModelTest {
     fun theReachIsFoundAgain() {
         for (split in Split.entries) {
             val shares = listOf(0.25, 0.125, 1.0 / 16)
-            val covered = shares.map { sizes(split, 1.7).fragments(ExpectedPiece(0.0, it, 4000.0, 0.0, 1.0, 1.0)) / 1000 }
+            val covered = shares.map {
+                sizes(split, 1.7).fragments(ExpectedPiece(0.0, it, 4000.0, 8.0, 0.0, 1.0, 1.0)) / 1000
+            }
             assertEquals(1.7, PartSizes.reach(split, shares, covered), 1e-9)
         }
     }
@@ -40,7 +44,7 @@ class ScalingModelTest {
     @Test
     fun allTrianglesCoverAllVisibleSamples() {
         for (split in Split.entries) {
-            val all = ExpectedPiece(0.0, 1.0, 4000.0, 0.0, 1.0, 1.0)
+            val all = ExpectedPiece(0.0, 1.0, 4000.0, 8.0, 0.0, 1.0, 1.0)
             assertEquals(1000.0, sizes(split, 1.7).fragments(all), 1e-9)
             assertEquals(4000L, sizes(split, 1.7).bytes(all))
         }
@@ -49,7 +53,7 @@ class ScalingModelTest {
     /** Two layers: a part with half the triangles misses a sample if it has neither, so it covers three quarters. */
     @Test
     fun halfOfTwoLayersCoversThreeQuarters() {
-        val half = ExpectedPiece(0.0, 0.5, 4000.0, 0.0, 1.0, 1.0)
+        val half = ExpectedPiece(0.0, 0.5, 4000.0, 8.0, 0.0, 1.0, 1.0)
         assertEquals(750.0, sizes(Split.SCATTERED, 2.0).fragments(half), 1e-9)
         assertEquals((750 * (4 + 2 * 0.25)).toLong(), sizes(Split.SCATTERED, 2.0).bytes(half))
     }
@@ -58,10 +62,18 @@ class ScalingModelTest {
     fun bandsOfAPartAddUpToIt() {
         for (split in Split.entries) {
             val bands = (0 until 4).sumOf {
-                sizes(split, 1.7).fragments(ExpectedPiece(0.0, 0.25, 1000.0, it / 4.0, (it + 1) / 4.0, 1.0))
+                sizes(split, 1.7).fragments(ExpectedPiece(0.0, 0.25, 1000.0, 1.0, it / 4.0, (it + 1) / 4.0, 1.0))
             }
-            assertEquals(sizes(split, 1.7).fragments(ExpectedPiece(0.0, 0.25, 4000.0, 0.0, 1.0, 1.0)), bands, 1e-9)
+            assertEquals(sizes(split, 1.7).fragments(ExpectedPiece(0.0, 0.25, 4000.0, 8.0, 0.0, 1.0, 1.0)), bands, 1e-9)
         }
+    }
+
+    @Test
+    fun factorsMultiplyToTheNodes() {
+        assertEquals(listOf(8, 5, 5, 5), ScalingStudy.factors(1000, 8))
+        assertEquals(listOf(8, 4), ScalingStudy.factors(32, 8))
+        assertEquals(listOf(2, 2, 2), ScalingStudy.factors(8, 2))
+        assertEquals(emptyList<Int>(), ScalingStudy.factors(1, 8))
     }
 
     /** Four nodes at random, and two layers: each merges two halves of 437.5 fragments, then two quarters of 750. */
