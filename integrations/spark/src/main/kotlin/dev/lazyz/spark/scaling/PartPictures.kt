@@ -25,8 +25,8 @@ internal class RunPiece(val cells: List<Cell>) {
  */
 internal class Drawn(val bands: RunPiece, val triangles: Int, val covered: Long, val seconds: Double)
 
-/** What it took to merge runs with these numbers of [fragments], which show some [regions] of [samples] in total. */
-internal class MergeCost(val samples: Long, val regions: Int, val fragments: List<Long>, val seconds: Double)
+/** What it took to merge runs with these numbers of [fragments], which show regions of [samples] in total. */
+internal class MergeCost(val samples: Long, val fragments: List<Long>, val seconds: Double)
 
 /**
  * Pictures of parts of a [sphere], drawn and merged by the code that the tasks of a Spark job run, without Spark.
@@ -99,7 +99,7 @@ internal class PartPictures(
                 numbers.mapIndexed { i, number -> merge.part(number, pieces.map { it.cells[i].part }) }
             }
             val samples = numbers.sumOf { setUp.region(it).size }
-            costs += MergeCost(samples, numbers.size, pieces.map { it.fragments }, merged.seconds)
+            costs += MergeCost(samples, pieces.map { it.fragments }, merged.seconds)
             val cells = numbers.mapIndexed { i, number -> cell(setUp, number, merged.value[i]) }
             return Timed(RunPiece(cells), merged.seconds)
         }

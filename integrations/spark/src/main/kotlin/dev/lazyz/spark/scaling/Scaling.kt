@@ -131,15 +131,12 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
         val bands = mergings[0].simulated.getValue(TREE).pieces.flatMap { it.cells }
         val counts = List(pictures.bandSetUp.bands) { n -> bands.filter { it.number == n }.sumOf { it.fragments } }
         val ends = counts.runningReduce(Long::plus).map { it.toDouble() / counts.sum() }
-        PictureFacts(pictures.width.toLong() * pictures.height, counts.sum(), ends, pictures.stripSetUp.bands)
+        val covered = drawings(Split.SCATTERED) { it == PARTS[0] }.sumOf { it.drawn.covered }
+        PictureFacts(pictures.width.toLong() * pictures.height, counts.sum(), ends, covered.toDouble() / counts.sum())
     }
 
     private fun drawings(split: Split, parts: (Int) -> Boolean) =
         drawings.filter { it.pictures == pictures && it.split == split && parts(it.parts) }
-
-    private val overdraw by lazy {
-        drawings(Split.SCATTERED) { it == 2 }.sumOf { it.drawn.covered }.toDouble() / facts.visible
-    }
 
     private val sizes: Map<Split, PartSizes> by lazy {
         Split.entries.associateWith { split ->
@@ -153,7 +150,7 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
                 },
                 seen.map { it.bytes.toDouble() },
             )
-            PartSizes(facts, split, PartSizes.reach(split, means.map { 1.0 / it.first }, covered), bytes)
+            PartSizes(facts, split, PartSizes.exponent(facts, split, means.map { 1.0 / it.first }, covered), bytes)
         }
     }
 
@@ -162,8 +159,7 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
         Fit.factors(
             fitted.map {
                 val own = it.drawn.triangles.toDouble()
-                val reach = sizes.getValue(it.split).reach
-                ScalingModel.drawFeatures(it.split, reach, own * it.parts, own, overdraw, facts)
+                ScalingModel.drawFeatures(facts, sizes.getValue(it.split), own * it.parts, own)
             },
             fitted.map { it.drawn.seconds },
         )
@@ -173,14 +169,13 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
         val fitted = mergings.filter { it.parts <= FITTED }.flatMap { it.costs }.filter { it.fragments.sum() > LEAST }
         Fit.factors(
             fitted.map {
-                val fragments = it.fragments.map(Long::toDouble)
-                ScalingModel.mergeFeatures(it.samples.toDouble(), it.regions.toDouble(), fragments)
+                ScalingModel.mergeFeatures(it.samples.toDouble(), it.fragments.map(Long::toDouble))
             },
             fitted.map { it.seconds },
         )
     }
 
-    private fun model(split: Split) = ScalingModel(facts, sizes.getValue(split), overdraw, drawing, merging, network)
+    private fun model(split: Split) = ScalingModel(facts, sizes.getValue(split), drawing, merging, network)
 
     /** Returns all tables, as Markdown. */
     fun report(): String = buildString {
@@ -256,12 +251,11 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
         row("drawing, of a sample for each 131,072 triangles", "%.2f ns".form(1e9 * drawing[2]))
         row("drawing, of a sample of the bands of a part", "%.2f ns".form(1e9 * drawing[3]))
         row("merging, of a sample", "%.2f ns".form(1e9 * merging[0]))
-        row("merging, of a band or strip", "%.1f us".form(1e6 * merging[1]))
-        row("merging, of a fragment", "%.1f + %.1f (1 - density) ns".form(1e9 * merging[2], 1e9 * merging[3]))
+        row("merging, of a fragment", "%.1f + %.1f (1 - density) ns".form(1e9 * merging[1], 1e9 * merging[2]))
         row("merging two raw arrays, of a sample", "%.2f ns".form(1e9 * raw.merge(listOf(1L, 1L)).seconds))
-        row("fragments of all triangles, for each visible sample", "%.2f".form(overdraw))
+        row("fragments of all triangles, for each visible sample", "%.2f".form(facts.overdraw))
         for (split in Split.entries) with(sizes.getValue(split)) {
-            row("${split.label()}: reach", "%.2f".form(reach))
+            row("${split.label()}: exponent of the coverage", "%.2f".form(exponent))
             row("${split.label()}: bytes of a fragment", "%.2f + %.2f (1 - density)".form(bytes[0], bytes[1]))
         }
         row("Spark, an empty task", "%.2f ms".form(1e3 * taskSeconds))

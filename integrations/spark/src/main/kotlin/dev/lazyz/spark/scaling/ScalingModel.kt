@@ -11,9 +11,9 @@ import kotlin.math.pow
  * @property samples all samples
  * @property visible samples that show triangles
  * @property bandEnds for each band the share of the visible samples that are in it or above it
- * @property strips regions into which nodes divide it when they split it
+ * @property overdraw fragments of all triangles for each visible sample
  */
-internal class PictureFacts(val samples: Long, val visible: Long, val bandEnds: List<Double>, val strips: Int) {
+internal class PictureFacts(val samples: Long, val visible: Long, val bandEnds: List<Double>, val overdraw: Double) {
     val bands: Int get() = bandEnds.size
 
     /** The share of the visible samples above a band. */
@@ -24,7 +24,6 @@ internal class PictureFacts(val samples: Long, val visible: Long, val bandEnds: 
  * A share of the triangles, from [from] to [to] in 0..1, in a part of the picture.
  *
  * @property samples of this part of the picture
- * @property regions bands or strips of this part
  * @property top the share of the visible samples above the part
  * @property bottom the share above its end
  * @property strips the share of its strips that are left after splits
@@ -33,7 +32,6 @@ internal class ExpectedPiece(
     val from: Double,
     val to: Double,
     val samples: Double,
-    val regions: Double,
     val top: Double,
     val bottom: Double,
     val strips: Double,
@@ -45,20 +43,34 @@ internal class ExpectedPiece(
 /**
  * Bytes and fragments of parts, by the share of the triangles that they have.
  *
- * @property reach for [Split.SCATTERED] how many layers of triangles cover a visible sample; for [Split.RANGES] the
- *   share of the visible samples that a part covers, divided by its share of the triangles
+ * @property exponent of the formula in [covered]
  * @property bytes of a fragment, and how many more if no neighbour is in the part
  */
-internal class PartSizes(private val facts: PictureFacts, val split: Split, val reach: Double, val bytes: DoubleArray) {
+internal class PartSizes(
+    private val facts: PictureFacts,
+    val split: Split,
+    val exponent: Double,
+    val bytes: DoubleArray,
+) {
+    /**
+     * The share of the visible samples that a part with a [share] of the triangles covers. At random, it misses a
+     * sample if it has none of the layers of triangles there; their number is the exponent. A small range hides nothing
+     * of itself, so it covers as much as its triangles do, and a larger one less.
+     */
+    fun covered(share: Double): Double = when (split) {
+        Split.SCATTERED -> 1 - (1 - share).pow(exponent)
+        Split.RANGES -> facts.overdraw * share / (1 + (facts.overdraw - 1) * share.pow(exponent))
+    }
+
     /** Expected fragments of [piece]. */
     fun fragments(piece: ExpectedPiece): Double = facts.visible * piece.strips * when (split) {
-        Split.SCATTERED -> (piece.bottom - piece.top) * (1 - (1 - piece.share).pow(reach))
+        Split.SCATTERED -> (piece.bottom - piece.top) * covered(piece.share)
         Split.RANGES -> rows(piece)
     }
 
-    /** The part of the visible samples that is both in the range, which is widened to its reach, and in the rows. */
+    /** The share of the visible samples that is in the rows of [piece], if the range is rows, too. */
     private fun rows(piece: ExpectedPiece): Double {
-        val width = minOf(1.0, reach * piece.share)
+        val width = covered(piece.share)
         val start = ((piece.from + piece.to - width) / 2).coerceIn(0.0, 1 - width)
         return (minOf(start + width, piece.bottom) - maxOf(start, piece.top)).coerceAtLeast(0.0)
     }
@@ -75,10 +87,15 @@ internal class PartSizes(private val facts: PictureFacts, val split: Split, val 
         fun sizeFeatures(fragments: Double, density: Double): DoubleArray =
             doubleArrayOf(fragments, fragments * (1 - density))
 
-        /** Returns the reach of parts with a [share] of the triangles that cover [covered] of the visible samples. */
-        fun reach(split: Split, share: List<Double>, covered: List<Double>): Double = when (split) {
-            Split.SCATTERED -> Fit.factors(share.map { doubleArrayOf(-ln(1 - it)) }, covered.map { -ln(1 - it) })[0]
-            Split.RANGES -> Fit.factors(share.map { doubleArrayOf(it) }, covered)[0]
+        /** Returns the exponent for parts with a [share] of the triangles that cover some of the visible samples. */
+        fun exponent(facts: PictureFacts, split: Split, share: List<Double>, covered: List<Double>): Double {
+            val (given, found) = when (split) {
+                Split.SCATTERED -> share.map { -ln(1 - it) } to covered.map { -ln(1 - it) }
+                Split.RANGES -> share.map { -ln(it) } to share.zip(covered) { part, seen ->
+                    -ln((facts.overdraw * part / seen - 1) / (facts.overdraw - 1))
+                }
+            }
+            return Fit.factors(given.map { doubleArrayOf(it) }, found)[0]
         }
     }
 }
@@ -92,7 +109,6 @@ internal class PartSizes(private val facts: PictureFacts, val split: Split, val 
 internal class ScalingModel(
     private val facts: PictureFacts,
     private val sizes: PartSizes,
-    private val overdraw: Double,
     val drawing: DoubleArray,
     val merging: DoubleArray,
     private val network: Network,
@@ -100,20 +116,20 @@ internal class ScalingModel(
     override fun bytes(piece: ExpectedPiece): Long = sizes.bytes(piece)
 
     override fun split(piece: ExpectedPiece, ways: Int): List<ExpectedPiece> = with(piece) {
-        List(ways) { ExpectedPiece(from, to, samples / ways, regions / ways, top, bottom, strips / ways) }
+        List(ways) { ExpectedPiece(from, to, samples / ways, top, bottom, strips / ways) }
     }
 
     override fun merge(pieces: List<ExpectedPiece>): Timed<ExpectedPiece> {
-        val features = mergeFeatures(pieces[0].samples, pieces[0].regions, pieces.map { sizes.fragments(it) })
+        val features = mergeFeatures(pieces[0].samples, pieces.map { sizes.fragments(it) })
         val merged = with(pieces[0]) {
-            ExpectedPiece(pieces.minOf { it.from }, pieces.maxOf { it.to }, samples, regions, top, bottom, strips)
+            ExpectedPiece(pieces.minOf { it.from }, pieces.maxOf { it.to }, samples, top, bottom, strips)
         }
         return Timed(merged, Fit.sum(merging, features))
     }
 
     /** Seconds of an executor that draws a part of [parts], if all have [triangles]. */
     fun drawSeconds(triangles: Double, parts: Int): Double =
-        Fit.sum(drawing, drawFeatures(sizes.split, sizes.reach, triangles, triangles / parts, overdraw, facts))
+        Fit.sum(drawing, drawFeatures(facts, sizes, triangles, triangles / parts))
 
     /** Bytes of a part of [parts], all bands. */
     fun partBytes(parts: Int): Long = sizes.bytes(whole(0, parts))
@@ -132,17 +148,14 @@ internal class ScalingModel(
 
     private fun whole(node: Int, nodes: Int): ExpectedPiece {
         val from = node.toDouble() / nodes
-        return ExpectedPiece(
-            from, from + 1.0 / nodes, facts.samples.toDouble(), facts.strips.toDouble(),
-            top = 0.0, bottom = 1.0, strips = 1.0,
-        )
+        return ExpectedPiece(from, from + 1.0 / nodes, facts.samples.toDouble(), top = 0.0, bottom = 1.0, strips = 1.0)
     }
 
     private fun band(node: Int, nodes: Int, band: Int): ExpectedPiece {
         val from = node.toDouble() / nodes
         val samples = facts.samples.toDouble() / facts.bands
         return ExpectedPiece(
-            from, from + 1.0 / nodes, samples, regions = 1.0, facts.bandStart(band), facts.bandEnds[band], strips = 1.0,
+            from, from + 1.0 / nodes, samples, facts.bandStart(band), facts.bandEnds[band], strips = 1.0,
         )
     }
 
@@ -150,29 +163,20 @@ internal class ScalingModel(
         /** Triangles that a task draws at a time. */
         private const val CHUNK = 1 shl 17
 
-        /**
-         * What merging depends on: the samples and the number of regions, the [fragments] of each part, and how sparse
-         * they are.
-         */
-        fun mergeFeatures(samples: Double, regions: Double, fragments: List<Double>): DoubleArray =
-            doubleArrayOf(samples, regions, fragments.sum(), fragments.sumOf { it * (1 - it / samples) })
+        /** What merging depends on: samples of the region, the [fragments] of each part, and how sparse they are. */
+        fun mergeFeatures(samples: Double, fragments: List<Double>): DoubleArray =
+            doubleArrayOf(samples, fragments.sum(), fragments.sumOf { it * (1 - it / samples) })
 
         /**
          * What drawing [own] of [all] triangles depends on: their number, the fragments that they cover, the
          * samples that each chunk of them reaches, and the samples of all bands that they reach.
          */
-        fun drawFeatures(
-            split: Split,
-            reach: Double,
-            all: Double,
-            own: Double,
-            overdraw: Double,
-            facts: PictureFacts,
-        ): DoubleArray {
+        fun drawFeatures(facts: PictureFacts, sizes: PartSizes, all: Double, own: Double): DoubleArray {
             val chunks = ceil(own / CHUNK)
-            val ofChunk = if (split == Split.SCATTERED) 1.0 else minOf(1.0, reach * own / chunks / all)
-            val ofPart = if (split == Split.SCATTERED) 1.0 else minOf(1.0, reach * own / all + 1.0 / facts.bands)
-            val fragments = facts.visible * overdraw * own / all
+            val isNear = sizes.split == Split.RANGES
+            val ofChunk = if (isNear) sizes.covered(own / chunks / all) else 1.0
+            val ofPart = if (isNear) minOf(1.0, sizes.covered(own / all) + 1.0 / facts.bands) else 1.0
+            val fragments = facts.visible * facts.overdraw * own / all
             return doubleArrayOf(own, fragments, facts.samples * chunks * ofChunk, facts.samples * ofPart)
         }
     }

@@ -5,14 +5,15 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 
 class ScalingModelTest {
-    private val facts =
-        PictureFacts(samples = 4000, visible = 1000, bandEnds = listOf(0.25, 0.5, 0.75, 1.0), strips = 8)
+    private fun facts(overdraw: Double) =
+        PictureFacts(samples = 4000, visible = 1000, bandEnds = listOf(0.25, 0.5, 0.75, 1.0), overdraw)
 
-    private fun sizes(split: Split, reach: Double) = PartSizes(facts, split, reach, doubleArrayOf(4.0, 2.0))
+    private fun sizes(split: Split, exponent: Double, overdraw: Double = 2.0) =
+        PartSizes(facts(overdraw), split, exponent, doubleArrayOf(4.0, 2.0))
 
-    private fun model(split: Split, reach: Double) = ScalingModel(
-        facts, sizes(split, reach), 2.0, doubleArrayOf(1.0, 0.0, 0.0, 0.0), doubleArrayOf(0.0, 0.0, 1.0, 0.0),
-        Network(1e9, 1.0),
+    private fun model(split: Split, exponent: Double, overdraw: Double) = ScalingModel(
+        facts(overdraw), sizes(split, exponent, overdraw), drawing = doubleArrayOf(1.0, 0.0, 0.0, 0.0),
+        merging = doubleArrayOf(0.0, 1.0, 0.0), Network(1e9, 1.0),
     )
 
     @Test
@@ -31,29 +32,29 @@ class ScalingModelTest {
     }
 
     @Test
-    fun theReachIsFoundAgain() {
+    fun theExponentIsFoundAgain() {
         for (split in Split.entries) {
             val shares = listOf(0.25, 0.125, 1.0 / 16)
             val covered = shares.map {
-                sizes(split, 1.7).fragments(ExpectedPiece(0.0, it, 4000.0, 8.0, 0.0, 1.0, 1.0)) / 1000
+                sizes(split, 0.7).fragments(ExpectedPiece(0.0, it, 4000.0, 0.0, 1.0, 1.0)) / 1000
             }
-            assertEquals(1.7, PartSizes.reach(split, shares, covered), 1e-9)
+            assertEquals(0.7, PartSizes.exponent(facts(2.0), split, shares, covered), 1e-9)
         }
     }
 
     @Test
     fun allTrianglesCoverAllVisibleSamples() {
         for (split in Split.entries) {
-            val all = ExpectedPiece(0.0, 1.0, 4000.0, 8.0, 0.0, 1.0, 1.0)
-            assertEquals(1000.0, sizes(split, 1.7).fragments(all), 1e-9)
-            assertEquals(4000L, sizes(split, 1.7).bytes(all))
+            val all = ExpectedPiece(0.0, 1.0, 4000.0, 0.0, 1.0, 1.0)
+            assertEquals(1000.0, sizes(split, 0.7).fragments(all), 1e-9)
+            assertEquals(4000L, sizes(split, 0.7).bytes(all))
         }
     }
 
     /** Two layers: a part with half the triangles misses a sample if it has neither, so it covers three quarters. */
     @Test
     fun halfOfTwoLayersCoversThreeQuarters() {
-        val half = ExpectedPiece(0.0, 0.5, 4000.0, 8.0, 0.0, 1.0, 1.0)
+        val half = ExpectedPiece(0.0, 0.5, 4000.0, 0.0, 1.0, 1.0)
         assertEquals(750.0, sizes(Split.SCATTERED, 2.0).fragments(half), 1e-9)
         assertEquals((750 * (4 + 2 * 0.25)).toLong(), sizes(Split.SCATTERED, 2.0).bytes(half))
     }
@@ -62,9 +63,9 @@ class ScalingModelTest {
     fun bandsOfAPartAddUpToIt() {
         for (split in Split.entries) {
             val bands = (0 until 4).sumOf {
-                sizes(split, 1.7).fragments(ExpectedPiece(0.0, 0.25, 1000.0, 1.0, it / 4.0, (it + 1) / 4.0, 1.0))
+                sizes(split, 0.7).fragments(ExpectedPiece(0.0, 0.25, 1000.0, it / 4.0, (it + 1) / 4.0, 1.0))
             }
-            assertEquals(sizes(split, 1.7).fragments(ExpectedPiece(0.0, 0.25, 4000.0, 8.0, 0.0, 1.0, 1.0)), bands, 1e-9)
+            assertEquals(sizes(split, 0.7).fragments(ExpectedPiece(0.0, 0.25, 4000.0, 0.0, 1.0, 1.0)), bands, 1e-9)
         }
     }
 
@@ -79,7 +80,7 @@ class ScalingModelTest {
     /** Four nodes at random, and two layers: each merges two halves of 437.5 fragments, then two quarters of 750. */
     @Test
     fun theModelMergesWhatItExpects() {
-        val swap = model(Split.SCATTERED, 2.0).swap(4, listOf(2, 2))
+        val swap = model(Split.SCATTERED, 2.0, 2.0).swap(4, listOf(2, 2))
         assertEquals(437.5 + 2 * 750 / 4.0, swap.mergeSeconds, 1e-9)
         assertEquals(4, swap.pieces.size)
         assertEquals(listOf(0.0 to 1.0), swap.pieces.map { it.from to it.to }.distinct())
@@ -88,7 +89,7 @@ class ScalingModelTest {
     /** A range of a quarter that reaches no further is in one band of four, and nothing has to be sent. */
     @Test
     fun rangesThatReachOneBandStayThere() {
-        val tree = model(Split.RANGES, 1.0).tree(4, fanIn = 8)
+        val tree = model(Split.RANGES, 1.0, overdraw = 1.0).tree(4, fanIn = 8)
         assertEquals(0L, tree.totalBytes)
         assertEquals(4, tree.pieces.size)
     }
