@@ -254,9 +254,11 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
         row("merging, of a fragment", "%.1f + %.1f (1 - density) ns".form(1e9 * merging[1], 1e9 * merging[2]))
         row("merging two raw arrays, of a sample", "%.2f ns".form(1e9 * raw.merge(listOf(1L, 1L)).seconds))
         row("fragments of all triangles, for each visible sample", "%.2f".form(facts.overdraw))
-        for (split in Split.entries) with(sizes.getValue(split)) {
-            row("${split.label()}: exponent of the coverage", "%.2f".form(exponent))
-            row("${split.label()}: bytes of a fragment", "%.2f + %.2f (1 - density)".form(bytes[0], bytes[1]))
+        for (split in Split.entries) {
+            with(sizes.getValue(split)) {
+                row("${split.label()}: exponent of the coverage", "%.2f".form(exponent))
+                row("${split.label()}: bytes of a fragment", "%.2f + %.2f (1 - density)".form(bytes[0], bytes[1]))
+            }
         }
         row("Spark, an empty task", "%.2f ms".form(1e3 * taskSeconds))
         row("visible samples of the picture", "%,d of %,d".form(facts.visible, facts.samples))
