@@ -1,9 +1,6 @@
 package dev.lazyz.spark.scaling
 
-import dev.lazyz.spark.scaling.PartPictures.Companion.timed
 import dev.lazyz.spark.triangles.jobs.SortLast
-import java.util.Locale
-import kotlin.math.log10
 import kotlin.math.pow
 import kotlin.math.roundToInt
 import kotlin.math.sqrt
@@ -14,7 +11,8 @@ import org.apache.spark.sql.SparkSession
  * Prints the tables of `docs/spark-scaling.md`: measures parts of a picture, fits a model to parts of few executors,
  * compares it with the others, and predicts more executors and triangles.
  */
-internal fun main() {
+internal fun main(args: Array<String>) {
+    require(args.isEmpty()) { "no arguments are known: ${args.joinToString(" ")}" }
     val study = ScalingStudy(PartPictures(BumpySphere(RINGS), SIDE, SIDE, STRIPS), taskSeconds())
     val small = PartPictures(BumpySphere(RINGS / 3), SIDE, SIDE, STRIPS)
 
@@ -46,39 +44,6 @@ private fun taskSeconds(): Double {
         }.min()
     } finally {
         session.stop()
-    }
-}
-
-/** Raw samples, a key and a colour each, whose merging takes [secondsPerSample] for each other piece. */
-internal class RawCompositing(private val secondsPerSample: Double) : Compositing<Long> {
-    override fun bytes(piece: Long): Long = BYTES * piece
-
-    override fun split(piece: Long, ways: Int): List<Long> = List(ways) { piece / ways }
-
-    override fun merge(pieces: List<Long>): Timed<Long> =
-        Timed(pieces[0], (pieces.size - 1) * pieces[0] * secondsPerSample)
-
-    companion object {
-        const val BYTES = 12
-
-        /** Returns a compositing with the time that the minimum of two arrays of keys takes. */
-        fun measured(): RawCompositing {
-            val keys = LongArray(SIDE * SIDE) { it * 31L and 0xFFFF }
-            val others = LongArray(SIDE * SIDE) { it * 17L and 0xFFFF }
-            val colors = IntArray(SIDE * SIDE)
-            return RawCompositing(
-                List(10) {
-                    timed {
-                        for (i in keys.indices) {
-                            if (others[i] < keys[i]) {
-                                keys[i] = others[i]
-                                colors[i] = i
-                            }
-                        }
-                    }.seconds / keys.size
-                }.min(),
-            )
-        }
     }
 }
 
@@ -193,12 +158,13 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
         val tasks = (merge.roundBytes.size + 1) * executors
         val empty = tasks - executors - merge.merges
         val tasksSeconds = tasks * taskSeconds
+        val emptySeconds = empty * taskSeconds
         val total = read + draw + merging + network + tasksSeconds
     }
 
     private fun predictions() = table(
         "triangles", "executors", "parts", "read, s", "draw, s", "merge, s", "network, s", "Spark's tasks, s",
-        "of them empty", "total, s", "of ideal",
+        "of them empty", "total, s", "of ideal", "without empty tasks, s",
     ) {
         for (triangles in TRIANGLES) {
             for (executors in listOf(10, 100, 1000)) {
@@ -208,7 +174,7 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
                         row(
                             power(triangles), "%,d".form(executors), split.label(), read.form(), draw.form(),
                             merging.form(), network.form(), tasksSeconds.form(), percent(empty.toDouble() / tasks),
-                            total.form(), percent(ideal / total),
+                            total.form(), percent(ideal / total), (total - emptySeconds).form(),
                         )
                     }
                 }
@@ -344,38 +310,6 @@ internal class ScalingStudy(val pictures: PartPictures, private val taskSeconds:
             while (rest > 1) {
                 add((minOf(rest, most) downTo 2).first { rest % it == 0 })
                 rest /= last()
-            }
-        }
-
-        private fun Split.label() = if (this == Split.RANGES) "near" else "mixed"
-
-        private fun String.form(vararg values: Any) = format(Locale.ROOT, *values)
-
-        private fun Double.form() = when {
-            this >= 100 -> "%,.0f".form(this)
-            this >= 1 -> "%.1f".form(this)
-            else -> "%.3f".form(this)
-        }
-
-        private fun percent(share: Double) = "%.0f%%".form(100 * share)
-
-        private fun deviation(model: Double, measured: Double) = "%+.0f%%".form(100 * (model / measured - 1))
-
-        private fun power(triangles: Double) = "10^" + "%.0f".form(log10(triangles))
-
-        private fun Long.megabytes() = "%.1f".form(this / 1e6)
-
-        private class Rows(private val text: StringBuilder) {
-            fun row(vararg cells: String) {
-                text.append(cells.joinToString(" | ", "| ", " |\n"))
-            }
-        }
-
-        private fun table(vararg heads: String, fill: Rows.() -> Unit): String = buildString {
-            Rows(this).run {
-                row(*heads)
-                row(*Array(heads.size) { "---" })
-                fill()
             }
         }
     }
