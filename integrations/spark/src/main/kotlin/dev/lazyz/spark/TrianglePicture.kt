@@ -98,8 +98,7 @@ public class TrianglePicture @JvmOverloads constructor(
     private val extent by lazy { TableExtent.of(rows, scene) }
     private val camera by lazy { scene.scene(extent).camera(width, height) }
     private val setUp by lazy {
-        val bandRows = (BAND / width).coerceIn(1, height)
-        PictureSetUp(scene, CameraValues(camera), width, height, bandRows)
+        PictureSetUp(scene, CameraValues(camera), width, height, PictureSetUp.bandRows(width, height))
     }
     private val planner by lazy { Planner(extent.parts, setUp.drawing().raster, camera) }
     private val chosen: SortOrder
@@ -189,9 +188,4 @@ public class TrianglePicture @JvmOverloads constructor(
     }
 
     override fun toString(): String = "TrianglePicture($width x $height, order=$order, $shading)"
-
-    private companion object {
-        /** Samples of a band, at 12 bytes each. */
-        const val BAND = 1 shl 20
-    }
 }

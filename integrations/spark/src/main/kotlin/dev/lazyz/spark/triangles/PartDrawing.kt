@@ -36,8 +36,14 @@ internal class PictureSetUp(
     /** Returns what draws triangles. */
     fun drawing(): PartDrawing = PartDrawing(this, scene, camera.camera())
 
-    private companion object {
-        const val serialVersionUID = 1L
+    companion object {
+        private const val serialVersionUID = 1L
+
+        /** Samples of a band, at 12 bytes each. */
+        private const val BAND = 1 shl 20
+
+        /** Returns the rows of a band of a picture. */
+        fun bandRows(width: Int, height: Int): Int = (BAND / width).coerceIn(1, height)
     }
 }
 

@@ -55,7 +55,7 @@ internal class SortLast(private val rows: JavaRDD<Row>, private val setUp: Broad
 }
 
 /** Draws the triangles of a partition. Returns the parts of all bands that they reach. */
-private class DrawPart(private val setUp: Broadcast<PictureSetUp>, private val isShaded: Boolean) :
+internal class DrawPart(private val setUp: Broadcast<PictureSetUp>, private val isShaded: Boolean) :
     Function2<Int, Iterator<Row>, Iterator<Tuple2<BandKey, BandPart>>> {
     override fun call(number: Int, rows: Iterator<Row>): Iterator<Tuple2<BandKey, BandPart>> {
         val known = setUp.value()
