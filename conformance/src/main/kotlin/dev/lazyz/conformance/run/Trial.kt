@@ -8,8 +8,8 @@ import dev.lazyz.conformance.judgement.NotDeclared
 import dev.lazyz.conformance.judgement.ProcessEnded
 import dev.lazyz.conformance.judgement.TimedOut
 import dev.lazyz.conformance.judgement.TryUnderWay
-import dev.lazyz.conformance.probes.SettingsBefore
 import dev.lazyz.conformance.judgement.Violation
+import dev.lazyz.conformance.probes.SettingsBefore
 import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.results.RuleFailure
 import dev.lazyz.conformance.results.RuleOutcome
