@@ -112,16 +112,21 @@ internal class DozensOfLayersCases : ArbitrarySupplier<FrameCase> {
     }
 }
 
-/** Frames of up to nine thousand primitives, each of which covers most of the few samples. */
+/** Frames of up to nine thousand primitives, mostly more than 12 bits can number. */
 internal class ThousandsOfLayersCases : ArbitrarySupplier<FrameCase> {
-    /** Mostly more than 12 bits can number. */
-    private val counts = mixed(1 to ints(1, 3000), 2 to ints(4200, 9000))
-
-    override fun get(): Arbitrary<FrameCase> =
-        Combinators.combine(counts, ints(0, 1000), oneOf(1, 5, 1000)).`as` { count, seed, levels ->
-            FrameCase(
-                Frame(Raster(3, 2), List(count) { Confetti(seed + it, 0, 3, 0, 2, levels) }),
-                "Frame(Raster(3, 2), List($count) { Confetti($seed + it, 0, 3, 0, 2, $levels) })",
-            )
-        }.withoutEdgeCases()
+    override fun get(): Arbitrary<FrameCase> = manyLayers(mixed(1 to ints(1, 3000), 2 to ints(4200, 9000)))
 }
+
+/** Frames of about a thousand primitives. */
+internal class ThousandLayersCases : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = manyLayers(ints(600, 1200))
+}
+
+/** Returns frames of [counts] primitives, each of which covers most of the few samples. */
+private fun manyLayers(counts: Arbitrary<Int>): Arbitrary<FrameCase> =
+    Combinators.combine(counts, ints(0, 1000), oneOf(1, 5, 1000)).`as` { count, seed, levels ->
+        FrameCase(
+            Frame(Raster(3, 2), List(count) { Confetti(seed + it, 0, 3, 0, 2, levels) }),
+            "Frame(Raster(3, 2), List($count) { Confetti($seed + it, 0, 3, 0, 2, $levels) })",
+        )
+    }.withoutEdgeCases()

@@ -4,7 +4,9 @@ import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
+import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
+import dev.lazyz.Selector
 import dev.lazyz.ShadingCursor
 import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.FrameCase
@@ -95,6 +97,25 @@ internal fun answer(block: () -> Unit): Throwable? = try {
     null
 } catch (e: Throwable) {
     e
+}
+
+/**
+ * Fails unless [renderer], which supports selectors, passes on what a selector throws that is called more than
+ * [patience] times.
+ */
+internal fun failsWithItsSelector(renderer: Renderer, case: FrameCase, patience: Int, planted: Throwable) {
+    val left = AtomicInteger(patience)
+    val selector = Selector {
+        if (left.decrementAndGet() < 0) throw planted
+        Selector.nearest().select(it)
+    }
+    val configured = renderer.configured(RenderOptions(selector = selector))
+    val thrown = answer { configured.render(case.frame) { _, _, _, _ -> } }
+    val expected = if (left.get() < 0) planted else null
+    if (thrown !== expected) {
+        val what = "the selector throws ${expected ?: "nothing"}, but the caller got ${thrown ?: "nothing"}"
+        Judgement(renderer, case).fail(what, thrown)
+    }
 }
 
 /** Fails unless [renderer] passes on what [trap] throws, or never triggers it and renders correctly. */

@@ -9,6 +9,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.StreamingRenderer
+import dev.lazyz.conformance.cases.Glass
 import dev.lazyz.conformance.cases.NothingThere
 import dev.lazyz.conformance.judgement.fail
 
@@ -47,6 +48,7 @@ internal class OneByOne(private val streaming: StreamingRenderer) : Renderer {
 internal fun hasEnded(renderer: Renderer, drawing: Drawing, why: String) {
     val answers = mapOf(
         "add" to answer { drawing.add(NothingThere(Raster(1, 1))) },
+        "add of a translucent primitive" to answer { drawing.add(Glass(NothingThere(Raster(1, 1)))) },
         "finish" to answer { drawing.finish { _, _, _, _ -> } },
     )
     for ((call, thrown) in answers) {

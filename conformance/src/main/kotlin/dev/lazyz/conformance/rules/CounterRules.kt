@@ -8,6 +8,7 @@ import dev.lazyz.conformance.cases.changed.alone
 import dev.lazyz.conformance.cases.changed.asOpaque
 import dev.lazyz.conformance.cases.changed.dazzling
 import dev.lazyz.conformance.cases.changed.watched
+import dev.lazyz.conformance.cases.changed.withinAny
 import dev.lazyz.conformance.cases.glazed
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.TranslucentCases
@@ -17,6 +18,7 @@ import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.oracle.ExpectedSteps
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.ShadingWitness
+import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
@@ -196,11 +198,16 @@ public sealed interface CounterRules : RulesForOne {
         look = "Shade after all fragments of a sample have been compared; look for samples that are shaded twice.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_8_2_promiseToShadeOnlyTheVisibleIsKept(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+    public fun rule_8_2_promiseToShadeOnlyTheVisibleIsKept(
+        @ForAll(supplier = MixedCases::class) case: FrameCase,
+        @ForAll salt: Long,
+    ) {
         val renderer = renderer()
         requireDeclared(renderer, Capability.SHADES_ONLY_VISIBLE)
-        val witness = ShadingWitness(case.frame)
-        val judgement = Judgement(renderer, case.watched(witness.frame))
+        val random = Random(salt)
+        val part = if (random.nextBoolean()) case.withinAny(random) else case
+        val witness = ShadingWitness(part.frame)
+        val judgement = Judgement(renderer, part.watched(witness.frame))
         val visible = judgement.rendering.image.visible.toLong()
         val calls = judgement.rendering.counters.shadingCalls
         if (calls != visible) judgement.fail("$visible samples are visible, but $calls shading calls are counted")
@@ -217,11 +224,12 @@ public sealed interface CounterRules : RulesForOne {
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_2_blendedFragmentsAreShadedOnlyIfVisible(
         @ForAll(supplier = TranslucentCases::class) case: FrameCase,
+        @ForAll salt: Long,
     ) {
         val renderer = renderer()
         requireDeclared(renderer, Capability.TRANSPARENCY)
         requireDeclared(renderer, Capability.SHADES_ONLY_VISIBLE)
-        for (each in listOf(case, case.dazzling())) {
+        for (each in listOf(case, case.dazzling(), case.withinAny(Random(salt)))) {
             val showing = Rendering.of(ReferenceRenderer(), each.frame).counters.shadingCalls
             val witness = ShadingWitness(each.frame)
             val judgement = Judgement(renderer, each.watched(witness.frame))

@@ -20,8 +20,11 @@ import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.memory.budgetOnTheHeap
 import dev.lazyz.conformance.probes.memory.constantMemory
 import dev.lazyz.conformance.probes.memory.constantMemoryInPrimitives
+import dev.lazyz.conformance.probes.threads.KindOfWork
 import dev.lazyz.conformance.probes.threads.notTooManyThreads
 import dev.lazyz.conformance.probes.threads.severalThreads
+import dev.lazyz.conformance.probes.varied
+import dev.lazyz.conformance.probes.variedFor
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
@@ -53,15 +56,20 @@ public sealed interface PromiseRules : RulesForOne {
             "rendered.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_7_3_promiseToStreamRowsIsKept(@ForAll(supplier = MixedCases::class) case: FrameCase) {
-        val renderer = renderer()
+    public fun rule_7_3_promiseToStreamRowsIsKept(
+        @ForAll(supplier = MixedCases::class) case: FrameCase,
+        @ForAll salt: Long,
+    ) {
+        val random = Random(salt)
+        val renderer = renderer().varied(random)
         requireDeclared(renderer, Capability.STREAMS_ROWS)
-        val witness = RowWitness(case.frame)
+        val varied = case.variedFor(renderer, random)
+        val witness = RowWitness(varied.frame)
         var early: String? = null
         renderer.render(witness.frame) { y, _, _, _ ->
             if (witness.last > y) early = early ?: "row $y is delivered after queries about row ${witness.last}"
         }
-        early?.let { Judgement(renderer, case).fail(it) }
+        early?.let { Judgement(renderer, varied).fail(it) }
     }
 
     /** Stopping after some rows avoids the cost of the rows below. */
@@ -72,15 +80,18 @@ public sealed interface PromiseRules : RulesForOne {
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_3_rowsAfterTheSinkStopsAreNotRendered(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
-        @ForAll salt: Int,
+        @ForAll salt: Long,
     ) {
-        val renderer = renderer()
+        val random = Random(salt)
+        val renderer = renderer().varied(random)
         requireDeclared(renderer, Capability.STREAMS_ROWS)
-        val witness = RowWitness(case.frame)
-        val last = Math.floorMod(salt, case.frame.height)
+        val varied = case.variedFor(renderer, random)
+        val witness = RowWitness(varied.frame)
+        val last = varied.frame.region.rowStart + random.nextInt(varied.frame.height)
         answer { renderer.render(witness.frame) { y, _, _, _ -> check(y < last) { "enough" } } }
         if (witness.last <= last) return
-        Judgement(renderer, case).fail("the sink stops at row $last, a primitive is queried about row ${witness.last}")
+        val what = "the sink stops at row $last, a primitive is queried about row ${witness.last}"
+        Judgement(renderer, varied).fail(what)
     }
 
     /** A selector chooses among all fragments of a sample that pass against the background, nearest first. */
@@ -143,8 +154,11 @@ public sealed interface PromiseRules : RulesForOne {
     public fun rule_7_5_promiseToWorkInParallelIsKept() {
         val renderer = renderer()
         requireDeclared(renderer, Capability.PARALLEL)
-        severalThreads(renderer)
-        notTooManyThreads(renderer)
+        for (kind in KindOfWork.entries) {
+            if (!kind.isFor(renderer)) continue
+            severalThreads(renderer, kind)
+            notTooManyThreads(renderer, kind)
+        }
     }
 
     /** Counters are the same for any number of threads, except peak memory. */
@@ -153,12 +167,16 @@ public sealed interface PromiseRules : RulesForOne {
         look = "Look for work that depends on which thread comes first, and for counters that threads share.",
     )
     @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_8_1_countersDoNotDependOnThreads(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+    public fun rule_8_1_countersDoNotDependOnThreads(
+        @ForAll(supplier = MixedCases::class) case: FrameCase,
+        @ForAll salt: Long,
+    ) {
         val renderer = renderer()
         requireDeclared(renderer, Capability.PARALLEL)
+        val varied = case.variedFor(renderer, Random(salt))
         val judgements = listOf(1, 2, 5).map { threads ->
             val options = RenderOptions(Coherence.INCREMENTAL, threads = threads, tileSize = 8).supportedBy(renderer)
-            Judgement(renderer.configured(options), case, "$options").equalsReference()
+            Judgement(renderer.configured(options), varied, "$options").equalsReference()
         }
         val counters = judgements.map { it.rendering.counters.withoutMemory() }
         for (i in 1 until counters.size) {

@@ -5,11 +5,13 @@ import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.MILLIONS
 import dev.lazyz.conformance.cases.changed.behindMillions
 import dev.lazyz.conformance.cases.changed.renumbered
+import dev.lazyz.conformance.cases.glazed
 import dev.lazyz.conformance.cases.thin
 import dev.lazyz.conformance.frames.DozensOfLayersCases
 import dev.lazyz.conformance.frames.FarAwayCases
 import dev.lazyz.conformance.frames.ManySpansCases
 import dev.lazyz.conformance.frames.SeveralTilesCases
+import dev.lazyz.conformance.frames.ThousandLayersCases
 import dev.lazyz.conformance.frames.ThousandsOfLayersCases
 import dev.lazyz.conformance.frames.TwoRowsCases
 import dev.lazyz.conformance.judgement.Judgement
@@ -43,7 +45,13 @@ public sealed interface SizeRules : RulesForOne {
     )
     @Property(tries = 12, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_1_1_columnsAndRowsAreNotTruncated(@ForAll(supplier = FarAwayCases::class) case: FrameCase) {
-        Judgement(renderer(), case).equalsReference().rowsInOrder()
+        val renderer = renderer()
+        Judgement(renderer, case).equalsReference().rowsInOrder()
+
+        // Renderers that blend may have other code for translucent primitives
+        if (Capability.TRANSPARENCY in renderer.capabilities) {
+            Judgement(renderer, case.glazed(ALL)).equalsReference()
+        }
     }
 
     /** Dozens of spans in one row of a primitive. */
@@ -92,6 +100,18 @@ public sealed interface SizeRules : RulesForOne {
         Judgement(renderer, case.thin(case.frame.primitives.size)).equalsReference()
     }
 
+    /** A thousand layers, each nearly transparent, at each of a few samples. */
+    @Rule(
+        intent = "Blending includes a thousand fragments as it includes two.",
+        look = "Look for a limit on the number of layers, and for counts of them in a byte.",
+    )
+    @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_5_5_thousandThinLayersBlend(@ForAll(supplier = ThousandLayersCases::class) case: FrameCase) {
+        val renderer = renderer()
+        requireDeclared(renderer, Capability.TRANSPARENCY)
+        Judgement(renderer, case.thin(case.frame.primitives.size)).equalsReference()
+    }
+
     /** Indices that a float cannot represent, behind more than 2^24 primitives that cover nothing. */
     @Rule(
         intent = "Indices have 31 bits: those above 2^24 are neither rounded to a float nor cut to 24 bits.",
@@ -105,5 +125,10 @@ public sealed interface SizeRules : RulesForOne {
         val first = case.frame.primitives.size / 2
         val expected = few.renumbered { if (it < first) it else it + MILLIONS }
         difference(expected, behind.rendering.image)?.let { behind.fail("behind millions: ", it) }
+    }
+
+    private companion object {
+        /** All primitives, as the choice of `glazed`. */
+        const val ALL = 0xFFFF
     }
 }

@@ -12,10 +12,12 @@ import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.judgement.requireStreaming
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.OneByOne
+import dev.lazyz.conformance.probes.Planted
 import dev.lazyz.conformance.probes.Question
 import dev.lazyz.conformance.probes.Trap
 import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.hasEnded
+import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
@@ -57,10 +59,10 @@ public sealed interface StreamingRules : RulesForOne {
         look = "Throw IllegalStateException from both functions of the Drawing once finish was called or add has " +
             "thrown.",
     )
-    @Property(tries = 10, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 30, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_10_endedPicturesCannotBeContinued(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
-        @ForAll salt: Int,
+        @ForAll salt: Long,
     ) {
         val renderer = requireStreaming(renderer())
         val opaque = case.frame.asOpaque()
@@ -70,9 +72,17 @@ public sealed interface StreamingRules : RulesForOne {
         hasEnded(renderer, finished, "by finish")
 
         // A primitive fails in one of its first queries
-        val trap = Trap(opaque, Question.SPANS, Math.floorMod(salt, case.frame.height))
+        val random = Random(salt)
+        val question = Question.entries[random.nextInt(Question.entries.size)]
+        val planted = Planted.entries[random.nextInt(Planted.entries.size)].make()
+        val trap = Trap(opaque, question, random.nextInt(MOST_CALLS), planted)
         val failed = renderer.begin(opaque.raster, opaque.region)
         val thrown = answer { trap.frame.primitives.forEach(failed::add) }
         if (thrown != null) hasEnded(renderer, failed, "because a primitive threw an exception")
+    }
+
+    private companion object {
+        /** Exclusive limit of the number of calls that a primitive answers before it throws. */
+        const val MOST_CALLS = 6
     }
 }

@@ -1,7 +1,9 @@
 package dev.lazyz.conformance.rules
 
+import dev.lazyz.Capability
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
+import dev.lazyz.StreamingRenderer
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.SeveralCases
@@ -9,6 +11,7 @@ import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.conformance.probes.OneByOne
 import dev.lazyz.conformance.probes.OverwritingSink
 import dev.lazyz.conformance.probes.RenderingSink
 import dev.lazyz.conformance.probes.ThreadWitness
@@ -35,9 +38,14 @@ public sealed interface ThreadRules : RulesForOne {
     @Property(tries = 4, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_concurrentRenderingsAreIndependent(@ForAll salt: Long) {
         val renderer = renderer()
-        val meeting = Meeting(Where.ANY_SAMPLE)
-        atOnce(List(2) { Crowd.quiet(salt + it, Where.ANY_SAMPLE) }.withIndex().toList()) { (number, quiet) ->
-            rightInACrowd(renderer, quiet, Crowd(salt + number, Where.ANY_SAMPLE, meeting))
+        val ways = listOfNotNull(renderer, (renderer as? StreamingRenderer)?.let { OneByOne(it) })
+        for (way in ways) {
+            for (isGlass in listOf(false, true)) {
+                if (isGlass && Capability.TRANSPARENCY !in renderer.capabilities) continue
+                val meeting = Meeting(Where.ANY_SAMPLE)
+                val crowds = List(2) { Crowd(salt + it, Where.ANY_SAMPLE, meeting, isGlass) }
+                atOnce(crowds) { crowd -> rightInACrowd(way, crowd.quiet(), crowd) }
+            }
         }
     }
 

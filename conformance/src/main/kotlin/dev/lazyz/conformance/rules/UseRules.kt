@@ -1,5 +1,6 @@
 package dev.lazyz.conformance.rules
 
+import dev.lazyz.Capability
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.halves
 import dev.lazyz.conformance.cases.changed.withinAny
@@ -13,6 +14,7 @@ import dev.lazyz.conformance.probes.Question
 import dev.lazyz.conformance.probes.Trap
 import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.failsAsPlanned
+import dev.lazyz.conformance.probes.failsWithItsSelector
 import dev.lazyz.conformance.probes.framesAreRight
 import dev.lazyz.conformance.probes.memory.keepsNothing
 import dev.lazyz.conformance.probes.threads.atOnce
@@ -91,6 +93,9 @@ public sealed interface UseRules : RulesForOne {
             val planted = Planted.entries[random.nextInt(Planted.entries.size)].make()
             val trap = Trap(case.frame, question, random.nextInt(MOST_CALLS), planted)
             failsAsPlanned(renderer, case, trap)
+        }
+        if (Capability.SELECTION in renderer.capabilities) {
+            failsWithItsSelector(renderer, case, random.nextInt(MOST_CALLS), Planted.EXCEPTION.make())
         }
         Judgement(renderer, case).equalsReference()
     }

@@ -1,5 +1,6 @@
 package dev.lazyz.conformance.rules
 
+import dev.lazyz.Capability
 import dev.lazyz.RenderOptions
 import dev.lazyz.conformance.probes.threads.Crowd
 import dev.lazyz.conformance.probes.threads.Where
@@ -59,9 +60,13 @@ public sealed interface WorkerRules : RulesForOne {
     @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_concurrentThreadsLoseNoFragments(@ForAll salt: Long) {
         val configured = renderer().configured(FOUR_THREADS)
-        for (where in Where.entries) {
-            whileTheyMeet(where) { meeting, round ->
-                rightInACrowd(configured, Crowd.quiet(salt + round, where), Crowd(salt + round, where, meeting))
+        for (isGlass in listOf(false, true)) {
+            if (isGlass && Capability.TRANSPARENCY !in configured.capabilities) continue
+            for (where in Where.entries) {
+                whileTheyMeet(where) { meeting, round ->
+                    val crowd = Crowd(salt + round, where, meeting, isGlass)
+                    rightInACrowd(configured, crowd.quiet(), crowd)
+                }
             }
         }
     }
@@ -76,7 +81,8 @@ public sealed interface WorkerRules : RulesForOne {
     public fun rule_8_1_concurrentThreadsLoseNoCounts(@ForAll salt: Long) {
         for (where in Where.entries) {
             whileTheyMeet(where) { meeting, round ->
-                countsInACrowd(renderer(), Crowd.quiet(salt + round, where), Crowd(salt + round, where, meeting))
+                val crowd = Crowd(salt + round, where, meeting)
+                countsInACrowd(renderer(), crowd.quiet(), crowd)
             }
         }
     }

@@ -56,6 +56,30 @@ object BrokenStreams {
         }
     }
 
+    fun continuesAfterAnError() = stream("stream-continues-after-an-error") { begin ->
+        var drawing = begin()
+        object : Drawing {
+            override fun add(primitive: Primitive) = try {
+                drawing.add(primitive)
+            } catch (e: Error) {
+                drawing = begin()
+                throw e
+            }
+
+            override fun finish(sink: RowSink): Counters = drawing.finish(sink)
+        }
+    }
+
+    fun refusesBeforeItLooks() = stream("stream-refuses-before-it-looks") { begin ->
+        val drawing = begin()
+        object : Drawing by drawing {
+            override fun add(primitive: Primitive) {
+                require(!primitive.isTranslucent) { "primitive 0 is translucent" }
+                drawing.add(primitive)
+            }
+        }
+    }
+
     fun drawsTheTranslucent() = stream("stream-draws-the-translucent") { begin ->
         val drawing = begin()
         object : Drawing by drawing {

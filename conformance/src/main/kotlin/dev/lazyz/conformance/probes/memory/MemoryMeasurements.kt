@@ -10,6 +10,7 @@ import dev.lazyz.conformance.cases.Once
 import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.probes.answer
+import dev.lazyz.conformance.probes.threads.KindOfWork
 import java.lang.ref.Reference
 import java.lang.ref.WeakReference
 
@@ -18,7 +19,7 @@ import java.lang.ref.WeakReference
 
 private val DISCARD = RowSink { _, _, _, _ -> }
 
-private const val WIDE = 256
+private const val WIDE = 128
 
 /** More rows than a renderer with bands of a thousand rows processes at a time in two threads. */
 private const val FEW_ROWS = 4096
@@ -29,26 +30,33 @@ private const val ROWS_ALLOWANCE = (MANY_ROWS - FEW_ROWS) * WIDE / 2L
 
 /** Fails if more rows take more memory, according to the renderer's counters or to the heap. */
 internal fun constantMemory(renderer: Renderer) {
+    for (kind in KindOfWork.entries) if (kind.isFor(renderer)) constantMemory(renderer, kind)
+}
+
+private fun constantMemory(renderer: Renderer, kind: KindOfWork) {
     // Several threads may process several blocks of rows at a time, but not more of them for a higher picture
-    val configured = renderer.configured(RenderOptions(threads = 2))
-    val few = configured.render(stripes(FEW_ROWS), DISCARD).peakBytes
-    val many = configured.render(stripes(MANY_ROWS), DISCARD).peakBytes
+    val configured = renderer.configured(kind.options(threads = 2))
+    val few = configured.render(stripes(kind, FEW_ROWS), DISCARD).peakBytes
+    val many = configured.render(stripes(kind, MANY_ROWS), DISCARD).peakBytes
+    val what = "${kind.name.lowercase()} primitives: "
     if (many > few + few / 8 + Long.SIZE_BYTES) {
-        fail(renderer, "peakBytes is $few for $FEW_ROWS rows of $WIDE samples, $many for $MANY_ROWS")
+        fail(renderer, "${what}peakBytes is $few for $FEW_ROWS rows of $WIDE samples, $many for $MANY_ROWS")
     }
-    val growth = { heldForRows(configured, MANY_ROWS) - heldForRows(configured, FEW_ROWS) }
+    val growth = { heldForRows(configured, kind, MANY_ROWS) - heldForRows(configured, kind, FEW_ROWS) }
     Heap.requireAtMost(ROWS_ALLOWANCE, growth) {
-        fail(renderer, "$MANY_ROWS rows of $WIDE samples hold $it than $FEW_ROWS rows")
+        fail(renderer, "$what$MANY_ROWS rows of $WIDE samples hold $it than $FEW_ROWS rows")
     }
 }
 
-private fun stripes(rows: Int, onQuery: (Int) -> Unit = {}) =
-    Frame(Raster(WIDE, rows), listOf(Stripe(0..3, 0..<rows, 1000, onQuery), Stripe(2..7, 0..<rows, 2000, onQuery)))
+private fun stripes(kind: KindOfWork, rows: Int, onQuery: (Int) -> Unit = {}): Frame {
+    val stripes = listOf(Stripe(0..3, 0..<rows, 1000, onQuery), Stripe(2..7, 0..<rows, 2000, onQuery))
+    return Frame(Raster(WIDE, rows), stripes.map(kind::of))
+}
 
 /** Returns what is held when the last row is queried, and when the first and the last one are delivered. */
-private fun heldForRows(renderer: Renderer, rows: Int): HeapContent = Heap.most { measure ->
+private fun heldForRows(renderer: Renderer, kind: KindOfWork, rows: Int): HeapContent = Heap.most { measure ->
     val last = Once(rows - 1, measure)
-    renderer.render(stripes(rows, last)) { y, _, _, _ -> if (y == 0 || y == rows - 1) measure() }
+    renderer.render(stripes(kind, rows, last)) { y, _, _, _ -> if (y == 0 || y == rows - 1) measure() }
 }
 
 private const val FEW_PRIMITIVES = 2048

@@ -27,7 +27,12 @@ internal enum class Where(
  * A frame whose primitives cover all samples and, if [meeting] is given, make threads meet. The nearest primitive
  * varies from sample to sample.
  */
-internal class Crowd(private val salt: Long, private val where: Where, private val meeting: Meeting?) {
+internal class Crowd(
+    private val salt: Long,
+    private val where: Where,
+    private val meeting: Meeting?,
+    private val isGlass: Boolean = false,
+) {
     val frame: Frame = Frame(Raster(SIDE, SIDE), List(COUNT) { Member(it) })
 
     private val shaded = LongAdder()
@@ -41,6 +46,12 @@ internal class Crowd(private val salt: Long, private val where: Where, private v
         return (h ushr 34).toInt()
     }
 
+    /** Returns the same frame without meetings. */
+    fun quiet(): FrameCase = FrameCase(
+        Crowd(salt, where, null, isGlass).frame,
+        "// $COUNT primitives that cover $SIDE x $SIDE samples and make threads meet, number $salt",
+    )
+
     /** Returns the step of a sample, for threads that visit rows from left to right. */
     private fun step(x: Int, y: Int): Int = y * (SIDE + 1) + 1 + x
 
@@ -49,6 +60,8 @@ internal class Crowd(private val salt: Long, private val where: Where, private v
         override val rowEnd: Int get() = SIDE
         override val columnStart: Int get() = 0
         override val columnEnd: Int get() = SIDE
+
+        override val isTranslucent: Boolean get() = isGlass
 
         override fun spans(y: Int, spans: Spans) {
             if (y !in 0 until SIDE) return
@@ -68,7 +81,8 @@ internal class Crowd(private val salt: Long, private val where: Where, private v
             shaded.increment()
             if (where == Where.ANY_SAMPLE) meeting?.meet(0)
             val bits = hash(index + COUNT, fragment.x, fragment.y)
-            fragment.setColor((bits and 255) / 255f, (bits shr 8 and 255) / 255f, (bits shr 16 and 255) / 255f)
+            val alpha = if (isGlass) (bits shr 24 and 31) / 32f else 1f
+            fragment.setColor((bits and 255) / 255f, (bits shr 8 and 255) / 255f, (bits shr 16 and 255) / 255f, alpha)
             if (where == Where.ANY_SAMPLE) meeting?.meet(0)
         }
     }
@@ -79,11 +93,5 @@ internal class Crowd(private val salt: Long, private val where: Where, private v
 
         /** Number of covered samples. The bounds of depth are loose, so that no sample is rejected early. */
         const val FRAGMENTS: Long = COUNT * SIDE * (SIDE - 1L)
-
-        /** Returns the frame without meetings. */
-        fun quiet(salt: Long, where: Where): FrameCase = FrameCase(
-            Crowd(salt, where, null).frame,
-            "// $COUNT primitives that cover $SIDE x $SIDE samples and make threads meet, number $salt",
-        )
     }
 }

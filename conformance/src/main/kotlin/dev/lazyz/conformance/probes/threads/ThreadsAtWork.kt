@@ -1,9 +1,13 @@
 package dev.lazyz.conformance.probes.threads
 
+import dev.lazyz.Capability
 import dev.lazyz.Frame
+import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
+import dev.lazyz.Selector
+import dev.lazyz.conformance.cases.Glass
 import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.fail
 import java.util.concurrent.ConcurrentHashMap
@@ -14,14 +18,29 @@ import java.util.concurrent.atomic.AtomicInteger
 private const val SIDE = 128
 private const val ATTEMPTS = 5
 
+/** What threads work on: a promise about them holds for all of these. */
+internal enum class KindOfWork(private val need: Capability?) {
+    OPAQUE(null),
+    TRANSLUCENT(Capability.TRANSPARENCY),
+    SELECTED(Capability.SELECTION),
+    ;
+
+    fun isFor(renderer: Renderer): Boolean = need == null || need in renderer.capabilities
+
+    fun of(primitive: Primitive): Primitive = if (this == TRANSLUCENT) Glass(primitive) else primitive
+
+    fun options(threads: Int): RenderOptions =
+        RenderOptions(threads = threads, tileSize = 8, selector = if (this == SELECTED) Selector.nearest() else null)
+}
+
 /** Fails if more threads query primitives at the same time than the options allow. */
-internal fun notTooManyThreads(renderer: Renderer) {
+internal fun notTooManyThreads(renderer: Renderer, kind: KindOfWork) {
     for (allowed in 1..2) {
-        val configured = renderer.configured(RenderOptions(threads = allowed, tileSize = 8))
+        val configured = renderer.configured(kind.options(allowed))
 
         // A busy machine may wake up a thread late; the second duration is then long enough
         for (pause in listOf(1L, 4L)) {
-            val most = mostAtOnce(configured, pause)
+            val most = mostAtOnce(configured, kind, pause)
             if (most > allowed) fail(configured, "$most threads made queries at the same time, $allowed are allowed")
         }
     }
@@ -31,7 +50,7 @@ internal fun notTooManyThreads(renderer: Renderer) {
  * Returns the number of threads that query a primitive at the same time. Its first answers take [pause] milliseconds
  * each.
  */
-private fun mostAtOnce(configured: Renderer, pause: Long): Int {
+private fun mostAtOnce(configured: Renderer, kind: KindOfWork, pause: Long): Int {
     val pauses = AtomicInteger()
     val asking = AtomicInteger()
     val most = AtomicInteger()
@@ -40,13 +59,13 @@ private fun mostAtOnce(configured: Renderer, pause: Long): Int {
         if (pauses.getAndIncrement() < SIDE) Thread.sleep(pause)
         asking.decrementAndGet()
     }
-    configured.render(Frame(Raster(SIDE, SIDE), listOf(stripe))) { _, _, _, _ -> }
+    configured.render(Frame(Raster(SIDE, SIDE), listOf(kind.of(stripe)))) { _, _, _, _ -> }
     return most.get()
 }
 
 /** Fails if a picture that takes a while is rendered by a single thread. */
-internal fun severalThreads(renderer: Renderer) {
-    val configured = renderer.configured(RenderOptions(threads = 4, tileSize = 8))
+internal fun severalThreads(renderer: Renderer, kind: KindOfWork) {
+    val configured = renderer.configured(kind.options(threads = 4))
     repeat(ATTEMPTS) {
         val threads = ConcurrentHashMap.newKeySet<Thread>()
         val seen = ConcurrentHashMap.newKeySet<Int>()
@@ -60,7 +79,7 @@ internal fun severalThreads(renderer: Renderer) {
             threads.add(Thread.currentThread())
             Thread.sleep(1)
         }
-        configured.render(Frame(Raster(SIDE, SIDE), listOf(stripe, shaded))) { _, _, _, _ -> }
+        configured.render(Frame(Raster(SIDE, SIDE), listOf(stripe, shaded).map(kind::of))) { _, _, _, _ -> }
         if (threads.size > 1) return
     }
     fail(configured, "one thread made all queries for a picture of $SIDE x $SIDE samples, although 4 are allowed")

@@ -41,6 +41,7 @@ internal object RuleNames {
     val deep = RendererConformance::rule_5_1_nearestOfDozensOfLayersIsVisible.name
     val thousands = RendererConformance::rule_5_1_nearestOfThousandsOfLayersIsVisible.name
     val thin = RendererConformance::rule_5_5_dozensOfThinLayersBlend.name
+    val thousand = RendererConformance::rule_5_5_thousandThinLayersBlend.name
     val floats = RendererConformance::rule_9_4_indicesAboveTwoToThe24AreExact.name
     val together = RendererConformance::rule_7_5_combinationsAreRight.name
     val moved = RendererConformance::rule_1_3_movingByWholePixelsMovesThePicture.name

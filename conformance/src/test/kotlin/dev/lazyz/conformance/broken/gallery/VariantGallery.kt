@@ -1,0 +1,36 @@
+package dev.lazyz.conformance.broken.gallery
+
+import dev.lazyz.conformance.broken.BrokenStreams
+import dev.lazyz.conformance.broken.BrokenVariants
+
+/** The gallery's part about what is true only for opaque primitives, whole pictures or without a selector. */
+internal object VariantGallery {
+    val mutants: List<Mutant> = listOf(
+        Mutant(BrokenVariants::cutsColumnsOfGlass, "columns of translucent fragments have 16 bits", RuleNames.far),
+        Mutant(BrokenVariants::blendsThreeHundred, "blends at most 300 translucent primitives", RuleNames.thousand),
+        Mutant(BrokenVariants::keepsRowsOfGlass, "keeps all rows of translucent pictures", RuleNames.memory),
+        Mutant(
+            BrokenVariants::buffersGlass,
+            "delivers the first row of a translucent picture after the last is rendered",
+            RuleNames.streams, RuleNames.unpulled, RuleNames.memory,
+        ),
+        Mutant(BrokenVariants::shadesAllInARegion, "counts hidden fragments as shaded in regions", RuleNames.promise),
+        Mutant(BrokenVariants::oneThreadForGlass, "one thread for translucent pictures", RuleNames.parallel),
+        Mutant(
+            BrokenVariants::oneThreadTooManyForGlass,
+            "one thread more than allowed for translucent pictures",
+            RuleNames.parallel,
+        ),
+        Mutant(BrokenVariants::wrapsTheSelectors, "what a selector throws is wrapped", RuleNames.accidents),
+        Mutant(
+            BrokenStreams::continuesAfterAnError,
+            "begins again after a primitive has thrown an Error",
+            RuleNames.ended,
+        ),
+        Mutant(
+            BrokenStreams::refusesBeforeItLooks,
+            "refuses a translucent primitive for an ended image as for any other",
+            RuleNames.ended,
+        ),
+    )
+}
