@@ -12,17 +12,14 @@ internal fun requireOpaque(frame: Frame, renderer: Renderer) {
         "the frame is streamed and has translucent primitives, and the renderer '${renderer.id}' does not blend: " +
             "use 'tiled', which does, or make it opaque with asOpaque()"
     }
-    val index = frame.primitives.indexOfFirst { it.isTranslucent }
-    requireOpaque(frame.primitives[index], index, renderer)
+    throw opaqueNeeded(frame.primitives.indexOfFirst { it.isTranslucent }, renderer)
 }
 
-/** Same check for one [primitive] of a stream, with submission index [index]. */
-internal fun requireOpaque(primitive: Primitive, index: Int, renderer: Renderer) {
-    require(!primitive.isTranslucent) {
-        "primitive $index is translucent and the renderer '${renderer.id}' does not blend: " +
-            "use 'tiled' or 'lists', which do, or make it opaque with asOpaque()"
-    }
-}
+/** The exception for a translucent primitive, with submission index [index]. */
+internal fun opaqueNeeded(index: Int, renderer: Renderer) = IllegalArgumentException(
+    "primitive $index is translucent and the renderer '${renderer.id}' does not blend: " +
+        "use 'tiled' or 'lists', which do, or make it opaque with asOpaque()",
+)
 
 /** An opaque version of a translucent primitive: the same coverage, depth and light, with alpha 1. */
 internal class OpaquePrimitive(val whole: Primitive) : Primitive by whole {

@@ -6,7 +6,7 @@ import dev.lazyz.Drawing
 import dev.lazyz.Primitive
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.requireOpaque
+import dev.lazyz.opaqueNeeded
 
 /**
  * A [Drawing]. Checks what callers may do, and leaves the work to [draw] and [end].
@@ -26,12 +26,13 @@ internal class GuardedDrawing(
     override fun add(primitive: Primitive) {
         check(!hasEnded) { "the image has ended: begin a new one" }
         check(count < Int.MAX_VALUE) { "more than 2^31-1 primitives" }
-        if (!isBlending) requireOpaque(primitive, count, renderer)
 
-        // If the primitive fails, it may be drawn in part, so that the image cannot be continued
+        // If the primitive throws an exception, it may be drawn in part, so that the image cannot be continued
         hasEnded = true
-        draw(primitive)
+        val isRefused = !isBlending && primitive.isTranslucent
+        if (!isRefused) draw(primitive)
         hasEnded = false
+        if (isRefused) throw opaqueNeeded(count, renderer)
         count++
     }
 
