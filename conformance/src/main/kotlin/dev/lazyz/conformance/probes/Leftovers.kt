@@ -26,7 +26,10 @@ import java.util.concurrent.ConcurrentLinkedQueue
 internal fun leavesNothingBehind(make: () -> Renderer) {
     val renderer = make()
     fun render(frames: List<Frame> = smallFrames + largeFrames) {
-        for (frame in frames) renderer.render(frame) { _, _, _, _ -> }
+        for (frame in frames) {
+            TryUnderWay.current?.goesOn()
+            renderer.render(frame) { _, _, _, _ -> }
+        }
     }
     fun failIf(words: String?) {
         if (words != null) throw AssertionError("${renderer.id} leaves behind $words")

@@ -1,22 +1,28 @@
 package dev.lazyz.conformance.probes.memory
 
 import dev.lazyz.Renderer
+import dev.lazyz.conformance.judgement.TryUnderWay
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.notMeasured
 import dev.lazyz.conformance.probes.smallFrames
 
-/** Pools and caches are full after this number of renderings of each frame. */
-private const val FIRST = 32
+/** Pools and caches are full after this number of renderings of each frame, if they are fast. */
+private const val FIRST = 1000
+private const val FIRST_NANOSECONDS = 2_000_000_000L
 private const val RENDERINGS = 48
 
 /** Fails if each rendering leaves an object on the heap. */
 internal fun leavesNoObjects(renderer: Renderer) {
-    fun render(times: Int) = repeat(times) {
-        for (frame in smallFrames) renderer.render(frame) { _, _, _, _ -> }
+    fun render() {
+        for (frame in smallFrames) {
+            TryUnderWay.current?.goesOn()
+            renderer.render(frame) { _, _, _, _ -> }
+        }
     }
-    render(FIRST)
+    val first = System.nanoTime()
+    repeat(FIRST) { if (System.nanoTime() - first < FIRST_NANOSECONDS) render() }
     val start = System.nanoTime()
-    val growth = Heap.leastGrowth { render(RENDERINGS) }
+    val growth = Heap.leastGrowth { repeat(RENDERINGS) { render() } }
     if (growth.total < LIMIT) return
 
     // Other threads of the process may fill the heap as steadily
