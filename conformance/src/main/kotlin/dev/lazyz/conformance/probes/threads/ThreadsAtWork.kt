@@ -18,7 +18,7 @@ import java.util.concurrent.atomic.AtomicInteger
 private const val SIDE = 128
 private const val ATTEMPTS = 5
 
-/** What threads work on: a promise about them holds for all of these. */
+/** What a renderer works on. Promises about threads and memory hold for all of these. */
 internal enum class KindOfWork(private val need: Capability?) {
     OPAQUE(null),
     TRANSLUCENT(Capability.TRANSPARENCY),
