@@ -37,6 +37,9 @@ internal fun FrameCase.thin(layers: Int): FrameCase = FrameCase(
 public fun Frame.glazed(choice: Int): Frame =
     Frame(raster, primitives.mapIndexed { i, it -> if (choice shr i % 16 and 1 == 1) Glass(it) else it }, region)
 
+/** The choice of all primitives, for [glazed]. */
+internal const val ALL_GLASS: Int = 0xFFFF
+
 /** Returns this frame with [Glass] for the primitives that [choice] selects. */
 internal fun FrameCase.glazed(choice: Int): FrameCase =
     FrameCase(frame.glazed(choice), "$code\n    .glazed($choice)", sceneOf { glazed(it, choice) })

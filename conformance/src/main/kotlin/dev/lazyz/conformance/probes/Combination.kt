@@ -5,6 +5,7 @@ import dev.lazyz.Coherence
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
+import dev.lazyz.conformance.cases.ALL_GLASS
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.Rasters
 import dev.lazyz.conformance.cases.changed.on
@@ -70,7 +71,7 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
             val case = onItsBackground()
 
             // Which primitives become glass, as bits: none, all, or a mixture
-            val glaze = listOf(0, 0, 0xFFFF, choices[first + 3] * 657).chosen(first + 3)
+            val glaze = listOf(0, 0, ALL_GLASS, choices[first + 3] * 657).chosen(first + 3)
             val glazed = if (glaze != 0 && Capability.TRANSPARENCY in capabilities) case.glazed(glaze) else case
             val raster = case.frame.raster
             val (columnStart, columnEnd) = part(raster.width, first + 4)

@@ -25,12 +25,7 @@ import java.util.concurrent.ConcurrentLinkedQueue
  */
 internal fun leavesNothingBehind(make: () -> Renderer) {
     val renderer = make()
-    fun render(frames: List<Frame> = smallFrames + largeFrames) {
-        for (frame in frames) {
-            TryUnderWay.current?.goesOn()
-            renderer.render(frame) { _, _, _, _ -> }
-        }
-    }
+    fun render() = renderAll(renderer, smallFrames + largeFrames)
     fun failIf(words: String?) {
         if (words != null) throw AssertionError("${renderer.id} leaves behind $words")
     }
@@ -52,7 +47,7 @@ internal fun leavesNothingBehind(make: () -> Renderer) {
     failIf((names(Path.of("")) - here).firstOrNull()?.let { "the file $it" })
 
     // Render many times: a thread pool fills up only after a while, and other processes create files occasionally
-    repeat(ENOUGH * Runtime.getRuntime().availableProcessors()) { render(smallFrames) }
+    repeat(ENOUGH * Runtime.getRuntime().availableProcessors()) { renderAll(renderer, smallFrames) }
     val threads = threads()
     val temporary = Path.of(System.getProperty("java.io.tmpdir"))
     val files = names(temporary)
@@ -60,6 +55,14 @@ internal fun leavesNothingBehind(make: () -> Renderer) {
     val newFiles = names(temporary) - files
     failIf(if (newFiles.size < WATCHED) null else "a temporary file for each rendering, such as ${newFiles.first()}")
     failIf(threadsBeyond(threads))
+}
+
+/** Renders [frames]; each rendering has its own deadline. */
+internal fun renderAll(renderer: Renderer, frames: List<Frame>) {
+    for (frame in frames) {
+        TryUnderWay.current?.goesOn()
+        renderer.render(frame) { _, _, _, _ -> }
+    }
 }
 
 private const val ENOUGH = 16

@@ -4,6 +4,7 @@ import dev.lazyz.Capability
 import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Raster
+import dev.lazyz.conformance.cases.ALL_GLASS
 import dev.lazyz.conformance.cases.Confetti
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.Rasters
@@ -221,7 +222,7 @@ public sealed interface PictureRules : RulesForOne {
 
         // Renderers that blend may store translucent fragments differently
         if (Capability.TRANSPARENCY in renderer.capabilities) {
-            Judgement(renderer, many.glazed(0xFFFF)).equalsReference()
+            Judgement(renderer, many.glazed(ALL_GLASS)).equalsReference()
         }
     }
 

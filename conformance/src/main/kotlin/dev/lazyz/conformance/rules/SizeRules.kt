@@ -1,6 +1,7 @@
 package dev.lazyz.conformance.rules
 
 import dev.lazyz.Capability
+import dev.lazyz.conformance.cases.ALL_GLASS
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.MILLIONS
 import dev.lazyz.conformance.cases.changed.behindMillions
@@ -50,7 +51,7 @@ public sealed interface SizeRules : RulesForOne {
 
         // Renderers that blend may have other code for translucent primitives
         if (Capability.TRANSPARENCY in renderer.capabilities) {
-            Judgement(renderer, case.glazed(ALL)).equalsReference()
+            Judgement(renderer, case.glazed(ALL_GLASS)).equalsReference()
         }
     }
 
@@ -125,10 +126,5 @@ public sealed interface SizeRules : RulesForOne {
         val first = case.frame.primitives.size / 2
         val expected = few.renumbered { if (it < first) it else it + MILLIONS }
         difference(expected, behind.rendering.image)?.let { behind.fail("behind millions: ", it) }
-    }
-
-    private companion object {
-        /** All primitives, as the choice of `glazed`. */
-        const val ALL = 0xFFFF
     }
 }

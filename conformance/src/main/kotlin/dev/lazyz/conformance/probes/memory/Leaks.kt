@@ -1,9 +1,9 @@
 package dev.lazyz.conformance.probes.memory
 
 import dev.lazyz.Renderer
-import dev.lazyz.conformance.judgement.TryUnderWay
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.notMeasured
+import dev.lazyz.conformance.probes.renderAll
 import dev.lazyz.conformance.probes.smallFrames
 
 /** Pools and caches are full after this number of renderings of each frame, if they are fast. */
@@ -13,12 +13,7 @@ private const val RENDERINGS = 48
 
 /** Fails if each rendering leaves an object on the heap. */
 internal fun leavesNoObjects(renderer: Renderer) {
-    fun render() {
-        for (frame in smallFrames) {
-            TryUnderWay.current?.goesOn()
-            renderer.render(frame) { _, _, _, _ -> }
-        }
-    }
+    fun render() = renderAll(renderer, smallFrames)
     val first = System.nanoTime()
     repeat(FIRST) { if (System.nanoTime() - first < FIRST_NANOSECONDS) render() }
     val start = System.nanoTime()
