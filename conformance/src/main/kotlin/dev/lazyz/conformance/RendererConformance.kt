@@ -10,6 +10,7 @@ import dev.lazyz.conformance.rules.PictureRules
 import dev.lazyz.conformance.rules.PointRules
 import dev.lazyz.conformance.rules.PromiseRules
 import dev.lazyz.conformance.rules.Rule
+import dev.lazyz.conformance.rules.SelectionRules
 import dev.lazyz.conformance.rules.ShadingRules
 import dev.lazyz.conformance.rules.SizeRules
 import dev.lazyz.conformance.rules.StreamingRules
@@ -35,8 +36,8 @@ import net.jqwik.api.lifecycle.PropagationMode
  * `0.1` while debugging), and [SEED] chooses other frames. Cost: a few seconds per renderer; most rules use one thread.
  *
  * The rules are grouped by topic: [PictureRules], [PointRules], [ShadingRules], [SizeRules], [CombinationRules],
- * [ChangeRules], [UseRules], [ThreadRules], [WorkerRules], [CounterRules], [PromiseRules], [StreamingRules] and
- * [TidyRules]. Extend this class, not those.
+ * [ChangeRules], [UseRules], [ThreadRules], [WorkerRules], [CounterRules], [PromiseRules], [SelectionRules],
+ * [StreamingRules] and [TidyRules]. Extend this class, not those.
  */
 @AddLifecycleHook(value = Effort::class, propagateTo = PropagationMode.ALL_DESCENDANTS)
 public abstract class RendererConformance : AllRules() {

@@ -13,8 +13,8 @@ import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.TestFactory
 
 /**
- * Correct renderers pass with other frames, however they work. `-Dlazyz.seeds=1..20` tests all of them, including
- * third-party ones, with these seeds and the default effort, and prints which have passed.
+ * Correct renderers pass with other frames, however they work. `-Dlazyz.seeds=1..20 -Dsurefire.timeout=0` tests all of
+ * them, including third-party ones, with these seeds and the default effort, for an hour, and prints which have passed.
  * `-Dlazyz.effort=rest` tests some of them with one seed and a tenth of the frames.
  */
 class OtherSeedsTest {

@@ -73,11 +73,8 @@ private fun layers(random: Random): List<Rgba> {
  */
 private fun decisive(before: List<Rgba>, alpha: Float, random: Random): Float {
     fun packed(bits: Int): Int {
-        val sample = BlendedSample()
-        for (color in before) sample.add(color)
-        sample.add(Rgba(Float.fromBits(bits), 0f, 0f, alpha))
-        sample.add(Raster(1, 1).background)
-        return sample.color.toArgb() shr 16 and 0xFF
+        val layers = (before + Rgba(Float.fromBits(bits), 0f, 0f, alpha)).map { BlendedSample.Layer(true) { it } }
+        return BlendedSample.of(layers, Raster(1, 1).background).toArgb() shr 16 and 0xFF
     }
     var least = 0
     var most = Float.MAX_VALUE.toBits()

@@ -27,8 +27,10 @@ internal class Judgement(private val renderer: Renderer, private val case: Frame
     fun equalsReference(): Judgement = equalsPictureOf(ReferenceRenderer())
 
     /** Fails unless the picture equals that of [oracle], bit for bit. */
-    fun equalsPictureOf(oracle: Renderer): Judgement = apply {
-        val expected = Rendering.of(oracle, case.frame).image
+    fun equalsPictureOf(oracle: Renderer): Judgement = equalsPicture(Rendering.of(oracle, case.frame).image)
+
+    /** Fails unless the picture is [expected], bit for bit. */
+    fun equalsPicture(expected: Image): Judgement = apply {
         difference(expected, rendering.image)?.let { fail("", it) }
     }
 

@@ -130,17 +130,10 @@ public class ReferenceRenderer : Renderer {
         }
 
         private fun blended(nearestFirst: List<Int>, x: Int, y: Int): Rgba {
-            val sample = BlendedSample()
-            for (index in nearestFirst) {
-                if (!frame.primitives[index].isTranslucent) break
-                if (sample.isOpen) sample.add(color(index, x, y))
+            val layers = nearestFirst.map {
+                BlendedSample.Layer(frame.primitives[it].isTranslucent) { color(it, x, y) }
             }
-            if (!sample.isOpen) return sample.color
-            val backdrop = nearestFirst.firstOrNull { !frame.primitives[it].isTranslucent }
-            val behind = if (backdrop == null) raster.background else color(backdrop, x, y)
-            if (!sample.hasColor) return behind
-            sample.add(behind)
-            return sample.color
+            return BlendedSample.of(layers, raster.background)
         }
 
         private fun color(index: Int, x: Int, y: Int): Rgba {

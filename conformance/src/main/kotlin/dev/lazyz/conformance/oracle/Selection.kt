@@ -21,6 +21,11 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
     class Seen(private val frame: Frame, val x: Int, val y: Int, val index: Int) {
         val depth: Int = frame.primitives[index].depth(x, y)
 
+        val isTranslucent: Boolean get() = frame.primitives[index].isTranslucent
+
+        /** Linear light. */
+        val background: Rgba get() = frame.raster.background
+
         /** Linear light. */
         val color: Rgba by lazy {
             val fragment = Fragment()
@@ -76,18 +81,39 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
         private fun heat(count: Int): Int =
             ramp[listOf(1, 2, 3, 4, 8, 16, 32).indexOfFirst { count <= it }.let { if (it < 0) 7 else it }]
 
+        /** Uses the position of the cell, and the depth and primitive of another fragment. */
+        val byPlace: Selection = Selection(
+            { cell ->
+                val i = (cell.x + 3 * cell.y) % cell.size
+                val other = cell.size - 1 - i
+                cell.show(i, cell.depth(other) % 256 / 255f, cell.primitive(other) % 8 / 7f, 0f, 1f)
+            },
+        ) { seen ->
+            val i = (seen[0].x + 3 * seen[0].y) % seen.size
+            val other = seen[seen.size - 1 - i]
+            seen[i] to Rgba(other.depth % 256 / 255f, other.index % 8 / 7f, 0f, 1f).toArgb()
+        }
+
         /** Selectors by name: built-in and custom ones. */
         val all: Map<String, Selection> = mapOf(
             "nearest" to Selection(Selector.nearest()) { it.first().plain() },
             "farthest" to Selection(Selector.farthest()) { it.last().plain() },
             "number $LAYER" to Selection(Selector.kthNearest(LAYER)) { it.getOrNull(LAYER - 1)?.plain() },
+            "blend" to Selection(Selector.blend()) { seen -> seen.first() to blended(seen).toArgb() },
             "count" to Selection(Selector.count()) { it.first() to heat(it.size) },
             "the last if it is red" to lastIfRed(),
             "every other one as a mean" to mean(),
-            "one chosen by place, in a colour by depth" to byPlace(),
+            "one chosen by place, in a colour by depth" to byPlace,
             "the last of several calls" to lastCall(),
             "the last of several calls, in a colour" to lastCallInColor(),
+            "the nearest before the background" to beforeTheBackground(),
+            "the farthest, brighter than white" to brighterThanWhite(),
         )
+
+        private fun blended(seen: List<Seen>): Rgba {
+            val layers = seen.map { layer -> BlendedSample.Layer(layer.isTranslucent) { layer.color } }
+            return BlendedSample.of(layers, seen.first().background)
+        }
 
         private fun Seen.plain() = this to color.toArgb()
 
@@ -107,19 +133,6 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
             }
         }
 
-        /** Uses the position of the cell, and the depth and primitive of another fragment. */
-        private fun byPlace() = Selection(
-            { cell ->
-                val i = (cell.x + 3 * cell.y) % cell.size
-                val other = cell.size - 1 - i
-                cell.show(i, cell.depth(other) % 256 / 255f, cell.primitive(other) % 8 / 7f, 0f, 1f)
-            },
-        ) { seen ->
-            val i = (seen[0].x + 3 * seen[0].y) % seen.size
-            val other = seen[seen.size - 1 - i]
-            seen[i] to Rgba(other.depth % 256 / 255f, other.index % 8 / 7f, 0f, 1f).toArgb()
-        }
-
         /** Calls `show` for several fragments, with and without colours, and finally for the one in the middle. */
         private fun lastCall() = Selection(
             { cell ->
@@ -135,6 +148,28 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
                 cell.show(0, 0f, 1f, 0f, 0.5f)
             },
         ) { seen -> seen.first() to Rgba(0f, 1f, 0f, 0.5f).toArgb() }
+
+        /** Shows whether the background's colour is exact, and the nearest fragment's blue. */
+        private fun beforeTheBackground() = Selection(
+            { cell ->
+                val behind = cell.background
+                cell.show(0, fine(behind.red), fine(behind.green), cell.shade(0).blue, fine(behind.alpha))
+            },
+        ) { seen ->
+            val behind = seen[0].background
+            seen[0] to Rgba(fine(behind.red), fine(behind.green), seen[0].color.blue, fine(behind.alpha)).toArgb()
+        }
+
+        /** Returns a number in 0..1 that depends on all bits of [value]. */
+        private fun fine(value: Float): Float {
+            val bits = value.toRawBits()
+            return (bits xor (bits shr 8) xor (bits shr 16) xor (bits shr 24) and 0xFF) / 255f
+        }
+
+        /** Uses components outside of 0..1, by very little and by much. */
+        private fun brighterThanWhite() = Selection(
+            { cell -> cell.show(cell.size - 1, 1e9f, -1f, Float.NaN, 1f + (cell.x % 3) / 256f) },
+        ) { seen -> seen.last() to Rgba(1f, 0f, 0f, 1f).toArgb() }
 
         /** Mixes the colours of several fragments, and shows the depth of the farthest. */
         private fun mean() = Selection(

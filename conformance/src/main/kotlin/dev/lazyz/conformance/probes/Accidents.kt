@@ -112,10 +112,16 @@ internal fun failsWithItsSelector(renderer: Renderer, case: FrameCase, patience:
     val configured = renderer.configured(RenderOptions(selector = selector))
     val thrown = answer { configured.render(case.frame) { _, _, _, _ -> } }
     val expected = if (left.get() < 0) planted else null
-    if (thrown !== expected) {
-        val what = "the selector throws ${expected ?: "nothing"}, but the caller got ${thrown ?: "nothing"}"
-        Judgement(renderer, case).fail(what, thrown)
-    }
+    changed(expected, thrown)?.let { Judgement(renderer, case).fail("the selector throws $it", thrown) }
+}
+
+/** Describes how the caller did not get what was [planted] as it was, or returns null. */
+internal fun changed(planted: Throwable?, thrown: Throwable?): String? = when {
+    thrown !== planted -> "${planted ?: "nothing"}, but the caller got ${thrown ?: "nothing"}"
+    thrown == null -> null
+    thrown.suppressed.isNotEmpty() -> "$planted, but the caller got it with ${thrown.suppressed[0]} as suppressed"
+    thrown.cause != null -> "$planted, but the caller got it with ${thrown.cause} as its cause"
+    else -> null
 }
 
 /** Fails unless [renderer] passes on what [trap] throws, or never triggers it and renders correctly. */
@@ -123,10 +129,7 @@ internal fun failsAsPlanned(renderer: Renderer, case: FrameCase, trap: Trap) {
     var rendering: Rendering? = null
     val thrown = answer { rendering = Rendering.of(renderer, trap.frame) }
     val expected = if (trap.isSprung) trap.planted else null
-    if (thrown !== expected) {
-        val what = "${expected ?: "nothing"} was thrown, but the caller got ${thrown ?: "nothing"}"
-        Judgement(renderer, case).fail(what, thrown)
-    }
+    changed(expected, thrown)?.let { Judgement(renderer, case).fail("a primitive throws $it", thrown) }
     val image = rendering?.image ?: return
     difference(Rendering.of(ReferenceRenderer(), case.frame).image, image)?.let {
         Judgement(renderer, case).fail("", it)

@@ -57,11 +57,11 @@ internal fun leavesNothingBehind(make: () -> Renderer) {
     failIf(threadsBeyond(threads))
 }
 
-/** Renders [frames]; each rendering has its own deadline. */
+/** Renders [frames], also one by one if [renderer] can; each frame has its own deadline. */
 internal fun renderAll(renderer: Renderer, frames: List<Frame>) {
     for (frame in frames) {
         TryUnderWay.current?.goesOn()
-        renderer.render(frame) { _, _, _, _ -> }
+        for (way in renderer.ways()) way.render(frame) { _, _, _, _ -> }
     }
 }
 

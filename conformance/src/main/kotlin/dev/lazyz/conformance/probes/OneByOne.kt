@@ -44,6 +44,20 @@ internal class OneByOne(private val streaming: StreamingRenderer) : Renderer {
     }
 }
 
+/** Passes the primitives of a frame, which [streaming] accepts, one by one. */
+private class Pushing(private val streaming: StreamingRenderer) : Renderer by streaming {
+    override val id: String get() = "${streaming.id}, given primitives one by one"
+
+    override fun render(frame: Frame, sink: RowSink): Counters {
+        val drawing = streaming.begin(frame.raster, frame.region)
+        frame.primitives.forEach(drawing::add)
+        return drawing.finish(sink)
+    }
+}
+
+/** Returns this renderer, and how it renders primitives that arrive one by one, if it can. */
+internal fun Renderer.ways(): List<Renderer> = listOfNotNull(this, (this as? StreamingRenderer)?.let(::Pushing))
+
 /** Fails unless [drawing] has ended: it must refuse a primitive, and must not deliver rows again. */
 internal fun hasEnded(renderer: Renderer, drawing: Drawing, why: String) {
     val answers = mapOf(

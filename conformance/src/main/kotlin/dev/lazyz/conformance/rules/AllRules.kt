@@ -17,5 +17,6 @@ public abstract class AllRules internal constructor() :
     WorkerRules,
     CounterRules,
     PromiseRules,
+    SelectionRules,
     StreamingRules,
     TidyRules

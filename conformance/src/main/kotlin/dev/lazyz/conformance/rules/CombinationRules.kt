@@ -6,7 +6,6 @@ import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Violation
-import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.probes.Combination
 import dev.lazyz.conformance.probes.Trap
 import dev.lazyz.conformance.probes.Turns
@@ -52,8 +51,7 @@ public sealed interface CombinationRules : RulesForOne {
         val selection = shot.selectionFor(renderer.capabilities)
         if (selection != null) {
             val chosen = renderer.configured(options.withSelector(selection.selector))
-            val judgement = Judgement(chosen, case, "$options, selector ${shot.selection}")
-            difference(selection.of(case.frame), judgement.rendering.image)?.let { judgement.fail("", it) }
+            Judgement(chosen, case, "$options, selector ${shot.selection}").equalsPicture(selection.of(case.frame))
             return
         }
         shot.accident?.let { failsAsPlanned(usual, case, Trap(case.frame, it, shot.patience)) }

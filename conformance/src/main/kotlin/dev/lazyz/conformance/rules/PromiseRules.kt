@@ -5,12 +5,9 @@ import dev.lazyz.Coherence
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
 import dev.lazyz.conformance.cases.FrameCase
-import dev.lazyz.conformance.cases.changed.withinAny
-import dev.lazyz.conformance.cases.glazed
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Rendering
-import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.judgement.withoutMemory
@@ -20,6 +17,7 @@ import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.memory.budgetOnTheHeap
 import dev.lazyz.conformance.probes.memory.constantMemory
 import dev.lazyz.conformance.probes.memory.constantMemoryInPrimitives
+import dev.lazyz.conformance.probes.memory.holdsWhatItReports
 import dev.lazyz.conformance.probes.threads.KindOfWork
 import dev.lazyz.conformance.probes.threads.notTooManyThreads
 import dev.lazyz.conformance.probes.threads.severalThreads
@@ -92,34 +90,6 @@ public sealed interface PromiseRules : RulesForOne {
         if (witness.last <= last) return
         val what = "the sink stops at row $last, a primitive is queried about row ${witness.last}"
         Judgement(renderer, varied).fail(what)
-    }
-
-    /** A selector chooses among all fragments of a sample that pass against the background, nearest first. */
-    @Rule(
-        intent =
-        "A renderer with SELECTION shows what the caller's selector chooses among all fragments of a sample; " +
-            "without a selector it shows the usual picture.",
-        look = "A cell has every fragment that passes against the background, in the order of the depth test.",
-    )
-    @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_7_5_selectorsChooseAmongAllFragments(
-        @ForAll(supplier = MixedCases::class) case: FrameCase,
-        @ForAll salt: Long,
-    ) {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.SELECTION)
-        val isBlending = Capability.TRANSPARENCY in renderer.capabilities
-        val part = (if (isBlending) case.glazed(salt.toInt()) else case).withinAny(Random(salt))
-        for ((name, selection) in Selection.all) {
-            val options = RenderOptions(threads = 2, tileSize = 8, selector = selection.selector)
-            val configured = renderer.configured(options)
-            for (shown in listOf(case, part)) {
-                val judgement = Judgement(configured, shown, "selector $name")
-                difference(selection.of(shown.frame), judgement.rendering.image)?.let { judgement.fail("", it) }
-            }
-            val usual = configured.configured(RenderOptions(threads = 2, tileSize = 8))
-            Judgement(usual, case, "no selector after selector $name").equalsReference()
-        }
     }
 
     /** Options are refused if the renderer lacks the capability that they need. */
@@ -219,6 +189,16 @@ public sealed interface PromiseRules : RulesForOne {
         val renderer = renderer()
         requireDeclared(renderer, Capability.MEMORY_BUDGET)
         budgetOnTheHeap(renderer)
+    }
+
+    /** Much more than the reported memory is never held, with translucent primitives or a selector, too. */
+    @Rule(
+        intent = "Peak bytes are what a picture takes, so that users can choose a renderer, and a size, by them.",
+        look = "Count each array when it is allocated, and add up what all threads hold at the same time.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_8_1_peakBytesAreWhatIsHeld() {
+        holdsWhatItReports(renderer())
     }
 
     /** Hidden primitives take no memory, however many there are. */

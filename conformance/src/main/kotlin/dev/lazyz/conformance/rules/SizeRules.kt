@@ -1,6 +1,7 @@
 package dev.lazyz.conformance.rules
 
 import dev.lazyz.Capability
+import dev.lazyz.RenderOptions
 import dev.lazyz.conformance.cases.ALL_GLASS
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.MILLIONS
@@ -18,6 +19,7 @@ import dev.lazyz.conformance.frames.TwoRowsCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.judgement.requireDeclared
+import dev.lazyz.conformance.oracle.Selection
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
@@ -52,6 +54,11 @@ public sealed interface SizeRules : RulesForOne {
         // Renderers that blend may have other code for translucent primitives
         if (Capability.TRANSPARENCY in renderer.capabilities) {
             Judgement(renderer, case.glazed(ALL_GLASS)).equalsReference()
+        }
+        if (Capability.SELECTION in renderer.capabilities) {
+            val byPlace = Selection.byPlace
+            Judgement(renderer.configured(RenderOptions(selector = byPlace.selector)), case, "a selector by place")
+                .equalsPicture(byPlace.of(case.frame))
         }
     }
 

@@ -8,7 +8,6 @@ import dev.lazyz.conformance.cases.glazed
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Rendering
-import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.judgement.requireStreaming
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.OneByOne
@@ -45,12 +44,11 @@ public sealed interface StreamingRules : RulesForOne {
 
         // With glass, which a renderer that does not blend refuses, and continues without
         val glazed = case.glazed(choice)
-        val judgement = Judgement(OneByOne(renderer), glazed, "primitives one by one, some translucent")
         val isBlending = Capability.TRANSPARENCY in renderer.capabilities
         val accepted = glazed.frame.primitives.filter { isBlending || !it.isTranslucent }
         val expected = Frame(case.frame.raster, accepted, case.frame.region)
-        val difference = difference(Rendering.of(ReferenceRenderer(), expected).image, judgement.rendering.image)
-        difference?.let { judgement.fail("", it) }
+        Judgement(OneByOne(renderer), glazed, "primitives one by one, some translucent")
+            .equalsPicture(Rendering.of(ReferenceRenderer(), expected).image)
     }
 
     /** A picture that is complete, or whose primitive failed, takes no more primitives and delivers no more rows. */
@@ -71,8 +69,15 @@ public sealed interface StreamingRules : RulesForOne {
         finished.finish { _, _, _, _ -> }
         hasEnded(renderer, finished, "by finish")
 
-        // A primitive fails in one of its first queries
+        // The sink refuses a row
         val random = Random(salt)
+        val last = opaque.region.rowStart + random.nextInt(opaque.height)
+        val refused = renderer.begin(opaque.raster, opaque.region)
+        opaque.primitives.forEach(refused::add)
+        answer { refused.finish { y, _, _, _ -> check(y < last) { "enough" } } }
+        hasEnded(renderer, refused, "by finish, although the sink threw an exception")
+
+        // A primitive fails in one of its first queries
         val question = Question.entries[random.nextInt(Question.entries.size)]
         val planted = Planted.entries[random.nextInt(Planted.entries.size)].make()
         val trap = Trap(opaque, question, random.nextInt(MOST_CALLS), planted)

@@ -1,6 +1,5 @@
 package dev.lazyz.conformance.rules
 
-import dev.lazyz.Capability
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.StreamingRenderer
@@ -17,6 +16,7 @@ import dev.lazyz.conformance.probes.RenderingSink
 import dev.lazyz.conformance.probes.ThreadWitness
 import dev.lazyz.conformance.probes.threads.Crowd
 import dev.lazyz.conformance.probes.threads.Interruption
+import dev.lazyz.conformance.probes.threads.KindOfWork
 import dev.lazyz.conformance.probes.threads.Meeting
 import dev.lazyz.conformance.probes.threads.Where
 import dev.lazyz.conformance.probes.threads.atOnce
@@ -40,13 +40,17 @@ public sealed interface ThreadRules : RulesForOne {
         val renderer = renderer()
         val ways = listOfNotNull(renderer, (renderer as? StreamingRenderer)?.let { OneByOne(it) })
         for (way in ways) {
-            for (isGlass in listOf(false, true)) {
-                if (isGlass && Capability.TRANSPARENCY !in renderer.capabilities) continue
-                val meeting = Meeting(Where.ANY_SAMPLE)
-                val crowds = List(2) { Crowd(salt + it, Where.ANY_SAMPLE, meeting, isGlass) }
-                atOnce(crowds) { crowd -> rightInACrowd(way, crowd.quiet(), crowd) }
-            }
+            independent(way, KindOfWork.OPAQUE, salt)
+            if (KindOfWork.TRANSLUCENT.isFor(renderer)) independent(way, KindOfWork.TRANSLUCENT, salt)
         }
+        val selected = KindOfWork.SELECTED
+        if (selected.isFor(renderer)) independent(renderer.configured(selected.options(threads = 1)), selected, salt)
+    }
+
+    private fun independent(way: Renderer, kind: KindOfWork, salt: Long) {
+        val meeting = Meeting(Where.ANY_SAMPLE)
+        val crowds = List(2) { Crowd(salt + it, Where.ANY_SAMPLE, meeting, kind) }
+        atOnce(crowds) { crowd -> rightInACrowd(way, crowd.quiet(), crowd) }
     }
 
     /** The sink is called on the thread that called the renderer, and never by two calls at the same time. */
@@ -107,7 +111,9 @@ public sealed interface ThreadRules : RulesForOne {
     @Property(tries = 15, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_8_interruptIsNotLost(@ForAll(supplier = MixedCases::class) case: FrameCase, @ForAll salt: Long) {
         val renderer = renderer()
-        for (moment in Interruption.entries) reportsInterrupt(renderer, case, moment, Random(salt))
+        for (moment in Interruption.entries) {
+            if (moment.isFor(renderer)) reportsInterrupt(renderer, case, moment, Random(salt))
+        }
     }
 
     private companion object {

@@ -13,6 +13,7 @@ import dev.lazyz.conformance.probes.Planted
 import dev.lazyz.conformance.probes.Question
 import dev.lazyz.conformance.probes.Trap
 import dev.lazyz.conformance.probes.answer
+import dev.lazyz.conformance.probes.changed
 import dev.lazyz.conformance.probes.failsAsPlanned
 import dev.lazyz.conformance.probes.failsWithItsSelector
 import dev.lazyz.conformance.probes.framesAreRight
@@ -131,7 +132,7 @@ public sealed interface UseRules : RulesForOne {
             renderer.render(case.frame) { _, _, _, _ -> if (rows++ >= last) throw planted }
         }
         val judgement = Judgement(renderer, case)
-        if (answer !== planted) judgement.fail("the sink threw $planted, but the caller got $answer", answer)
+        changed(planted, answer)?.let { judgement.fail("the sink throws $it", answer) }
         if (rows != last + 1) judgement.fail("the sink threw at call number ${last + 1}, but was called $rows times")
         judgement.equalsReference()
     }

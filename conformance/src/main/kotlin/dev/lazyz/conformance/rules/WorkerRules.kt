@@ -1,8 +1,8 @@
 package dev.lazyz.conformance.rules
 
-import dev.lazyz.Capability
 import dev.lazyz.RenderOptions
 import dev.lazyz.conformance.probes.threads.Crowd
+import dev.lazyz.conformance.probes.threads.KindOfWork
 import dev.lazyz.conformance.probes.threads.Where
 import dev.lazyz.conformance.probes.threads.completesOrThrowsIfInterrupted
 import dev.lazyz.conformance.probes.threads.countsInACrowd
@@ -59,12 +59,13 @@ public sealed interface WorkerRules : RulesForOne {
     )
     @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_concurrentThreadsLoseNoFragments(@ForAll salt: Long) {
-        val configured = renderer().configured(FOUR_THREADS)
-        for (isGlass in listOf(false, true)) {
-            if (isGlass && Capability.TRANSPARENCY !in configured.capabilities) continue
+        val renderer = renderer()
+        for (kind in KindOfWork.entries) {
+            if (!kind.isFor(renderer)) continue
+            val configured = renderer.configured(kind.options(threads = 4))
             for (where in Where.entries) {
                 whileTheyMeet(where) { meeting, round ->
-                    val crowd = Crowd(salt + round, where, meeting, isGlass)
+                    val crowd = Crowd(salt + round, where, meeting, kind)
                     rightInACrowd(configured, crowd.quiet(), crowd)
                 }
             }

@@ -230,7 +230,7 @@ internal class Trial(
 
     private fun message(plain: RuleOutcome, outcome: RuleOutcome, failure: Throwable): String = when (outcome) {
         RuleOutcome.PASSED -> ""
-        RuleOutcome.FLAKY -> "$NOT_REPRODUCIBLE\n${words(failure)}"
+        RuleOutcome.FLAKY -> NOT_REPRODUCIBLE
         RuleOutcome.FAILED, RuleOutcome.CRASHED, RuleOutcome.TIMED_OUT, RuleOutcome.NOT_FOLLOWED -> words(failure)
         RuleOutcome.NOT_RUN -> notRun.orEmpty()
         RuleOutcome.NOT_SUPPORTED -> (notDeclared ?: failure).message.orEmpty()

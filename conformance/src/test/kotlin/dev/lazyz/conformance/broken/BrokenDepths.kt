@@ -81,6 +81,20 @@ object BrokenDepths {
         }
     }
 
+    /** Rejects a primitive that is nowhere nearer than what was drawn so far, though it may win ties. */
+    fun rejectsTies() = drawing("rejects-ties-by-bounds") { frame ->
+        val test = frame.raster.depthTest
+        val isLeast = test == DepthTest.LESS_OR_EQUAL
+        if (frame.primitives.size > FEW || (!isLeast && test != DepthTest.GREATER_OR_EQUAL)) return@drawing frame
+        frame.keeping { index ->
+            val primitive = frame.primitives[index]
+            val before = ZBuffer().render(frame.keeping { it < index })
+            before.depth.any { if (isLeast) primitive.leastDepth < it else primitive.greatestDepth > it }
+        }
+    }
+
+    private const val FEW = 100
+
     fun mergesEqualColours() = painting("merges-equal-colours") { image, _ ->
         val depth = image.depth.copyOf()
         for (i in depth.indices) {

@@ -94,6 +94,15 @@ object BrokenManners {
         emit(image, sink)
     }
 
+    fun addsToExceptions() = BrokenRenderer("adds-to-exceptions") { frame, sink ->
+        try {
+            ZBuffer().render(frame, sink)
+        } catch (e: Throwable) {
+            e.addSuppressed(IllegalStateException("rendering failed"))
+            throw e
+        }
+    }
+
     fun wrapsAtTheStart() = BrokenRenderer("wraps-at-the-start") { frame, sink ->
         try {
             frame.hasTranslucency

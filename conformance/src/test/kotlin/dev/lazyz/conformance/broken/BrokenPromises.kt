@@ -1,7 +1,6 @@
 package dev.lazyz.conformance.broken
 
 import dev.lazyz.Capability
-import dev.lazyz.Cell
 import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.Frame
@@ -10,12 +9,10 @@ import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.Selector
 import dev.lazyz.Spans
 import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.hybrid.Hybrid
 import dev.lazyz.strategies.lazy.LazyZBuffer
-import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.zbuffer.ZBuffer
 
@@ -111,70 +108,6 @@ object BrokenPromises {
 
     fun keepsPrimitives() = claiming("keeps-primitives", Capability.STREAMS_PRIMITIVES, HierarchicalZBuffer())
 
-    fun keepsItsSelector(): BrokenRenderer = keepsItsSelector(RenderOptions())
-
-    private fun keepsItsSelector(last: RenderOptions): BrokenRenderer = BrokenRenderer(
-        "keeps-its-selector",
-        setOf(Capability.SELECTION),
-        options = { keepsItsSelector(if (it.selector == null) last else it) },
-    ) { frame, sink -> Lists(last).render(frame, sink) }
-
-    fun ignoresTheSelector() = selecting("ignores-the-selector") { Selector.nearest() }
-
-    fun selectsWithoutTheNearest() = selecting("selects-without-the-nearest") { selector ->
-        Selector { cell -> selector.select(if (cell.size == 1) cell else Behind(cell)) }
-    }
-
-    fun cellsFromTheBack() = selecting("cells-from-the-back") { selector -> Selector { selector.select(Reversed(it)) } }
-
-    fun firstShowDecides() = selecting("first-show-decides") { selector ->
-        Selector { cell -> selector.select(ShownOnce(cell)) }
-    }
-
-    private class ShownOnce(private val cell: Cell) : Cell by cell {
-        private var isShown = false
-
-        override fun show(i: Int) {
-            if (!isShown) cell.show(i)
-            isShown = true
-        }
-
-        override fun show(i: Int, red: Float, green: Float, blue: Float, alpha: Float) {
-            if (!isShown) cell.show(i, red, green, blue, alpha)
-            isShown = true
-        }
-    }
-
-    private class Behind(private val cell: Cell) : Cell by cell {
-        override val size: Int get() = cell.size - 1
-
-        override fun depth(i: Int) = cell.depth(i + 1)
-
-        override fun primitive(i: Int) = cell.primitive(i + 1)
-
-        override fun shade(i: Int) = cell.shade(i + 1)
-
-        override fun show(i: Int) = cell.show(i + 1)
-    }
-
-    private class Reversed(private val cell: Cell) : Cell by cell {
-        private fun at(i: Int) = cell.size - 1 - i
-
-        override fun depth(i: Int) = cell.depth(at(i))
-
-        override fun primitive(i: Int) = cell.primitive(at(i))
-
-        override fun shade(i: Int) = cell.shade(at(i))
-
-        override fun show(i: Int) = cell.show(at(i))
-    }
-
-    private fun selecting(id: String, change: (Selector) -> Selector) = BrokenRenderer(
-        id,
-        setOf(Capability.SELECTION),
-        { options -> Lists(RenderOptions(selector = options.selector?.let(change))) },
-    ) { frame, sink -> ZBuffer().render(frame, sink) }
-
     fun countsVisibleFragments() = counting("counts-visible-fragments") { fragments = it.visible.toLong() }
 
     fun countsRejectedTwice() = counting("counts-rejected-twice") { fragments += fragments - depthPasses }
@@ -184,6 +117,8 @@ object BrokenPromises {
     fun testsTheBackground() = counting("tests-the-background") { depthEvaluations += it.region.size }
 
     fun reportsNoMemory() = counting("reports-no-memory") { peakBytes = 0 }
+
+    fun reportsAByte() = counting("reports-a-byte") { peakBytes = minOf(peakBytes, 1) }
 
     private fun claiming(id: String, capability: Capability, renderer: Renderer) =
         BrokenRenderer(id, setOf(capability)) { frame: Frame, sink: RowSink -> renderer.render(frame, sink) }

@@ -122,6 +122,50 @@ object BrokenStreams {
         }
     }
 
+    /** Collects all rows, and ends the image when the sink has accepted the last one. */
+    fun finishesAgain() = stream("stream-finishes-again") { begin ->
+        val drawing = begin()
+        object : Drawing {
+            private val rows = ArrayList<(RowSink) -> Unit>()
+            private var counters: Counters? = null
+            private var hasEnded = false
+
+            override fun add(primitive: Primitive) {
+                check(counters == null) { "finished" }
+                drawing.add(primitive)
+            }
+
+            override fun finish(sink: RowSink): Counters {
+                check(!hasEnded) { "finished" }
+                val counted = counters ?: drawing.finish { y, argb, depth, primitive ->
+                    val (colors, depths, indices) = listOf(argb, depth, primitive).map { it.copyOf() }
+                    rows.add { it.row(y, colors, depths, indices) }
+                }.also { counters = it }
+                for (row in rows) row(sink)
+                hasEnded = true
+                return counted
+            }
+        }
+    }
+
+    fun keepsWhatArrives(): BrokenRenderer {
+        val begun = ArrayList<Long>()
+        return stream("stream-keeps-a-note") { begin -> begin().also { begun.add(System.nanoTime()) } }
+    }
+
+    fun storesWhatArrives() = stream("stream-stores-primitives", setOf(Capability.STREAMS_PRIMITIVES)) { begin ->
+        val drawing = begin()
+        val stored = ArrayList<Primitive>()
+        object : Drawing {
+            override fun add(primitive: Primitive) {
+                drawing.add(primitive)
+                stored.add(primitive)
+            }
+
+            override fun finish(sink: RowSink): Counters = drawing.finish(sink).also { stored.clear() }
+        }
+    }
+
     fun ignoresOptions(): BrokenRenderer =
         object : BrokenRenderer("ignores-options", how = { frame, sink -> ZBuffer().render(frame, sink) }) {
             override fun configured(options: RenderOptions): Renderer = this
@@ -136,10 +180,17 @@ object BrokenStreams {
             throw IllegalArgumentException("no options are supported")
     }
 
-    private fun stream(id: String, make: (begin: () -> Drawing) -> Drawing): BrokenRenderer = BrokenStream(id, make)
+    private fun stream(
+        id: String,
+        promises: Set<Capability> = emptySet(),
+        make: (begin: () -> Drawing) -> Drawing,
+    ): BrokenRenderer = BrokenStream(id, promises, make)
 
-    private class BrokenStream(id: String, private val make: (begin: () -> Drawing) -> Drawing) :
-        BrokenRenderer(id, how = { frame, sink -> ZBuffer().render(frame, sink) }),
+    private class BrokenStream(
+        id: String,
+        promises: Set<Capability>,
+        private val make: (begin: () -> Drawing) -> Drawing,
+    ) : BrokenRenderer(id, promises, how = { frame, sink -> ZBuffer().render(frame, sink) }),
         StreamingRenderer {
         override fun begin(raster: Raster, region: Region): Drawing = make { ZBuffer().begin(raster, region) }
     }

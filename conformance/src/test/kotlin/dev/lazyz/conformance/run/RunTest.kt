@@ -130,7 +130,9 @@ class RunTest {
             val result = nearest { renderer }
             assertOutcome(RuleOutcome.FLAKY, result)
             assertTrue(result.message.startsWith("not reproducible: "), result.message)
-            assertTrue(checkNotNull(result.failure).before.isNotEmpty(), renderer.id)
+            val failure = checkNotNull(result.failure)
+            assertTrue(failure.before.isNotEmpty(), renderer.id)
+            assertTrue(failure.message !in result.message, "reports print both messages: ${result.message}")
         }
     }
 

@@ -11,6 +11,7 @@ import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.threads.KindOfWork
+import dev.lazyz.conformance.probes.ways
 import java.lang.ref.Reference
 import java.lang.ref.WeakReference
 
@@ -48,6 +49,27 @@ private fun constantMemory(renderer: Renderer, kind: KindOfWork) {
     }
 }
 
+/**
+ * Fails if [renderer] holds much more than it reports, however it renders. Not reporting anything is another mistake.
+ */
+internal fun holdsWhatItReports(renderer: Renderer) {
+    for (kind in KindOfWork.entries) {
+        if (!kind.isFor(renderer)) continue
+        val configured = renderer.configured(kind.options(threads = 2))
+        val reported = configured.render(stripes(kind, FEW_ROWS), DISCARD).peakBytes
+        if (reported <= 0) continue
+        Heap.requireAtMost(MOST_TIMES * reported + REPORT_ALLOWANCE, { heldForRows(configured, kind, FEW_ROWS) }) {
+            fail(renderer, "${kind.name.lowercase()} primitives: peakBytes is $reported, but $FEW_ROWS rows hold $it")
+        }
+    }
+}
+
+/** Objects, which are not counted, take about as much as the arrays, in the worst case. */
+private const val MOST_TIMES = 2
+
+/** Allowed bytes in addition: less than half of what the rows take if they are all held. */
+private const val REPORT_ALLOWANCE = FEW_ROWS * WIDE * 4L
+
 private fun stripes(kind: KindOfWork, rows: Int, onQuery: (Int) -> Unit = {}): Frame {
     val stripes = listOf(Stripe(0..3, 0..<rows, 1000, onQuery), Stripe(2..7, 0..<rows, 2000, onQuery))
     return Frame(Raster(WIDE, rows), stripes.map(kind::of))
@@ -67,18 +89,20 @@ private const val PRIMITIVES_ALLOWANCE = MANY_PRIMITIVES - FEW_PRIMITIVES.toLong
 
 /** Fails if many more hidden primitives take more memory, whether they are hidden immediately or later. */
 internal fun constantMemoryInPrimitives(renderer: Renderer) {
-    for (order in Order.entries) {
-        val few = renderer.render(arriving(order, FEW_PRIMITIVES), DISCARD).peakBytes
-        val many = renderer.render(arriving(order, MANY_PRIMITIVES), DISCARD).peakBytes
-        if (many > few + PRIMITIVES_ALLOWANCE) {
-            fail(renderer, "peakBytes is $few for $FEW_PRIMITIVES primitives $order, $many for $MANY_PRIMITIVES")
-        }
-        val growth = {
-            heldForArrivals(renderer, order, MANY_PRIMITIVES) - heldForArrivals(renderer, order, FEW_PRIMITIVES)
-        }
-        Heap.requireAtMost(PRIMITIVES_ALLOWANCE, growth) {
-            fail(renderer, "$MANY_PRIMITIVES primitives $order hold $it than $FEW_PRIMITIVES")
-        }
+    for (way in renderer.ways()) for (order in Order.entries) constantMemoryInPrimitives(way, order)
+}
+
+private fun constantMemoryInPrimitives(renderer: Renderer, order: Order) {
+    val few = renderer.render(arriving(order, FEW_PRIMITIVES), DISCARD).peakBytes
+    val many = renderer.render(arriving(order, MANY_PRIMITIVES), DISCARD).peakBytes
+    if (many > few + PRIMITIVES_ALLOWANCE) {
+        fail(renderer, "peakBytes is $few for $FEW_PRIMITIVES primitives $order, $many for $MANY_PRIMITIVES")
+    }
+    val growth = {
+        heldForArrivals(renderer, order, MANY_PRIMITIVES) - heldForArrivals(renderer, order, FEW_PRIMITIVES)
+    }
+    Heap.requireAtMost(PRIMITIVES_ALLOWANCE, growth) {
+        fail(renderer, "$MANY_PRIMITIVES primitives $order hold $it than $FEW_PRIMITIVES")
     }
 }
 
@@ -149,12 +173,14 @@ private fun heldForColours(renderer: Renderer, places: List<Pair<IntProgression,
 /** Fails if a renderer that is still in use holds a frame after its rendering has ended or failed. */
 internal fun keepsNothing(renderer: Renderer) {
     Heap.requireCollection()
-    for (end in End.entries) {
-        val left = rendered(renderer, end)
-        if (Heap.isSoon { left.all { it.get() == null } }) continue
-        val kept = left.mapNotNull { it.get() }.first()
-        Reference.reachabilityFence(renderer)
-        fail(renderer, "a ${kept.javaClass.simpleName} is still held after the rendering $end")
+    for (way in renderer.ways()) {
+        for (end in End.entries) {
+            val left = rendered(way, end)
+            if (Heap.isSoon { left.all { it.get() == null } }) continue
+            val kept = left.mapNotNull { it.get() }.first()
+            Reference.reachabilityFence(renderer)
+            fail(way, "a ${kept.javaClass.simpleName} is still held after the rendering $end")
+        }
     }
 }
 

@@ -31,7 +31,7 @@ internal class Crowd(
     private val salt: Long,
     private val where: Where,
     private val meeting: Meeting?,
-    private val isGlass: Boolean = false,
+    private val kind: KindOfWork = KindOfWork.OPAQUE,
 ) {
     val frame: Frame = Frame(Raster(SIDE, SIDE), List(COUNT) { Member(it) })
 
@@ -48,7 +48,7 @@ internal class Crowd(
 
     /** Returns the same frame without meetings. */
     fun quiet(): FrameCase = FrameCase(
-        Crowd(salt, where, null, isGlass).frame,
+        Crowd(salt, where, null, kind).frame,
         "// $COUNT primitives that cover $SIDE x $SIDE samples and make threads meet, number $salt",
     )
 
@@ -61,7 +61,7 @@ internal class Crowd(
         override val columnStart: Int get() = 0
         override val columnEnd: Int get() = SIDE
 
-        override val isTranslucent: Boolean get() = isGlass
+        override val isTranslucent: Boolean get() = kind == KindOfWork.TRANSLUCENT
 
         override fun spans(y: Int, spans: Spans) {
             if (y !in 0 until SIDE) return
@@ -81,7 +81,7 @@ internal class Crowd(
             shaded.increment()
             if (where == Where.ANY_SAMPLE) meeting?.meet(0)
             val bits = hash(index + COUNT, fragment.x, fragment.y)
-            val alpha = if (isGlass) (bits shr 24 and 31) / 32f else 1f
+            val alpha = if (isTranslucent) (bits shr 24 and 31) / 32f else 1f
             fragment.setColor((bits and 255) / 255f, (bits shr 8 and 255) / 255f, (bits shr 16 and 255) / 255f, alpha)
             if (where == Where.ANY_SAMPLE) meeting?.meet(0)
         }

@@ -1,13 +1,16 @@
 package dev.lazyz.conformance.probes.threads
 
+import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
+import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.Selector
 import dev.lazyz.ShadingCursor
 import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.FrameCase
@@ -25,7 +28,11 @@ internal enum class Interruption(private val words: String) {
     BEFORE("before it renders"),
     IN_THE_SINK("while the sink is called"),
     IN_A_PRIMITIVE("while a primitive is queried"),
+    IN_A_SELECTOR("while the selector is called"),
     ;
+
+    /** Returns whether it can happen to [renderer]. */
+    fun isFor(renderer: Renderer): Boolean = this != IN_A_SELECTOR || Capability.SELECTION in renderer.capabilities
 
     override fun toString(): String = words
 }
@@ -93,8 +100,23 @@ private class InterruptedRendering(
             collector.row(y, argb, depth, primitive)
             if (moment == Interruption.IN_THE_SINK && y == row) send()
         }
-        thrown = answer { counters = renderer.render(subject, sink) }
+        thrown = answer { counters = chosen().render(subject, sink) }
         isSet = caller.isInterrupted
+    }
+
+    /** Returns the renderer, with a selector that shows the usual picture if that is to interrupt. */
+    private fun chosen(): Renderer {
+        if (moment != Interruption.IN_A_SELECTOR) return renderer
+        val asking = Selector { cell ->
+            ask()
+            cell.show(0)
+        }
+        return renderer.configured(RenderOptions(selector = asking))
+    }
+
+    /** Interrupts the caller after some queries, counted over all primitives or cells. */
+    private fun ask() {
+        if (questions.getAndDecrement() == 0) send()
     }
 
     private fun send() {
@@ -122,7 +144,6 @@ private class InterruptedRendering(
         return difference(Rendering.of(ReferenceRenderer(), case.frame).image, image)?.toString()
     }
 
-    /** Interrupts the caller after some queries, counted over all primitives. */
     private inner class Asking(whole: Primitive) : Recovered(whole) {
         override val depthForm: LinearForm? get() = null
 
@@ -142,10 +163,6 @@ private class InterruptedRendering(
         }
 
         override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
-
-        private fun ask() {
-            if (questions.getAndDecrement() == 0) send()
-        }
     }
 
     private companion object {

@@ -30,7 +30,15 @@ internal enum class KindOfWork(private val need: Capability?) {
     fun of(primitive: Primitive): Primitive = if (this == TRANSLUCENT) Glass(primitive) else primitive
 
     fun options(threads: Int): RenderOptions =
-        RenderOptions(threads = threads, tileSize = 8, selector = if (this == SELECTED) Selector.nearest() else null)
+        RenderOptions(threads = threads, tileSize = 8, selector = if (this == SELECTED) SHADING_FIRST else null)
+
+    private companion object {
+        /** Shows the usual picture, but uses the cell before and after a primitive is shaded. */
+        val SHADING_FIRST = Selector { cell ->
+            cell.shade(0)
+            cell.show(0)
+        }
+    }
 }
 
 /** Fails if more threads query primitives at the same time than the options allow. */

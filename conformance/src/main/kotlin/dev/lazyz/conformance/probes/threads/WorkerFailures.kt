@@ -11,6 +11,7 @@ import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.Planted
 import dev.lazyz.conformance.probes.Question
 import dev.lazyz.conformance.probes.answer
+import dev.lazyz.conformance.probes.changed
 import java.util.concurrent.atomic.AtomicBoolean
 
 /** Fails unless what a primitive throws in one of [renderer]'s own threads reaches the caller unchanged. */
@@ -28,12 +29,9 @@ internal fun passesOnFailuresOfWorkers(renderer: Renderer) {
             // A renderer without worker threads has nothing to pass on
             if (!workers.hasWorker) return
             val expected = if (isThrown.get()) planted else null
-            if (thrown === expected) continue
-            throw Violation(
-                "${renderer.id}: ${expected ?: "nothing"} was thrown in one of its threads by the query $question, " +
-                    "but the caller got ${thrown ?: "nothing"}\nin\n$quiet",
-                quiet,
-            )
+            val change = changed(expected, thrown) ?: continue
+            val what = "in one of its threads the query $question throws $change"
+            throw Violation("${renderer.id}: $what\nin\n$quiet", quiet)
         }
     }
     Judgement(renderer, quiet, "a failure before").equalsReference()

@@ -38,6 +38,11 @@ internal object DepthAndOrderGallery {
             nearest, order,
         ),
         Mutant(
+            BrokenDepths::rejectsTies,
+            "a primitive as far as everything before it is rejected, although it wins ties",
+            tests,
+        ),
+        Mutant(
             BrokenDepths::signedKeys,
             "keys with the upper bit of depth are compared as if they were signed",
             nearest, scenes,

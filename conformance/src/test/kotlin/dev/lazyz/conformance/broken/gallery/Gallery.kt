@@ -28,7 +28,8 @@ internal object Gallery {
         "Threads and the sink" to ThreadGallery.mutants,
         "Counters and promises" to PromisesGallery.mutants,
         "Memory" to MemoryGallery.mutants,
-        "Translucent primitives, regions and selectors" to VariantGallery.mutants,
+        "Selectors" to SelectorGallery.mutants,
+        "Translucent primitives, regions and primitives one by one" to VariantGallery.mutants,
         "What is left behind" to TidyGallery.mutants,
     )
 

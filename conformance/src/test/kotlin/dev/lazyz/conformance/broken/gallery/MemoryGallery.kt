@@ -4,9 +4,11 @@ import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
+import dev.lazyz.conformance.broken.BrokenPromises
 import dev.lazyz.conformance.broken.BrokenRenderer
 import dev.lazyz.conformance.broken.gallery.RuleNames.arrivals
 import dev.lazyz.conformance.broken.gallery.RuleNames.heap
+import dev.lazyz.conformance.broken.gallery.RuleNames.held
 import dev.lazyz.conformance.broken.gallery.RuleNames.kept
 import dev.lazyz.conformance.broken.gallery.RuleNames.memory
 import dev.lazyz.strategies.hybrid.Hybrid
@@ -22,6 +24,7 @@ internal object MemoryGallery {
         ),
         Mutant(::storesPrimitives, "promises to stream primitives, but stores each in a list", arrivals),
         Mutant(::notesPrimitives, "promises to stream primitives, but stores the bounds of each", arrivals),
+        Mutant(BrokenPromises::reportsAByte, "reports one byte, whatever it holds", held),
         Mutant(::reportsTheBudgetAsKept, "ignores the memory budget, but reports that it is kept", heap),
         Mutant(::keepsTheLastFrame, "keeps the last frame until the next one comes", kept),
         Mutant(::keepsFailedFrames, "keeps frames that could not be rendered", kept),

@@ -17,7 +17,6 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.options
 import dev.lazyz.conformance.broken.gallery.RuleNames.parallel
 import dev.lazyz.conformance.broken.gallery.RuleNames.passes
 import dev.lazyz.conformance.broken.gallery.RuleNames.promise
-import dev.lazyz.conformance.broken.gallery.RuleNames.selects
 import dev.lazyz.conformance.broken.gallery.RuleNames.stepping
 import dev.lazyz.conformance.broken.gallery.RuleNames.steps
 import dev.lazyz.conformance.broken.gallery.RuleNames.streams
@@ -97,18 +96,5 @@ internal object PromisesGallery {
             "with a memory budget of 0, all colours are missing",
             budget, options,
         ),
-        Mutant(BrokenPromises::keepsItsSelector, "continues to use a selector after options without one", selects),
-        Mutant(BrokenPromises::ignoresTheSelector, "promises selection, but shows the nearest fragment", selects),
-        Mutant(
-            BrokenPromises::selectsWithoutTheNearest,
-            "the selector does not get the nearest of several fragments",
-            selects,
-        ),
-        Mutant(
-            BrokenPromises::firstShowDecides,
-            "if a selector calls show several times, the first call decides instead of the last",
-            selects,
-        ),
-        Mutant(BrokenPromises::cellsFromTheBack, "the selector gets the fragments from back to front", selects),
     )
 }

@@ -79,6 +79,8 @@ internal object RuleNames {
     val streams = RendererConformance::rule_7_3_promiseToStreamRowsIsKept.name
     val unpulled = RendererConformance::rule_7_3_rowsAfterTheSinkStopsAreNotRendered.name
     val selects = RendererConformance::rule_7_5_selectorsChooseAmongAllFragments.name
+    val called = RendererConformance::rule_7_5_selectorsAreCalledOncePerSample.name
+    val chosen = RendererConformance::rule_7_5_selectorsChooseAmongAThousandFragments.name
     val parallel = RendererConformance::rule_7_5_promiseToWorkInParallelIsKept.name
     val sums = RendererConformance::rule_8_1_countersDoNotDependOnThreads.name
     val budget = RendererConformance::rule_8_1_promiseToStayWithinTheBudgetIsKept.name
@@ -88,5 +90,6 @@ internal object RuleNames {
     val nested = RendererConformance::rule_7_8_sinkMayRender.name
     val equal = RendererConformance::rule_9_4_equalPrimitivesAreDrawnSeparately.name
     val rounded = RendererConformance::rule_5_5_sumsAreRoundedAsDefined.name
+    val held = RendererConformance::rule_8_1_peakBytesAreWhatIsHeld.name
     val arrivals = RendererConformance::rule_8_1_promiseToStreamPrimitivesIsKept.name
 }

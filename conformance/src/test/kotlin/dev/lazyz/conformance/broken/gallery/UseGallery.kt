@@ -46,6 +46,7 @@ internal object UseGallery {
         Mutant(BrokenManners::racyMerge, "the second thread's result overwrites the first thread's", options),
         Mutant(BrokenManners::tileSeam, "the first column of a tile is a copy of the one before", options),
         Mutant(BrokenManners::swallowsExceptions, "what a primitive throws is swallowed", accidents),
+        Mutant(BrokenManners::addsToExceptions, "adds to what a primitive or the sink throws", accidents, sinks),
         Mutant(BrokenManners::wrapsExceptions, "what a primitive throws is wrapped", accidents),
         Mutant(
             BrokenManners::wrapsAtTheStart,

@@ -3,7 +3,7 @@ package dev.lazyz.conformance.broken.gallery
 import dev.lazyz.conformance.broken.BrokenStreams
 import dev.lazyz.conformance.broken.BrokenVariants
 
-/** The gallery's part about what is true only for opaque primitives, whole pictures or without a selector. */
+/** The gallery's part about what is true only for opaque primitives, whole pictures or frames. */
 internal object VariantGallery {
     val mutants: List<Mutant> = listOf(
         Mutant(BrokenVariants::cutsColumnsOfGlass, "columns of translucent fragments have 16 bits", RuleNames.far),
@@ -21,7 +21,6 @@ internal object VariantGallery {
             "one thread more than allowed for translucent pictures",
             RuleNames.parallel,
         ),
-        Mutant(BrokenVariants::wrapsTheSelectors, "what a selector throws is wrapped", RuleNames.accidents),
         Mutant(
             BrokenStreams::continuesAfterAnError,
             "begins again after a primitive has thrown an Error",
@@ -31,6 +30,13 @@ internal object VariantGallery {
             BrokenStreams::refusesBeforeItLooks,
             "refuses a translucent primitive for an ended image as for any other",
             RuleNames.ended,
+        ),
+        Mutant(BrokenStreams::finishesAgain, "delivers an image again if the sink has refused it", RuleNames.ended),
+        Mutant(BrokenStreams::keepsWhatArrives, "keeps a note of each picture that it begins", RuleNames.leaks),
+        Mutant(
+            BrokenStreams::storesWhatArrives,
+            "promises to stream primitives, but stores those that arrive one by one",
+            RuleNames.arrivals,
         ),
     )
 }
