@@ -1,6 +1,7 @@
 package dev.lazyz.spark.scaling
 
 import dev.lazyz.spark.triangles.jobs.BandKey
+import dev.lazyz.spark.triangles.jobs.SortLast
 
 /** What a simulation merges: real runs, raw samples, or sizes that a model expects. */
 internal interface Compositing<T> {
@@ -36,7 +37,7 @@ internal class Network(val bytesPerSecond: Double, val latency: Double) {
  * @property roundBytes of each round the bytes that the busiest node sends or receives
  * @property totalBytes what all nodes sent in these rounds
  * @property collectedBytes what the driver, or the first node, receives at the end; it is not part of the others
- * @property merges how often pieces were merged
+ * @property tasks tasks that merge, including those without work
  * @property pieces the merged picture
  */
 internal class Simulated<T>(
@@ -45,7 +46,7 @@ internal class Simulated<T>(
     val roundBytes: List<Long>,
     val totalBytes: Long,
     val collectedBytes: Long,
-    val merges: Int,
+    val tasks: Int,
     val pieces: List<T>,
 ) {
     val seconds: Double get() = networkSeconds + mergeSeconds
@@ -67,11 +68,11 @@ internal class MergeSimulation<T>(private val compositing: Compositing<T>, priva
         private var mergeSeconds = 0.0
         private val bytes = ArrayList<Long>()
         private var total = 0L
-        private var merges = 0
+        private var tasks = 0
 
-        /** Adds a round that ends when its last node has finished. */
-        fun add(loads: Collection<Load>, merged: Int) {
-            merges += merged
+        /** Adds a round of [used] tasks that ends when its last node has finished. */
+        fun add(loads: Collection<Load>, used: Int) {
+            tasks += used
             val last = loads.maxBy { network.seconds(it.busiest) + it.seconds }
             networkSeconds += network.seconds(last.busiest)
             mergeSeconds += last.seconds
@@ -83,37 +84,33 @@ internal class MergeSimulation<T>(private val compositing: Compositing<T>, priva
         fun collect(pieces: List<T>, own: Int): Simulated<T> {
             val collected = pieces.drop(own).sumOf { compositing.bytes(it) }
             networkSeconds += network.seconds(collected)
-            return Simulated(networkSeconds, mergeSeconds, bytes, total, collected, merges, pieces)
+            return Simulated(networkSeconds, mergeSeconds, bytes, total, collected, tasks, pieces)
         }
     }
 
     /**
-     * Spark's aggregation, as the job `SortLast` asks for: [fanIn] parts of a band at a time. The task of a key runs on
-     * the node that Spark's `HashPartitioner` chooses. A stage starts when the one before has ended.
+     * Spark's aggregation, as the job [SortLast] asks for: [fanIn] parts of a band at a time. Each task runs on the node
+     * with its number. A stage starts when the one before has ended.
      *
      * @param parts the bands of each node by their number; a band that a node does not reach is missing
+     * @param bands number of bands of the picture
      */
-    fun tree(parts: List<Map<Int, T>>, fanIn: Int): Simulated<T> {
+    fun tree(parts: List<Map<Int, T>>, bands: Int, fanIn: Int = SortLast.FAN_IN): Simulated<T> {
         val nodes = parts.size
         val rounds = Rounds()
         var held = parts.flatMapIndexed { node, bands -> bands.map { Held(BandKey(it.key, node), node, it.value) } }
-        var groups = nodes
-        while (groups > fanIn) {
-            groups = (groups + fanIn - 1) / fanIn
-            held = stage(held, nodes, rounds) { key ->
-                BandKey(key.band, key.group / fanIn).let { it to it.hashCode() }
-            }
+        for (groups in SortLast.groups(nodes, fanIn)) {
+            held = stage(held, groups, SortLast.tasks(nodes, bands, groups), rounds, fanIn)
         }
-        held = stage(held, nodes, rounds) { BandKey(it.band, 0) to it.band }
         return rounds.collect(held.map { it.piece }, own = 0)
     }
 
     private inner class Held(val key: BandKey, val node: Int, val piece: T)
 
-    private fun stage(held: List<Held>, nodes: Int, rounds: Rounds, next: (BandKey) -> Pair<BandKey, Int>): List<Held> {
+    private fun stage(held: List<Held>, groups: Int, tasks: Int, rounds: Rounds, fanIn: Int): List<Held> {
         val loads = HashMap<Int, Load>()
-        val merged = held.groupBy { next(it.key) }.map { (to, all) ->
-            val node = Math.floorMod(to.second, nodes)
+        val merged = held.groupBy { BandKey(it.key.band, it.key.group / fanIn) }.map { (key, all) ->
+            val node = SortLast.task(key, groups, tasks)
             val load = loads.getOrPut(node) { Load() }
             for (one in all) {
                 // What is merged where it was made crosses no network
@@ -124,9 +121,9 @@ internal class MergeSimulation<T>(private val compositing: Compositing<T>, priva
             }
             val result = compositing.merge(all.map { it.piece })
             load.seconds += result.seconds
-            Held(to.first, node, result.value)
+            Held(key, node, result.value)
         }
-        rounds.add(loads.values, merged.size)
+        rounds.add(loads.values, tasks)
         return merged
     }
 

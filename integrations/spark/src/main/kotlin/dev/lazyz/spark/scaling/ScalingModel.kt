@@ -1,5 +1,6 @@
 package dev.lazyz.spark.scaling
 
+import dev.lazyz.spark.triangles.jobs.SortLast
 import kotlin.math.abs
 import kotlin.math.ceil
 import kotlin.math.ln
@@ -135,10 +136,11 @@ internal class ScalingModel(
     fun partBytes(parts: Int): Long = sizes.bytes(whole(0, parts))
 
     /** Predicts the job's merging of [nodes] parts. */
-    fun tree(nodes: Int, fanIn: Int): Simulated<ExpectedPiece> = MergeSimulation(this, network).tree(
+    fun tree(nodes: Int, fanIn: Int = SortLast.FAN_IN): Simulated<ExpectedPiece> = MergeSimulation(this, network).tree(
         List(nodes) { node ->
             (0 until facts.bands).associateWith { band(node, nodes, it) }.filter { sizes.fragments(it.value) > 0 }
         },
+        facts.bands,
         fanIn,
     )
 

@@ -48,7 +48,7 @@ class MergeSimulationTest {
             assertEquals(12 * picture * (nodes - 1), swap.totalBytes)
             assertEquals(12 * picture * (nodes - 1) / nodes, swap.collectedBytes)
             assertEquals(12 * picture * (nodes - 1) / nodes, swap.roundBytes.sum())
-            val radix = simulation.swap(List(nodes) { picture }, ScalingStudy.factors(nodes, 8))
+            val radix = simulation.swap(List(nodes) { picture }, ScalingMeasurements.factors(nodes, 8))
             assertEquals(swap.totalBytes, radix.totalBytes)
         }
     }
@@ -64,7 +64,7 @@ class MergeSimulationTest {
     @Test
     fun twoNodesSendOneBand() {
         // Bands 0 and 1 are merged by nodes 0 and 1, and each sends the other's
-        val tree = simulation.tree(List(2) { mapOf(0 to picture, 1 to picture) }, fanIn = 8)
+        val tree = simulation.tree(List(2) { mapOf(0 to picture, 1 to picture) }, bands = 2)
         assertEquals(listOf(12 * 64L), tree.roundBytes)
         assertEquals(12 * 128L, tree.totalBytes)
         assertEquals(12 * 128L, tree.collectedBytes)
@@ -75,7 +75,7 @@ class MergeSimulationTest {
     @Test
     fun fourNodesMergePairsAndThenAll() {
         // Groups 0 and 1 of band 0 are merged by nodes 0 and 1: two of four parts cross, and node 1 gets two of them
-        val tree = simulation.tree(List(4) { mapOf(0 to picture) }, fanIn = 2)
+        val tree = simulation.tree(List(4) { mapOf(0 to picture) }, bands = 1, fanIn = 2)
         assertEquals(listOf(12 * 128L, 12 * 64L), tree.roundBytes)
         assertEquals(12 * (3 + 1) * 64L, tree.totalBytes)
         assertEquals(64.0 + 64, tree.mergeSeconds)
@@ -84,8 +84,16 @@ class MergeSimulationTest {
 
     @Test
     fun bandsWithoutPartsAreNotSent() {
-        val tree = simulation.tree(listOf(mapOf(0 to picture), emptyMap()), fanIn = 8)
+        val tree = simulation.tree(listOf(mapOf(0 to picture), emptyMap()), bands = 1)
         assertEquals(0L, tree.totalBytes)
         assertEquals(0.0, tree.mergeSeconds)
+    }
+
+    @Test
+    fun tasksAreNoMoreThanHaveWork() {
+        val tree = simulation.tree(List(64) { mapOf(0 to picture, 1 to picture, 2 to picture) }, bands = 3)
+
+        // Eight groups of each of the three bands, then one
+        assertEquals(3 * 8 + 3, tree.tasks)
     }
 }

@@ -35,7 +35,8 @@ class PartPicturesTest {
             val drawn = List(parts) { pictures.draw(it, parts, split).bands }
             val bands = drawn.map { one -> one.cells.associate { it.number to RunPiece(listOf(it)) } }
             for (fanIn in listOf(2, 3, 8)) {
-                val tree = MergeSimulation(RunCompositing(pictures.bandSetUp, ArrayList()), network).tree(bands, fanIn)
+                val tree = MergeSimulation(RunCompositing(pictures.bandSetUp, ArrayList()), network)
+                    .tree(bands, pictures.bandSetUp.bands, fanIn)
                 assertEquals(expected, hash(pictures.bandSetUp, tree.pieces)) { "$split $fanIn" }
             }
             val strips = drawn.map(pictures::strips)

@@ -71,10 +71,11 @@ class ScalingModelTest {
 
     @Test
     fun factorsMultiplyToTheNodes() {
-        assertEquals(listOf(8, 5, 5, 5), ScalingStudy.factors(1000, 8))
-        assertEquals(listOf(8, 4), ScalingStudy.factors(32, 8))
-        assertEquals(listOf(2, 2, 2), ScalingStudy.factors(8, 2))
-        assertEquals(emptyList<Int>(), ScalingStudy.factors(1, 8))
+        assertEquals(listOf(8, 5, 5, 5), ScalingMeasurements.factors(1000, 8))
+        assertEquals(listOf(8, 4), ScalingMeasurements.factors(32, 8))
+        assertEquals(listOf(2, 2, 2), ScalingMeasurements.factors(8, 2))
+        assertEquals(emptyList<Int>(), ScalingMeasurements.factors(1, 8))
+        assertEquals(listOf(2, 11), ScalingMeasurements.factors(22, 8))
     }
 
     /** Four nodes at random, and two layers: each merges two halves of 437.5 fragments, then two quarters of 750. */

@@ -4,6 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.spark.triangles.BandSamples
 import dev.lazyz.spark.triangles.PictureSetUp
 import dev.lazyz.spark.triangles.TriangleChunk
+import org.apache.spark.Partitioner
 import org.apache.spark.api.java.JavaPairRDD
 import org.apache.spark.api.java.JavaRDD
 import org.apache.spark.api.java.function.Function2
@@ -39,18 +40,31 @@ internal class SortLast(private val rows: JavaRDD<Row>, private val setUp: Broad
     /** Returns the last parts to be merged, by band. */
     private fun tree(isShaded: Boolean): JavaPairRDD<Int, Iterable<BandPart>> {
         val merge = MergeParts(setUp, isShaded)
-        var groups = rows.numPartitions
+        val bands = setUp.value().bands
         var parts = rows.mapPartitionsWithIndex(DrawPart(setUp, isShaded), false).mapToPair(Same<BandPart>())
-        while (groups > FAN_IN) {
-            groups = (groups + FAN_IN - 1) / FAN_IN
-            parts = parts.mapToPair(Grouped()).groupByKey().mapToPair(MergeGroup(merge))
+        for (groups in groups(rows.numPartitions).dropLast(1)) {
+            val tasks = ByBandAndGroup(groups, tasks(rows.numPartitions, bands, groups))
+            parts = parts.mapToPair(Grouped()).groupByKey(tasks).mapToPair(MergeGroup(merge))
         }
-        return parts.mapToPair(OfBand()).groupByKey()
+        return parts.mapToPair(OfBand()).groupByKey(tasks(rows.numPartitions, bands, groups = 1))
     }
 
     companion object {
         /** Parts that are merged at a time. */
         const val FAN_IN: Int = 8
+
+        /** Returns how many groups there are after each round of merging [parts] parts: one after the last. */
+        fun groups(parts: Int, fanIn: Int = FAN_IN): List<Int> {
+            val rounds = generateSequence(parts) { (it + fanIn - 1) / fanIn }.drop(1)
+            return rounds.takeWhile { it > 1 }.toList() + 1
+        }
+
+        /** Returns how many tasks merge [parts] parts into [groups] groups of each band: no more than have work. */
+        fun tasks(parts: Int, bands: Int, groups: Int): Int = minOf(parts.toLong(), bands.toLong() * groups).toInt()
+
+        /** Returns which of [tasks] tasks merges [key], if there are [groups] groups of each band. */
+        fun task(key: BandKey, groups: Int, tasks: Int): Int =
+            ((key.band.toLong() * groups + key.group) % tasks).toInt()
     }
 }
 
@@ -108,6 +122,22 @@ private class Same<V> : PairFunction<Tuple2<BandKey, V>, BandKey, V> {
 private class Grouped : PairFunction<Tuple2<BandKey, BandPart>, BandKey, BandPart> {
     override fun call(pair: Tuple2<BandKey, BandPart>): Tuple2<BandKey, BandPart> =
         Tuple2(BandKey(pair._1().band, pair._1().group / SortLast.FAN_IN), pair._2())
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
+}
+
+/** Spark's hashes would give some tasks several bands, and others none. */
+private class ByBandAndGroup(private val groups: Int, private val tasks: Int) : Partitioner() {
+    override fun numPartitions(): Int = tasks
+
+    override fun getPartition(key: Any): Int = SortLast.task(key as BandKey, groups, tasks)
+
+    override fun equals(other: Any?): Boolean =
+        other is ByBandAndGroup && groups == other.groups && tasks == other.tasks
+
+    override fun hashCode(): Int = 31 * groups + tasks
 
     private companion object {
         const val serialVersionUID = 1L
