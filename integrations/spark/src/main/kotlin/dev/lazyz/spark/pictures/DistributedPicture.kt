@@ -25,12 +25,23 @@ import org.apache.spark.sql.SparkSession
  * If a task fails or an executor is lost, Spark renders its parts again; a part that is rendered twice has the same
  * bits. Thread safe.
  *
- * @param spark where to render
- * @param source makes the frame; the driver calls it once, too, to know the size
+ * If the driver itself may end, see [checkpointed].
  */
-public class DistributedPicture(spark: SparkSession, source: PictureSource) {
-    private val context = JavaSparkContext.fromSparkContext(spark.sparkContext())
-    private val source = OncePerJvm(source)
+public class DistributedPicture private constructor(
+    private val context: JavaSparkContext,
+    private val source: OncePerJvm,
+    private val checkpoint: Checkpoint?,
+) {
+    /** Where parts are kept, and what the picture depends on. */
+    private class Checkpoint(val parts: PartFiles, val facts: Map<String, String>)
+
+    /**
+     * @param spark where to render
+     * @param source makes the frame; the driver calls it once, too, to know the size
+     */
+    public constructor(spark: SparkSession, source: PictureSource) :
+        this(JavaSparkContext.fromSparkContext(spark.sparkContext()), OncePerJvm(source), null)
+
     private val region = this.source.picture().pixels
     private val alpha: AlphaChannel
         get() = if (source.picture().frame.raster.background.alpha >= 1f) AlphaChannel.DROP else AlphaChannel.KEEP
@@ -42,6 +53,31 @@ public class DistributedPicture(spark: SparkSession, source: PictureSource) {
     public val height: Int get() = region.height
 
     /**
+     * Returns this picture with its finished parts kept in [folder], so that a new driver continues where an earlier
+     * one has ended, for whatever reason, even if it was killed: parts that are there, and not damaged, are not
+     * rendered again. When the picture is complete, the parts are deleted.
+     *
+     * The parts of a cluster with another number of cores, or of another function of this class, are other parts.
+     *
+     * @param folder a folder of its own for each picture, which all executors and the driver must see under the same
+     *   path; it is created if it does not exist
+     * @param facts all that the picture depends on, by name, such as the name and the hash of the model. Rendering
+     *   throws an [IOException] if the folder has parts of a picture with other facts
+     */
+    public fun checkpointed(folder: Path, facts: Map<String, String>): DistributedPicture {
+        val all = linkedMapOf("size" to "${width}x$height") + facts
+        return DistributedPicture(context, source, Checkpoint(PartFiles("${folder.toAbsolutePath()}"), all))
+    }
+
+    /** Calls [work] with the parts, of [planes]. */
+    private fun <R> rendering(planes: Int, work: (SortFirst) -> R): R {
+        checkpoint?.let { it.parts.open(it.facts) }
+        val result = SortFirst(context, source, planes, checkpoint?.parts).use(work)
+        checkpoint?.parts?.delete()
+        return result
+    }
+
+    /**
      * Renders the picture, and passes its rows to [sink] on this thread, from the top, as `SampledFrame.render`
      * does.
      *
@@ -51,7 +87,7 @@ public class DistributedPicture(spark: SparkSession, source: PictureSource) {
      * @throws IOException if the sink throws it
      */
     @Throws(IOException::class)
-    public fun render(sink: RowSink): Counters = SortFirst(context, source, SortFirst.ALL_PLANES).use {
+    public fun render(sink: RowSink): Counters = rendering(SortFirst.ALL_PLANES) {
         it.render(SortFirst.bands(region, context.defaultParallelism()), sink)
     }
 
@@ -63,7 +99,7 @@ public class DistributedPicture(spark: SparkSession, source: PictureSource) {
      * @throws org.apache.spark.SparkException if a task has failed too often
      */
     @Throws(IOException::class)
-    public fun writePng(path: Path): Counters = SortFirst(context, source, planes = 1).use { parts ->
+    public fun writePng(path: Path): Counters = rendering(planes = 1) { parts ->
         ImageFiles.write(path, width, height, ImageFormat.PNG, alpha) { sink ->
             parts.render(SortFirst.bands(region, context.defaultParallelism()), sink)
         }
@@ -84,7 +120,7 @@ public class DistributedPicture(spark: SparkSession, source: PictureSource) {
      * @throws org.apache.spark.SparkException if a task has failed too often
      */
     @Throws(IOException::class)
-    public fun writeDeepZoom(path: Path): Counters = SortFirst(context, source, planes = 1).use { parts ->
+    public fun writeDeepZoom(path: Path): Counters = rendering(planes = 1) { parts ->
         PyramidJob(path, width, height, alpha).write(parts)
     }
 

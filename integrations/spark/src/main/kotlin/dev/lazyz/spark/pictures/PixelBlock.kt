@@ -5,6 +5,8 @@ import dev.lazyz.Region
 import java.io.ByteArrayOutputStream
 import java.io.DataInputStream
 import java.io.DataOutputStream
+import java.io.EOFException
+import java.io.IOException
 import java.io.Serializable
 import java.nio.ByteBuffer
 import org.apache.spark.SparkEnv
@@ -56,6 +58,13 @@ internal class PixelBlock private constructor(
         }
     }
 
+    /** Writes what [read] reads. */
+    fun write(output: DataOutputStream) {
+        for (number in work) output.writeLong(number)
+        output.writeInt(bytes.size)
+        output.write(bytes)
+    }
+
     override fun toString(): String = "PixelBlock($region, $size bytes)"
 
     /** Collects rows. Not thread safe. */
@@ -84,6 +93,22 @@ internal class PixelBlock private constructor(
 
     companion object {
         private const val serialVersionUID = 1L
+
+        /**
+         * Reads the block of [region].
+         *
+         * @throws IOException if [input] is not what [write] has written
+         */
+        fun read(input: DataInputStream, region: Region, planes: Int): PixelBlock {
+            val work = LongArray(WORK) { input.readLong() }
+            val size = input.readInt()
+            val bytes = if (size < 0) ByteArray(0) else input.readNBytes(size)
+            if (bytes.size != size) throw EOFException("the block is cut off")
+            return with(region) { PixelBlock(columnStart, rowStart, columnEnd, rowEnd, planes, bytes, work) }
+        }
+
+        /** How many counters there are. */
+        private const val WORK = 6
 
         /** Returns counters of the numbers in a block. */
         fun counters(work: LongArray): Counters = Counters.Builder().apply {

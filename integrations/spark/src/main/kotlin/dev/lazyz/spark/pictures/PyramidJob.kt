@@ -18,10 +18,8 @@ import scala.Tuple2
 
 /**
  * Writes a Deep Zoom pyramid. Tasks render blocks, make the smaller levels of them, and cut all into tiles; Spark
- * brings
- * the pieces of each tile together, and a task writes it. A block begins at a multiple of 1024 rows and columns, so
- * each
- * pixel of the levels down to 1/1024 belongs to one block.
+ * brings the pieces of each tile together, and a task writes it. A block begins at a multiple of 1024 rows and columns,
+ * so each pixel of the levels down to 1/1024 belongs to one block.
  *
  * @param path the descriptor
  */

@@ -13,22 +13,26 @@ import org.apache.spark.storage.StorageLevel
 
 /**
  * Divides a picture into rectangles, each of which a task renders ("sort-first"). Regions of a frame are exact, so
- * their
- * pixels are those of the whole picture. The source is broadcast, and makes its frame once in each JVM.
+ * their pixels are those of the whole picture. The source is broadcast, and makes its frame once in each JVM.
  *
  * Source: Steven Molnar, Michael Cox, David Ellsworth, Henry Fuchs, "A Sorting Classification of Parallel Rendering",
  * IEEE Computer Graphics and Applications 14 (1994).
  *
  * @param planes see [PixelBlock]
+ * @param kept where finished parts stay; null for nowhere
  */
-internal class SortFirst(private val context: JavaSparkContext, source: OncePerJvm, private val planes: Int) :
-    AutoCloseable {
+internal class SortFirst(
+    private val context: JavaSparkContext,
+    source: OncePerJvm,
+    private val planes: Int,
+    private val kept: PartFiles? = null,
+) : AutoCloseable {
     private val broadcast: Broadcast<OncePerJvm> = context.broadcast(source)
 
     /** Returns the rendered regions, a partition for each, which Spark computes when they are needed. */
     fun blocks(regions: List<Region>): JavaRDD<PixelBlock> {
         val numbers = regions.map { intArrayOf(it.columnStart, it.rowStart, it.columnEnd, it.rowEnd) }
-        return context.parallelize(numbers, numbers.size).map(RenderRegion(broadcast, planes))
+        return context.parallelize(numbers, numbers.size).map(RenderRegion(broadcast, planes, kept))
     }
 
     /**
@@ -68,10 +72,17 @@ internal class SortFirst(private val context: JavaSparkContext, source: OncePerJ
     override fun close(): Unit = broadcast.destroy()
 
     /** Renders a region, given as its four sides. */
-    private class RenderRegion(private val source: Broadcast<OncePerJvm>, private val planes: Int) :
-        Function<IntArray, PixelBlock> {
+    private class RenderRegion(
+        private val source: Broadcast<OncePerJvm>,
+        private val planes: Int,
+        private val kept: PartFiles?,
+    ) : Function<IntArray, PixelBlock> {
         override fun call(sides: IntArray): PixelBlock {
             val region = Region(sides[0], sides[1], sides[2], sides[3])
+            return kept?.read(region, planes) ?: rendered(region).also { kept?.write(it, planes) }
+        }
+
+        private fun rendered(region: Region): PixelBlock {
             val block = PixelBlock.Builder(region, planes)
             val renderer = Tiled(RenderOptions(threads = 1))
             return source.value().rendering { picture ->

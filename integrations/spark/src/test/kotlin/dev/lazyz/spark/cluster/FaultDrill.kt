@@ -7,6 +7,7 @@ import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.spark.ModelPictures
 import dev.lazyz.spark.Models
 import dev.lazyz.spark.SortOrder
 import dev.lazyz.spark.SortedShading
@@ -21,11 +22,14 @@ import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.surface.Surface
 import java.io.IOException
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.concurrent.thread
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
+import kotlin.io.path.readBytes
 import kotlin.io.path.writeBytes
 import kotlin.system.exitProcess
 import org.apache.spark.SparkEnv
@@ -42,20 +46,14 @@ import org.apache.spark.sql.SparkSession
  */
 fun main(arguments: Array<String>) {
     val (master, folder, smallDisk) = arguments
-    val spark = SparkSession.builder().master(master).appName("fault drill")
-        .config("spark.ui.enabled", false)
-        .config("spark.driver.host", "127.0.0.1")
-        .config("spark.driver.bindAddress", "127.0.0.1")
-        .config("spark.executor.cores", 1)
-        .config("spark.executor.memory", "512m")
-        .config("spark.executor.extraClassPath", System.getProperty("java.class.path"))
-        .config("spark.speculation", true)
-        .config("spark.speculation.interval", "100ms")
-        .config("spark.speculation.multiplier", "1.5")
-        .config("spark.speculation.quantile", "0.5")
-        .getOrCreate()
+    val parts = Path.of(folder, "parts")
+    val left = FirstDriver(master, parts).runAndKill()
+    val spark = drillSession(master, "fault drill")
     val drill = FaultDrill(spark, Path.of(folder))
     try {
+        drill.anotherDriverContinues(parts, left)
+        drill.aPoisonedPartitionChangesNothing()
+        drill.poisonedModelsFailAlone()
         drill.aSlowWorkerIsOvertaken()
         if (smallDisk == "-") {
             println("SKIPPED a disk is full: there is no small disk")
@@ -69,6 +67,21 @@ fun main(arguments: Array<String>) {
     }
     exitProcess(if (drill.failed == 0) 0 else 1)
 }
+
+/** Returns a session on the cluster, with speculative execution. */
+internal fun drillSession(master: String, name: String): SparkSession =
+    SparkSession.builder().master(master).appName(name)
+        .config("spark.ui.enabled", false)
+        .config("spark.driver.host", "127.0.0.1")
+        .config("spark.driver.bindAddress", "127.0.0.1")
+        .config("spark.executor.cores", 1)
+        .config("spark.executor.memory", "512m")
+        .config("spark.executor.extraClassPath", System.getProperty("java.class.path"))
+        .config("spark.speculation", true)
+        .config("spark.speculation.interval", "100ms")
+        .config("spark.speculation.multiplier", "1.5")
+        .config("spark.speculation.quantile", "0.5")
+        .getOrCreate()
 
 /** A scene whose making takes a second in each JVM, and much longer in the first executor if it is slow. */
 private class SlowCity(private val isSlow: Boolean) : PictureSource {
@@ -130,6 +143,54 @@ private class FaultDrill(private val spark: SparkSession, private val folder: Pa
         killer.join()
         check(killed) { "the executor $victim was not there any more" }
         return "process $victim of $all was killed after $after ms of ${(System.nanoTime() - start) / 1_000_000}"
+    }
+
+    /** [left] parts are there from a driver that was killed. */
+    fun anotherDriverContinues(parts: Path, left: Int) {
+        val expected = SlowRows.picture().render(Tiled()).pixelHash()
+        val hash = PixelHash()
+        FirstDriver.picture(spark, parts).render { _, argb, _, _ -> hash.add(argb, 1600) }
+        report("a driver is killed", expected, hash.digest(), "$left parts were finished")
+        report("its parts are gone", false, Files.exists(parts), "$parts")
+    }
+
+    fun aPoisonedPartitionChangesNothing() {
+        val clean = folder.resolve("clean.stl").also { it.writeBytes(Models.stl(24)) }
+        val camera = CameraValues(Scene(load(clean), viewpoint = Camera.fit()).withUpAxis(UpAxis.Z).camera(800, 600))
+        val file = folder.resolve("poisoned.stl").also { it.writeBytes(poisoned(clean.readBytes())) }
+        val seen = TriangleScene { Scene(listOf(it), viewpoint = camera.camera()) }
+        val expected = Tiled().render(seen.scene(load(file).single()).frame(800, 600)).pixelHash()
+        val triangles = TriangleTable.readStl(spark, "$file", partitionBytes = 100_000)
+        for (order in SortOrder.entries) {
+            val hash = PixelHash()
+            TrianglePicture(triangles, 800, 600, seen, order).render { _, argb, _, _ -> hash.add(argb, 800) }
+            report("a partition is poisoned, $order", expected, hash.digest(), "${triangles.count()} triangles")
+        }
+    }
+
+    private fun load(file: Path): List<Surface> = Scenes.load(file, LoadOptions(smoothNormals = false)).scene.surfaces
+
+    /** Returns an STL file of which a range of triangles has corners that are no numbers, or infinite. */
+    private fun poisoned(stl: ByteArray): ByteArray {
+        val bytes = ByteBuffer.wrap(stl).order(ByteOrder.LITTLE_ENDIAN)
+        val bad = listOf(Float.NaN, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY)
+        val count = bytes.getInt(80)
+        for (i in count / 3 until count / 2) bytes.putFloat(84 + 50 * i + 12 + 4 * (i % 9), bad[i % bad.size])
+        return stl
+    }
+
+    fun poisonedModelsFailAlone() {
+        val models = Models.collection(folder.resolve("models"))
+        val files = spark.read().format("binaryFile").load("$models")
+        val rows = ModelPictures.render(files, "size=64x64").collectAsList()
+        val outcomes = rows.associate {
+            Path.of(it.getString(it.fieldIndex("name"))).name to (it.getString(it.fieldIndex("error")) == null)
+        }
+        val expected = mapOf(
+            "cut.stl" to false, "missing.obj" to false, "teapot.stl" to true, "tetrahedron.obj" to true,
+            "words.ply" to false,
+        )
+        report("models are poisoned", expected, outcomes.toSortedMap(), "one row each")
     }
 
     fun aKilledExecutorChangesNoPicture() {

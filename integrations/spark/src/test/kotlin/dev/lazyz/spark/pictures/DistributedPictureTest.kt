@@ -16,11 +16,14 @@ import dev.lazyz.strategies.tiled.Tiled
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.atomic.AtomicInteger
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.readBytes
 import kotlin.io.path.readText
+import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
 import org.apache.spark.SparkException
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -141,6 +144,66 @@ class DistributedPictureTest {
 
         private companion object {
             const val serialVersionUID = 1L
+        }
+    }
+
+    @Test
+    fun anotherDriverContinuesWithTheParts(@TempDir folder: Path) {
+        val parts = folder.resolve("parts")
+        val facts = mapOf("model" to "star")
+        val expected = Interrupted().picture().render(Tiled()).pixelHash()
+        fun picture() = DistributedPicture(spark, Interrupted()).checkpointed(parts, facts)
+        Interrupted.failsFrom = 300
+        assertThrows(SparkException::class.java) { picture().render { _, _, _, _ -> } }
+        val kept = parts.listDirectoryEntries("*.part").sortedBy { it.name.split('-')[1].toInt() }
+        assertTrue(kept.size >= 2, "$kept")
+
+        // A picture of something else is refused, and damaged parts are rendered again
+        val other = DistributedPicture(spark, Interrupted()).checkpointed(parts, mapOf("model" to "teapot"))
+        val error = assertThrows(IOException::class.java) { other.render { _, _, _, _ -> } }
+        assertTrue("(\"model: star\", and now \"model: teapot\")" in error.message!!, error.message)
+        kept[0].writeBytes(kept[0].readBytes().dropLast(9).toByteArray())
+        kept[1].writeBytes(kept[1].readBytes().also { it[it.size / 2] = (it[it.size / 2] + 1).toByte() })
+
+        Interrupted.failsFrom = Int.MAX_VALUE
+        Interrupted.rows.clear()
+        val hash = PixelHash()
+        picture().render { _, argb, _, _ -> hash.add(argb, 600) }
+        assertEquals(expected, hash.digest())
+        for ((i, part) in kept.withIndex()) {
+            val (_, start, _, end) = part.name.split('-').map { it.removeSuffix(".part").toInt() }
+            assertEquals(i < 2, Interrupted.rows.any { it in start until end }, part.name)
+        }
+        assertEquals(emptyList<Path>(), folder.listDirectoryEntries())
+    }
+
+    @Test
+    fun partsAreNotPutAmongOtherFiles(@TempDir folder: Path) {
+        folder.resolve("notes.txt").writeText("mine")
+        val picture = DistributedPicture(spark, Builtin("teapot", 20, 15, 1)).checkpointed(folder, emptyMap())
+        val error = assertThrows(IOException::class.java) { picture.writePng(folder.resolve("a.png")) }
+        assertEquals("$folder has other files than the parts of a picture; name another folder", error.message)
+        assertEquals(listOf("notes.txt"), folder.listDirectoryEntries().map { it.name })
+    }
+
+    /** A picture whose rows from [failsFrom] on cannot be shaded. Notes which rows were. */
+    private class Interrupted : PictureSource {
+        override fun picture(): SampledFrame {
+            val frame = Scenes.builtin("star")!!.frame(600, 600)
+            return SuperSampling.NONE.of(
+                frame.observed { _, y, _ ->
+                    check(y < failsFrom) { "interrupted" }
+                    rows.add(y)
+                },
+            )
+        }
+
+        companion object {
+            private const val serialVersionUID = 1L
+            val rows: MutableSet<Int> = ConcurrentHashMap.newKeySet()
+
+            @Volatile
+            var failsFrom = Int.MAX_VALUE
         }
     }
 }
