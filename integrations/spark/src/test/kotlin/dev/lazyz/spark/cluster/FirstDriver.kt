@@ -14,7 +14,7 @@ import kotlin.io.path.listDirectoryEntries
 import org.apache.spark.SparkEnv
 import org.apache.spark.sql.SparkSession
 
-/** Renders a picture with a checkpoint, as a driver of its own that is killed. The arguments are those of [FirstDriver]. */
+/** Renders a picture with a checkpoint, as a driver that is killed. The arguments are those of [FirstDriver]. */
 fun main(arguments: Array<String>) {
     val (master, parts) = arguments
     FirstDriver.picture(drillSession(master, "first driver"), Path.of(parts)).render { _, _, _, _ -> }
@@ -27,7 +27,7 @@ internal class FirstDriver(private val master: String, private val parts: Path) 
         val options = ManagementFactory.getRuntimeMXBean().inputArguments.filter { it.startsWith("--add-opens") }
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
         val words = listOf(java) + options +
-            listOf("-cp", System.getProperty("java.class.path"), "dev.lazyz.spark.cluster.FirstDriverKt", master, "$parts")
+            listOf("-cp", System.getProperty("java.class.path"), MAIN, master, "$parts")
         val driver = ProcessBuilder(words).redirectErrorStream(true)
             .redirectOutput(ProcessBuilder.Redirect.DISCARD).start()
         while (driver.isAlive && finished() < ENOUGH) Thread.sleep(POLL)
@@ -41,6 +41,7 @@ internal class FirstDriver(private val master: String, private val parts: Path) 
         if (Files.isDirectory(parts)) parts.listDirectoryEntries("*.part").size else 0
 
     companion object {
+        private const val MAIN = "dev.lazyz.spark.cluster.FirstDriverKt"
         private const val ENOUGH = 3
         private const val POLL = 20L
         private const val PATIENCE = 30L
