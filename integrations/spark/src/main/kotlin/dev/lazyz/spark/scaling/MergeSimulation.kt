@@ -89,8 +89,8 @@ internal class MergeSimulation<T>(private val compositing: Compositing<T>, priva
     }
 
     /**
-     * Spark's aggregation, as the job [SortLast] asks for: [fanIn] parts of a band at a time. A task runs on the node with
-     * its number. A stage starts when the one before has ended.
+     * Spark's aggregation, as the job [SortLast] asks for: [fanIn] parts of a band at a time. A task runs on the node
+     * with its number. A stage starts when the one before has ended.
      *
      * @param parts the bands of each node by their number; a band that a node does not reach is missing
      * @param bands number of bands of the picture
