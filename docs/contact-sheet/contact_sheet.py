@@ -8,6 +8,7 @@ were made.
 """
 
 import argparse
+import random
 import re
 import shutil
 import statistics
@@ -118,19 +119,32 @@ def render(arguments, model, column):
     return None
 
 
-def sheet(arguments, models, columns, file):
-    """Puts the pictures of some models into one picture, a row each."""
+def blind(arguments, models, columns):
+    """Makes a sheet of each model, whose pictures have letters and a random order, and a key.txt that names them."""
+    order = random.Random(arguments.blind)
+    with open(arguments.out / "key.txt", "w") as key:
+        for number, model in enumerate(models, 1):
+            mixed = order.sample(columns, len(columns))
+            letters = [chr(ord("A") + i) for i in range(len(mixed))]
+            sheet(arguments, [model], mixed, arguments.out / f"blind-{number:02}.png", letters)
+            key.write(f"{number:02} {model.name}: " + ", ".join(f"{a} {c[0]}" for a, c in zip(letters, mixed)) + "\n")
+
+
+def sheet(arguments, models, columns, file, letters=None):
+    """Puts the pictures of some models into one picture, a row each. With letters, nothing else is written on it."""
     side = arguments.shown or arguments.size
     font = ImageFont.load_default(max(10, side // 12))
     top, left = 2 * font.size, int(max(font.getlength(m.name) for m in models)) + 2 * GAP
-    if arguments.no_captions:
+    if letters:
+        left = 0
+    elif arguments.no_captions:
         top, left = 0, 0
     image = Image.new("RGB", (left + len(columns) * (side + GAP), top + len(models) * (side + GAP)), "white")
     draw = ImageDraw.Draw(image)
     for column, (title, _, _) in enumerate(columns):
         x = left + column * (side + GAP)
-        if not arguments.no_captions:
-            draw.text((x + side / 2, top / 2), title, "black", font, anchor="mm")
+        if letters or not arguments.no_captions:
+            draw.text((x + side / 2, top / 2), letters[column] if letters else title, "black", font, anchor="mm")
         for row, model in enumerate(models):
             y = top + row * (side + GAP)
             picture = picture_file(arguments.out, model, title)
@@ -139,7 +153,7 @@ def sheet(arguments, models, columns, file):
                     image.paste(opened.convert("RGB").resize((side, side), Image.Resampling.LANCZOS), (x, y))
             else:
                 draw.text((x + side / 2, y + side / 2), "no picture", "gray", font, anchor="mm")
-            if column == 0 and not arguments.no_captions:
+            if column == 0 and not letters and not arguments.no_captions:
                 draw.text((GAP, y + side / 2), model.name, "black", font, anchor="lm")
     image.save(file, quality=arguments.quality)
     print(f"{file}: {image.width} x {image.height}, {file.stat().st_size / 1e6:.2f} MB")
@@ -158,6 +172,7 @@ def main():
     parser.add_argument("--rounds", type=int, default=1, help="how often each picture is made; times are medians")
     parser.add_argument("--columns", help="numbers of columns, from 1, separated by commas; default: all")
     parser.add_argument("--no-captions", action="store_true", help="sheets without titles of rows and columns")
+    parser.add_argument("--blind", type=int, metavar="SEED", help="sheets of one model, columns in random order")
     parser.add_argument("--only-sheets", action="store_true", help="use the pictures that are in --out")
     parser.add_argument("--java", default="java", help="Java 17 or newer")
     parser.add_argument("--python", default=sys.executable, help="a Python with f3d and vtk; default: this one")
@@ -188,6 +203,9 @@ def main():
         for (title, _, _), mean in zip(columns, means):
             print(f"| {title} | {mean:.2f} | {mean / means[0]:.2f} |")
 
+    if arguments.blind is not None:
+        blind(arguments, models, columns)
+        return
     for number, first in enumerate(range(0, len(models), arguments.rows), 1):
         file = arguments.out / f"sheet-{number}.{arguments.format}"
         sheet(arguments, models[first : first + arguments.rows], columns, file)

@@ -18,6 +18,7 @@ import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.oracle.ExpectedSteps
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.ShadingWitness
+import dev.lazyz.conformance.probes.memory.holdsWhatItReports
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
@@ -175,6 +176,16 @@ public sealed interface CounterRules : RulesForOne {
         if (counters.shadingCalls < visible || counters.depthPasses < visible) {
             judgement.fail("$visible samples are visible, but the counters are $counters")
         }
+    }
+
+    /** Much more than the reported memory is never held, with translucent primitives or a selector, too. */
+    @Rule(
+        intent = "Peak bytes are what a picture takes, so that users can choose a renderer, and a size, by them.",
+        look = "Count each array when it is allocated, and add up what all threads hold at the same time.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_8_1_peakBytesAreWhatIsHeld() {
+        holdsWhatItReports(renderer())
     }
 
     /** A renderer that shows something reports how much memory it used. */

@@ -17,7 +17,6 @@ import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.memory.budgetOnTheHeap
 import dev.lazyz.conformance.probes.memory.constantMemory
 import dev.lazyz.conformance.probes.memory.constantMemoryInPrimitives
-import dev.lazyz.conformance.probes.memory.holdsWhatItReports
 import dev.lazyz.conformance.probes.threads.KindOfWork
 import dev.lazyz.conformance.probes.threads.notTooManyThreads
 import dev.lazyz.conformance.probes.threads.severalThreads
@@ -189,16 +188,6 @@ public sealed interface PromiseRules : RulesForOne {
         val renderer = renderer()
         requireDeclared(renderer, Capability.MEMORY_BUDGET)
         budgetOnTheHeap(renderer)
-    }
-
-    /** Much more than the reported memory is never held, with translucent primitives or a selector, too. */
-    @Rule(
-        intent = "Peak bytes are what a picture takes, so that users can choose a renderer, and a size, by them.",
-        look = "Count each array when it is allocated, and add up what all threads hold at the same time.",
-    )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_8_1_peakBytesAreWhatIsHeld() {
-        holdsWhatItReports(renderer())
     }
 
     /** Hidden primitives take no memory, however many there are. */
