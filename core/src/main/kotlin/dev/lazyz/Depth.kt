@@ -21,11 +21,11 @@ public object Depth {
 
     /**
      * Returns the depth at the fraction [unit] of the way from the near plane (0) to the far plane (1), rounded to
-     * nearest. [unit] is clamped to 0..1.
+     * nearest. [unit] is clamped to 0..1; NaN counts as 1, behind everything else.
      */
     @JvmStatic
     public fun ofUnit(unit: Double): Int =
-        Math.rint(NEAR + unit.coerceIn(0.0, 1.0) * (FAR.toDouble() - NEAR)).toInt()
+        if (unit < 1.0) Math.rint(NEAR + maxOf(unit, 0.0) * (FAR.toDouble() - NEAR)).toInt() else FAR
 
     /**
      * Returns where [depth] is between the near plane (0) and the far plane (1). The result is outside 0..1 for depths

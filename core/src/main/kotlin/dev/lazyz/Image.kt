@@ -139,16 +139,24 @@ public class Image(
          * image without primitives is its identity (contract rule 5.1). The result covers the smallest region that
          * contains both; samples outside both parts show the background. Counters are added as by [Counters.plus].
          *
-         * @throws IllegalArgumentException if the result would have more than 2^31-9 samples
+         * Regions of an anti-aliased image can be merged, too, but not parts that are split by primitives: colours of
+         * several samples are not merged.
+         *
+         * @throws IllegalArgumentException if an image is not within [raster], or if the result would have more than
+         *   2^31-9 samples
          */
         @JvmStatic
         public fun merge(first: Image, second: Image, raster: Raster): Image {
+            for (part in listOf(first, second)) {
+                require(raster.region.contains(part.region)) { "${part.region} is not within ${raster.region}" }
+            }
             val region = first.region.union(second.region)
             val size = region.size
             require(size <= MAX_SAMPLES) { "an image in memory has at most $MAX_SAMPLES samples: $size" }
+            val background = raster.background.toArgb()
             val merged = Image(
                 region,
-                IntArray(size.toInt()) { raster.background.toArgb() },
+                IntArray(size.toInt()) { background },
                 IntArray(size.toInt()) { raster.backgroundDepth },
                 IntArray(size.toInt()) { DepthTest.BACKGROUND },
                 first.counters.plus(second.counters),
@@ -159,7 +167,11 @@ public class Image(
                         val from = part.index(x, y)
                         val to = merged.index(x, y)
                         val key = raster.depthTest.key(part.depth[from], part.primitive[from])
-                        if (key < raster.depthTest.key(merged.depth[to], merged.primitive[to])) {
+                        val mergedKey = raster.depthTest.key(merged.depth[to], merged.primitive[to])
+
+                        // Wide filters give samples without a primitive the colour of others nearby
+                        val isPlain = merged.primitive[to] == DepthTest.BACKGROUND && merged.argb[to] == background
+                        if (key < mergedKey || (key == mergedKey && isPlain)) {
                             merged.argb[to] = part.argb[from]
                             merged.depth[to] = part.depth[from]
                             merged.primitive[to] = part.primitive[from]

@@ -38,13 +38,19 @@ public class Raster @JvmOverloads constructor(
     /** Returns this raster with [width] columns and [height] rows. */
     public fun withSize(width: Int, height: Int): Raster = copy(width = width, height = height)
 
-    /** Returns this raster with another direction of depth, and with its depth test and depth of the background. */
+    /**
+     * Returns this raster with another direction of depth, and with the depth test and the depth of the background that
+     * are usual for it, whatever they were before.
+     */
     public fun withConvention(convention: DepthConvention): Raster = Raster(width, height, background, convention)
 
     /** Returns this raster with another colour of the background. */
     public fun withBackground(background: Rgba): Raster = copy(background = background)
 
-    /** Returns this raster with another depth test. */
+    /**
+     * Returns this raster with another depth test, and the same depth of the background. If the other test prefers the
+     * other direction, set [withBackgroundDepth], too, or no fragment passes. [withConvention] sets all of these.
+     */
     public fun withDepthTest(depthTest: DepthTest): Raster = copy(depthTest = depthTest)
 
     /** Returns this raster with another depth of the background, 0..2^31-1. */

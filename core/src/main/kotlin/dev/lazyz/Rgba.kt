@@ -23,8 +23,9 @@ public class Rgba @JvmOverloads constructor(
     /** Returns this colour with red, green and blue multiplied by [factor]; alpha is unchanged. */
     public fun scaled(factor: Float): Rgba = Rgba(red * factor, green * factor, blue * factor, alpha)
 
-    override fun equals(other: Any?): Boolean =
-        other is Rgba && red == other.red && green == other.green && blue == other.blue && alpha == other.alpha
+    /** Components are compared as [Float.compareTo] does: NaN equals NaN, and -0 is less than 0. */
+    override fun equals(other: Any?): Boolean = other is Rgba && red.compareTo(other.red) == 0 &&
+        green.compareTo(other.green) == 0 && blue.compareTo(other.blue) == 0 && alpha.compareTo(other.alpha) == 0
 
     override fun hashCode(): Int =
         ((red.hashCode() * 31 + green.hashCode()) * 31 + blue.hashCode()) * 31 + alpha.hashCode()

@@ -1,10 +1,17 @@
 package dev.lazyz
 
+import dev.lazyz.filter.PixelFilter
+import dev.lazyz.filter.SuperSampling
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.scene
+import dev.lazyz.world.surface.Sphere
 import java.nio.ByteBuffer
 import java.security.MessageDigest
+import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** Contract rule 7: equality and identity of images. */
@@ -82,5 +89,22 @@ class ImageTest {
         assertEquals(Region(0, 20, 13, 30), region.union(Region(0, 25, 5, 30)))
         assertThrows(IllegalArgumentException::class.java) { Region(3, 0, 3, 1) }
         assertThrows(IllegalArgumentException::class.java) { Region(-1, 0, 3, 1) }
+    }
+
+    @Test
+    fun rule_7_4_regionsThatAreBlurredCanBeMerged() {
+        val raster = Raster(24, 18)
+        val scene = scene { add(Sphere(Vector3d(), 1.0)) }
+        val picture = SuperSampling(2, PixelFilter.MITCHELL).frame(scene, raster)
+        val whole = picture.render(ZBuffer())
+        val parts = listOf(0 to 7, 7 to 11, 11 to 24)
+            .map { (from, until) -> picture.within(Region(from, 0, until, 18)).render(ZBuffer()) }
+        val (a, b, c) = parts
+        assertEquals(whole, Image.merge(Image.merge(a, b, raster), c, raster))
+        assertEquals(whole, Image.merge(Image.merge(c, a, raster), b, raster))
+        assertEquals(whole, Image.merge(whole, whole, raster))
+        assertEquals(whole, Image.merge(whole, whole, raster.withBackground(Rgba.BLACK)))
+        val error = assertThrows(IllegalArgumentException::class.java) { Image.merge(a, c, Raster(20, 18)) }
+        assertTrue("is not within" in error.message!!, error.message)
     }
 }

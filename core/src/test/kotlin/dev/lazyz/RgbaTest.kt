@@ -1,5 +1,14 @@
 package dev.lazyz
 
+import dev.lazyz.world.Environment
+import dev.lazyz.world.Falloff
+import dev.lazyz.world.ToneCurve
+import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.material.MetallicRoughness
+import dev.lazyz.world.material.NormalMap
+import dev.lazyz.world.material.OcclusionMap
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureMap
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -33,6 +42,27 @@ class RgbaTest {
         assertEquals(Rgba(0.2f, 0.4f, 0.6f, 0.5f), Rgba(0.1f, 0.2f, 0.3f, 0.5f).scaled(2f))
         assertEquals(Rgba.WHITE.hashCode(), Rgba(1f, 1f, 1f).hashCode())
         assertTrue(Rgba.WHITE != Rgba.BLACK && !Rgba.WHITE.equals("white"))
+    }
+
+    @Test
+    fun equalValuesHaveEqualHashes() {
+        val numbers = listOf(0f, -0f, Float.NaN, -Float.NaN, 1f, Float.POSITIVE_INFINITY)
+        val map = TextureMap(Texture(1, 1, intArrayOf(0)))
+        val kinds = listOf<(Float) -> Any>(
+            { Rgba(it, 0f, 0f) }, { Rgba(0f, it, 0f) }, { Rgba(0f, 0f, it) }, { Rgba(0f, 0f, 0f, it) },
+            { NormalMap(map, it) }, { Falloff.inverseSquare(it.toDouble()) }, { MetallicRoughness(it, 0.5f) },
+            { MetallicRoughness(0.5f, it) }, { OcclusionMap(map, it) }, { Environment.studio(it) },
+            { ToneMapping(ToneCurve.NONE, it.toDouble()) },
+        )
+        for (make in kinds) {
+            // Some kinds refuse some numbers
+            val made = numbers.mapNotNull { runCatching { make(it) to make(it) }.getOrNull() }
+            assertTrue(made.size >= 2, "$made")
+            for ((a, b) in made) {
+                assertEquals(a, b)
+                for ((c, _) in made) if (a == c) assertEquals(a.hashCode(), c.hashCode(), "$a and $c")
+            }
+        }
     }
 
     @Test

@@ -3,7 +3,7 @@ package example;
 import dev.lazyz.Fragment;
 import dev.lazyz.Shader;
 
-/** Squares of two colours in texture space, lit by one lamp at the camera's left. */
+/** Squares of two colours in texture space, lit from one side of the world: from -x and +z. */
 public class Checkers implements Shader {
     private final int squares;
 

@@ -14,8 +14,8 @@ public class Disc implements Primitive {
     private final int depth;
 
     /**
-     * @param radius in pixels
-     * @param depth 0, near, to 2^31-1, far
+     * @param radius in samples; a negative one covers nothing
+     * @param depth 0, near, to 2^31-2, far; the background is at 2^31-1
      */
     public Disc(Raster raster, int centerX, int centerY, int radius, int depth) {
         this.raster = raster;
@@ -47,8 +47,8 @@ public class Disc implements Primitive {
 
     @Override
     public void spans(int y, Spans spans) {
-        int rest = radius * radius - (y - centerY) * (y - centerY);
-        if (rest < 0) return;
+        long rest = (long) radius * radius - (long) (y - centerY) * (y - centerY);
+        if (radius < 0 || rest < 0) return;
         int half = (int) Math.sqrt(rest);
         int start = Math.max(centerX - half, 0);
         int end = Math.min(centerX + half + 1, raster.getWidth());

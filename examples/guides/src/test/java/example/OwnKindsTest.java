@@ -8,7 +8,11 @@ import dev.lazyz.Frame;
 import dev.lazyz.Image;
 import dev.lazyz.Raster;
 import dev.lazyz.Renderer;
+import dev.lazyz.filter.SampledFrame;
+import dev.lazyz.filter.SuperSampling;
 import dev.lazyz.strategies.Renderers;
+import dev.lazyz.strategies.zbuffer.ZBuffer;
+import dev.lazyz.world.Camera;
 import dev.lazyz.world.material.Material;
 import dev.lazyz.world.Scene;
 import dev.lazyz.world.surface.Sphere;
@@ -39,6 +43,22 @@ class OwnKindsTest {
                 assertEquals(isInSecond ? 1 : isInFirst ? 0 : DepthTest.BACKGROUND, image.primitive(x, y));
             }
         }
+    }
+
+    @Test
+    void markersHaveTheirSizeInPixels() throws InterruptedException {
+        Markers markers = new Markers(List.of(new Vector3d(-1, 0, 0), new Vector3d(1, 0, -3)), 5);
+        Camera camera = Camera.perspective(
+                new Vector3d(0, 0, 6), new Vector3d(), new Vector3d(0, 1, 0), 45, 1, 100);
+        Scene scene = Scene.builder().add(markers).viewpoint(camera).build();
+        Raster raster = new Raster(64, 48);
+        long one = onePicture(scene.frame(raster)).getVisible();
+        assertEquals(2 * 81, one, "samples of two discs");
+
+        // With 16 samples a pixel, about the same pixels are covered
+        SampledFrame sampled = new SuperSampling(4).frame(scene, raster);
+        long fine = sampled.render(new ZBuffer()).getVisible();
+        assertTrue(fine >= one && fine <= one * 1.3, fine + " pixels, and " + one + " with one sample");
     }
 
     @Test

@@ -86,6 +86,8 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
 
     override fun withUpAxis(up: UpAxis): EdgeDrawing = EdgeDrawing(surfaces.map { it.withUpAxis(up) }, style)
 
+    override fun magnified(factor: Int): EdgeDrawing = withStyle(style.withWidth(style.width * factor))
+
     /** Returns this drawing with another [style]. */
     public fun withStyle(style: EdgeStyle): EdgeDrawing = EdgeDrawing(surfaces, style)
 

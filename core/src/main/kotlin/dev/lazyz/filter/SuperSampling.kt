@@ -46,7 +46,8 @@ public class SuperSampling @JvmOverloads constructor(
     internal val taps = FilterTaps(filter, factor)
 
     /**
-     * Sets up [scene] for the samples of [pixels]. Sizes of [Points] and [Lines] stay as they are in pixels.
+     * Sets up [scene] for the samples of [pixels]. Sizes of [Points] and [Lines] stay as they are in pixels, see
+     * [Surface.magnified].
      *
      * @param options the threads of set-up, see [Scene.frame]
      * @throws IllegalArgumentException if there is an [obstacle]
@@ -55,7 +56,7 @@ public class SuperSampling @JvmOverloads constructor(
     public fun frame(scene: Scene, pixels: Raster, options: RenderOptions = RenderOptions()): SampledFrame {
         if (factor == 1) return of(scene.frame(pixels, options))
         obstacle(scene, pixels)?.let { throw IllegalArgumentException(it) }
-        val magnified = scene.withSurfaces(scene.surfaces.map { magnified(it) })
+        val magnified = scene.withSurfaces(scene.surfaces.map { it.magnified(factor) })
         return of(magnified.frame(pixels.withSize(pixels.width * factor, pixels.height * factor), options))
     }
 
@@ -89,13 +90,6 @@ public class SuperSampling @JvmOverloads constructor(
         is Lines -> surface.width
         is EdgeDrawing -> surface.style.width
         else -> 0.0
-    }
-
-    private fun magnified(surface: Surface): Surface = when (surface) {
-        is Points -> surface.withSize(surface.size * factor)
-        is Lines -> surface.withWidth(surface.width * factor)
-        is EdgeDrawing -> surface.withStyle(surface.style.withWidth(surface.style.width * factor))
-        else -> surface
     }
 
     /**

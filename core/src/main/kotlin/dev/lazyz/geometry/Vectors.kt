@@ -19,7 +19,7 @@ internal object Vectors {
         val square = v.x() * v.x() + v.y() * v.y() + v.z() * v.z()
         if (StrictMath.abs(square - 1.0) <= ROUNDING) return Vector3d(v)
         val length = StrictMath.sqrt(square)
-        require(length > 0.0 && length.isFinite()) { "$what must be finite and not zero: $v" }
+        require(length > 0.0 && length.isFinite()) { "$what must be finite and not zero, and so must its length: $v" }
         return Vector3d(v.x() / length, v.y() / length, v.z() / length)
     }
 

@@ -19,7 +19,7 @@ public class Environment private constructor(public val intensity: Float) {
         }
     }
 
-    override fun equals(other: Any?): Boolean = other is Environment && intensity == other.intensity
+    override fun equals(other: Any?): Boolean = other is Environment && intensity.compareTo(other.intensity) == 0
 
     override fun hashCode(): Int = intensity.hashCode()
 

@@ -9,7 +9,7 @@ package dev.lazyz.world
  */
 public class Falloff private constructor(public val isInverseSquare: Boolean, public val range: Double) {
     override fun equals(other: Any?): Boolean =
-        other is Falloff && isInverseSquare == other.isInverseSquare && range == other.range
+        other is Falloff && isInverseSquare == other.isInverseSquare && range.compareTo(other.range) == 0
 
     override fun hashCode(): Int = range.hashCode() * 2 + (if (isInverseSquare) 1 else 0)
 

@@ -112,8 +112,15 @@ public class Scene private constructor(
             else -> ToneMapping.NONE
         }
 
-    /** Returns the camera for a raster of [width] x [height] samples. */
-    public fun camera(width: Int, height: Int): Camera = viewpoint.camera(this, width.toDouble() / height)
+    /**
+     * Returns the camera for a raster of [width] x [height] samples.
+     *
+     * @throws IllegalArgumentException if a side is below 1
+     */
+    public fun camera(width: Int, height: Int): Camera {
+        require(width >= 1 && height >= 1) { "sides must be at least 1: $width x $height" }
+        return viewpoint.camera(this, width.toDouble() / height)
+    }
 
     /**
      * Returns the primitives of the scene on a raster, in submission order. Each is set up when the sequence reaches

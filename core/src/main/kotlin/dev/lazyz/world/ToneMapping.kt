@@ -30,7 +30,7 @@ public class ToneMapping @JvmOverloads constructor(
     }
 
     override fun equals(other: Any?): Boolean =
-        other is ToneMapping && curve == other.curve && exposure == other.exposure
+        other is ToneMapping && curve == other.curve && exposure.compareTo(other.exposure) == 0
 
     override fun hashCode(): Int = curve.hashCode() * 31 + exposure.hashCode()
 

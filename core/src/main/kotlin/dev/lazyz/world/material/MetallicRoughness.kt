@@ -21,8 +21,8 @@ public class MetallicRoughness @JvmOverloads constructor(
         require(roughness in 0f..1f) { "roughness must be in 0..1: $roughness" }
     }
 
-    override fun equals(other: Any?): Boolean = other is MetallicRoughness && metallic == other.metallic &&
-        roughness == other.roughness && map == other.map
+    override fun equals(other: Any?): Boolean = other is MetallicRoughness && map == other.map &&
+        metallic.compareTo(other.metallic) == 0 && roughness.compareTo(other.roughness) == 0
 
     override fun hashCode(): Int = (metallic.hashCode() * 31 + roughness.hashCode()) * 31 + map.hashCode()
 

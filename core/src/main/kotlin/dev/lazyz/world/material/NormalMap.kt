@@ -16,7 +16,8 @@ public class NormalMap @JvmOverloads constructor(public val map: TextureMap, pub
         require(scale.isFinite()) { "scale of a normal map must be finite: $scale" }
     }
 
-    override fun equals(other: Any?): Boolean = other is NormalMap && map == other.map && scale == other.scale
+    override fun equals(other: Any?): Boolean =
+        other is NormalMap && map == other.map && scale.compareTo(other.scale) == 0
 
     override fun hashCode(): Int = map.hashCode() * 31 + scale.hashCode()
 

@@ -14,7 +14,8 @@ public class OcclusionMap @JvmOverloads constructor(public val map: TextureMap, 
         require(strength in 0f..1f) { "strength must be in 0..1: $strength" }
     }
 
-    override fun equals(other: Any?): Boolean = other is OcclusionMap && map == other.map && strength == other.strength
+    override fun equals(other: Any?): Boolean =
+        other is OcclusionMap && map == other.map && strength.compareTo(other.strength) == 0
 
     override fun hashCode(): Int = map.hashCode() * 31 + strength.hashCode()
 

@@ -119,8 +119,15 @@ public class Texture private constructor(
     /** The mean of all texels in linear light, weighted by alpha. Cost: that of the mip levels, once. */
     public val meanColor: Rgba get() = Rgba.ofArgb(levels[levels.last].argb[0])
 
-    /** Returns the texel at column [x], 0 until [width], and row [y], 0 until [height], as `0xAARRGGBB`. */
-    public fun texel(x: Int, y: Int): Int = image.argb[y * width + x]
+    /**
+     * Returns the texel at column [x] and row [y] as `0xAARRGGBB`.
+     *
+     * @throws IllegalArgumentException if [x] is not in 0 until [width], or [y] not in 0 until [height]
+     */
+    public fun texel(x: Int, y: Int): Int {
+        require(x in 0 until width && y in 0 until height) { "texel must be within $width x $height: ($x, $y)" }
+        return image.argb[y * width + x]
+    }
 
     /** Returns this texture with other sampling rules; the texels are shared. */
     @JvmOverloads

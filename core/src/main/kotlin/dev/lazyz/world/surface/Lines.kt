@@ -80,6 +80,8 @@ public class Lines @JvmOverloads constructor(
     override fun withUpAxis(up: UpAxis): Lines =
         Lines(up.toWorld(positions), segments, width, material, colors, up.toWorld(origin))
 
+    override fun magnified(factor: Int): Lines = withWidth(width * factor)
+
     /** Returns these lines with another [width]; the arrays are shared. */
     public fun withWidth(width: Double): Lines = Lines(positions, segments, width, material, colors, origin)
 

@@ -76,6 +76,8 @@ public class Points @JvmOverloads constructor(
     override fun withUpAxis(up: UpAxis): Points =
         Points(up.toWorld(positions), size, material, normals?.let(up::toWorld), colors, up.toWorld(origin))
 
+    override fun magnified(factor: Int): Points = withSize(size * factor)
+
     /** Returns these points with another [size]; the arrays are shared. */
     public fun withSize(size: Double): Points = Points(positions, size, material, normals, colors, origin)
 

@@ -32,9 +32,17 @@ public interface Surface {
      * Returns the primitives of the surface in submission order, set up for one raster and camera.
      *
      * A degenerate or invisible part must yield a primitive that covers nothing rather than no primitive, so that
-     * submission indices do not depend on the camera. The sequence can be iterated more than once.
+     * submission indices do not depend on the camera. The sequence can be iterated more than once. In Java,
+     * `list::iterator` is the sequence of a list.
      */
     public fun primitives(setUp: SetUp): Sequence<Primitive>
+
+    /**
+     * Returns this surface for a raster with [factor] times as many samples in each direction: what has a size in
+     * samples of the raster, and not in the world, becomes larger by this factor. Anti-aliasing calls it, so that
+     * points and lines keep their size in pixels. A surface that does not override this function has only sizes in the world.
+     */
+    public fun magnified(factor: Int): Surface = this
 
     /**
      * Returns this surface with its materials replaced by the results of [change]; this surface itself if it has no

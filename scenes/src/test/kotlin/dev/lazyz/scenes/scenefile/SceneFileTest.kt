@@ -81,6 +81,15 @@ class SceneFileTest {
     }
 
     @Test
+    fun materialsWithNumbersThatAreNoneAreKept() {
+        val green = Material(Rgba(0f, 1f, 0f)).withEmission(Rgba(Float.NaN, 0f, 0f))
+        val scene = throughFile(Scene(listOf(Sphere(Vector3d(), 1.0, green))))
+        val read = (scene.surfaces.single() as Sphere).material
+        assertEquals(green.baseColor, read.baseColor)
+        assertEquals(green.emission, read.emission)
+    }
+
+    @Test
     fun aTextureIsKeptTexelByTexel() {
         val texels = intArrayOf(0x00FF8040, 0x7F123456, -1, 0x01FFFFFF)
         val texture = Texture(2, 2, texels, wrapU = TextureWrap.CLAMP, name = "t")
