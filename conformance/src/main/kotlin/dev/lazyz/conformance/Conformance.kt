@@ -35,7 +35,7 @@ import java.util.function.Supplier
  * ```
  *
  * The same options give the same report, except for times. Only one run at a time is possible in a process. Nothing is
- * printed. Not thread safe. Cost: a few seconds per run.
+ * printed. Not thread safe. Cost: ten to thirty seconds per run.
  *
  * @param renderer returns the renderer to test: either a new instance or always the same one; called once for each try
  *   of each rule

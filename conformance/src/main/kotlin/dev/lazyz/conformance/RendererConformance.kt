@@ -33,7 +33,7 @@ import net.jqwik.api.lifecycle.PropagationMode
  * default is `lazyz-conformance` in `target`, `build`, or the folder for temporary files.
  *
  * The system property [TRIES] multiplies the number of frames (`-Dlazyz.conformance.tries=100` for a run over night,
- * `0.1` while debugging), and [SEED] chooses other frames. Cost: a few seconds per renderer; most rules use one thread.
+ * `0.1` while debugging), and [SEED] chooses other frames. Cost: ten to thirty seconds; most rules use one thread.
  *
  * The rules are grouped by topic: [PictureRules], [PointRules], [ShadingRules], [SizeRules], [CombinationRules],
  * [ChangeRules], [UseRules], [ThreadRules], [WorkerRules], [CounterRules], [PromiseRules], [SelectionRules],
