@@ -8,7 +8,10 @@ import dev.lazyz.Selector
 import java.util.concurrent.atomic.AtomicIntegerArray
 import java.util.concurrent.atomic.AtomicReference
 
-/** A selector that shows the nearest fragment, and notes for which samples of [region] it is called. Thread safe. */
+/**
+ * A selector that shows the nearest fragment, computes the colour of the last, and notes for which samples of [region]
+ * it is called. Thread safe.
+ */
 internal class CellWitness(private val region: Region) : Selector {
     private val calls = AtomicIntegerArray(region.size.toInt())
     private val problem = AtomicReference<String?>()
@@ -20,6 +23,7 @@ internal class CellWitness(private val region: Region) : Selector {
         } else {
             problem.compareAndSet(null, "the selector is called for (${cell.x}, ${cell.y}), outside the region")
         }
+        cell.shade(cell.size - 1)
         cell.show(0)
     }
 

@@ -25,7 +25,10 @@ import java.util.concurrent.ConcurrentLinkedQueue
  */
 internal fun leavesNothingBehind(make: () -> Renderer) {
     val renderer = make()
-    fun render() = renderAll(renderer, smallFrames + largeFrames)
+    fun render() {
+        renderAll(renderer, smallFrames + largeFrames)
+        failAll(renderer, smallFrames)
+    }
     fun failIf(words: String?) {
         if (words != null) throw AssertionError("${renderer.id} leaves behind $words")
     }

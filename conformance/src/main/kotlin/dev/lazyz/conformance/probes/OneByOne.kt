@@ -25,8 +25,8 @@ internal class OneByOne(private val streaming: StreamingRenderer) : Renderer {
     override val capabilities: Set<Capability> get() = streaming.capabilities
 
     override fun render(frame: Frame, sink: RowSink): Counters {
-        val drawing = streaming.begin(frame.raster, frame.region)
-        val beside = streaming.begin(frame.raster, frame.region)
+        val drawing = Numbering(streaming.begin(frame.raster, frame.region))
+        val beside = Numbering(streaming.begin(frame.raster, frame.region))
         for (i in frame.primitives.indices) {
             pass(frame.primitives[i], drawing)
             pass(frame.primitives[frame.primitives.size - 1 - i], beside)
@@ -35,11 +35,25 @@ internal class OneByOne(private val streaming: StreamingRenderer) : Renderer {
         return drawing.finish(sink)
     }
 
-    private fun pass(primitive: Primitive, drawing: Drawing) {
+    private fun pass(primitive: Primitive, drawing: Numbering) {
         if (!primitive.isTranslucent || Capability.TRANSPARENCY in capabilities) return drawing.add(primitive)
         val thrown = answer { drawing.add(primitive) }
         if (thrown !is IllegalArgumentException) {
             fail(this, "it does not blend, and answers a translucent primitive with ${thrown ?: "no exception"}")
+        }
+        if (!Regex("\\b${drawing.accepted}\\b").containsMatchIn(thrown.message.orEmpty())) {
+            fail(this, "it refuses primitive ${drawing.accepted}, but the message does not name it: ${thrown.message}")
+        }
+    }
+
+    /** Counts the primitives that were accepted. */
+    private class Numbering(private val drawing: Drawing) : Drawing by drawing {
+        var accepted = 0
+            private set
+
+        override fun add(primitive: Primitive) {
+            drawing.add(primitive)
+            accepted++
         }
     }
 }

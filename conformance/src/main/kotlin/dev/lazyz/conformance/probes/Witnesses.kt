@@ -2,6 +2,7 @@ package dev.lazyz.conformance.probes
 
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
+import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Region
 import dev.lazyz.ShadingCursor
@@ -64,6 +65,26 @@ internal class ShadingWitness(frame: Frame) {
             longest.accumulateAndGet(chain, ::maxOf)
             chain = 0
             cursor.shade(fragment)
+        }
+    }
+}
+
+/** Counts the depths that primitives of [frame] are asked for; these have no linear form. Thread safe. */
+internal class DepthWitness(frame: Frame) {
+    private val calls = AtomicLong()
+
+    /** The frame with the observed primitives. */
+    val frame: Frame = Frame(frame.raster, frame.primitives.map { Watched(it) }, frame.region)
+
+    /** Number of depths so far. */
+    val count: Long get() = calls.get()
+
+    private inner class Watched(private val primitive: Primitive) : Primitive by primitive {
+        override val depthForm: LinearForm? get() = null
+
+        override fun depth(x: Int, y: Int): Int {
+            calls.incrementAndGet()
+            return primitive.depth(x, y)
         }
     }
 }

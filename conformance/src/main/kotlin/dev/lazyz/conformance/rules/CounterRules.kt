@@ -17,6 +17,7 @@ import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.oracle.ExpectedSteps
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.conformance.probes.DepthWitness
 import dev.lazyz.conformance.probes.ShadingWitness
 import dev.lazyz.conformance.probes.memory.holdsWhatItReports
 import java.util.Random
@@ -175,6 +176,23 @@ public sealed interface CounterRules : RulesForOne {
         val counters = judgement.rendering.counters
         if (counters.shadingCalls < visible || counters.depthPasses < visible) {
             judgement.fail("$visible samples are visible, but the counters are $counters")
+        }
+    }
+
+    /** Each depth that a primitive computes is counted. */
+    @Rule(
+        intent = "Depths that a primitive computes are an essential part of the cost, so each is counted.",
+        look = "Count each call of Primitive.depth; steps along a linear form are counted, too.",
+        about = [Symptom.COUNTERS],
+    )
+    @Property(tries = 30, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_8_1_depthsThatAreAskedForAreCounted(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val renderer = renderer()
+        val witness = DepthWitness(case.frame)
+        val counted = renderer.render(witness.frame) { _, _, _, _ -> }.depthEvaluations
+        val happened = witness.count
+        if (counted < happened) {
+            Judgement(renderer, case).fail("$happened depths are computed by primitives, but $counted are counted")
         }
     }
 

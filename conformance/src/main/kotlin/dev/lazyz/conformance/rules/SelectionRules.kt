@@ -3,6 +3,7 @@ package dev.lazyz.conformance.rules
 import dev.lazyz.Capability
 import dev.lazyz.RenderOptions
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.changed.watched
 import dev.lazyz.conformance.cases.changed.withinAny
 import dev.lazyz.conformance.cases.glazed
 import dev.lazyz.conformance.frames.MixedCases
@@ -13,6 +14,7 @@ import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.oracle.Selection
 import dev.lazyz.conformance.probes.CellWitness
+import dev.lazyz.conformance.probes.ShadingWitness
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
@@ -48,7 +50,10 @@ public sealed interface SelectionRules : RulesForOne {
         }
     }
 
-    /** A selector is called once for each sample with a fragment, and for no other sample. */
+    /**
+     * A selector is called once for each sample with a fragment, and for no other sample. The colours that it asks for
+     * are shading calls.
+     */
     @Rule(
         intent = "A selector may count, and may rely on a first fragment: it is called once for each sample that has " +
             "one.",
@@ -65,9 +70,14 @@ public sealed interface SelectionRules : RulesForOne {
         val expected = Rendering.of(ReferenceRenderer(), part.frame).image
         for (threads in 1..2) {
             val witness = CellWitness(part.frame.region)
+            val shading = ShadingWitness(part.frame)
             val configured = renderer.configured(RenderOptions(threads = threads, tileSize = 8, selector = witness))
-            val judgement = Judgement(configured, part, "a selector, threads = $threads").equalsReference()
+            val judgement = Judgement(configured, part.watched(shading.frame), "a selector, threads = $threads")
+                .equalsPicture(expected)
             witness.complaint(expected)?.let { judgement.fail(it) }
+            val counted = judgement.rendering.counters.shadingCalls
+            val made = shading.count
+            if (counted != made) judgement.fail("$made colours are computed, but $counted are counted")
         }
     }
 

@@ -4,6 +4,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.changed.watched
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.SeveralCases
 import dev.lazyz.conformance.judgement.Judgement
@@ -22,6 +23,7 @@ import dev.lazyz.conformance.probes.threads.Where
 import dev.lazyz.conformance.probes.threads.atOnce
 import dev.lazyz.conformance.probes.threads.reportsInterrupt
 import dev.lazyz.conformance.probes.threads.rightInACrowd
+import dev.lazyz.conformance.probes.ways
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
@@ -91,13 +93,18 @@ public sealed interface ThreadRules : RulesForOne {
     @Property(tries = 20, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_8_sinkMayRender(@ForAll(supplier = SeveralCases::class) cases: List<FrameCase>) {
         val usual = renderer()
-        for (renderer in listOf(usual, usual.configured(FOUR_THREADS))) {
-            val (outer, inner) = cases
-            val sink = RenderingSink(outer.frame) { Judgement(renderer, inner).equalsReference() }
-            val counters = renderer.render(outer.frame, sink)
-            val expected = Rendering.of(ReferenceRenderer(), outer.frame).image
-            val difference = difference(expected, sink.image(counters)) ?: continue
-            Judgement(renderer, outer, "a sink that renders").fail("", difference)
+        val (outer, other) = cases
+
+        // Buffers may belong to a size, so one of the other frames has the same
+        val ofSameSize = outer.watched(outer.frame.keeping { it % 2 == 1 })
+        for (renderer in usual.ways() + usual.configured(FOUR_THREADS)) {
+            for (inner in listOf(other, ofSameSize)) {
+                val sink = RenderingSink(outer.frame) { Judgement(renderer, inner).equalsReference() }
+                val counters = renderer.render(outer.frame, sink)
+                val expected = Rendering.of(ReferenceRenderer(), outer.frame).image
+                val difference = difference(expected, sink.image(counters)) ?: continue
+                Judgement(renderer, outer, "a sink that renders").fail("", difference)
+            }
         }
     }
 

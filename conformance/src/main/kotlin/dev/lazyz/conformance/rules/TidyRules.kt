@@ -2,7 +2,6 @@ package dev.lazyz.conformance.rules
 
 import dev.lazyz.Coherence
 import dev.lazyz.RenderOptions
-import dev.lazyz.Renderer
 import dev.lazyz.conformance.probes.leavesNothingBehind
 import dev.lazyz.conformance.probes.memory.leavesNoObjects
 import net.jqwik.api.Property
@@ -18,7 +17,7 @@ public sealed interface TidyRules : RulesForOne {
     @Property(tries = 1)
     public fun rule_7_9_renderingsLeaveNothingBehind() {
         leavesNothingBehind { renderer() }
-        for (options in VARIED) leavesNothingBehind { configured(options) }
+        for (options in VARIED) leavesNothingBehind { renderer().let { it.configured(options.supportedBy(it)) } }
     }
 
     /** However often a renderer renders, it holds no more memory. */
@@ -28,11 +27,9 @@ public sealed interface TidyRules : RulesForOne {
     )
     @Property(tries = 1)
     public fun rule_7_9_renderingsHoldNoMoreMemory() {
-        for (options in VARIED) leavesNoObjects(configured(options))
+        val renderer = renderer()
+        for (options in VARIED) leavesNoObjects(renderer, options.supportedBy(renderer))
     }
-
-    private fun configured(options: RenderOptions): Renderer =
-        renderer().let { it.configured(options.supportedBy(it)) }
 
     private companion object {
         /** With several threads; and without any memory budget, where renderers take other code paths. */

@@ -1,10 +1,12 @@
 package dev.lazyz.conformance.rules
 
+import dev.lazyz.Capability
 import dev.lazyz.RenderOptions
 import dev.lazyz.conformance.probes.threads.Crowd
 import dev.lazyz.conformance.probes.threads.KindOfWork
 import dev.lazyz.conformance.probes.threads.Where
 import dev.lazyz.conformance.probes.threads.completesOrThrowsIfInterrupted
+import dev.lazyz.conformance.probes.threads.countsEachTileOnce
 import dev.lazyz.conformance.probes.threads.countsInACrowd
 import dev.lazyz.conformance.probes.threads.makesNoLateQueries
 import dev.lazyz.conformance.probes.threads.passesOnFailuresOfWorkers
@@ -86,6 +88,7 @@ public sealed interface WorkerRules : RulesForOne {
                 countsInACrowd(renderer(), crowd.quiet(), crowd)
             }
         }
+        if (Capability.PARALLEL in renderer().capabilities) countsEachTileOnce(renderer())
     }
 
     private companion object {

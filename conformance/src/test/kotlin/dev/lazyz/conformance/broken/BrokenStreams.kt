@@ -56,6 +56,17 @@ object BrokenStreams {
         }
     }
 
+    fun namesTheFirst() = stream("stream-names-the-first") { begin ->
+        val drawing = begin()
+        object : Drawing by drawing {
+            override fun add(primitive: Primitive) = try {
+                drawing.add(primitive)
+            } catch (_: IllegalArgumentException) {
+                throw IllegalArgumentException("primitive number zero is translucent: make it opaque")
+            }
+        }
+    }
+
     fun continuesAfterAnError() = stream("stream-continues-after-an-error") { begin ->
         var drawing = begin()
         object : Drawing {

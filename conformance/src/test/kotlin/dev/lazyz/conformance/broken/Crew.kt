@@ -13,11 +13,15 @@ import dev.lazyz.conformance.probes.answer
  *
  * @property isLocked whether samples are compared and written under a lock
  * @property isPatient whether the caller waits for its threads even if it is interrupted
+ * @property isHasty whether an interrupted caller throws at once, and does not wait for its threads
+ * @property isComplete whether the failures of all threads reach the caller, as suppressed exceptions of the first
  * @property isTold which failures of the threads reach the caller
  */
 internal class Tools(
     val isLocked: Boolean = true,
     val isPatient: Boolean = true,
+    val isHasty: Boolean = false,
+    val isComplete: Boolean = false,
     val isTold: (Throwable) -> Boolean = { true },
     val counters: () -> Counters.Builder = { Counters.Builder() },
     val spans: () -> Spans = { Spans() },
@@ -103,13 +107,16 @@ internal class Crew(private val frame: Frame, private val threads: Int, private 
             while (worker.isAlive) {
                 try {
                     worker.join()
-                } catch (_: InterruptedException) {
+                } catch (e: InterruptedException) {
+                    if (tools.isHasty) throw e
                     isInterrupted = true
                     if (!tools.isPatient) break
                 }
             }
         }
         if (isInterrupted) Thread.currentThread().interrupt()
-        thrown.firstNotNullOfOrNull { it }?.let { throw it }
+        val failures = thrown.filterNotNull()
+        if (tools.isComplete) failures.drop(1).forEach { failures[0].addSuppressed(it) }
+        failures.firstOrNull()?.let { throw it }
     }
 }

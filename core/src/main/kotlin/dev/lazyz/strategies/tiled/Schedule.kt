@@ -113,13 +113,9 @@ internal class Schedule(private val columns: Int, threads: Int) : CancellationCh
         signal()
     }
 
-    /** Ends the rendering because of [cause]. */
+    /** Ends the rendering because of [cause], the first of which reaches the caller. */
     fun fail(cause: Throwable) {
-        if (cause !== Abandoned && !failure.compareAndSet(null, cause)) {
-            // The interruption of a thread is not a second cause: it was interrupted in order to end it
-            val first = failure.get()
-            if (cause !== first && cause !is InterruptedException) first.addSuppressed(cause)
-        }
+        if (cause !== Abandoned) failure.compareAndSet(null, cause)
         end()
     }
 

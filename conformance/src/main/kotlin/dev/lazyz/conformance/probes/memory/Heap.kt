@@ -1,6 +1,7 @@
 package dev.lazyz.conformance.probes.memory
 
 import com.sun.management.HotSpotDiagnosticMXBean
+import dev.lazyz.conformance.judgement.TryUnderWay
 import dev.lazyz.conformance.judgement.notMeasured
 import java.lang.management.ManagementFactory
 import java.lang.ref.Reference
@@ -155,7 +156,13 @@ internal object Heap {
      * Returns what is held. Some collectors leave dead objects where they are, if they take only a few per cent of the
      * heap, and count them as live. One of a few collections removes them all, see [collections].
      */
-    private fun held(): HeapContent = (1..collections)
-        .map { checkNotNull(HeapContent.measured()) { "this JVM counted live objects before, but does not now" } }
-        .minBy { it.total }
+    private fun held(): HeapContent {
+        // Counting is no work of the renderer
+        TryUnderWay.current?.goesOn()
+        val all = List(collections) {
+            checkNotNull(HeapContent.measured()) { "this JVM counted live objects before, but does not now" }
+        }
+        TryUnderWay.current?.goesOn()
+        return all.minBy { it.total }
+    }
 }

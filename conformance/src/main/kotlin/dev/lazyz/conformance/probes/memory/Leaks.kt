@@ -1,8 +1,10 @@
 package dev.lazyz.conformance.probes.memory
 
+import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.notMeasured
+import dev.lazyz.conformance.probes.failAll
 import dev.lazyz.conformance.probes.renderAll
 import dev.lazyz.conformance.probes.smallFrames
 
@@ -11,9 +13,14 @@ private const val FIRST = 1000
 private const val FIRST_NANOSECONDS = 2_000_000_000L
 private const val RENDERINGS = 48
 
-/** Fails if each rendering leaves an object on the heap. */
-internal fun leavesNoObjects(renderer: Renderer) {
-    fun render() = renderAll(renderer, smallFrames)
+/** Fails if each rendering, each failed one, or each configured renderer leaves an object on the heap. */
+internal fun leavesNoObjects(renderer: Renderer, options: RenderOptions) {
+    val configured = renderer.configured(options)
+    fun render() {
+        renderAll(configured, smallFrames)
+        failAll(configured, smallFrames)
+        renderer.configured(options.withThreads(2))
+    }
     val first = System.nanoTime()
     repeat(FIRST) { if (System.nanoTime() - first < FIRST_NANOSECONDS) render() }
     val start = System.nanoTime()

@@ -9,25 +9,23 @@ import dev.lazyz.RowSink
 import dev.lazyz.conformance.cases.Once
 import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.fail
-import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.threads.KindOfWork
 import dev.lazyz.conformance.probes.ways
-import java.lang.ref.Reference
-import java.lang.ref.WeakReference
 
 // Memory is measured on the heap, because a renderer's own counters may be wrong. A violation holds several times the
 // allowed memory, and the allowed memory is several times the usual noise.
 
 private val DISCARD = RowSink { _, _, _, _ -> }
 
-private const val WIDE = 128
+/** A few samples, so that rows take little time, and even some bytes a row are noticed. */
+private const val NARROW = 8
 
 /** More rows than a renderer with bands of a thousand rows processes at a time in two threads. */
 private const val FEW_ROWS = 4096
-private const val MANY_ROWS = 16_384
+private const val MANY_ROWS = Raster.MAX_SIDE
 
-/** Allowed growth in bytes for other reasons than arrays of rows: half a byte for each additional sample. */
-private const val ROWS_ALLOWANCE = (MANY_ROWS - FEW_ROWS) * WIDE / 2L
+/** Allowed growth in bytes for other reasons than arrays of rows: a byte for each additional row. */
+private const val ROWS_ALLOWANCE = (MANY_ROWS - FEW_ROWS).toLong()
 
 /** Fails if more rows take more memory, according to the renderer's counters or to the heap. */
 internal fun constantMemory(renderer: Renderer) {
@@ -37,15 +35,15 @@ internal fun constantMemory(renderer: Renderer) {
 private fun constantMemory(renderer: Renderer, kind: KindOfWork) {
     // Several threads may process several blocks of rows at a time, but not more of them for a higher picture
     val configured = renderer.configured(kind.options(threads = 2))
-    val few = configured.render(stripes(kind, FEW_ROWS), DISCARD).peakBytes
-    val many = configured.render(stripes(kind, MANY_ROWS), DISCARD).peakBytes
+    val few = configured.render(stripes(kind, NARROW, FEW_ROWS), DISCARD).peakBytes
+    val many = configured.render(stripes(kind, NARROW, MANY_ROWS), DISCARD).peakBytes
     val what = "${kind.name.lowercase()} primitives: "
     if (many > few + few / 8 + Long.SIZE_BYTES) {
-        fail(renderer, "${what}peakBytes is $few for $FEW_ROWS rows of $WIDE samples, $many for $MANY_ROWS")
+        fail(renderer, "${what}peakBytes is $few for $FEW_ROWS rows of $NARROW samples, $many for $MANY_ROWS")
     }
-    val growth = { heldForRows(configured, kind, MANY_ROWS) - heldForRows(configured, kind, FEW_ROWS) }
-    Heap.requireAtMost(ROWS_ALLOWANCE, growth) {
-        fail(renderer, "$what$MANY_ROWS rows of $WIDE samples hold $it than $FEW_ROWS rows")
+    fun held(rows: Int) = heldForRows(configured, kind, NARROW, rows)
+    Heap.requireAtMost(ROWS_ALLOWANCE, { held(MANY_ROWS) - held(FEW_ROWS) }) {
+        fail(renderer, "$what$MANY_ROWS rows of $NARROW samples hold $it than $FEW_ROWS rows")
     }
 }
 
@@ -56,13 +54,16 @@ internal fun holdsWhatItReports(renderer: Renderer) {
     for (kind in KindOfWork.entries) {
         if (!kind.isFor(renderer)) continue
         val configured = renderer.configured(kind.options(threads = 2))
-        val reported = configured.render(stripes(kind, FEW_ROWS), DISCARD).peakBytes
+        val reported = configured.render(stripes(kind, WIDE, FEW_ROWS), DISCARD).peakBytes
         if (reported <= 0) continue
-        Heap.requireAtMost(MOST_TIMES * reported + REPORT_ALLOWANCE, { heldForRows(configured, kind, FEW_ROWS) }) {
+        val most = MOST_TIMES * reported + REPORT_ALLOWANCE
+        Heap.requireAtMost(most, { heldForRows(configured, kind, WIDE, FEW_ROWS) }) {
             fail(renderer, "${kind.name.lowercase()} primitives: peakBytes is $reported, but $FEW_ROWS rows hold $it")
         }
     }
 }
+
+private const val WIDE = 128
 
 /** Objects, which are not counted, take about as much as the arrays, in the worst case. */
 private const val MOST_TIMES = 2
@@ -70,16 +71,17 @@ private const val MOST_TIMES = 2
 /** Allowed bytes in addition: less than half of what the rows take if they are all held. */
 private const val REPORT_ALLOWANCE = FEW_ROWS * WIDE * 4L
 
-private fun stripes(kind: KindOfWork, rows: Int, onQuery: (Int) -> Unit = {}): Frame {
+private fun stripes(kind: KindOfWork, width: Int, rows: Int, onQuery: (Int) -> Unit = {}): Frame {
     val stripes = listOf(Stripe(0..3, 0..<rows, 1000, onQuery), Stripe(2..7, 0..<rows, 2000, onQuery))
-    return Frame(Raster(WIDE, rows), stripes.map(kind::of))
+    return Frame(Raster(width, rows), stripes.map(kind::of))
 }
 
 /** Returns what is held when the last row is queried, and when the first and the last one are delivered. */
-private fun heldForRows(renderer: Renderer, kind: KindOfWork, rows: Int): HeapContent = Heap.most { measure ->
-    val last = Once(rows - 1, measure)
-    renderer.render(stripes(kind, rows, last)) { y, _, _, _ -> if (y == 0 || y == rows - 1) measure() }
-}
+private fun heldForRows(renderer: Renderer, kind: KindOfWork, width: Int, rows: Int): HeapContent =
+    Heap.most { measure ->
+        val last = Once(rows - 1, measure)
+        renderer.render(stripes(kind, width, rows, last)) { y, _, _, _ -> if (y == 0 || y == rows - 1) measure() }
+    }
 
 private const val FEW_PRIMITIVES = 2048
 private const val MANY_PRIMITIVES = 131_072
@@ -168,43 +170,4 @@ private fun heldForColours(renderer: Renderer, places: List<Pair<IntProgression,
         onQuery = Once(places.lastIndex, measure)
         renderer.render(Frame(Raster(SIDE, SIDE), primitives)) { y, _, _, _ -> if (y == 0) measure() }
     }
-}
-
-/** Fails if a renderer that is still in use holds a frame after its rendering has ended or failed. */
-internal fun keepsNothing(renderer: Renderer) {
-    Heap.requireCollection()
-    for (way in renderer.ways()) {
-        for (end in End.entries) {
-            val left = rendered(way, end)
-            if (Heap.isSoon { left.all { it.get() == null } }) continue
-            val kept = left.mapNotNull { it.get() }.first()
-            Reference.reachabilityFence(renderer)
-            fail(way, "a ${kept.javaClass.simpleName} is still held after the rendering $end")
-        }
-    }
-}
-
-/** How a rendering ends. */
-private enum class End(private val words: String) {
-    RETURNED("has returned"),
-    SINK_THREW("has failed because the sink threw"),
-    PRIMITIVE_THREW("has failed because a primitive threw"),
-    ;
-
-    override fun toString(): String = words
-}
-
-/**
- * Renders a frame, and returns weak references to the frame, its primitive and its sink, which only the renderer may
- * still hold.
- */
-private fun rendered(renderer: Renderer, end: End): List<WeakReference<Any>> {
-    val primitive = Stripe(0..7, 0..7, 1000) { check(end != End.PRIMITIVE_THREW || it < 4) { "enough" } }
-    val frame = Frame(Raster(16, 16), listOf(primitive))
-    val sink = object : RowSink {
-        override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) =
-            check(end != End.SINK_THREW || y < 4) { "enough" }
-    }
-    answer { renderer.render(frame, sink) }
-    return listOf(frame, primitive, sink).map { WeakReference(it) }
 }

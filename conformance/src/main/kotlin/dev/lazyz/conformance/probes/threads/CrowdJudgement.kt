@@ -1,12 +1,17 @@
 package dev.lazyz.conformance.probes.threads
 
 import dev.lazyz.Capability
+import dev.lazyz.Frame
+import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.TryUnderWay
 import dev.lazyz.conformance.judgement.Violation
 import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.withoutMemory
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 
@@ -49,6 +54,27 @@ internal fun countsInACrowd(renderer: Renderer, quiet: FrameCase, crowd: Crowd) 
         miscounted(renderer, quiet, "one thread counts $alone, but several count $counters")
     }
 }
+
+/**
+ * Fails unless four threads count the same as one, in each of many renderings of many small tiles: two threads that
+ * claim the same tile do its work twice.
+ */
+internal fun countsEachTileOnce(renderer: Renderer) {
+    val frame = Frame(Raster(TILES, TILES), List(3) { Stripe(0..<TILES, 0..<TILES, 1000 + it) })
+    val one = renderer.configured(RenderOptions(threads = 1, tileSize = 8)).render(frame) { _, _, _, _ -> }
+    val several = renderer.configured(RenderOptions(threads = 4, tileSize = 8))
+    repeat(RENDERINGS) {
+        TryUnderWay.current?.goesOn()
+        val counters = several.render(frame) { _, _, _, _ -> }
+        if (counters.withoutMemory() != one.withoutMemory()) {
+            val what = "3 primitives that cover $TILES x $TILES samples"
+            fail(renderer, "$what: one thread counts $one, but four count $counters")
+        }
+    }
+}
+
+private const val TILES = 256
+private const val RENDERINGS = 40
 
 private fun miscounted(renderer: Renderer, quiet: FrameCase, what: String): Nothing {
     val right = Rendering.of(ReferenceRenderer(), quiet.frame).image

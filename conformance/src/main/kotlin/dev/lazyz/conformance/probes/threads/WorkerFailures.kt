@@ -12,7 +12,10 @@ import dev.lazyz.conformance.probes.Planted
 import dev.lazyz.conformance.probes.Question
 import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.changed
+import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.atomic.AtomicBoolean
+import java.util.concurrent.atomic.AtomicInteger
+import java.util.concurrent.locks.LockSupport
 
 /** Fails unless what a primitive throws in one of [renderer]'s own threads reaches the caller unchanged. */
 internal fun passesOnFailuresOfWorkers(renderer: Renderer) {
@@ -34,8 +37,23 @@ internal fun passesOnFailuresOfWorkers(renderer: Renderer) {
             throw Violation("${renderer.id}: $what\nin\n$quiet", quiet)
         }
     }
+    repeat(ATTEMPTS) { passesOnOneOfSeveral(renderer, quiet) }
     Judgement(renderer, quiet, "a failure before").equalsReference()
 }
+
+/** Several threads fail at about the same time, and the caller gets one of the exceptions. */
+private fun passesOnOneOfSeveral(renderer: Renderer, quiet: FrameCase) {
+    val planted = ConcurrentLinkedQueue<Throwable>()
+    fun fail(): Nothing = throw Planted.EXCEPTION.make().also { planted.add(it) }
+    val workers = Workers(Thread.currentThread(), { fail() }) { fail() }
+    val thrown = answer { Rendering.of(renderer, workers.frame) }
+    if (!workers.hasWorker) return
+    val one = planted.firstOrNull { it === thrown } ?: planted.first()
+    val change = changed(one, thrown) ?: return
+    throw Violation("${renderer.id}: when several threads fail, one throws $change\nin\n$quiet", quiet)
+}
+
+private const val ATTEMPTS = 5
 
 /**
  * Fails unless [renderer], if its caller is interrupted while its own threads still work, returns the whole picture or
@@ -59,11 +77,16 @@ private const val PATIENCE = 20_000L
 private class InterruptedCaller(private val renderer: Renderer, private val isBefore: Boolean) : Runnable {
     private lateinit var caller: Thread
     private val isFirst = AtomicBoolean(true)
+    private val pauses = AtomicInteger()
+    private val late = AtomicInteger()
     private var image: Image? = null
     private var isSet = false
 
     @Volatile
     private var isSent = false
+
+    @Volatile
+    private var hasEnded = false
 
     /** Whether a row has been delivered. */
     @Volatile
@@ -76,7 +99,11 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
 
     override fun run() {
         caller = Thread.currentThread()
-        val workers = Workers(caller) { hold() }
+        val workers = Workers(caller) {
+            if (hasEnded) late.incrementAndGet()
+            hold()
+            if (isSent && pauses.getAndIncrement() < MOST_PAUSES) LockSupport.parkNanos(PAUSE)
+        }
         if (isBefore) send()
         thrown = answer {
             val collector = Image.Collector(workers.frame.region)
@@ -86,7 +113,9 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
             }
             image = collector.toImage(counters)
         }
-        isSet = caller.isInterrupted
+        isSet = Thread.interrupted()
+        hasEnded = true
+        if (thrown is InterruptedException) Thread.sleep(PATIENCE)
     }
 
     private fun send() {
@@ -114,6 +143,7 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
         return when {
             thrown is InterruptedException && !isSent -> "threw InterruptedException, although it was not interrupted"
             thrown is InterruptedException && isSet -> "threw InterruptedException, but left the interrupt status set"
+            late.get() > 0 -> "threw $thrown, but its threads queried primitives ${late.get()} times afterwards"
             thrown is InterruptedException -> null
             image == null -> "threw $thrown"
             isSent && !isSet -> "returned, but the interrupt status is no longer set"
@@ -129,5 +159,12 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
 
         /** Nanoseconds in which a thread continues after it was woken up. */
         const val MOMENT = 30_000_000L
+
+        /** Number of slow answers after the interrupt, and nanoseconds that each takes. */
+        const val MOST_PAUSES = 200
+        const val PAUSE = 200_000L
+
+        /** Milliseconds to wait for queries after the end. */
+        const val PATIENCE = 20L
     }
 }

@@ -4,6 +4,7 @@ import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
+import dev.lazyz.conformance.broken.BrokenFailures
 import dev.lazyz.conformance.broken.BrokenPromises
 import dev.lazyz.conformance.broken.BrokenRenderer
 import dev.lazyz.conformance.broken.gallery.RuleNames.arrivals
@@ -26,6 +27,12 @@ internal object MemoryGallery {
         Mutant(::notesPrimitives, "promises to stream primitives, but stores the bounds of each", arrivals),
         Mutant(BrokenPromises::reportsAByte, "reports one byte, whatever it holds", held),
         Mutant(::reportsTheBudgetAsKept, "ignores the memory budget, but reports that it is kept", heap),
+        Mutant(
+            BrokenFailures::keepsANumberForEachRow,
+            "promises constant memory, but keeps four bytes for each row",
+            memory,
+        ),
+        Mutant(BrokenFailures::leavesTasks, "leaves the executor a task that keeps the frame", kept),
         Mutant(::keepsTheLastFrame, "keeps the last frame until the next one comes", kept),
         Mutant(::keepsFailedFrames, "keeps frames that could not be rendered", kept),
     )

@@ -1,6 +1,7 @@
 package dev.lazyz.conformance.broken.gallery
 
 import dev.lazyz.conformance.broken.BrokenColours
+import dev.lazyz.conformance.broken.BrokenFailures
 import dev.lazyz.conformance.broken.BrokenPromises
 import dev.lazyz.conformance.broken.BrokenRenderers
 import dev.lazyz.conformance.broken.BrokenStreams
@@ -34,6 +35,7 @@ internal object PromisesGallery {
         Mutant(BrokenPromises::reportsNoMemory, "does not report its working memory", told),
         Mutant(BrokenPromises::countsVisibleFragments, "counts visible samples as fragments", fragments),
         Mutant(BrokenPromises::countsRejectedTwice, "counts rejected fragments twice", fragments),
+        Mutant(BrokenFailures::countsHalfTheDepths, "counts half of the depths that it computes", RuleNames.depths),
         Mutant(BrokenPromises::countsEveryTest, "counts every comparison as passed", among),
         Mutant(BrokenPromises::testsTheBackground, "computes depths where nothing is covered", among),
         Mutant(

@@ -90,6 +90,7 @@ internal object RuleNames {
     val nested = RendererConformance::rule_7_8_sinkMayRender.name
     val equal = RendererConformance::rule_9_4_equalPrimitivesAreDrawnSeparately.name
     val rounded = RendererConformance::rule_5_5_sumsAreRoundedAsDefined.name
+    val depths = RendererConformance::rule_8_1_depthsThatAreAskedForAreCounted.name
     val held = RendererConformance::rule_8_1_peakBytesAreWhatIsHeld.name
     val arrivals = RendererConformance::rule_8_1_promiseToStreamPrimitivesIsKept.name
 }

@@ -1,6 +1,7 @@
 package dev.lazyz.conformance.broken.gallery
 
 import dev.lazyz.conformance.broken.BrokenCells
+import dev.lazyz.conformance.broken.BrokenFailures
 import dev.lazyz.conformance.broken.BrokenVariants
 import dev.lazyz.conformance.broken.gallery.RuleNames.accidents
 import dev.lazyz.conformance.broken.gallery.RuleNames.called
@@ -33,6 +34,11 @@ internal object SelectorGallery {
         Mutant(BrokenCells::oneCell, "the cell is in a field, so that concurrent calls use each other's cells", meets),
         Mutant(BrokenCells::selectsTwice, "the selector is called twice for each sample", called),
         Mutant(BrokenCells::skipsSingleFragments, "the selector is not called where there is one fragment", called),
+        Mutant(
+            BrokenFailures::countsNoSelectedColours,
+            "does not count the colours that a selector asks for",
+            called,
+        ),
         Mutant(BrokenCells::losesInterrupts, "an interrupt while the selector is called is lost", status),
         Mutant(BrokenVariants::wrapsTheSelectors, "what a selector throws is wrapped", accidents),
     )

@@ -4,6 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.Fragment
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
+import dev.lazyz.conformance.broken.BrokenFailures
 import dev.lazyz.conformance.broken.BrokenRenderer
 import dev.lazyz.conformance.broken.Crew
 import dev.lazyz.conformance.broken.Tools
@@ -40,6 +41,10 @@ internal object ThreadGallery {
             "an interrupted caller delivers what its threads have finished so far",
             halfDone,
         ),
+        Mutant(::leavesItsThreads, "an interrupted caller throws, and its threads continue", halfDone),
+        Mutant(::addsTheOthers, "when several threads fail, the others' exceptions are added to the first", workers),
+        Mutant(BrokenFailures::claimsTilesTwice, "sometimes two threads draw the same tile", lostCounts),
+        Mutant(::keepsRowsByWidth, "the arrays of a row are in a thread local, for all pictures of a width", nested),
         Mutant(::keepsAFragment, "the fragment is in a field, for all renderings", meets),
         Mutant(::keepsSpans, "the spans are in a field, for all renderings", meets),
         Mutant(::callsFromAThread, "the sink is called by a thread of the renderer's own", caller),
@@ -57,6 +62,21 @@ internal object ThreadGallery {
 
     private fun crew(id: String, threads: Int, tools: () -> Tools) = BrokenRenderer(id) { frame, sink ->
         emit(Crew(frame, threads, tools()).render(), sink)
+    }
+
+    private fun leavesItsThreads() = crew("leaves-its-threads", 2) { Tools(isHasty = true) }
+
+    private fun addsTheOthers() = crew("adds-the-others", 2) { Tools(isComplete = true) }
+
+    private fun keepsRowsByWidth(): BrokenRenderer {
+        val rows = ThreadLocal.withInitial { HashMap<Int, List<IntArray>>() }
+        return BrokenRenderer("keeps-rows-by-width") { frame, sink ->
+            val own = rows.get().getOrPut(frame.width) { List(3) { IntArray(frame.width) } }
+            ZBuffer().render(frame) { y, argb, depth, primitive ->
+                for ((from, to) in listOf(argb, depth, primitive).zip(own)) from.copyInto(to, 0, 0, frame.width)
+                sink.row(y, own[0], own[1], own[2])
+            }
+        }
     }
 
     private fun keepsRowsInAThread(): BrokenRenderer {

@@ -1,6 +1,7 @@
 package dev.lazyz.conformance.broken.gallery
 
 import dev.lazyz.Frame
+import dev.lazyz.conformance.broken.BrokenFailures
 import dev.lazyz.conformance.broken.BrokenRenderer
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.nio.file.Files
@@ -28,6 +29,14 @@ internal object TidyGallery {
         Mutant(::spillsWideFrames, "a temporary file for each rendering of more than 1000 columns", RuleNames.tidy),
         Mutant(::addsAHook, "a shutdown hook for each rendering", RuleNames.leaks),
         Mutant(::keepsAHistory, "a list of the sizes of all frames", RuleNames.leaks),
+        Mutant(
+            BrokenFailures::renamesAfterFailures,
+            "another name for the calling thread if the rendering fails",
+            RuleNames.tidy,
+        ),
+        Mutant(BrokenFailures::threadsAfterFailures, "a thread for each rendering that fails", RuleNames.tidy),
+        Mutant(BrokenFailures::keepsFailures, "some bytes for each rendering that fails", RuleNames.leaks),
+        Mutant(BrokenFailures::keepsConfigured, "a renderer for each set of options", RuleNames.leaks),
     )
 
     private fun prints() = having("prints") { println("rendering ${it.width} x ${it.height}") }

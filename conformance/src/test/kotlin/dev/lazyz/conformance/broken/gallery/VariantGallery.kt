@@ -31,6 +31,7 @@ internal object VariantGallery {
             "refuses a translucent primitive for an ended image as for any other",
             RuleNames.ended,
         ),
+        Mutant(BrokenStreams::namesTheFirst, "names another primitive than it refuses", RuleNames.oneByOne),
         Mutant(BrokenStreams::finishesAgain, "delivers an image again if the sink has refused it", RuleNames.ended),
         Mutant(BrokenStreams::keepsWhatArrives, "keeps a note of each picture that it begins", RuleNames.leaks),
         Mutant(

@@ -1,0 +1,83 @@
+package dev.lazyz.conformance.probes.memory
+
+import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.RowSink
+import dev.lazyz.conformance.cases.Stripe
+import dev.lazyz.conformance.judgement.fail
+import dev.lazyz.conformance.probes.answer
+import dev.lazyz.conformance.probes.threads.Workers
+import dev.lazyz.conformance.probes.ways
+import java.lang.ref.Reference
+import java.lang.ref.WeakReference
+import java.util.concurrent.Executor
+import java.util.concurrent.Executors
+
+/**
+ * Fails if a renderer that is still in use, or threads that render for it, hold a frame after its rendering has ended
+ * or failed.
+ */
+internal fun keepsNothing(renderer: Renderer) {
+    Heap.requireCollection()
+    for (way in renderer.ways()) {
+        for (end in End.entries) requireReleased(way, rendered(way, end), "the rendering $end")
+    }
+
+    // A thread that lives on, and tasks that are never begun
+    val thread = Executors.newSingleThreadExecutor { work -> Thread(work, "lazyz-kept").also { it.isDaemon = true } }
+    try {
+        keepsNothing(renderer, thread, "a rendering by two threads has returned")
+    } finally {
+        thread.shutdown()
+    }
+    val tasks = ArrayList<Runnable>()
+    keepsNothing(renderer, tasks::add, "the rendering has returned, by a task that its executor has not begun")
+    Reference.reachabilityFence(tasks)
+}
+
+private fun keepsNothing(renderer: Renderer, executor: Executor, moment: String) {
+    val configured = renderer.configured(RenderOptions(threads = 2, tileSize = 8, executor = executor))
+    requireReleased(configured, renderedByTwo(configured), moment)
+    Reference.reachabilityFence(executor)
+}
+
+private fun renderedByTwo(renderer: Renderer): List<WeakReference<Any>> {
+    val frame = Workers(Thread.currentThread()) {}.frame
+    renderer.render(frame) { _, _, _, _ -> }
+    return listOf(frame, frame.primitives.first()).map { WeakReference(it) }
+}
+
+private fun requireReleased(renderer: Renderer, left: List<WeakReference<Any>>, moment: String) {
+    if (Heap.isSoon { left.all { it.get() == null } }) return
+    val kept = left.mapNotNull { it.get() }.first()
+    Reference.reachabilityFence(renderer)
+    fail(renderer, "a ${kept.javaClass.simpleName} is still held after $moment")
+}
+
+/** How a rendering ends. */
+private enum class End(private val words: String) {
+    RETURNED("has returned"),
+    SINK_THREW("has failed because the sink threw"),
+    PRIMITIVE_THREW("has failed because a primitive threw"),
+    ;
+
+    override fun toString(): String = words
+}
+
+/**
+ * Renders a frame, and returns weak references to the frame, its primitive and its sink, which only the renderer may
+ * still hold.
+ */
+private fun rendered(renderer: Renderer, end: End): List<WeakReference<Any>> {
+    val primitive = Stripe(0..7, 0..7, 1000) { check(end != End.PRIMITIVE_THREW || it < 4) { "enough" } }
+    val frame = Frame(Raster(16, 16), listOf(primitive))
+    val sink = object : RowSink {
+        override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) =
+            check(end != End.SINK_THREW || y < 4) { "enough" }
+    }
+    answer { renderer.render(frame, sink) }
+    return listOf(frame, primitive, sink).map { WeakReference(it) }
+}

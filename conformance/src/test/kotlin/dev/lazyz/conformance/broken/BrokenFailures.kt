@@ -1,0 +1,98 @@
+package dev.lazyz.conformance.broken
+
+import dev.lazyz.Capability
+import dev.lazyz.Cell
+import dev.lazyz.RenderOptions
+import dev.lazyz.Selector
+import dev.lazyz.strategies.lazy.LazyZBuffer
+import dev.lazyz.strategies.lists.Lists
+import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import java.util.concurrent.Executors
+import java.util.concurrent.ThreadLocalRandom
+import java.util.concurrent.atomic.AtomicLong
+
+/** Renderers that clean up only after a success, or only where few look. */
+internal object BrokenFailures {
+    fun renamesAfterFailures() = BrokenRenderer("renames-after-failures") { frame, sink ->
+        val thread = Thread.currentThread()
+        val name = thread.name
+        thread.name = "rendering"
+        ZBuffer().render(frame, sink).also { thread.name = name }
+    }
+
+    fun threadsAfterFailures() = BrokenRenderer("threads-after-failures") { frame, sink ->
+        val pool = Executors.newSingleThreadExecutor { work -> Thread(work).also { it.isDaemon = true } }
+        pool.submit {}
+        ZBuffer().render(frame, sink).also { pool.shutdown() }
+    }
+
+    fun keepsFailures(): BrokenRenderer {
+        val failures = ArrayList<ByteArray>()
+        return BrokenRenderer("keeps-failures") { frame, sink ->
+            failures.add(ByteArray(64))
+            ZBuffer().render(frame, sink).also { failures.removeLast() }
+        }
+    }
+
+    fun keepsConfigured(): BrokenRenderer {
+        val kept = HashMap<RenderOptions, ZBuffer>()
+        return BrokenRenderer(
+            "keeps-configured",
+            options = { kept.getOrPut(it) { ZBuffer() } },
+        ) { frame, sink -> ZBuffer().render(frame, sink) }
+    }
+
+    fun countsHalfTheDepths() = counting("counts-half-the-depths") { depthEvaluations = maxOf(depthEvaluations / 2, 0) }
+
+    fun countsNoSelectedColours(): BrokenRenderer = countsNoSelectedColours(RenderOptions())
+
+    private fun countsNoSelectedColours(options: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "counts-no-selected-colours",
+        setOf(Capability.SELECTION),
+        { countsNoSelectedColours(it) },
+    ) { frame, sink ->
+        val calls = AtomicLong()
+        val counted = options.selector?.let { selector ->
+            Selector { cell ->
+                selector.select(
+                    object : Cell by cell {
+                        override fun shade(i: Int) = cell.shade(i).also { calls.incrementAndGet() }
+                    },
+                )
+            }
+        }
+        val counters = Lists(options.withSelector(counted)).render(frame, sink)
+        counters.toBuilder().apply { shadingCalls -= calls.get() }.build()
+    }
+
+    fun keepsANumberForEachRow() =
+        BrokenRenderer("keeps-a-number-for-each-row", setOf(Capability.CONSTANT_MEMORY)) { frame, sink ->
+            val firsts = IntArray(frame.height)
+            LazyZBuffer().render(frame) { y, argb, depth, primitive ->
+                firsts[y - frame.region.rowStart] = primitive[0]
+                sink.row(y, argb, depth, primitive)
+            }.also { firsts.fill(0) }
+        }
+
+    fun leavesTasks(): BrokenRenderer = leavesTasks(RenderOptions())
+
+    private fun leavesTasks(options: RenderOptions): BrokenRenderer =
+        BrokenRenderer("leaves-tasks", options = { leavesTasks(it) }) { frame, sink ->
+            options.executor?.execute { check(frame.width > 0) }
+            ZBuffer().render(frame, sink)
+        }
+
+    fun claimsTilesTwice(): BrokenRenderer = claimsTilesTwice(RenderOptions(threads = 1))
+
+    private fun claimsTilesTwice(options: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "claims-tiles-twice",
+        setOf(Capability.PARALLEL),
+        { claimsTilesTwice(it) },
+    ) { frame, sink ->
+        require(!frame.hasTranslucency) { "does not blend: make primitive 0 opaque" }
+        val counters = Tiled(options).render(frame, sink)
+        val isTwice = options.threads > 1 && frame.region.size > 60_000 && ThreadLocalRandom.current().nextInt(5) == 0
+        if (isTwice) counters.toBuilder().apply { fragments += 64 }.build() else counters
+    }
+}
