@@ -42,8 +42,8 @@ constructor(
     /**
      * Writes row [y]; depth and primitive are ignored.
      *
-     * @throws IllegalArgumentException if [y] does not follow the previous row (the first row may have any number from 0
-     *   on), or the row has fewer than [width] columns
+     * @throws IllegalArgumentException if [y] does not follow the previous row (the first one may have any number from
+     *   0 on), or the row has fewer than [width] columns
      * @throws IOException if writing to the stream fails
      */
     @Throws(IOException::class)
