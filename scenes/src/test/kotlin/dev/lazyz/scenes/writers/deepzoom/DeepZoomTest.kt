@@ -236,6 +236,21 @@ class DeepZoomTest {
         assertEquals(emptyList<Path>(), folder.listDirectoryEntries())
     }
 
+    /** The interrupt takes effect when the descriptor is written: the tiles have their place by then. */
+    @Test
+    fun aPyramidStaysIfItsDescriptorCannotBeReplaced() {
+        DeepZoomFiles.write(path, 300, 300) { sink -> send(sink, 300, 300) }
+        val before = content(folder)
+        val other = folder.resolve("other").createDirectories()
+        DeepZoomSink(other, 20, 90).use { send(it, 20, 90) }
+        val tiles = content(other)
+        Thread.currentThread().interrupt()
+        assertThrows<IOException> { DeepZoomFiles.publish(path, other, 20, 90) }
+        assertTrue(Thread.interrupted(), "the status is set")
+        assertEquals(tiles, content(other))
+        assertEquals(before, content(folder).filterKeys { !it.startsWith("other") })
+    }
+
     @Test
     fun tilesThatDoNotExistAreNotPublished() {
         val missing = folder.resolve("tiels")
