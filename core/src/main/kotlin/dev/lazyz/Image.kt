@@ -1,6 +1,7 @@
 package dev.lazyz
 
 import java.security.MessageDigest
+import java.util.BitSet
 
 /**
  * A rendered image: a colour, a depth and the index of the visible primitive for each sample.
@@ -98,7 +99,7 @@ public class Image(
     override fun toString(): String = "Image($region, $visible visible, ${pixelHash().take(12)})"
 
     /**
-     * A sink that collects all rows of [region] in memory. Not thread safe.
+     * A sink that collects all rows of [region] in memory, in any order. Not thread safe.
      *
      * @throws IllegalArgumentException if the region has more than 2^31-9 samples: stream its rows instead
      */
@@ -106,6 +107,9 @@ public class Image(
         private val argb: IntArray
         private val depth: IntArray
         private val primitive: IntArray
+
+        /** The rows so far, counted from the first of the region. */
+        private val rows = BitSet()
 
         init {
             require(region.size <= MAX_SAMPLES) {
@@ -116,16 +120,39 @@ public class Image(
             primitive = IntArray(region.size.toInt())
         }
 
+        /**
+         * Copies row [y].
+         *
+         * @throws IllegalArgumentException if the region has no such row, the row was given before, or an array has
+         *   fewer columns than the region
+         */
         override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
-            val at = (y - region.rowStart) * region.width
+            require(y in region.rowStart until region.rowEnd) {
+                "row must be in ${region.rowStart}..<${region.rowEnd}: $y"
+            }
+            val columns = minOf(argb.size, depth.size, primitive.size)
+            require(columns >= region.width) { "row $y has $columns columns, and the image has ${region.width}" }
+            val row = y - region.rowStart
+            require(!rows[row]) { "row $y was given before" }
+            rows.set(row)
+            val at = row * region.width
             System.arraycopy(argb, 0, this.argb, at, region.width)
             System.arraycopy(depth, 0, this.depth, at, region.width)
             System.arraycopy(primitive, 0, this.primitive, at, region.width)
         }
 
-        /** Returns the image, without copying. Call it once, after the last row. */
-        public fun toImage(counters: Counters): Image =
-            Image(region, argb, depth, primitive, counters)
+        /**
+         * Returns the image, without copying. Call it once, after the last row.
+         *
+         * @throws IllegalStateException if a row is missing
+         */
+        public fun toImage(counters: Counters): Image {
+            val row = rows.nextClearBit(0)
+            check(row == region.height) {
+                "row ${region.rowStart + row} is missing: there are ${rows.cardinality()} of ${region.height} rows"
+            }
+            return Image(region, argb, depth, primitive, counters)
+        }
     }
 
     public companion object {

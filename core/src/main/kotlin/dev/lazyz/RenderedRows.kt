@@ -1,6 +1,7 @@
 package dev.lazyz
 
 import java.io.IOException
+import java.io.InterruptedIOException
 import java.io.UncheckedIOException
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
@@ -35,7 +36,8 @@ public class RenderedRow internal constructor(
  * The rendering has a thread of its own, a daemon, which begins with the first call of [hasNext] or [next]. It is at
  * most two rows ahead of the reader: one that waits, and one that it has just computed. Memory: that of the renderer,
  * and 12 bytes a column for each of them. An exception of the rendering reaches the reader after the rows before it,
- * unchanged, except that an [IOException] is the cause of an [UncheckedIOException].
+ * unchanged, except that an [IOException] is the cause of an [UncheckedIOException], and an [InterruptedException] that
+ * of an [InterruptedIOException] in it. An iterator cannot declare them.
  *
  * In Kotlin, [asSequence] makes a `Sequence` of it, to be read once, and [flow] a `Flow`.
  *
@@ -67,13 +69,23 @@ public class RenderedRows internal constructor(private val width: Int, private v
     /**
      * Returns whether there is another row. Waits until it is rendered, or the rendering is complete.
      *
-     * @throws InterruptedException if the thread is interrupted, or the renderer throws it
-     * @throws UncheckedIOException if the renderer throws an [IOException]
+     * @throws UncheckedIOException if the renderer throws an [IOException] or an [InterruptedException]; or if the
+     *   calling thread is interrupted while it waits: then the cause is an [InterruptedIOException], and the interrupt
+     *   status is set
+     * @throws IllegalStateException if this is closed
      */
-    override fun hasNext(): Boolean = lock.withLock {
-        if (isClosed) return false
+    override fun hasNext(): Boolean = try {
+        awaitNext()
+    } catch (e: InterruptedException) {
+        Thread.currentThread().interrupt()
+        throw unchecked(e)
+    }
+
+    /** Does what [hasNext] does, but throws an [InterruptedException] if the calling thread is interrupted. */
+    private fun awaitNext(): Boolean = lock.withLock {
         begin()
-        while (row == null && state == State.RUNNING) changed.await()
+        while (row == null && state == State.RUNNING && !isClosed) changed.await()
+        check(!isClosed) { "the rows are closed" }
         if (row == null) failure?.let { throw it }
         row != null
     }
@@ -81,7 +93,7 @@ public class RenderedRows internal constructor(private val width: Int, private v
     /**
      * Returns the next row. Waits and throws like [hasNext].
      *
-     * @throws NoSuchElementException if there is none, or this is closed
+     * @throws NoSuchElementException if there is none
      */
     override fun next(): RenderedRow {
         if (!hasNext()) throw NoSuchElementException("there are no more rows")
@@ -103,7 +115,7 @@ public class RenderedRows internal constructor(private val width: Int, private v
     }
 
     private fun begin() {
-        if (state != State.NEW) return
+        if (state != State.NEW || isClosed) return
         LibraryThreads.execute(::run)
         state = State.RUNNING
     }
@@ -126,7 +138,7 @@ public class RenderedRows internal constructor(private val width: Int, private v
             lock.withLock {
                 thread = null
                 result = counters
-                failure = if (thrown is IOException) UncheckedIOException(thrown) else thrown
+                failure = thrown?.let(::unchecked)
                 state = State.OVER
                 changed.signalAll()
 
@@ -141,6 +153,13 @@ public class RenderedRows internal constructor(private val width: Int, private v
         if (isClosed) throw InterruptedException("the reader has closed the rows")
         row = next
         changed.signalAll()
+    }
+
+    /** Returns [e], or if Java would not let readers catch it, an exception with it as cause. */
+    private fun unchecked(e: Throwable): Throwable = when (e) {
+        is IOException -> UncheckedIOException(e)
+        is InterruptedException -> UncheckedIOException(InterruptedIOException(e.message).apply { initCause(e) })
+        else -> e
     }
 
     private enum class State { NEW, RUNNING, OVER }
@@ -160,7 +179,7 @@ public class RenderedRows internal constructor(private val width: Int, private v
          */
         @JvmStatic
         public fun flow(open: () -> RenderedRows): Flow<RenderedRow> = kotlinx.coroutines.flow.flow {
-            open().use { rows -> while (runInterruptible { rows.hasNext() }) emit(rows.next()) }
+            open().use { rows -> while (runInterruptible { rows.awaitNext() }) emit(rows.next()) }
         }
     }
 }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.lazyz.strategies.lazy.LazyZBuffer;
 import dev.lazyz.strategies.zbuffer.ZBuffer;
 import dev.lazyz.world.Camera;
 import dev.lazyz.world.FrameBuilder;
@@ -46,6 +47,29 @@ class JavaSampleTest {
             assertEquals(0, rows.getCounters().getFragments());
         }
         assertEquals(15, sum);
+    }
+
+    /** It does not compile if a method does not declare what it throws. */
+    @Test
+    void exceptionsOfSinksAreCaught() throws InterruptedException {
+        Frame frame = new FrameBuilder(new Raster(5, 3))
+                .polygon(Rgba.BLACK, new double[9])
+                .build();
+        RowSink broken = (y, argb, depth, primitive) -> {
+            throw new IOException("broken");
+        };
+        int caught = 0;
+        try {
+            new LazyZBuffer().rows(frame).iterator().next().sendTo(broken);
+        } catch (IOException e) {
+            caught++;
+        }
+        try {
+            new ZBuffer().render(frame, broken);
+        } catch (IOException e) {
+            caught++;
+        }
+        assertEquals(2, caught);
     }
 
     @Test

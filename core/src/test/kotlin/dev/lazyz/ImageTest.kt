@@ -107,4 +107,36 @@ class ImageTest {
         val error = assertThrows(IllegalArgumentException::class.java) { Image.merge(a, c, Raster(20, 18)) }
         assertTrue("is not within" in error.message!!, error.message)
     }
+
+    @Test
+    fun aCollectorTakesEachRowOnceInAnyOrder() {
+        val numbers = IntArray(6) { it }
+        val expected = Image(Region(2, 5, 4, 8), numbers, numbers, numbers, Counters.NONE)
+        val collector = Image.Collector(expected.region)
+        for (y in listOf(6, 5, 7)) {
+            val row = intArrayOf(2 * (y - 5), 2 * (y - 5) + 1, 99)
+            collector.row(y, row, row, row)
+        }
+        assertEquals(expected, collector.toImage(Counters.NONE))
+        val long = IntArray(3)
+        val short = IntArray(1)
+        fun problem(y: Int, depth: IntArray = long) = assertThrows(IllegalArgumentException::class.java) {
+            collector.row(y, long, depth, long)
+        }.message
+        assertEquals("row must be in 5..<8: 4", problem(4))
+        assertEquals("row must be in 5..<8: 8", problem(8))
+        assertEquals("row 6 was given before", problem(6))
+        assertEquals("row 6 has 1 columns, and the image has 2", problem(6, short))
+    }
+
+    @Test
+    fun aCollectorWithoutAllRowsHasNoImage() {
+        val collector = Image.Collector(Region(2, 5, 4, 8))
+        val row = IntArray(2)
+        fun problem() = assertThrows(IllegalStateException::class.java) { collector.toImage(Counters.NONE) }.message
+        assertEquals("row 5 is missing: there are 0 of 3 rows", problem())
+        collector.row(5, row, row, row)
+        collector.row(7, row, row, row)
+        assertEquals("row 6 is missing: there are 2 of 3 rows", problem())
+    }
 }

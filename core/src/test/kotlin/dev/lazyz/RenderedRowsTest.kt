@@ -7,6 +7,7 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Sphere
 import java.io.IOException
+import java.io.InterruptedIOException
 import java.io.UncheckedIOException
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
@@ -76,8 +77,8 @@ class RenderedRowsTest {
             repeat(reads) { rows.next() }
             rows.close()
             assertFalse(Counting.isRunning, "after $reads rows")
-            assertFalse(rows.hasNext())
-            assertThrows<NoSuchElementException> { rows.next() }
+            assertThrows<IllegalStateException> { rows.hasNext() }
+            assertThrows<IllegalStateException> { rows.next() }
             rows.close()
         }
         val large = RenderedRows.of(Tiled(), world.frame(2000, 100_000))
@@ -88,20 +89,49 @@ class RenderedRowsTest {
     @Test
     fun exceptionsReachTheReaderAfterTheRowsBefore() {
         val failure = IOException("no more")
-        val failing = object : Renderer {
-            override val id get() = "failing"
-            override val summary get() = "fails"
-
-            override fun render(frame: Frame, sink: RowSink): Counters {
-                for (y in 0..2) sink.row(y, IntArray(50), IntArray(50), IntArray(50))
-                throw failure
-            }
+        val failing = renderer { sink ->
+            for (y in 0..2) sink.row(y, IntArray(50), IntArray(50), IntArray(50))
+            throw failure
         }
         RenderedRows.of(failing, frame).use { rows ->
             repeat(3) { assertEquals(it, rows.next().y) }
             repeat(2) { assertSame(failure, assertThrows<UncheckedIOException> { rows.hasNext() }.cause) }
             assertThrows<IllegalStateException> { rows.counters }
         }
+    }
+
+    @Test
+    fun aReaderThatIsInterruptedGetsAnExceptionThatJavaCanCatch() {
+        val never = renderer {
+            Thread.sleep(100_000)
+            error("nobody has interrupted it")
+        }
+        RenderedRows.of(never, frame).use { rows ->
+            for (read in listOf<() -> Unit>({ rows.hasNext() }, { rows.next() })) {
+                Thread.currentThread().interrupt()
+                val e = assertThrows<UncheckedIOException> { read() }
+                assertEquals(InterruptedIOException::class.java, e.cause!!.javaClass)
+                assertTrue(Thread.interrupted(), "the status is set")
+            }
+        }
+    }
+
+    @Test
+    fun aRenderingThatIsInterruptedIsReported() {
+        val interrupt = InterruptedException("by another")
+        RenderedRows.of(renderer { throw interrupt }, frame).use { rows ->
+            val e = assertThrows<UncheckedIOException> { rows.hasNext() }
+            assertEquals(InterruptedIOException::class.java, e.cause!!.javaClass)
+            assertSame(interrupt, e.cause!!.cause)
+            assertFalse(Thread.interrupted(), "the reader was not interrupted")
+        }
+    }
+
+    private fun renderer(rows: (RowSink) -> Nothing) = object : Renderer {
+        override val id get() = "failing"
+        override val summary get() = "fails"
+
+        override fun render(frame: Frame, sink: RowSink): Counters = rows(sink)
     }
 
     @Test

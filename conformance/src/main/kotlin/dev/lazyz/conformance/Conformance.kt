@@ -18,6 +18,7 @@ import dev.lazyz.conformance.run.Settings
 import dev.lazyz.conformance.run.Shrinking
 import dev.lazyz.conformance.run.Supervisor
 import dev.lazyz.conformance.run.TryThread
+import java.io.IOException
 import java.nio.file.Path
 import java.time.Duration
 import java.util.concurrent.ThreadLocalRandom
@@ -145,8 +146,10 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
      * @throws IllegalArgumentException if a system property of the suite is not valid
      * @throws NotMadeException if the first renderer cannot be created and queried within the deadline
      * @throws FramesException if there is a folder of frames, and the folder or a file in it cannot be read
-     * @throws java.io.IOException if there is an output folder, and it cannot be written
+     * @throws IOException if there is an output folder, and it cannot be written
+     * @throws InterruptedException if the calling thread is interrupted
      */
+    @Throws(InterruptedException::class, IOException::class)
     public fun run(): ConformanceReport {
         val settings = Settings(
             tries ?: Settings.tries(),

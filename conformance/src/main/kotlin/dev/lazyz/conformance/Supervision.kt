@@ -8,6 +8,7 @@ import dev.lazyz.conformance.run.Patience
 import dev.lazyz.conformance.run.Settings
 import dev.lazyz.conformance.run.Supervisor
 import dev.lazyz.conformance.run.TryThread
+import java.io.IOException
 import java.io.InputStream
 import java.nio.file.Files
 import java.nio.file.Path
@@ -46,7 +47,10 @@ public class Supervision @JvmOverloads constructor(
      *
      * @return the last process's exit code, and what all processes wrote to standard output and standard error
      * @throws EndedEarlyException if a process ended while no rule was running
+     * @throws IOException if a process cannot be started, or the journal cannot be read or written
+     * @throws InterruptedException if the calling thread is interrupted
      */
+    @Throws(InterruptedException::class, IOException::class)
     public fun run(isDone: () -> Boolean): Outcome {
         Files.deleteIfExists(journal)
         val follower = JournalFollower(journal, listener)

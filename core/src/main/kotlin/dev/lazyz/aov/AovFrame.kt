@@ -11,7 +11,7 @@ import java.io.IOException
  * ```
  * val frame = SuperSampling(4).frame(scene, Raster(640, 480))
  * val aovs = AovFrame(frame, setOf(Aov.DEPTH, Aov.NORMAL)).render(Tiled())
- * val distance = aovs[Aov.DEPTH].number(x = 320, y = 240, channel = 0)
+ * val distance = aovs[Aov.DEPTH].number(x = 320, y = 240)
  * ```
  *
  * Works with every [Renderer], by the rows that it hands out: attributes are computed for the visible primitive of each

@@ -60,12 +60,12 @@ public class AovImage private constructor(
     public val ints: IntArray get() = integers
 
     /**
-     * Returns number [channel] of the pixel with the given [index], counted in rows from the top.
+     * Returns number [channel] of the pixel with the given [index], counted in rows from the top, from 0.
      *
      * @throws IllegalArgumentException if there is no such channel
      * @throws IndexOutOfBoundsException if there is no such pixel
      */
-    public fun number(index: Int, channel: Int = 0): Double {
+    public fun numberAt(index: Int, channel: Int): Double {
         require(channel in aov.channels.indices) { "channel must be in ${aov.channels.indices}: $channel" }
         val at = index * aov.channels.size + channel
         return if (aov.isInteger) integers[at].toDouble() else reals[at].toDouble()
@@ -76,9 +76,10 @@ public class AovImage private constructor(
      *
      * @throws IllegalArgumentException if the pixel is not in [region], or there is no such channel
      */
-    public fun number(x: Int, y: Int, channel: Int): Double {
+    @JvmOverloads
+    public fun number(x: Int, y: Int, channel: Int = 0): Double {
         require(region.contains(x, y)) { "pixel must be within $region: ($x, $y)" }
-        return number((y - region.rowStart) * width + x - region.columnStart, channel)
+        return numberAt((y - region.rowStart) * width + x - region.columnStart, channel)
     }
 
     /**

@@ -8,6 +8,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.shading.LateShading
+import java.io.IOException
 
 /**
  * A row of cells, each with a depth and a colour that is computed on demand. The pull renderers return one row at a
@@ -134,7 +135,12 @@ public class Row internal constructor(private val frame: Frame, public val y: In
         return colors
     }
 
-    /** Computes all colours and passes this row to [sink]. The sink must not change the array of colours. */
+    /**
+     * Computes all colours and passes this row to [sink]. The sink must not change the array of colours.
+     *
+     * @throws IOException if the sink throws it
+     */
+    @Throws(IOException::class)
     public fun sendTo(sink: RowSink) {
         val colors = argb()
         val depths = IntArray(width)

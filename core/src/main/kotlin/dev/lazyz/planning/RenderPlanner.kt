@@ -51,7 +51,9 @@ public class RenderPlanner @JvmOverloads constructor(
      *
      * @param others what else is in memory during the rendering: the scene, and what receives the rows
      * @throws IllegalArgumentException if there are no [renderers], or none of them can render the frame
+     * @throws InterruptedException if the calling thread is interrupted while a renderer is measured
      */
+    @Throws(InterruptedException::class)
     @JvmOverloads
     public fun plan(
         frame: SampledFrame,

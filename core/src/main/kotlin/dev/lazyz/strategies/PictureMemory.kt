@@ -15,8 +15,11 @@ public object PictureMemory {
      * an empty picture doubles. 0 if it keeps no picture, or fails on these pictures; the rendering then reports the
      * error. What it needs for primitives, and for rows and tiles in work, comes in addition. Cost: two renderings of
      * empty pictures of at most 512 x 1024 samples.
+     *
+     * @throws InterruptedException if the calling thread is interrupted, and the renderer checks for it
      */
     @JvmStatic
+    @Throws(InterruptedException::class)
     public fun bytesPerSample(renderer: Renderer): Long {
         if (Capability.CONSTANT_MEMORY in renderer.capabilities) return 0
         return try {

@@ -6,6 +6,7 @@ import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.asOpaque
 import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.difference
+import java.io.IOException
 import java.nio.file.Path
 import java.time.Duration
 import java.util.Random
@@ -49,8 +50,9 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
     /**
      * Renders frames until the time is over, or [MOST_DIFFERENCES] of them differ.
      *
-     * @throws java.io.IOException if the corpus cannot be read or written
+     * @throws IOException if the corpus cannot be read or written
      */
+    @Throws(IOException::class)
     public fun run(): DifferentialReport {
         val start = System.nanoTime()
         val known = ArrayDeque(corpus.read())

@@ -17,35 +17,40 @@ internal class Rendering private constructor(val image: Image, val counters: Cou
         /** Renders [frame] row by row. Exceptions of the renderer are passed on. */
         fun of(renderer: Renderer, frame: Frame): Rendering {
             TryUnderWay.current?.goesOn()
-            val recorder = Recorder(frame)
+            val recorder = Recorder(frame.region)
             val counters = renderer.render(frame, recorder)
             return Rendering(recorder.image(counters), counters, recorder.rows)
         }
     }
+}
 
-    /** Stores rows by their number and accepts everything, even invalid rows. The rules check them later. */
-    private class Recorder(private val frame: Frame) : RowSink {
-        private val region = frame.region
-        private val size = region.size.toInt()
-        private val argb = IntArray(size)
-        private val depth = IntArray(size) { MISSING }
-        private val primitive = IntArray(size) { DepthTest.BACKGROUND }
-        val rows = ArrayList<Int>()
+/**
+ * Stores the rows of [region] by their number and accepts everything, even invalid rows. The rules check them later:
+ * [Image.Collector] would throw exceptions.
+ */
+internal class Recorder(private val region: Region) : RowSink {
+    private val size = region.size.toInt()
+    private val argb = IntArray(size)
+    private val depth = IntArray(size) { Rendering.MISSING }
+    private val primitive = IntArray(size) { DepthTest.BACKGROUND }
 
-        override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
-            rows.add(y)
-            if (y !in region.rowStart until region.rowEnd) return
-            copy(argb, this.argb, y)
-            copy(depth, this.depth, y)
-            copy(primitive, this.primitive, y)
-        }
+    /** The numbers of the rows, in the order of delivery. */
+    val rows = ArrayList<Int>()
 
-        private fun copy(row: IntArray, to: IntArray, y: Int) {
-            row.copyInto(to, (y - region.rowStart) * region.width, 0, minOf(row.size, region.width))
-        }
-
-        fun image(counters: Counters): Image = Image(region, argb, depth, primitive, counters)
+    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        rows.add(y)
+        if (y !in region.rowStart until region.rowEnd) return
+        copy(argb, this.argb, y)
+        copy(depth, this.depth, y)
+        copy(primitive, this.primitive, y)
     }
+
+    private fun copy(row: IntArray, to: IntArray, y: Int) {
+        row.copyInto(to, (y - region.rowStart) * region.width, 0, minOf(row.size, region.width))
+    }
+
+    /** Returns the delivered picture. */
+    fun image(counters: Counters): Image = Image(region, argb, depth, primitive, counters)
 }
 
 /**

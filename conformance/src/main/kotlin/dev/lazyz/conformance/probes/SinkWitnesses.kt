@@ -4,6 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.RowSink
+import dev.lazyz.conformance.judgement.Recorder
 import java.util.concurrent.atomic.AtomicInteger
 
 /** A sink that checks which thread calls it. Must be created by the expected thread. */
@@ -33,7 +34,7 @@ internal class ThreadWitness : RowSink {
 
 /** A sink that copies its rows, checks that they do not change for a while, and then overwrites them. */
 internal class OverwritingSink(private val frame: Frame) : RowSink {
-    private val collector = Image.Collector(frame.region)
+    private val recorder = Recorder(frame.region)
     private var patience = PATIENT_ROWS
 
     /** The first violation, or null. */
@@ -41,7 +42,7 @@ internal class OverwritingSink(private val frame: Frame) : RowSink {
         private set
 
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
-        collector.row(y, argb, depth, primitive)
+        recorder.row(y, argb, depth, primitive)
         val arrays = listOf(argb, depth, primitive)
         val copies = arrays.map { it.copyOf(frame.width) }
         if (patience-- > 0) Thread.sleep(1)
@@ -51,7 +52,7 @@ internal class OverwritingSink(private val frame: Frame) : RowSink {
     }
 
     /** Returns the delivered picture. */
-    fun image(counters: Counters): Image = collector.toImage(counters)
+    fun image(counters: Counters): Image = recorder.image(counters)
 
     private companion object {
         /** Number of rows that are observed for a millisecond each. */
@@ -62,16 +63,16 @@ internal class OverwritingSink(private val frame: Frame) : RowSink {
 
 /** A sink that calls [render] at the first rows, and copies each row afterwards. */
 internal class RenderingSink(frame: Frame, private val render: () -> Unit) : RowSink {
-    private val collector = Image.Collector(frame.region)
+    private val recorder = Recorder(frame.region)
     private var left = RENDERINGS
 
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         if (left-- > 0) render()
-        collector.row(y, argb, depth, primitive)
+        recorder.row(y, argb, depth, primitive)
     }
 
     /** Returns the delivered picture. */
-    fun image(counters: Counters): Image = collector.toImage(counters)
+    fun image(counters: Counters): Image = recorder.image(counters)
 
     private companion object {
         const val RENDERINGS = 3

@@ -11,6 +11,7 @@ import dev.lazyz.conformance.results.Waiver
 import dev.lazyz.conformance.rules.ConformanceVersions
 import dev.lazyz.strategies.Renderers
 import java.io.File
+import java.io.IOException
 import java.nio.file.Path
 
 /**
@@ -91,8 +92,9 @@ public class ConformanceReport internal constructor(
      * format can express it. Such files of an earlier run are replaced or removed. Each file is written completely or
      * not at all.
      *
-     * @throws java.io.IOException if a file cannot be written
+     * @throws IOException if a file cannot be written
      */
+    @Throws(IOException::class)
     public fun writeTo(folder: Path): Unit = ReportFiles(this, folder).write()
 
     override fun toString(): String = "ConformanceReport(${strategy.id}, ${ReportText(this).verdict()})"

@@ -179,8 +179,9 @@ public class TrianglePicture @JvmOverloads constructor(
      * Writes the picture to a PNG file on the driver, which appears when it is complete. Throws like [render].
      *
      * @throws IOException if the file cannot be written; the message states which file, why, and what to do
+     * @throws InterruptedException if the thread is interrupted while it writes
      */
-    @Throws(IOException::class)
+    @Throws(InterruptedException::class, IOException::class)
     public fun writePng(path: Path): TriangleReport {
         val isOpaque = setUp.drawing().raster.background.alpha >= 1f
         val alpha = if (isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP

@@ -4,6 +4,8 @@ import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.pictures.Picture
 import dev.lazyz.scenes.pictures.PictureDifference
 import dev.lazyz.scenes.writers.toPng
+import java.io.IOException
+import java.io.UncheckedIOException
 import java.nio.file.Files
 import java.nio.file.Path
 import org.opentest4j.AssertionFailedError
@@ -22,7 +24,7 @@ internal class Goldens(private val settings: GoldenSettings) {
         val report = TestReport(settings, test)
         report.begin()
         if (settings.isUpdate && updates(file, actual, threshold)) return
-        val expected = if (Files.exists(file)) Files.readAllBytes(file) else null
+        val expected = if (Files.exists(file)) read(file) else null
         val difference = expected?.let { difference(file, it, actual, threshold) }
         if (difference?.isMatch == true) return
 
@@ -41,6 +43,12 @@ internal class Goldens(private val settings: GoldenSettings) {
             FileInfo("$file", expected ?: ByteArray(0)),
             FileInfo("${files.actual}", actual.png),
         )
+    }
+
+    private fun read(file: Path): ByteArray = try {
+        Files.readAllBytes(file)
+    } catch (failure: IOException) {
+        throw UncheckedIOException("cannot read $file: ${failure.message}", failure)
     }
 
     /** Returns the difference from the file, or null if it cannot be decoded. */
@@ -66,7 +74,7 @@ internal class Goldens(private val settings: GoldenSettings) {
     private fun updates(file: Path, actual: ActualPicture, threshold: Double): Boolean = synchronized(accepted) {
         if (!accepted.add(file)) return false
         val isThere = Files.exists(file)
-        val matches = isThere && difference(file, Files.readAllBytes(file), actual, threshold)?.isMatch == true
+        val matches = isThere && difference(file, read(file), actual, threshold)?.isMatch == true
         if (!matches) {
             WholeFile.write(file, actual.png)
             val size = "${actual.picture.width}x${actual.picture.height}"

@@ -15,8 +15,11 @@ public class PictureAssertion private constructor(
     /**
      * Accepts a picture if no channel of a pixel differs by more than [codes] from the golden file, 0..255, in codes of
      * 8 bits. The default is 0, since Lazy Z gives the same bits on every machine. Sizes must be the same in any case.
+     *
+     * @throws IllegalArgumentException if [codes] is not in 0..255
      */
-    public fun withThreshold(codes: Double): PictureAssertion = PictureAssertion(goldens, codes, actual)
+    public fun withThreshold(codes: Double): PictureAssertion =
+        PictureAssertion(goldens, validThreshold(codes), actual)
 
     /**
      * Compares the picture with the file [golden], pixel by pixel.
@@ -28,17 +31,23 @@ public class PictureAssertion private constructor(
      * @param golden path of a PNG file, with `/` between folders
      * @throws AssertionFailedError if the pictures differ, or there is no such file. The picture, the differences and a
      *   page that shows them are then in `golden-pictures` of the build folder; the message names them
-     * @throws IllegalArgumentException if [golden] does not end in `.png`, or the threshold is not in 0..255
-     * @throws UncheckedIOException if a file cannot be written
+     * @throws IllegalArgumentException if [golden] does not end in `.png`
+     * @throws UncheckedIOException if a file cannot be read or written
      */
     public fun matches(golden: String) {
         require(golden.endsWith(".png")) { "a golden file must end in .png: $golden" }
-        require(threshold in 0.0..255.0) { "the threshold must be in 0..255: $threshold" }
         val picture = try {
             actual()
         } catch (damaged: SceneFormatException) {
             throw AssertionFailedError("the picture cannot be compared with $golden: ${damaged.message}", damaged)
         }
         goldens.check(golden, picture, threshold)
+    }
+    internal companion object {
+        /** Returns [codes], which must be in 0..255. */
+        fun validThreshold(codes: Double): Double {
+            require(codes in 0.0..255.0) { "the threshold must be in 0..255: $codes" }
+            return codes
+        }
     }
 }

@@ -41,8 +41,13 @@ public class RenderingAssertion private constructor(
     /** Renders several samples a pixel. The default is one, `zcli render --aa 1`; zcli's default is 4 x 4. */
     public fun withAntiAliasing(antiAliasing: SuperSampling): RenderingAssertion = copy(antiAliasing = antiAliasing)
 
-    /** Accepts small differences, see [PictureAssertion.withThreshold]. */
-    public fun withThreshold(codes: Double): RenderingAssertion = copy(threshold = codes)
+    /**
+     * Accepts small differences, see [PictureAssertion.withThreshold].
+     *
+     * @throws IllegalArgumentException if [codes] is not in 0..255
+     */
+    public fun withThreshold(codes: Double): RenderingAssertion =
+        copy(threshold = PictureAssertion.validThreshold(codes))
 
     /**
      * Renders the scene, and compares the picture with the file [golden], see [PictureAssertion.matches].

@@ -1,6 +1,7 @@
 package dev.lazyz.testing
 
 import java.io.IOException
+import java.io.InterruptedIOException
 import java.io.UncheckedIOException
 import java.nio.channels.FileChannel
 import java.nio.channels.FileLock
@@ -97,9 +98,16 @@ internal class TestReport(private val settings: GoldenSettings, private val test
             try {
                 return channel.lock()
             } catch (_: OverlappingFileLockException) {
-                Thread.sleep(PAUSE_MILLIS)
+                pause()
             }
         }
+    }
+
+    private fun pause() = try {
+        Thread.sleep(PAUSE_MILLIS)
+    } catch (interrupt: InterruptedException) {
+        Thread.currentThread().interrupt()
+        throw InterruptedIOException("interrupted while waiting for another test").apply { initCause(interrupt) }
     }
 
     private companion object {

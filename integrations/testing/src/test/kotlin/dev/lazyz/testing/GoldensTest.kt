@@ -2,6 +2,7 @@ package dev.lazyz.testing
 
 import dev.lazyz.Counters
 import dev.lazyz.Image
+import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.pictures.Picture
 import dev.lazyz.scenes.writers.toPng
 import java.nio.file.Files
@@ -129,10 +130,10 @@ class GoldensTest {
         written(image(RED))
         assertion(image(RED + 3)).withThreshold(3.0).matches("golden/a.png")
         failure(assertion(image(RED + 3)).withThreshold(2.9))
+        val scene = SceneAssertion(Scenes.teapot(), goldens()).at(3, 2)
         for (wrong in listOf(-1.0, 256.0, Double.NaN)) {
-            assertThrows(IllegalArgumentException::class.java) {
-                assertion(image(RED)).withThreshold(wrong).matches("golden/a.png")
-            }
+            assertThrows(IllegalArgumentException::class.java) { assertion(image(RED)).withThreshold(wrong) }
+            assertThrows(IllegalArgumentException::class.java) { scene.withThreshold(wrong) }
         }
         assertThrows(IllegalArgumentException::class.java) { assertion(image(RED)).matches("golden/a.jpg") }
     }

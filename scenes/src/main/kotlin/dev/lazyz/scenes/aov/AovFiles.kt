@@ -32,6 +32,7 @@ public object AovFiles {
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(IOException::class)
     public fun write(path: Path, image: AovImage, format: AovFormat = formatOf(path)): Unit =
         write(path, listOf(image), format)
 
@@ -41,6 +42,7 @@ public object AovFiles {
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(IOException::class)
     public fun write(path: Path, images: List<AovImage>, format: AovFormat = formatOf(path)) {
         require(format == AovFormat.NPZ || images.size == 1) {
             "cannot write $path: a .${format.id} file has one AOV, and these are ${images.size}; use .npz"
@@ -70,7 +72,9 @@ public object AovFiles {
         val all = if (own == 1) 1 else 3
         val rows = PfmRows(channel, image.width, image.height, all)
         for (y in 0 until image.height) {
-            rows.write(y) { i -> if (i % all < own) image.number(y * image.width + i / all, i % all).toFloat() else 0f }
+            rows.write(y) { i ->
+                if (i % all < own) image.numberAt(y * image.width + i / all, i % all).toFloat() else 0f
+            }
         }
     }
 

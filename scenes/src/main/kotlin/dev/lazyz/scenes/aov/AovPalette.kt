@@ -61,7 +61,7 @@ internal class AovPalette private constructor(
             val (least, most) = fixed ?: range(image, 0)
             val bar = Bar("", readable(least), readable(most), Viridis::argb)
             return AovPalette(title, listOf(bar), listOf(NONE)) { index ->
-                val number = image.number(index)
+                val number = image.numberAt(index, 0)
                 if (number == image.aov.background || !number.isFinite()) {
                     NOTHING
                 } else {
@@ -86,8 +86,8 @@ internal class AovPalette private constructor(
                 }
             }
             return AovPalette("normal, red x, green y, blue z", emptyList(), axes + NONE) { index ->
-                val isNone = (0..2).all { image.number(index, it) == 0.0 }
-                if (isNone) NOTHING else packed { place(image.number(index, it), -1.0, 1.0) }
+                val isNone = (0..2).all { image.numberAt(index, it) == 0.0 }
+                if (isNone) NOTHING else packed { place(image.numberAt(index, it), -1.0, 1.0) }
             }
         }
 
@@ -103,13 +103,13 @@ internal class AovPalette private constructor(
             }
             val isRepeated = image.aov == Aov.UV
             return AovPalette(title, bars, emptyList()) { index ->
-                val isNone = image.aov.channels.indices.all { image.number(index, it) == image.aov.background }
+                val isNone = image.aov.channels.indices.all { image.numberAt(index, it) == image.aov.background }
                 if (isNone) {
                     NOTHING
                 } else {
                     packed { channel ->
                         if (channel >= ranges.size) return@packed 0.0
-                        val number = image.number(index, channel)
+                        val number = image.numberAt(index, channel)
                         val shown = if (isRepeated && number !in 0.0..1.0) number - floor(number) else number
                         place(shown, ranges[channel].first, ranges[channel].second)
                     }
@@ -122,8 +122,8 @@ internal class AovPalette private constructor(
             var least = Double.POSITIVE_INFINITY
             var most = Double.NEGATIVE_INFINITY
             for (index in 0 until image.width * image.height) {
-                if (image.aov.channels.indices.all { image.number(index, it) == image.aov.background }) continue
-                val number = image.number(index, channel)
+                if (image.aov.channels.indices.all { image.numberAt(index, it) == image.aov.background }) continue
+                val number = image.numberAt(index, channel)
                 if (!number.isFinite()) continue
                 least = minOf(least, number)
                 most = maxOf(most, number)

@@ -64,7 +64,7 @@ internal object DeepPng {
         val left = IntArray(all)
         for (i in 0 until all * image.width) {
             val channel = i % all
-            val code = if (channel < own) code(image, image.number(y * image.width + i / all, channel)) else 0
+            val code = if (channel < own) code(image, image.numberAt(y * image.width + i / all, channel)) else 0
             bytes[1 + 2 * i] = ((code ushr 8) - (left[channel] ushr 8)).toByte()
             bytes[2 + 2 * i] = (code - left[channel]).toByte()
             left[channel] = code

@@ -83,6 +83,7 @@ public object SceneFile {
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(IOException::class)
     public fun write(scene: Scene, path: Path, size: ImageSize? = null, depth: DepthRules = DepthRules()) {
         SceneFileWriter.requireWritable(scene)
         AtomicFile.write(path) { channel ->

@@ -1,6 +1,8 @@
 package dev.lazyz.scenes.writers
 
 import java.io.IOException
+import java.io.InterruptedIOException
+import java.nio.channels.ClosedByInterruptException
 import java.nio.channels.FileChannel
 import java.nio.file.AccessDeniedException
 import java.nio.file.AtomicMoveNotSupportedException
@@ -28,7 +30,8 @@ internal object AtomicFile {
      * Opens a temporary file, calls [produce] to fill it, and renames it to [path].
      *
      * @return what [produce] returns
-     * @throws IOException if the file cannot be written; the message states which file, why, and what to do
+     * @throws IOException if the file cannot be written; the message states which file, why, and what to do. If the
+     *   thread is interrupted, it is an [InterruptedIOException], and the interrupt status stays set
      */
     fun <R> write(path: Path, produce: (FileChannel) -> R): R {
         val target = try {
@@ -88,7 +91,22 @@ internal object AtomicFile {
         throw explained(path, e)
     }
 
+    /**
+     * Calls [block], which renders to a file. If the thread is interrupted while it writes, this is reported like an
+     * interrupt while it renders: the status is cleared.
+     *
+     * @throws InterruptedException if the thread is interrupted
+     */
+    inline fun <R> rendering(block: () -> R): R = try {
+        block()
+    } catch (e: WritingInterrupted) {
+        Thread.interrupted()
+        throw InterruptedException(e.message).apply { initCause(e.cause) }
+    }
+
     private fun explained(path: Path, e: IOException): IOException {
+        // An interrupt closes the channel that the thread writes to
+        if (e is ClosedByInterruptException) return WritingInterrupted(path, e)
         if (e.message?.startsWith("cannot write") == true) return e
         return IOException("cannot write $path: ${reason(path, e)}", e)
     }
@@ -111,5 +129,13 @@ internal object AtomicFile {
             says("name too long") -> "the name is too long; choose a shorter one"
             else -> words.ifEmpty { "the system gives no reason (${e.javaClass.simpleName})" }
         }
+    }
+}
+
+/** Reports that a thread was interrupted while it was writing to [path]. Its interrupt status is set. */
+internal class WritingInterrupted(path: Path, cause: ClosedByInterruptException) :
+    InterruptedIOException("cannot write $path: the thread was interrupted") {
+    init {
+        initCause(cause)
     }
 }

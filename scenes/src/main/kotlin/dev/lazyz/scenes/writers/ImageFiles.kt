@@ -29,9 +29,11 @@ public object ImageFiles {
      * @return what [produce] returns
      * @throws IllegalArgumentException if [format] is omitted and the extension is unknown
      * @throws IOException if the file cannot be written; the message states which file, why, and what to do
+     * @throws InterruptedException if the thread is interrupted while it renders or writes
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(InterruptedException::class, IOException::class)
     public fun <R> write(
         path: Path,
         width: Int,
@@ -39,7 +41,9 @@ public object ImageFiles {
         format: ImageFormat = formatOf(path),
         alpha: AlphaChannel = AlphaChannel.KEEP,
         produce: RowProducer<R>,
-    ): R = AtomicFile.write(path) { channel -> write(channel, width, height, format, alpha, produce) }
+    ): R = AtomicFile.rendering {
+        AtomicFile.write(path) { channel -> write(channel, width, height, format, alpha, produce) }
+    }
 
     /**
      * Returns the format for the file name extension of [path].

@@ -17,6 +17,7 @@ import java.nio.file.Path
  *
  * @throws IOException if the file cannot be written; the message states which file, why, and what to do
  */
+@Throws(IOException::class)
 public fun Image.writePng(path: Path): Unit = ImageFiles.write(this, path, ImageFormat.PNG)
 
 /**
@@ -25,6 +26,7 @@ public fun Image.writePng(path: Path): Unit = ImageFiles.write(this, path, Image
  *
  * @throws IOException if writing to the stream fails
  */
+@Throws(IOException::class)
 public fun Image.writePng(output: OutputStream): Unit = ImageFiles.write(this, output)
 
 /** Returns the colours as the bytes of a PNG file, see [writePng]. In Java: `Images.toPng(image)`. */
@@ -35,6 +37,7 @@ public fun Image.toPng(): ByteArray = ByteArrayOutputStream().also { writePng(it
  *
  * @throws IOException if the file cannot be written; the message states which file, why, and what to do
  */
+@Throws(IOException::class)
 public fun Image.writePpm(path: Path): Unit = ImageFiles.write(this, path, ImageFormat.PPM)
 
 /**
@@ -43,9 +46,15 @@ public fun Image.writePpm(path: Path): Unit = ImageFiles.write(this, path, Image
  *
  * @throws IOException if the file cannot be written; the message states which file, why, and what to do
  */
+@Throws(IOException::class)
 public fun Image.writePfm(path: Path): Unit = ImageFiles.write(this, path, ImageFormat.PFM)
 
-/** Passes all rows to [sink], from the top. For custom sinks, which need not write to a file. */
+/**
+ * Passes all rows to [sink], from the top. For custom sinks, which need not write to a file.
+ *
+ * @throws IOException if the sink throws it
+ */
+@Throws(IOException::class)
 public fun Image.sendTo(sink: RowSink) {
     val argb = IntArray(width)
     val depth = IntArray(width)

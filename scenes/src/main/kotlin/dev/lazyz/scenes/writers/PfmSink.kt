@@ -20,12 +20,19 @@ import java.nio.channels.SeekableByteChannel
  * Source: Paul Debevec, "PFM Portable FloatMap Image Format"; the Netpbm project, "pfm".
  *
  * @param output the target; the file starts at the channel's current position
- * @param width number of columns
+ * @param width number of columns; of a wider row, the first ones are written: arrays may be longer than rows, so that a
+ *   sink does not see how wide a row is
  * @param height number of rows
  * @throws IllegalArgumentException if a side is not positive, or a row does not fit into memory
+ * @throws IOException if the beginning of the file cannot be written
  */
-public class PfmSink(private val output: SeekableByteChannel, private val width: Int, private val height: Int,) :
-    RowSink,
+public class PfmSink
+@Throws(IOException::class)
+constructor(
+    private val output: SeekableByteChannel,
+    private val width: Int,
+    private val height: Int
+) : RowSink,
     Closeable {
     private val rows: PfmRows
     private val order = RowOrder(width, height)
@@ -40,10 +47,11 @@ public class PfmSink(private val output: SeekableByteChannel, private val width:
     /**
      * Writes row [y]; colours are ignored.
      *
-     * @throws IllegalArgumentException if [y] does not follow the previous row (the first row may have any number),
-     *   or the row has fewer than [width] columns
+     * @throws IllegalArgumentException if [y] does not follow the previous row (the first one may have any number from
+     *   0 on), or the row has fewer than [width] columns
      * @throws IOException if writing to the channel fails
      */
+    @Throws(IOException::class)
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         order.take(y, primitive)
         rows.write(order.taken - 1) { x ->
@@ -57,6 +65,7 @@ public class PfmSink(private val output: SeekableByteChannel, private val width:
      *
      * @throws IOException if rows are missing, or writing to the channel fails; the channel is closed anyway
      */
+    @Throws(IOException::class)
     override fun close() {
         if (isClosed) return
         isClosed = true

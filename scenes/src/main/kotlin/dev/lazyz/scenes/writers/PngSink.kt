@@ -27,12 +27,17 @@ public enum class AlphaChannel {
  * Source: "Portable Network Graphics (PNG) Specification", third edition, W3C.
  *
  * @param output the target; the sink buffers its writes, so the stream need not be buffered
- * @param width number of columns
+ * @param width number of columns; of a wider row, the first ones are written: arrays may be longer than rows, so that a
+ *   sink does not see how wide a row is
  * @param height number of rows
  * @param alpha whether the file has an alpha channel
  * @throws IllegalArgumentException if a side is not positive, or a row does not fit into memory
+ * @throws IOException if the beginning of the file cannot be written
  */
-public class PngSink @JvmOverloads constructor(
+public class PngSink
+@JvmOverloads
+@Throws(IOException::class)
+constructor(
     private val output: OutputStream,
     private val width: Int,
     private val height: Int,
@@ -56,10 +61,11 @@ public class PngSink @JvmOverloads constructor(
     /**
      * Writes row [y]; depth and primitive are ignored.
      *
-     * @throws IllegalArgumentException if [y] does not follow the previous row (the first row may have any number),
-     *   or the row has fewer than [width] columns
+     * @throws IllegalArgumentException if [y] does not follow the previous row (the first one may have any number from
+     *   0 on), or the row has fewer than [width] columns
      * @throws IOException if writing to the stream fails
      */
+    @Throws(IOException::class)
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         order.take(y, argb)
         blocks.add(argb)
@@ -70,6 +76,7 @@ public class PngSink @JvmOverloads constructor(
      *
      * @throws IOException if rows are missing, or writing to the stream fails; the stream is closed anyway
      */
+    @Throws(IOException::class)
     override fun close() {
         if (isClosed) return
         isClosed = true

@@ -14,12 +14,19 @@ import java.io.OutputStream
  * Source: the Netpbm project, "PPM Format Specification".
  *
  * @param output the target; the sink writes one row at a time
- * @param width number of columns
+ * @param width number of columns; of a wider row, the first ones are written: arrays may be longer than rows, so that a
+ *   sink does not see how wide a row is
  * @param height number of rows
  * @throws IllegalArgumentException if a side is not positive, or a row does not fit into memory
+ * @throws IOException if the beginning of the file cannot be written
  */
-public class PpmSink(private val output: OutputStream, private val width: Int, private val height: Int,) :
-    RowSink,
+public class PpmSink
+@Throws(IOException::class)
+constructor(
+    private val output: OutputStream,
+    private val width: Int,
+    private val height: Int
+) : RowSink,
     Closeable {
     private val bytes: ByteArray
     private val order = RowOrder(width, height)
@@ -35,10 +42,11 @@ public class PpmSink(private val output: OutputStream, private val width: Int, p
     /**
      * Writes row [y]; depth and primitive are ignored.
      *
-     * @throws IllegalArgumentException if [y] does not follow the previous row (the first row may have any number),
-     *   or the row has fewer than [width] columns
+     * @throws IllegalArgumentException if [y] does not follow the previous row (the first one may have any number from
+     *   0 on), or the row has fewer than [width] columns
      * @throws IOException if writing to the stream fails
      */
+    @Throws(IOException::class)
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         order.take(y, argb)
         for (x in 0 until width) {
@@ -55,6 +63,7 @@ public class PpmSink(private val output: OutputStream, private val width: Int, p
      *
      * @throws IOException if rows are missing, or writing to the stream fails; the stream is closed anyway
      */
+    @Throws(IOException::class)
     override fun close() {
         if (isClosed) return
         isClosed = true

@@ -3,8 +3,8 @@ package dev.lazyz.scenes.writers
 import java.io.IOException
 
 /**
- * Checks that rows arrive in order and have enough columns. The first row may have any number, because an image can
- * be a part of a larger raster.
+ * Checks that rows arrive in order and have enough columns. The first row may have any number from 0 on, because an
+ * image can be a part of a larger raster.
  */
 internal class RowOrder(private val width: Int, private val height: Int) {
     private var firstRow = 0
@@ -20,6 +20,7 @@ internal class RowOrder(private val width: Int, private val height: Int) {
      */
     fun take(y: Int, values: IntArray) {
         require(values.size >= width) { "row $y has ${values.size} columns, and the image has $width" }
+        require(y >= 0) { "the number of a row must not be negative: $y" }
         if (taken == 0) firstRow = y
         require(taken < height) { "there are only $height rows: row $y" }
         require(y == firstRow + taken) { "rows must come in order from the top: $y instead of ${firstRow + taken}" }

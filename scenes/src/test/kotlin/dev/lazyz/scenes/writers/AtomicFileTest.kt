@@ -1,6 +1,9 @@
 package dev.lazyz.scenes.writers
 
+import dev.lazyz.Counters
+import dev.lazyz.Image
 import java.io.IOException
+import java.io.InterruptedIOException
 import java.nio.file.AccessDeniedException
 import java.nio.file.FileSystemException
 import java.nio.file.Files
@@ -169,4 +172,33 @@ class AtomicFileTest {
     }
 
     private fun files(): List<Path> = Files.list(folder).use { it.toList() }
+
+    @Test
+    fun anInterruptWhileWritingIsOneOfTheRendering() {
+        for (name in listOf("a.png", "a.ppm", "a.pfm")) {
+            for (isBefore in listOf(true, false)) {
+                if (isBefore) Thread.currentThread().interrupt()
+                assertThrows(InterruptedException::class.java) {
+                    ImageFiles.write(folder.resolve(name), 4, 2) { sink ->
+                        sink.row(0, row, row, row)
+                        Thread.currentThread().interrupt()
+                        sink.row(1, row, row, row)
+                    }
+                }
+                assertFalse(Thread.interrupted(), "the status is cleared")
+                assertEquals(emptyList<Path>(), files())
+            }
+        }
+    }
+
+    @Test
+    fun anInterruptWhileAPictureInMemoryIsWrittenKeepsTheStatus() {
+        val path = folder.resolve("a.png")
+        val image = Image(2, 2, row, row, row, Counters.NONE)
+        Thread.currentThread().interrupt()
+        val e = assertThrows(InterruptedIOException::class.java) { image.writePng(path) }
+        assertTrue(Thread.interrupted(), "the status is set")
+        assertEquals("cannot write $path: the thread was interrupted", e.message)
+        assertEquals(emptyList<Path>(), files())
+    }
 }

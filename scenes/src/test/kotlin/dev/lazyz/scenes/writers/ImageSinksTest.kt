@@ -138,6 +138,7 @@ class ImageSinksTest {
     fun rowsOutOfOrderAreRefused() {
         val row = IntArray(3)
         for (sink in listOf(PngSink(ByteArrayOutputStream(), 3, 3), PpmSink(ByteArrayOutputStream(), 3, 3))) {
+            assertThrows(IllegalArgumentException::class.java) { sink.row(-1, row, row, row) }
             sink.row(5, row, row, row)
             assertThrows(IllegalArgumentException::class.java) { sink.row(5, row, row, row) }
             assertThrows(IllegalArgumentException::class.java) { sink.row(7, row, row, row) }

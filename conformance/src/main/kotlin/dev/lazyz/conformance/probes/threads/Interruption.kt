@@ -4,7 +4,6 @@ import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
-import dev.lazyz.Image
 import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
@@ -16,6 +15,7 @@ import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.Recovered
 import dev.lazyz.conformance.judgement.Judgement
+import dev.lazyz.conformance.judgement.Recorder
 import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.oracle.ReferenceRenderer
@@ -78,7 +78,7 @@ private class InterruptedRendering(
 ) : Runnable {
     private val row = frame.region.rowStart + random.nextInt(frame.height)
     private val questions = AtomicInteger(random.nextInt(MOST_QUESTIONS))
-    private val collector = Image.Collector(frame.region)
+    private val recorder = Recorder(frame.region)
     private lateinit var caller: Thread
 
     @Volatile
@@ -97,7 +97,7 @@ private class InterruptedRendering(
         val asking = Frame(frame.raster, frame.primitives.map { Asking(it) }, frame.region)
         val subject = if (moment == Interruption.IN_A_PRIMITIVE) asking else frame
         val sink = RowSink { y, argb, depth, primitive ->
-            collector.row(y, argb, depth, primitive)
+            recorder.row(y, argb, depth, primitive)
             if (moment == Interruption.IN_THE_SINK && y == row) send()
         }
         thrown = answer { counters = chosen().render(subject, sink) }
@@ -140,7 +140,7 @@ private class InterruptedRendering(
      */
     fun lostPicture(case: FrameCase): String? {
         if (thrown is InterruptedException) return null
-        val image = collector.toImage(counters ?: return "threw $thrown")
+        val image = recorder.image(counters ?: return "threw $thrown")
         return difference(Rendering.of(ReferenceRenderer(), case.frame).image, image)?.toString()
     }
 

@@ -4,6 +4,7 @@ import dev.lazyz.Image
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.judgement.Judgement
+import dev.lazyz.conformance.judgement.Recorder
 import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.Violation
 import dev.lazyz.conformance.judgement.difference
@@ -106,12 +107,12 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
         }
         if (isBefore) send()
         thrown = answer {
-            val collector = Image.Collector(workers.frame.region)
+            val recorder = Recorder(workers.frame.region)
             val counters = renderer.render(workers.frame) { y, argb, depth, primitive ->
                 isHandedOut = true
-                collector.row(y, argb, depth, primitive)
+                recorder.row(y, argb, depth, primitive)
             }
-            image = collector.toImage(counters)
+            image = recorder.image(counters)
         }
         isSet = Thread.interrupted()
         hasEnded = true

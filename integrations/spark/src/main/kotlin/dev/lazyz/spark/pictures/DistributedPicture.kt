@@ -96,9 +96,10 @@ public class DistributedPicture private constructor(
      * JVM writes. The executors render, and the driver compresses; a pyramid, [writeDeepZoom], is compressed by all.
      *
      * @throws IOException if the file cannot be written; the message states which file, why, and what to do
+     * @throws InterruptedException if the thread is interrupted while it writes
      * @throws org.apache.spark.SparkException if a task has failed too often
      */
-    @Throws(IOException::class)
+    @Throws(InterruptedException::class, IOException::class)
     public fun writePng(path: Path): Counters = rendering(planes = 1) { parts ->
         ImageFiles.write(path, width, height, ImageFormat.PNG, alpha) { sink ->
             parts.render(SortFirst.bands(region, context.defaultParallelism()), sink)
@@ -116,6 +117,7 @@ public class DistributedPicture private constructor(
      * Levels below 1/1024 of the size, which have up to 256 x 256 pixels, are made by the driver of all pixels.
      *
      * @param path the descriptor
+     * @throws IllegalArgumentException if [path] does not end in `.dzi`
      * @throws IOException if a file cannot be written; the message states which file, why, and what to do
      * @throws org.apache.spark.SparkException if a task has failed too often
      */

@@ -33,6 +33,9 @@ internal class PyramidJob(
 
     /** Renders with [parts], and writes all files. */
     fun write(parts: SortFirst): Counters {
+        require("$path".endsWith(".${DeepZoomFiles.EXTENSION}", ignoreCase = true)) {
+            "cannot write $path: the name of a Deep Zoom pyramid must end in .${DeepZoomFiles.EXTENSION}"
+        }
         val place = path.toAbsolutePath().parent
         if (!Files.isDirectory(place)) throw IOException("cannot write $path: there is no folder $place; create it")
         val staging = place.resolve(".${path.fileName}.${UUID.randomUUID()}")

@@ -133,6 +133,9 @@ class DistributedPictureTest {
         val missing = folder.resolve("missing/a.dzi")
         val error = assertThrows(IOException::class.java) { picture.writeDeepZoom(missing) }
         assertTrue("no folder" in error.message!!, error.message)
+        val png = folder.resolve("a.png")
+        val refused = assertThrows(IllegalArgumentException::class.java) { picture.writeDeepZoom(png) }
+        assertTrue("must end in .dzi" in refused.message.orEmpty(), refused.message)
     }
 
     /** Primitives that throw when they are drawn. */

@@ -19,19 +19,23 @@ public object AnimationFiles {
      * @return what [produce] returns
      * @throws IllegalArgumentException if [format] is omitted and the extension is unknown
      * @throws IOException if the file cannot be written, or a row is missing; the message says why
+     * @throws InterruptedException if the thread is interrupted while it renders or writes
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(InterruptedException::class, IOException::class)
     public fun <R> write(
         path: Path,
         animation: Animation,
         format: AnimationFormat = formatOf(path),
         produce: RowProducer<R>,
-    ): R = AtomicFile.write(path) { channel ->
-        val output = Channels.newOutputStream(channel)
-        when (format) {
-            AnimationFormat.APNG -> ApngSink(output, animation).use { produce.sendTo(it) }
-            AnimationFormat.GIF -> GifSink(output, animation).use { produce.sendTo(it) }
+    ): R = AtomicFile.rendering {
+        AtomicFile.write(path) { channel ->
+            val output = Channels.newOutputStream(channel)
+            when (format) {
+                AnimationFormat.APNG -> ApngSink(output, animation).use { produce.sendTo(it) }
+                AnimationFormat.GIF -> GifSink(output, animation).use { produce.sendTo(it) }
+            }
         }
     }
 

@@ -22,9 +22,14 @@ import java.nio.ByteBuffer
  *
  * @param output the target; need not be buffered
  * @param animation size and number of the frames
+ * @throws IOException if the beginning of the file cannot be written
  */
-public class ApngSink(private val output: OutputStream, private val animation: Animation) :
-    RowSink,
+public class ApngSink
+@Throws(IOException::class)
+constructor(
+    private val output: OutputStream,
+    private val animation: Animation
+) : RowSink,
     Closeable {
     private val chunks = PngChunks(output)
     private val compressed = ByteArrayOutputStream()
@@ -42,10 +47,11 @@ public class ApngSink(private val output: OutputStream, private val animation: A
     /**
      * Writes row [y] of the current frame; depth and primitive are ignored.
      *
-     * @throws IllegalArgumentException if [y] does not follow the previous row of the frame, the row is too short, or
-     *   all frames are complete
+     * @throws IllegalArgumentException if [y] does not follow the previous row of the frame (the first row may have any
+     *   number from 0 on), the row is too short, or all frames are complete
      * @throws IOException if writing to the stream fails
      */
+    @Throws(IOException::class)
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         require(frame < animation.frames) { "there are only ${animation.frames} frames" }
         order.take(y, argb)
@@ -59,6 +65,7 @@ public class ApngSink(private val output: OutputStream, private val animation: A
      *
      * @throws IOException if rows are missing, or writing to the stream fails; the stream is closed anyway
      */
+    @Throws(IOException::class)
     override fun close() {
         if (isClosed) return
         isClosed = true

@@ -45,8 +45,8 @@ public class GifSink(private val output: OutputStream, private val animation: An
     /**
      * Keeps row [y] of the current frame; depth and primitive are ignored.
      *
-     * @throws IllegalArgumentException if [y] does not follow the previous row of the frame, the row is too short, or
-     *   all frames are complete
+     * @throws IllegalArgumentException if [y] does not follow the previous row of the frame (the first row may have any
+     *   number from 0 on), the row is too short, or all frames are complete
      */
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         if (frames.isEmpty() || order.taken == animation.height) {
@@ -63,11 +63,12 @@ public class GifSink(private val output: OutputStream, private val animation: An
      *
      * @throws IOException if rows are missing, or writing to the stream fails; the stream is closed anyway
      */
+    @Throws(IOException::class)
     override fun close() {
         if (isClosed) return
         isClosed = true
         output.use {
-            val complete = if (order.taken == animation.height) frames.size else frames.size - 1
+            val complete = frames.size - (if (order.taken in 1 until animation.height) 1 else 0)
             if (complete < animation.frames) {
                 throw IOException("the animation is incomplete: $complete of ${animation.frames} frames")
             }

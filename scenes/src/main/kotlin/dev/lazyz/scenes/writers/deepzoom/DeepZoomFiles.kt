@@ -31,9 +31,11 @@ public object DeepZoomFiles {
      * @param alpha whether tiles have an alpha channel
      * @param produce renders to the sink it is given, all rows from the top
      * @return what [produce] returns
-     * @throws IllegalArgumentException if a side is not in the range of [DeepZoomSink]
+     * @throws IllegalArgumentException if [path] does not end in `.dzi`, or a side is not in the range of
+     *   [DeepZoomSink]
      * @throws IOException if a file cannot be written, or the folder of the tiles exists and has other files; the
      *   message states which file, why, and what to do
+     * @throws InterruptedException if the thread is interrupted while it renders or writes
      */
     @JvmStatic
     @JvmOverloads
@@ -44,8 +46,7 @@ public object DeepZoomFiles {
         height: Int,
         alpha: AlphaChannel = AlphaChannel.KEEP,
         produce: RowProducer<R>,
-    ): R = AtomicFile.explaining(path) {
-        val files = PyramidFiles(path)
+    ): R = writing(path) { files ->
         TemporaryFile.beside(files.folder).use { temporary ->
             val result = DeepZoomSink(temporary.folder, width, height, alpha).use { produce.sendTo(it) }
             files.publish(temporary.folder, width, height)
@@ -69,9 +70,11 @@ public object DeepZoomFiles {
      *   program
      * @param produce renders to the sink it is given, all rows from the one that it is told
      * @return what [produce] returns
-     * @throws IllegalArgumentException if a side is not in the range of [DeepZoomSink]
+     * @throws IllegalArgumentException if [path] does not end in `.dzi`, or a side is not in the range of
+     *   [DeepZoomSink]
      * @throws IOException if a file cannot be read or written; if the folder has tiles of a picture with other facts;
      *   or if another process is writing it. The message states which file, why, and what to do
+     * @throws InterruptedException if the thread is interrupted while it renders or writes
      */
     @JvmStatic
     @Throws(InterruptedException::class, IOException::class)
@@ -82,8 +85,7 @@ public object DeepZoomFiles {
         alpha: AlphaChannel,
         facts: Map<String, String>,
         produce: RemainingRows<R>,
-    ): R = AtomicFile.explaining(path) {
-        val files = PyramidFiles(path)
+    ): R = writing(path) { files ->
         val all = linkedMapOf("size" to "${width}x$height", "alpha" to alpha.name.lowercase()) + facts
         PartialPyramid(files, all).use { partial ->
             val result = DeepZoomSink(partial.tiles, width, height, alpha).use { sink ->
@@ -104,14 +106,18 @@ public object DeepZoomFiles {
      * @param tiles the folder of the levels, as [DeepZoomSink] writes it, in the same file system as [path]
      * @param width number of columns
      * @param height number of rows
-     * @throws IOException if a file cannot be moved or written, or the folder of the tiles exists and has other files;
-     *   the message states which file, why, and what to do
+     * @throws IllegalArgumentException if [path] does not end in `.dzi`
+     * @throws IOException if there is no folder [tiles], if a file cannot be moved or written, or if the folder of the
+     *   pyramid's tiles exists and has other files; the message states which file, why, and what to do
      */
     @JvmStatic
     @Throws(IOException::class)
     public fun publish(path: Path, tiles: Path, width: Int, height: Int): Unit = AtomicFile.explaining(path) {
         PyramidFiles(path).publish(tiles, width, height)
     }
+
+    private inline fun <R> writing(path: Path, block: (PyramidFiles) -> R): R =
+        AtomicFile.rendering { AtomicFile.explaining(path) { block(PyramidFiles(path)) } }
 }
 
 /** Produces the rows of an image from a certain one on. */

@@ -28,13 +28,17 @@ import java.util.concurrent.ForkJoinPool
  *
  * @param folder the folder for the levels; created if it does not exist. Tiles in it that are complete are left as they
  *   are
- * @param width number of columns
+ * @param width number of columns; of a wider row, the first ones are written: arrays may be longer than rows, so that a
+ *   sink does not see how wide a row is
  * @param height number of rows
  * @param alpha whether tiles have an alpha channel; without one, all pixels count as opaque
  * @throws IllegalArgumentException if a side is not in the range of [BoxPyramid]
  * @throws IOException if a folder cannot be created
  */
-public class DeepZoomSink @JvmOverloads constructor(
+public class DeepZoomSink
+@JvmOverloads
+@Throws(IOException::class)
+constructor(
     private val folder: Path,
     private val width: Int,
     private val height: Int,
@@ -54,10 +58,11 @@ public class DeepZoomSink @JvmOverloads constructor(
     /**
      * Writes row [y]; depth and primitive are ignored.
      *
-     * @throws IllegalArgumentException if [y] does not follow the previous row (the first row may have any number),
-     *   or the row has fewer than [width] columns
+     * @throws IllegalArgumentException if [y] does not follow the previous row (the first one may have any number from
+     *   0 on), or the row has fewer than [width] columns
      * @throws IOException if a tile cannot be written
      */
+    @Throws(IOException::class)
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         order.take(y, argb)
 
@@ -84,6 +89,7 @@ public class DeepZoomSink @JvmOverloads constructor(
      *
      * @throws IOException if rows are missing
      */
+    @Throws(IOException::class)
     override fun close(): Unit = order.requireComplete()
 
     override fun toString(): String = "DeepZoomSink($folder, $width x $height, $alpha, $order)"

@@ -10,6 +10,7 @@ import java.nio.file.Path
 /**
  * The files of a pyramid: the descriptor, `NAME.dzi`, and the folder of its tiles beside it, `NAME_files`.
  *
+ * @throws IllegalArgumentException if the name of the descriptor does not end in `.dzi`
  * @throws IOException if they cannot be written, or something else has the name of the folder
  */
 internal class PyramidFiles(private val descriptor: Path) {
@@ -23,6 +24,9 @@ internal class PyramidFiles(private val descriptor: Path) {
     val partial: Path = descriptor.resolveSibling("${name}_files.partial")
 
     init {
+        require(descriptor.toString().endsWith(".${DeepZoomFiles.EXTENSION}", ignoreCase = true)) {
+            "cannot write $descriptor: the name of a Deep Zoom pyramid must end in .${DeepZoomFiles.EXTENSION}"
+        }
         if (name.isEmpty()) throw refused("the name must have something before its extension")
         if (Files.isDirectory(descriptor)) throw refused("it is a folder; name a file in it")
         val parent = descriptor.toAbsolutePath().parent
@@ -35,15 +39,17 @@ internal class PyramidFiles(private val descriptor: Path) {
 
     /** Gives [tiles], a complete folder, its name, and writes the descriptor. An old pyramid is replaced. */
     fun publish(tiles: Path, width: Int, height: Int) {
+        if (!Files.isDirectory(tiles)) throw refused("there is no folder of tiles $tiles; name that of a DeepZoomSink")
         TemporaryFile.beside(folder).use { old ->
             if (Files.exists(folder)) Files.move(folder, old.folder)
             try {
                 Files.move(tiles, folder)
+                AtomicFile.write(descriptor) { it.write(ByteBuffer.wrap(text(width, height).toByteArray())) }
             } catch (e: IOException) {
+                if (Files.exists(folder)) Files.move(folder, tiles)
                 if (Files.exists(old.folder)) Files.move(old.folder, folder)
                 throw e
             }
-            AtomicFile.write(descriptor) { it.write(ByteBuffer.wrap(text(width, height).toByteArray())) }
         }
     }
 

@@ -15,6 +15,9 @@ import java.awt.image.Raster
 import java.awt.image.RenderedImage
 import java.awt.image.SampleModel
 import java.awt.image.WritableRaster
+import java.io.IOException
+import java.io.InterruptedIOException
+import java.io.UncheckedIOException
 import java.util.Vector
 
 /**
@@ -32,8 +35,9 @@ import java.util.Vector
  *
  * The pixel at column 0 and row 0 is the first one of the frame's region. Pixels are as in
  * [BufferedImage.TYPE_INT_ARGB], or, if the background is opaque, as in [BufferedImage.TYPE_INT_RGB], which has no
- * alpha. Exceptions of the renderer, [InterruptedException] too, are thrown by the method that reads pixels. Thread
- * safe: one thread renders at a time.
+ * alpha. Exceptions of the renderer are thrown by the method that reads pixels. An [IOException] is the cause of an
+ * [UncheckedIOException] then, since [RenderedImage] declares none. If the thread is interrupted, the cause is an
+ * [InterruptedIOException], and the interrupt status is set. Thread safe: one thread renders at a time.
  */
 public class PulledImage private constructor(
     private val region: Region,
@@ -87,6 +91,7 @@ public class PulledImage private constructor(
      * black.
      *
      * @throws IndexOutOfBoundsException if there is no such tile
+     * @throws UncheckedIOException if the renderer throws an [IOException], or the thread is interrupted
      */
     @Synchronized
     override fun getTile(tileX: Int, tileY: Int): Raster {
@@ -98,9 +103,7 @@ public class PulledImage private constructor(
         val pixels = IntArray(width * rows)
         val first = region.rowStart + tileY * rows
         val end = minOf(first + rows, region.rowEnd)
-        render(Region(region.columnStart, first, region.columnEnd, end)) { y, argb, _, _ ->
-            argb.copyInto(pixels, (y - first) * width, 0, width)
-        }
+        render(Region(region.columnStart, first, region.columnEnd, end), pixels)
         val origin = Point(0, tileY * rows)
         val raster = Raster.createWritableRaster(samples, DataBufferInt(pixels, pixels.size), origin)
         band = raster
@@ -108,10 +111,20 @@ public class PulledImage private constructor(
         return raster
     }
 
-    /** Returns all pixels. Needs memory for them. */
+    /** Renders [band] into [pixels]. */
+    private fun render(band: Region, pixels: IntArray) = try {
+        render(band) { y, argb, _, _ -> argb.copyInto(pixels, (y - band.rowStart) * width, 0, width) }
+    } catch (e: InterruptedException) {
+        Thread.currentThread().interrupt()
+        throw UncheckedIOException(InterruptedIOException(e.message).apply { initCause(e) })
+    } catch (e: IOException) {
+        throw UncheckedIOException(e)
+    }
+
+    /** Returns all pixels. Needs memory for them. Throws like [getTile]. */
     override fun getData(): Raster = getData(Rectangle(width, height))
 
-    /** Returns the pixels of [rect]. If it is within a band, they are not copied. */
+    /** Returns the pixels of [rect]. If it is within a band, they are not copied. Throws like [getTile]. */
     @Synchronized
     override fun getData(rect: Rectangle): Raster {
         if (rect.y / rows == (rect.y + rect.height - 1) / rows) {
@@ -122,7 +135,10 @@ public class PulledImage private constructor(
         return copyData(Raster.createWritableRaster(all, Point(rect.x, rect.y)))
     }
 
-    /** Copies the pixels of the area of [raster] into it, or of the whole image into a new raster if it is null. */
+    /**
+     * Copies the pixels of the area of [raster] into it, or of the whole image into a new raster if it is null. Throws
+     * like [getTile].
+     */
     @Synchronized
     override fun copyData(raster: WritableRaster?): WritableRaster {
         val to = raster ?: Raster.createWritableRaster(samples.createCompatibleSampleModel(width, height), null)

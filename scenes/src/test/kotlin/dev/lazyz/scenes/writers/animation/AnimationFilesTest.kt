@@ -16,6 +16,7 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.readBytes
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -249,5 +250,29 @@ class AnimationFilesTest {
         assertThrows(IllegalArgumentException::class.java) { Animation(4, 4, 1, 51) }
         assertThrows(IllegalArgumentException::class.java) { AnimationFiles.formatOf(Path.of("a.jpg")) }
         assertThrows(IllegalArgumentException::class.java) { GifSink(ByteArrayOutputStream(), Animation(65_536, 1, 1)) }
+    }
+
+    @Test
+    fun anInterruptLeavesNoFile() {
+        for (name in listOf("a.gif", "a.apng")) {
+            assertThrows(InterruptedException::class.java) {
+                AnimationFiles.write(folder.resolve(name), Animation(4, 4, 1)) { sink ->
+                    Thread.currentThread().interrupt()
+                    sink.frame(4, 4) { _, _ -> white }
+                }
+            }
+            assertFalse(Thread.interrupted(), "the status is cleared")
+        }
+        assertEquals(emptyList<Path>(), folder.listDirectoryEntries())
+    }
+
+    @Test
+    fun anAnimationWithoutRowsHasNoFrames() {
+        val animation = Animation(4, 4, 1)
+        val bytes = ByteArrayOutputStream()
+        for (sink in listOf(GifSink(bytes, animation), ApngSink(bytes, animation))) {
+            val e = assertThrows(IOException::class.java) { sink.close() }
+            assertEquals("the animation is incomplete: 0 of 1 frames", e.message)
+        }
     }
 }

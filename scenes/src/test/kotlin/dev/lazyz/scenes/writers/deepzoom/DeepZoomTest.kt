@@ -223,4 +223,57 @@ class DeepZoomTest {
         }
         check(stop == height) { "interrupted" }
     }
+
+    @Test
+    fun anInterruptLeavesNothing() {
+        assertThrows<InterruptedException> {
+            DeepZoomFiles.write(path, 300, 300) { sink ->
+                Thread.currentThread().interrupt()
+                send(sink, 300, 300)
+            }
+        }
+        assertFalse(Thread.interrupted(), "the status is cleared")
+        assertEquals(emptyList<Path>(), folder.listDirectoryEntries())
+    }
+
+    /** The interrupt takes effect when the descriptor is written: the tiles have their place by then. */
+    @Test
+    fun aPyramidStaysIfItsDescriptorCannotBeReplaced() {
+        DeepZoomFiles.write(path, 300, 300) { sink -> send(sink, 300, 300) }
+        val before = content(folder)
+        val other = folder.resolve("other").createDirectories()
+        DeepZoomSink(other, 20, 90).use { send(it, 20, 90) }
+        val tiles = content(other)
+        Thread.currentThread().interrupt()
+        assertThrows<IOException> { DeepZoomFiles.publish(path, other, 20, 90) }
+        assertTrue(Thread.interrupted(), "the status is set")
+        assertEquals(tiles, content(other))
+        assertEquals(before, content(folder).filterKeys { !it.startsWith("other") })
+    }
+
+    @Test
+    fun tilesThatDoNotExistAreNotPublished() {
+        val missing = folder.resolve("tiels")
+        val e = assertThrows<IOException> { DeepZoomFiles.publish(path, missing, 9, 9) }
+        assertEquals("cannot write $path: there is no folder of tiles $missing; name that of a DeepZoomSink", e.message)
+        assertEquals(emptyList<Path>(), folder.listDirectoryEntries())
+    }
+
+    @Test
+    fun otherNamesAreRefused() {
+        val photo = folder.resolve("photo.png").apply { writeText("mine") }
+        for (other in listOf(photo, folder.resolve("photo"))) {
+            val refusals = listOf<() -> Unit>(
+                { DeepZoomFiles.write(other, 9, 9) { sink -> send(sink, 9, 9) } },
+                { DeepZoomFiles.resume(other, 9, 9, AlphaChannel.KEEP, emptyMap()) { sink, _ -> send(sink, 9, 9) } },
+                { DeepZoomFiles.publish(other, folder, 9, 9) },
+            )
+            for (refusal in refusals) {
+                val e = assertThrows<IllegalArgumentException> { refusal() }
+                assertEquals("cannot write $other: the name of a Deep Zoom pyramid must end in .dzi", e.message)
+            }
+        }
+        assertEquals("mine", photo.readText())
+        assertEquals(listOf(photo), folder.listDirectoryEntries())
+    }
 }

@@ -1,8 +1,12 @@
 package dev.lazyz.scenes.writers.imageio
 
+import dev.lazyz.Counters
+import dev.lazyz.Frame
 import dev.lazyz.Raster as Samples
 import dev.lazyz.Region
+import dev.lazyz.Renderer
 import dev.lazyz.Rgba
+import dev.lazyz.RowSink
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.scenes.ChildJava
 import dev.lazyz.scenes.Scenes
@@ -12,11 +16,15 @@ import java.awt.Rectangle
 import java.awt.image.BufferedImage
 import java.io.ByteArrayInputStream
 import java.io.ByteArrayOutputStream
+import java.io.IOException
+import java.io.InterruptedIOException
+import java.io.UncheckedIOException
 import java.nio.file.Path
 import javax.imageio.ImageIO
 import kotlin.io.path.fileSize
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.assertThrows
@@ -73,6 +81,25 @@ class PulledImageTest {
         val expected = frame.render(Tiled()).argb
         assertArrayEquals(expected, image.data.getDataElements(0, 0, 90, 60, null) as IntArray)
         assertEquals(90 to 60, image.width to image.height)
+    }
+
+    @Test
+    fun exceptionsOfTheRendererCanBeCaughtByJava() {
+        val frame = teapot.frame(90, 60)
+        for (read in listOf<(PulledImage) -> Unit>({ it.data }, { it.getTile(0, 0) }, { it.copyData(null) })) {
+            Thread.currentThread().interrupt()
+            val e = assertThrows<UncheckedIOException> { read(PulledImage.of(Tiled(), frame)) }
+            assertEquals(InterruptedIOException::class.java, e.cause!!.javaClass)
+            assertTrue(Thread.interrupted(), "the status is set")
+        }
+        val failure = IOException("out of luck")
+        val failing = object : Renderer {
+            override val id get() = "failing"
+            override val summary get() = "fails"
+
+            override fun render(frame: Frame, sink: RowSink): Counters = throw failure
+        }
+        assertSame(failure, assertThrows<UncheckedIOException> { PulledImage.of(failing, frame).data }.cause)
     }
 
     /** Each picture has 137 MiB. */
