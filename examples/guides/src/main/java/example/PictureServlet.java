@@ -66,7 +66,8 @@ public class PictureServlet extends HttpServlet {
             throws IOException, ServletException {
         SceneFormat format = SceneFormat.ofFileName("upload." + request.getParameter("format"));
         if (!FORMATS.contains(format)) {
-            response.sendError(HttpServletResponse.SC_UNSUPPORTED_MEDIA_TYPE, "format must be one of " + FORMATS);
+            String message = "format must be obj, stl, ply, off, 3mf, gltf or glb";
+            response.sendError(HttpServletResponse.SC_UNSUPPORTED_MEDIA_TYPE, message);
             return;
         }
         byte[] body = request.getInputStream().readNBytes(MOST_BYTES + 1);
