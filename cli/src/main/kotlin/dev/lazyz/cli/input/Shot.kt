@@ -72,7 +72,7 @@ internal class Shot(
         return all.render(strategy, before(sink)).toModel(up)
     }
 
-    /** Returns what comes before [sink]: the gradient; and the end after an interrupt, which not every strategy checks. */
+    /** Returns what comes before [sink]: the gradient, and a check for interrupts, which not every strategy makes. */
     private fun before(sink: RowSink): RowSink {
         val behind = gradient?.behind(pixels, frame.raster.height / factor, sink) ?: sink
         return RowSink { y, argb, depth, primitive ->

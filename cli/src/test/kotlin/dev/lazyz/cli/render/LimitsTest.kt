@@ -6,10 +6,10 @@ import dev.lazyz.cli.zcli
 import java.nio.file.Path
 import kotlin.io.path.createDirectory
 import kotlin.io.path.exists
-import kotlin.io.path.writeBytes
-import kotlin.io.path.writeText
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
+import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -95,7 +95,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         return Picture(png, "$size-${hash.digest()}", loaded.warnings)
     }
 
-    /** Returns the plan that fits into [memory] bytes, or the one that needs the least. The rest of the heap is free. */
+    /** Returns the plan that fits into [memory] bytes, or the one that needs the least. No reserve is part of them. */
     private fun plan(frame: SampledFrame, memory: Long, items: List<MemoryItem>): RenderPlan =
         RenderPlanner(RenderPlan.leastMemory(memory), options).plan(frame, listOf(renderer), items)
 

@@ -21,7 +21,7 @@ internal class RenderJob(
      */
     class Outcome(val picture: Picture?, val problem: Problem?, val bug: Throwable? = null)
 
-    /** Bytes of memory that the work takes. Guarded by the lock of the queue; while it runs, only the work changes it. */
+    /** Bytes of memory that the work takes. Guarded by the lock of the queue; during the work only that changes it. */
     var need: Long = need
 
     /** The thread that does the work, or null. Guarded by the lock of the queue. */
