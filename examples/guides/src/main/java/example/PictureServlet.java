@@ -2,6 +2,11 @@ package example;
 
 import dev.lazyz.Image;
 import dev.lazyz.Renderer;
+import dev.lazyz.filter.SampledFrame;
+import dev.lazyz.planning.MemoryItem;
+import dev.lazyz.planning.RenderPlan;
+import dev.lazyz.planning.RenderPlanner;
+import dev.lazyz.planning.SetUpMemory;
 import dev.lazyz.scenes.LoadLimits;
 import dev.lazyz.scenes.LoadedScene;
 import dev.lazyz.scenes.PictureSettings;
@@ -10,20 +15,33 @@ import dev.lazyz.scenes.SceneFormatException;
 import dev.lazyz.scenes.Scenes;
 import dev.lazyz.scenes.writers.Images;
 import dev.lazyz.strategies.tiled.Tiled;
+import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServlet;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.time.Duration;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 
 /** Renders an uploaded model: {@code POST /picture?format=obj} with the file as the body returns a PNG. */
 public class PictureServlet extends HttpServlet {
     private static final int MOST_BYTES = 20 << 20;
 
+    /** The formats of models. Scene files are for people who trust their content. */
+    private static final Set<SceneFormat> FORMATS = EnumSet.complementOf(EnumSet.of(SceneFormat.SCENE));
+
     /** What a model may ask for. A small file can describe a huge model, so the size of the upload is not enough. */
     private static final LoadLimits LIMITS = new LoadLimits()
-            .withDecodedBytes(256L << 20)
+            .withDecodedBytes(64L << 20)
             .withTriangles(2_000_000)
             .withVertices(2_000_000)
             .withTexels(16_000_000)
@@ -32,14 +50,24 @@ public class PictureServlet extends HttpServlet {
     /** The whole model, anti-aliased. Properties choose camera, light and background. */
     private static final PictureSettings SETTINGS = new PictureSettings(512, 512);
 
+    /** What drawing may take: many translucent layers take much, although their file is small. */
+    private static final long DRAWING_BYTES = 128L << 20;
+
+    private static final int MOST_SECONDS = 5;
+
     /** Thread safe, like all renderers: one is enough for all requests. */
     private final Renderer renderer = new Tiled();
 
+    /** The number of threads limits how many models are in memory. */
+    private final ExecutorService workers = Executors.newFixedThreadPool(2);
+
     @Override
-    protected void doPost(HttpServletRequest request, HttpServletResponse response) throws IOException {
+    protected void doPost(HttpServletRequest request, HttpServletResponse response)
+            throws IOException, ServletException {
         SceneFormat format = SceneFormat.ofFileName("upload." + request.getParameter("format"));
-        if (format == null) {
-            response.sendError(HttpServletResponse.SC_UNSUPPORTED_MEDIA_TYPE, "format must be obj, stl, ply or glb");
+        if (!FORMATS.contains(format)) {
+            String message = "format must be obj, stl, ply, off, 3mf, gltf or glb";
+            response.sendError(HttpServletResponse.SC_UNSUPPORTED_MEDIA_TYPE, message);
             return;
         }
         byte[] body = request.getInputStream().readNBytes(MOST_BYTES + 1);
@@ -47,28 +75,51 @@ public class PictureServlet extends HttpServlet {
             response.sendError(HttpServletResponse.SC_REQUEST_ENTITY_TOO_LARGE, "at most 20 MiB");
             return;
         }
-        LoadedScene loaded;
-        try {
-            loaded = Scenes.load(new ByteArrayInputStream(body), format, "upload", null, LIMITS);
-        } catch (SceneFormatException e) {
-            // The message names the line or byte, what is wrong, and the limit if one was exceeded
-            response.sendError(HttpServletResponse.SC_BAD_REQUEST, e.getMessage());
-            return;
-        }
         Image image;
+        Future<Image> task = workers.submit(() -> picture(body, format));
         try {
-            image = SETTINGS.frame(loaded).render(renderer);
-        } catch (IllegalArgumentException e) {
-            // No camera can show the model: it extends beyond the range of numbers
-            response.sendError(HttpServletResponse.SC_BAD_REQUEST, e.getMessage());
+            image = task.get(MOST_SECONDS, TimeUnit.SECONDS);
+        } catch (TimeoutException e) {
+            // Interrupts the thread: it goes on with the next request
+            task.cancel(true);
+            response.sendError(HttpServletResponse.SC_SERVICE_UNAVAILABLE, "the picture takes too long");
+            return;
+        } catch (ExecutionException e) {
+            Throwable cause = e.getCause();
+            if (!(cause instanceof SceneFormatException || cause instanceof IllegalArgumentException)) {
+                throw new ServletException(cause);
+            }
+            // The message names the line or byte, what is wrong, and the limit if one was exceeded
+            response.sendError(HttpServletResponse.SC_BAD_REQUEST, cause.getMessage());
             return;
         } catch (InterruptedException e) {
-            // The container shuts down, or limits the time of a request
+            // The container shuts down
+            task.cancel(true);
             Thread.currentThread().interrupt();
             response.sendError(HttpServletResponse.SC_SERVICE_UNAVAILABLE);
             return;
         }
         response.setContentType("image/png");
         Images.writePng(image, response.getOutputStream());
+    }
+
+    private Image picture(byte[] body, SceneFormat format) throws InterruptedException {
+        LoadedScene loaded = Scenes.load(new ByteArrayInputStream(body), format, "upload", null, LIMITS);
+        long setUp = SetUpMemory.bytes(loaded.getScene());
+        requireMemory(setUp <= DRAWING_BYTES);
+        SampledFrame frame = SETTINGS.frame(loaded);
+        RenderPlan plan = new RenderPlanner(DRAWING_BYTES)
+                .plan(frame, List.of(renderer), List.of(new MemoryItem("set-up", setUp)));
+        requireMemory(plan.getFits());
+        return frame.render(plan.getRenderer());
+    }
+
+    private static void requireMemory(boolean isEnough) {
+        if (!isEnough) throw new IllegalArgumentException("too many triangles or translucent layers to draw");
+    }
+
+    @Override
+    public void destroy() {
+        workers.shutdownNow();
     }
 }

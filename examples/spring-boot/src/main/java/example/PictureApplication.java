@@ -1,19 +1,34 @@
 package example;
 
-import dev.lazyz.Image;
 import dev.lazyz.Renderer;
+import dev.lazyz.filter.SampledFrame;
+import dev.lazyz.planning.MemoryItem;
+import dev.lazyz.planning.RenderPlan;
+import dev.lazyz.planning.RenderPlanner;
+import dev.lazyz.planning.SetUpMemory;
 import dev.lazyz.scenes.LoadLimits;
 import dev.lazyz.scenes.LoadOptions;
+import dev.lazyz.scenes.LoadedScene;
 import dev.lazyz.scenes.PictureSettings;
 import dev.lazyz.scenes.SceneFormat;
 import dev.lazyz.scenes.SceneFormatException;
 import dev.lazyz.scenes.Scenes;
 import dev.lazyz.scenes.writers.Images;
 import dev.lazyz.strategies.tiled.Tiled;
+import jakarta.annotation.PreDestroy;
 import java.io.IOException;
 import java.io.InputStream;
 import java.time.Duration;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import org.springframework.boot.SpringApplication;
 import org.springframework.boot.autoconfigure.SpringBootApplication;
 import org.springframework.http.HttpStatus;
@@ -39,11 +54,21 @@ public class PictureApplication {
     /** The whole model, anti-aliased. Properties choose camera, light and background. */
     private static final PictureSettings SETTINGS = new PictureSettings(512, 512);
 
+    /** The formats of models. Scene files are for people who trust their content. */
+    private static final Set<SceneFormat> FORMATS = EnumSet.complementOf(EnumSet.of(SceneFormat.SCENE));
+
+    /** What drawing may take: many translucent layers take much, although their file is small. */
+    private static final long DRAWING_BYTES = 64L << 20;
+
+    private static final int MOST_SECONDS = 10;
+
     /** Thread safe, like all renderers: one is enough for all requests. */
     private final Renderer renderer = new Tiled();
 
     /** A server has many more threads than a rendering should compete with. */
     final Semaphore places = new Semaphore(2 * Runtime.getRuntime().availableProcessors());
+
+    private final ExecutorService workers = Executors.newCachedThreadPool();
 
     public static void main(String[] args) {
         SpringApplication.run(PictureApplication.class, args);
@@ -52,15 +77,25 @@ public class PictureApplication {
     @PostMapping("/picture")
     ResponseEntity<byte[]> picture(@RequestParam String format, InputStream body) throws IOException {
         SceneFormat known = SceneFormat.ofFileName("upload." + format);
-        if (known == null) throw problem(HttpStatus.UNSUPPORTED_MEDIA_TYPE, "format must be obj, stl, ply or glb");
+        if (!FORMATS.contains(known)) {
+            String message = "format must be obj, stl, ply, off, 3mf, gltf or glb";
+            throw problem(HttpStatus.UNSUPPORTED_MEDIA_TYPE, message);
+        }
         if (!places.tryAcquire()) throw problem(HttpStatus.TOO_MANY_REQUESTS, "too many requests; try again later");
         try {
             byte[] model = body.readNBytes(MOST_BYTES + 1);
             if (model.length > MOST_BYTES) throw problem(HttpStatus.CONTENT_TOO_LARGE, "at most 20 MiB");
-            return ResponseEntity.ok().contentType(MediaType.IMAGE_PNG).body(png(model, known));
-        } catch (SceneFormatException | IllegalArgumentException invalid) {
+            byte[] picture = timed(workers.submit(() -> png(model, known)));
+            return ResponseEntity.ok().contentType(MediaType.IMAGE_PNG).body(picture);
+        } catch (ExecutionException failed) {
+            Throwable cause = failed.getCause();
+            if (!(cause instanceof SceneFormatException || cause instanceof IllegalArgumentException)) {
+                throw new IllegalStateException(cause);
+            }
             // The message says where and what is wrong, which limit was exceeded, or why there is no picture
-            throw problem(HttpStatus.UNPROCESSABLE_CONTENT, invalid.getMessage());
+            throw problem(HttpStatus.UNPROCESSABLE_CONTENT, cause.getMessage());
+        } catch (TimeoutException e) {
+            throw problem(HttpStatus.SERVICE_UNAVAILABLE, "the picture takes too long");
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw problem(HttpStatus.SERVICE_UNAVAILABLE, "the server is being closed");
@@ -69,9 +104,33 @@ public class PictureApplication {
         }
     }
 
+    /** Returns the result of a task. A task that takes too long is interrupted, and ends soon. */
+    private static byte[] timed(Future<byte[]> task) throws ExecutionException, InterruptedException, TimeoutException {
+        try {
+            return task.get(MOST_SECONDS, TimeUnit.SECONDS);
+        } finally {
+            task.cancel(true);
+        }
+    }
+
     private byte[] png(byte[] model, SceneFormat format) throws InterruptedException {
-        Image image = SETTINGS.frame(Scenes.load(model, format, "upload", OPTIONS)).render(renderer);
-        return Images.toPng(image);
+        LoadedScene loaded = Scenes.load(model, format, "upload", OPTIONS);
+        long setUp = SetUpMemory.bytes(loaded.getScene());
+        requireMemory(setUp <= DRAWING_BYTES);
+        SampledFrame frame = SETTINGS.frame(loaded);
+        RenderPlan plan = new RenderPlanner(DRAWING_BYTES)
+                .plan(frame, List.of(renderer), List.of(new MemoryItem("set-up", setUp)));
+        requireMemory(plan.getFits());
+        return Images.toPng(frame.render(plan.getRenderer()));
+    }
+
+    private static void requireMemory(boolean isEnough) {
+        if (!isEnough) throw new IllegalArgumentException("too many triangles or translucent layers to draw");
+    }
+
+    @PreDestroy
+    void end() {
+        workers.shutdownNow();
     }
 
     private static ResponseStatusException problem(HttpStatus status, String reason) {

@@ -2,6 +2,7 @@ package dev.lazyz.cli.batch
 
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.input.TimeLimit
 import dev.lazyz.cli.output.Progress
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.sheet.ContactSheet
@@ -62,12 +63,14 @@ internal class InputJob(
         var failure: Throwable? = null
         try {
             val source = FrameSource(subject, own, step.loading)
-            val loaded = source.load()
-            source.requireKept(loaded, plan.replaced)
-            val pictures = InputPictures(request, plan, shares, source, loaded, own, ::count) { strategy, shot ->
-                memory.require(step, strategy, shot)
+            TimeLimit.OF_INPUT.hold(subject.timeLimit, source.input.name) {
+                val loaded = source.load()
+                source.requireKept(loaded, plan.replaced)
+                val pictures = InputPictures(request, plan, shares, source, loaded, own, ::count) { strategy, shot ->
+                    memory.require(step, strategy, shot)
+                }
+                input.views.forEach { pictures.render(it, statistics, files) }
             }
-            input.views.forEach { pictures.render(it, statistics, files) }
         } catch (e: InterruptedException) {
             throw e
         } catch (e: Throwable) {

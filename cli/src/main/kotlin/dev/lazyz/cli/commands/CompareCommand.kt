@@ -18,6 +18,7 @@ import dev.lazyz.cli.compare.ComparisonTable
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.NamedInputs
 import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.input.TimeLimit
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.CostOptions
@@ -88,12 +89,15 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
         val request = CompareRequest(comparing.strategies.distinct(), cost.choices(), comparing.repeat, views)
         if (inputs.count { it == "-" } > 1) throw Mistake("standard input can be only one of the inputs")
         val named = NamedInputs(inputs, reading.format)
-        if (named.isSingle && views.size < 2) return compareOne(request, inputs.single())
+        if (named.isSingle && views.size < 2) {
+            val subject = subject(inputs.single())
+            return TimeLimit.OF_PROCESS.hold(subject.timeLimit, subject.input) { compareOne(request, subject) }
+        }
         return CompareSeveralJob(request, streams, ::subject, args).run(named.all, comparing.isJson)
     }
 
-    private fun compareOne(request: CompareRequest, input: String): Int {
-        val source = FrameSource(subject(input), streams)
+    private fun compareOne(request: CompareRequest, subject: Subject): Int {
+        val source = FrameSource(subject, streams)
         val job = CompareJob(request, streams)
         val comparison = job.compare(source, source.load(), request.views.singleOrNull())
         if (comparison.isBlank) streams.nothingIsVisible()

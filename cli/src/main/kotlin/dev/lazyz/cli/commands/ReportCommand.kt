@@ -9,6 +9,7 @@ import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.required
 import dev.lazyz.cli.compare.CompareRequest
+import dev.lazyz.cli.input.TimeLimit
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.CostOptions
@@ -66,7 +67,9 @@ internal class ReportCommand(private val streams: Streams, private val args: Lis
         val compared = CompareRequest(page.strategies.distinct(), cost.choices(), page.repeat, emptyList())
         val command = CommandLine.of(CommandLine.without(args, setOf("-o", "--output")) + listOf("-o", "report.html"))
         val report = StrategyPath.with(page.classPath) {
-            ReportJob(ReportRequest(subject, page.output, compared, command), streams).run()
+            TimeLimit.OF_PROCESS.hold(subject.timeLimit, input) {
+                ReportJob(ReportRequest(subject, page.output, compared, command), streams).run()
+            }
         }
         for (bug in report.bugs) streams.messages.println(Failure.bugReport(bug, args.toTypedArray()))
         if (!report.isGood) throw ProgramResult(ExitCode.DIFFERENT)

@@ -9,6 +9,7 @@ import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.required
 import com.github.ajalt.clikt.parameters.options.split
+import dev.lazyz.cli.input.TimeLimit
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.CostOptions
@@ -67,7 +68,9 @@ internal class TraceCommand(private val streams: Streams) : Command("trace") {
         )
         val request =
             TraceRequest(subject, film.output, film.strategies, choices, film.steps, film.framesPerSecond)
-        StrategyPath.with(film.classPath) { TraceJob(request, streams).run() }
+        StrategyPath.with(film.classPath) {
+            TimeLimit.OF_PROCESS.hold(subject.timeLimit, input) { TraceJob(request, streams).run() }
+        }
     }
 
     private companion object {

@@ -81,6 +81,8 @@ internal class CompareJob(
             streams.progress("rendering with ${strategy.id}, $number of ${request.repeat} ...")
             try {
                 rendered(number, round)
+            } catch (ended: InterruptedException) {
+                throw ended
             } catch (failure: Throwable) {
                 // Continue with the other strategies
                 this.failure = failure

@@ -2,6 +2,7 @@ package dev.lazyz.cli.compare
 
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.input.TimeLimit
 import dev.lazyz.cli.options.subject
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Failure
@@ -66,16 +67,8 @@ internal class CompareSeveralJob(
     private fun compare(input: String, isJson: Boolean): CompareLine {
         val line = CompareLine(input)
         try {
-            val source = FrameSource(subject(input), streams)
-            val loaded = source.read()
-            for (view in request.views.ifEmpty { listOf(null) }) {
-                val comparison = job.compare(source, loaded, view)
-                pictures++
-                if (comparison.isBlank) blank++
-                line.add(comparison)
-                comparison.bugs.forEach { report(it) }
-                if (isJson) printLine(comparison.toJson())
-            }
+            val subject = subject(input)
+            TimeLimit.OF_INPUT.hold(subject.timeLimit, input) { compare(subject, line, isJson) }
         } catch (closed: OutputClosed) {
             throw closed
         } catch (failure: Throwable) {
@@ -87,6 +80,19 @@ internal class CompareSeveralJob(
             if (isJson) printLine(Json.of(error(input, message)))
         }
         return line
+    }
+
+    private fun compare(subject: Subject, line: CompareLine, isJson: Boolean) {
+        val source = FrameSource(subject, streams)
+        val loaded = source.read()
+        for (view in request.views.ifEmpty { listOf(null) }) {
+            val comparison = job.compare(source, loaded, view)
+            pictures++
+            if (comparison.isBlank) blank++
+            line.add(comparison)
+            comparison.bugs.forEach { report(it) }
+            if (isJson) printLine(comparison.toJson())
+        }
     }
 
     private fun report(bug: Throwable) {

@@ -60,7 +60,7 @@ internal class Shot(
         planner.plan(sampled, renderers, others)
 
     /** Renders the frame with [strategy], and passes every row of pixels to [sink]. */
-    fun render(strategy: Renderer, sink: RowSink): Counters = sampled.render(strategy, beforeGradient(sink))
+    fun render(strategy: Renderer, sink: RowSink): Counters = sampled.render(strategy, before(sink))
 
     /** Renders likewise, and computes [aovs], in coordinates of the model. */
     fun render(strategy: Renderer, sink: RowSink, aovs: Set<Aov>): AovImages {
@@ -69,9 +69,15 @@ internal class Shot(
         } catch (tooLarge: IllegalArgumentException) {
             throw Mistake("--aov: ${tooLarge.message}, with --region")
         }
-        return all.render(strategy, beforeGradient(sink)).toModel(up)
+        return all.render(strategy, before(sink)).toModel(up)
     }
 
-    private fun beforeGradient(sink: RowSink): RowSink =
-        gradient?.behind(pixels, frame.raster.height / factor, sink) ?: sink
+    /** Returns what comes before [sink]: the gradient, and a check for interrupts, which not every strategy makes. */
+    private fun before(sink: RowSink): RowSink {
+        val behind = gradient?.behind(pixels, frame.raster.height / factor, sink) ?: sink
+        return RowSink { y, argb, depth, primitive ->
+            if (Thread.interrupted()) throw InterruptedException("interrupted before row $y")
+            behind.row(y, argb, depth, primitive)
+        }
+    }
 }

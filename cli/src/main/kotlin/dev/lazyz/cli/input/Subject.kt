@@ -16,6 +16,7 @@ import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.MipFilter
 import dev.lazyz.world.material.Shading
 import java.nio.file.Path
+import java.time.Duration
 
 /** How to render translucent materials. */
 internal enum class Translucency {
@@ -66,6 +67,9 @@ internal class Subject(
 ) {
     /** Whether no surface has smooth normals. */
     val hasFaceNormals: Boolean get() = shading == Shading.FLAT || shading == Shading.CONSTANT
+
+    /** How long reading and rendering may take, or null. */
+    val timeLimit: Duration? get() = loading.limits.time
 
     /** Whether an option changes the materials. */
     val changesMaterials: Boolean get() = shading != null || mipFilter != null

@@ -36,8 +36,10 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
             "${LoadLimits.DEFAULT_NESTING}",
     ).count(1..1000)
 
-    private val seconds by option("--max-seconds", help = "Maximum time for reading, 0..1000000; default: no limit")
-        .number("SECONDS", 0.0..1e6, " seconds")
+    private val seconds by option(
+        "--max-seconds",
+        help = "Maximum time for reading and rendering an input, 0..1000000; default: no limit",
+    ).number("SECONDS", 0.0..1e6, " seconds")
 
     private val spool by option(
         "--max-spool",

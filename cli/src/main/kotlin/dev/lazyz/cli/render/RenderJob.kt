@@ -3,6 +3,7 @@ package dev.lazyz.cli.render
 import dev.lazyz.Region
 import dev.lazyz.cli.diff.DifferenceText
 import dev.lazyz.cli.input.FrameSource
+import dev.lazyz.cli.input.TimeLimit
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Statistics
 import dev.lazyz.cli.output.StatisticsTable
@@ -24,7 +25,11 @@ internal class RenderJob(private val request: RenderRequest, private val streams
     private val planning = request.memory?.let { MemoryPlanning(it, request, source, choice, ::others) }
 
     /** Returns the exit code. */
-    fun run(): Int {
+    fun run(): Int = TimeLimit.OF_PROCESS.hold(request.subject.timeLimit, source.input.name) {
+        runAnyway()
+    }
+
+    private fun runAnyway(): Int {
         request.streaming?.requirePossible(request)
         if (planning == null) return run(request.streaming)
         val streaming = request.streaming ?: planning.streaming()

@@ -6,9 +6,13 @@ import dev.lazyz.cli.zcli
 import java.nio.file.Path
 import kotlin.io.path.createDirectory
 import kotlin.io.path.exists
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
 import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty
@@ -41,6 +45,32 @@ class LimitsTest {
         file.writeText("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n".repeat(100_000))
         zcli("render", file, "--max-seconds", 0.0001, "-o", out).mistake("takes more than 1 ms to read")
         zcli("render", file, "--max-seconds", 0, "-o", out).mistake("takes more than 0 ms to read")
+    }
+
+    /** Many layers that cover the picture take minutes, although the file is small. */
+    @Test
+    fun theTimeIsThatOfReadingAndRendering() {
+        val scene = folder.resolve("layers.json")
+        scene.writeText(
+            """{"lazyz": 1, "surfaces": [{"mesh": {"positions": [-9, -9, 0, 9, -9, 0, 0, 9, 0], "triangles": [""" +
+                List(2_000) { "0, 1, 2" }.joinToString() +
+                """]}, "material": {"baseColor": [1, 0.5, 0.2, 0.01], "alphaMode": "blend"}}]}""",
+        )
+        val message = "layers.json: takes more than 2000 ms to read and render; raise --max-seconds"
+        val limit = arrayOf<Any>("--max-seconds", 2)
+        val start = System.nanoTime()
+        zcli("render", scene, *limit, "-o", out).mistake(message)
+        zcli("render", scene, *limit, "--strategy", "lists", "-o", out).mistake(message)
+        zcli("compare", scene, *limit).mistake(message)
+
+        // With several inputs, one that takes too long does not stop the others
+        val batch = zcli("render", scene, folder.wedge(), *limit, "--size", 256, "-o", "$folder/{stem}.png")
+        batch.mistake(message, "1 of 2 inputs failed")
+        assertTrue(folder.resolve("wedge.png").exists())
+        assertTrue(System.nanoTime() - start < 30_000_000_000)
+        val files = folder.listDirectoryEntries().map { it.name }.filterNot { "out.png" in it }
+        assertEquals(setOf("layers.json", "wedge.obj", "wedge.png"), files.toSet())
+        assertFalse(out.exists())
     }
 
     @Test

@@ -58,7 +58,9 @@ internal class RenderRequest(private val service: Service, request: HttpRequest,
         val actual = format ?: MediaTypes.sniffed(body)
         val need = service.maker.pictureNeed(wish) + service.maker.modelNeed(actual, body.size)
         requireMemory(need, "a smaller model or picture")
-        val work = { timed { service.maker.picture(body, actual, wish) } }
+        val work = { job: RenderJob ->
+            timed { service.maker.picture(body, actual, wish, job.need) { service.queue.grow(job, it) } }
+        }
         val job = RenderJob(need, work, started) { outcome ->
             upload.release()
             ended(outcome)

@@ -2,7 +2,11 @@ package dev.lazyz.server.render
 
 import dev.lazyz.PixelHash
 import dev.lazyz.RenderOptions
-import dev.lazyz.Renderer
+import dev.lazyz.filter.SampledFrame
+import dev.lazyz.planning.MemoryItem
+import dev.lazyz.planning.RenderPlan
+import dev.lazyz.planning.RenderPlanner
+import dev.lazyz.planning.SetUpMemory
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.NoPictureException
@@ -10,8 +14,7 @@ import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.PngSink
-import dev.lazyz.strategies.PictureMemory
-import dev.lazyz.strategies.Renderers
+import dev.lazyz.strategies.tiled.Tiled
 import java.util.concurrent.ForkJoinPool
 
 /**
@@ -22,45 +25,68 @@ import java.util.concurrent.ForkJoinPool
  */
 internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
     private val options = RenderOptions(threads = 1)
-    private val renderer: Renderer = Renderers.builtIn.first().configured(options)
-    private val bytesPerSample = PictureMemory.bytesPerSample(renderer)
+
+    /** Its needs are upper bounds. */
+    private val renderer = Tiled(options)
     private val pngBlocks = minOf(2 * ForkJoinPool.getCommonPoolParallelism() + 1, MOST_BLOCKS)
     private val mostDecoded = limits.decodedBytes ?: mostDecoded
 
     /** Returns the bytes of memory that a picture takes besides its model. */
     fun pictureNeed(request: PictureRequest): Long {
         val columns = request.width.toLong() * request.factor
-        return request.samples * bytesPerSample + request.pixels * BYTES_PER_PIXEL + columns * BYTES_PER_COLUMN +
-            FIXED_BYTES + pngBlocks * BLOCK_BYTES
+        return columns * BYTES_PER_COLUMN + FIXED_BYTES + outputNeed(request)
     }
+
+    private fun outputNeed(request: PictureRequest): Long =
+        request.pixels * BYTES_PER_PIXEL + pngBlocks * BLOCK_BYTES
 
     /** Returns the bytes of memory that a model of [size] bytes in this [format] takes, without these bytes. */
     fun modelNeed(format: SceneFormat, size: Int): Long = decoded(format, size) * MEMORY_PER_DECODED
 
     /**
-     * Returns the picture of the model in [body].
+     * Returns the picture of the model in [body], in [memory] bytes.
      *
+     * @param grow is called with the bytes that are needed, when that turns out to be more than [memory], before they
+     *   are used. It throws if there are too few
      * @throws dev.lazyz.scenes.SceneFormatException if the model is invalid, or exceeds a limit
      * @throws Problem if it cannot be shown as requested
      * @throws InterruptedException if the thread is interrupted
      */
-    fun picture(body: ByteArray, format: SceneFormat, request: PictureRequest): Picture {
-        val own = limits.withDecodedBytes(decoded(format, body.size))
+    fun picture(
+        body: ByteArray,
+        format: SceneFormat,
+        request: PictureRequest,
+        memory: Long,
+        grow: (Long) -> Unit,
+    ): Picture {
+        val decoded = decoded(format, body.size)
+        val own = limits.withDecodedBytes(decoded)
         val loaded = Scenes.load(body, format, "model", LoadOptions(own))
         requireGoingOn()
+
+        // The loader's working memory is free now
+        val items = listOf(
+            MemoryItem("model", decoded),
+            MemoryItem("set-up", SetUpMemory.bytes(loaded.scene)),
+            MemoryItem("output", outputNeed(request)),
+        )
+        val setUp = items.sumOf { it.bytes }
+        if (setUp > memory) grow(setUp)
         val frame = try {
             request.settings.frame(loaded, options)
         } catch (e: NoPictureException) {
             throw Problem(Problem.UNPROCESSABLE, "the model cannot be shown as requested: ${e.message}")
         }
         requireGoingOn()
+        val plan = plan(frame, maxOf(memory, setUp), items)
+        if (!plan.fits) grow(plan.bytes)
         val png = Picture.Bytes()
         val hash = PixelHash()
         val size = request.settings.size
         val isOpaque = frame.frame.raster.background.alpha >= 1f
         val alpha = if (isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
         PngSink(png, size.width, size.height, alpha).use { sink ->
-            frame.render(renderer) { y, argb, depth, primitive ->
+            frame.render(plan.renderer) { y, argb, depth, primitive ->
                 hash.add(argb, size.width)
                 sink.row(y, argb, depth, primitive)
             }
@@ -68,6 +94,10 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         // Width and height are not part of the hash
         return Picture(png, "$size-${hash.digest()}", loaded.warnings)
     }
+
+    /** Returns the plan that fits into [memory] bytes, or the one that needs the least. No reserve is part of them. */
+    private fun plan(frame: SampledFrame, memory: Long, items: List<MemoryItem>): RenderPlan =
+        RenderPlanner(RenderPlan.leastMemory(memory), options).plan(frame, listOf(renderer), items)
 
     /** Returns the limit of decoded data for a model: text and plain numbers become at most so many times larger. */
     private fun decoded(format: SceneFormat, size: Int): Long = when (format) {
@@ -81,7 +111,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
     }
 
     companion object {
-        /** Bytes of heap for each byte of decoded data while a model is read and rendered, see docs/server.md. */
+        /** Bytes of heap for each byte of decoded data while a model is read, see docs/server.md. */
         const val MEMORY_PER_DECODED = 4L
 
         /** Decoded data of the smallest models. */

@@ -3,14 +3,15 @@ package dev.lazyz.server.render
 /**
  * A rendering that waits for its turn in a [RenderQueue].
  *
- * @property need bytes of memory that it takes
- * @param work renders the picture. It runs on a thread of the queue, which is interrupted if the job is cancelled
+ * @param need bytes of memory that it takes, as far as it is known before the work
+ * @param work renders the picture. It runs on a thread of the queue, which is interrupted if the job is cancelled. It
+ *   is done again with more memory if it throws [MoreMemory]
  * @param started is called when the work begins, on the thread of the queue
  * @param ended is called once, with the picture or the problem
  */
 internal class RenderJob(
-    val need: Long,
-    val work: () -> Picture,
+    need: Long,
+    val work: (RenderJob) -> Picture,
     val started: () -> Unit,
     val ended: (Outcome) -> Unit,
 ) {
@@ -20,9 +21,15 @@ internal class RenderJob(
      */
     class Outcome(val picture: Picture?, val problem: Problem?, val bug: Throwable? = null)
 
+    /** Bytes of memory that the work takes. Guarded by the lock of the queue; during the work only that changes it. */
+    var need: Long = need
+
     /** The thread that does the work, or null. Guarded by the lock of the queue. */
     var thread: Thread? = null
 
     /** Why the job was cancelled, or null. Guarded by the lock of the queue. */
     var reason: Problem? = null
 }
+
+/** The work of a job needs [need] bytes of memory, more than are free: it ends, and begins again when they are. */
+internal class MoreMemory(val need: Long) : RuntimeException(null, null, false, false)

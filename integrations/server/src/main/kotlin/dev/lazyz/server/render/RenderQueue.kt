@@ -49,6 +49,24 @@ internal class RenderQueue(private val threads: Int, private val capacity: Int, 
         true
     }
 
+    /**
+     * Takes as much memory for [job], whose work calls this, that it has [need] bytes.
+     *
+     * @throws MoreMemory if they are not free now. Waiting here could last forever: others that wait hold memory, too
+     * @throws Problem if there is never that much
+     */
+    fun grow(job: RenderJob, need: Long): Unit = lock.withLock {
+        if (need <= job.need) return
+        if (need > memory) {
+            val message = "drawing this model needs $need bytes of memory, and there are $memory; choose a smaller " +
+                "picture or aa, or a model with fewer triangles or translucent layers"
+            throw Problem(Problem.TOO_LARGE, message)
+        }
+        if (need - job.need > memory - taken) throw MoreMemory(need)
+        taken += need - job.need
+        job.need = need
+    }
+
     /** Ends [job] with [reason]: takes it out of the queue, or interrupts its work. */
     fun cancel(job: RenderJob, reason: Problem) {
         val wasWaiting = lock.withLock {
@@ -77,14 +95,13 @@ internal class RenderQueue(private val threads: Int, private val capacity: Int, 
 
     /** Refuses further jobs, cancels all others, and waits for the threads. */
     override fun close() {
-        val reason = Problem(Problem.UNAVAILABLE, "the server is closed")
         val left = lock.withLock {
             isClosed = true
             changed.signalAll()
             for (worker in workers) worker.interrupt()
             jobs.toList().also { jobs.clear() }
         }
-        for (job in left) job.ended(RenderJob.Outcome(null, reason))
+        for (job in left) job.ended(RenderJob.Outcome(null, CLOSED))
         for (worker in workers) worker.join()
     }
 
@@ -92,20 +109,39 @@ internal class RenderQueue(private val threads: Int, private val capacity: Int, 
         while (true) {
             val job = next() ?: return
             job.started()
-            val outcome = outcome(job)
+            val outcome = try {
+                outcome(job)
+            } catch (more: MoreMemory) {
+                if (retry(job, more.need)) continue
+                RenderJob.Outcome(null, CLOSED)
+            }
             val final = lock.withLock {
-                // No interrupt for this job comes after this
-                job.thread = null
-                Thread.interrupted()
-                running--
+                stop(job)
                 val reason = job.reason
                 val final = if (reason == null) outcome else RenderJob.Outcome(null, reason)
-                taken += (final.picture?.memory ?: 0) - job.need
-                changed.signalAll()
+                taken += final.picture?.memory ?: 0
                 final
             }
             job.ended(final)
         }
+    }
+
+    /** Puts [job] in front of all others, to begin again with [need] bytes, unless it must end. */
+    private fun retry(job: RenderJob, need: Long): Boolean = lock.withLock {
+        if (isClosed || job.reason != null) return false
+        stop(job)
+        job.need = need
+        jobs.addFirst(job)
+        true
+    }
+
+    /** Takes its thread and its memory from [job]. No interrupt for it comes after this. */
+    private fun stop(job: RenderJob) {
+        job.thread = null
+        Thread.interrupted()
+        running--
+        taken -= job.need
+        changed.signalAll()
     }
 
     /** Returns the first job, as soon as there is memory for it, or null if the queue is closed. */
@@ -131,16 +167,22 @@ internal class RenderQueue(private val threads: Int, private val capacity: Int, 
     }
 
     private fun outcome(job: RenderJob): RenderJob.Outcome = try {
-        RenderJob.Outcome(job.work(), null)
+        RenderJob.Outcome(job.work(job), null)
+    } catch (more: MoreMemory) {
+        throw more
     } catch (problem: Problem) {
         RenderJob.Outcome(null, problem)
     } catch (invalid: SceneFormatException) {
         RenderJob.Outcome(null, Problem(Problem.UNPROCESSABLE, invalid.message.orEmpty()))
     } catch (_: InterruptedException) {
-        RenderJob.Outcome(null, Problem(Problem.UNAVAILABLE, "the server is closed"))
+        RenderJob.Outcome(null, CLOSED)
     } catch (_: OutOfMemoryError) {
         RenderJob.Outcome(null, Problem(Problem.UNAVAILABLE, "the memory is used up; try a smaller model or picture"))
     } catch (bug: Throwable) {
         RenderJob.Outcome(null, Problem(Problem.BUG, "the server has failed: this is a bug"), bug)
+    }
+
+    private companion object {
+        val CLOSED = Problem(Problem.UNAVAILABLE, "the server is closed")
     }
 }

@@ -21,7 +21,7 @@ class RenderQueueTest {
     fun close() = queue.close()
 
     private fun job(name: String, need: Long, work: () -> Picture = { picture.also { release.await() } }) =
-        RenderJob(need, work, { begun.add(name) }, { ended.add(it) })
+        RenderJob(need, { work() }, { begun.add(name) }, { ended.add(it) })
 
     @Test
     fun jobsBeginInTheirOrderAsSoonAsThereIsMemory() {
@@ -73,6 +73,37 @@ class RenderQueueTest {
         assertSame(reason, take(ended).problem)
         assertEquals(0, queue.waiting)
         assertEquals(2, queue.running)
+    }
+
+    @Test
+    fun aJobGrowsOrBeginsAgainOrIsTooLarge() {
+        fun growing(name: String, need: Long) =
+            RenderJob(10, { picture.also { _ -> queue.grow(it, need) } }, { begun.add(name) }, { ended.add(it) })
+
+        queue.offer(growing("free", 90))
+        assertEquals("free", take(begun))
+        assertSame(picture, take(ended).picture)
+        queue.giveBack(picture.memory)
+        assertEquals(0, queue.taken)
+
+        // Less is free: it waits in front of the next one, without its memory
+        queue.offer(job("other", 50))
+        assertEquals("other", take(begun))
+        queue.offer(growing("growing", 60))
+        queue.offer(job("next", 20))
+        assertEquals("growing", take(begun))
+        while (queue.waiting < 2) Thread.onSpinWait()
+        assertEquals(50, queue.taken)
+        release.countDown()
+        assertEquals(setOf("growing", "next"), setOf(take(begun), take(begun)))
+        repeat(3) { assertSame(picture, take(ended).picture) }
+        queue.giveBack(3 * picture.memory)
+        assertEquals(0, queue.taken)
+
+        queue.offer(growing("large", 101))
+        val problem = checkNotNull(take(ended).problem)
+        assertEquals(413, problem.status)
+        assertTrue("needs 101 bytes of memory, and there are 100" in problem.message) { problem.message }
     }
 
     @Test

@@ -1,0 +1,60 @@
+package dev.lazyz.cli.input
+
+import dev.lazyz.cli.output.Mistake
+import java.time.Duration
+import java.util.concurrent.ExecutionException
+import java.util.concurrent.FutureTask
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.TimeoutException
+
+/**
+ * The option `--max-seconds`: limits the time for everything that is done with one input. The work is interrupted; it
+ * ends at the next step of reading, at the next tile or row of a picture, or when a strategy that holds the whole
+ * picture has computed it.
+ *
+ * @property patience how long to wait for that end, in milliseconds; 0 is without limit. Work that then still runs is
+ *   left alone, and ends with the process, which deletes its temporary files
+ */
+internal enum class TimeLimit(private val patience: Long) {
+    /** For the last work of the process. */
+    OF_PROCESS(1000),
+
+    /** For an input that others follow, which need the memory and the threads. */
+    OF_INPUT(0),
+    ;
+
+    /**
+     * Returns the result of [work] for the input [name], within [limit].
+     *
+     * @throws Mistake if it takes longer
+     */
+    fun <T> hold(limit: Duration?, name: String, work: () -> T): T {
+        if (limit == null) return work()
+        val task = FutureTask(work)
+        val worker = Thread(task, "zcli-work").apply { isDaemon = true }
+        worker.start()
+        try {
+            try {
+                return task.get(limit.toMillis(), TimeUnit.MILLISECONDS)
+            } catch (_: TimeoutException) {
+                worker.interrupt()
+                worker.join(patience)
+                return finished(task) ?: throw Mistake(
+                    "$name: takes more than ${limit.toMillis()} ms to read and render; raise --max-seconds",
+                )
+            }
+        } catch (failed: ExecutionException) {
+            throw failed.cause ?: failed
+        } catch (interrupted: InterruptedException) {
+            worker.interrupt()
+            throw interrupted
+        }
+    }
+
+    /** Returns the result of [task] if it has one; its failure may be due to the interrupt. */
+    private fun <T> finished(task: FutureTask<T>): T? = try {
+        if (task.isDone) task.get() else null
+    } catch (_: ExecutionException) {
+        null
+    }
+}

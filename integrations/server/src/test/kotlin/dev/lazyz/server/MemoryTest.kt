@@ -1,0 +1,102 @@
+package dev.lazyz.server
+
+import java.net.URI
+import java.net.http.HttpClient
+import java.net.http.HttpRequest
+import java.net.http.HttpResponse
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.nio.file.Path
+import java.time.Duration
+import java.util.concurrent.TimeUnit
+import org.junit.jupiter.api.AfterEach
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+
+/** A server in a process with a small heap, which ends when its memory is used up. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+class MemoryTest {
+    private val process = ProcessBuilder(
+        "${Path.of(System.getProperty("java.home"), "bin", "java")}", "-Xmx160m", "-XX:+ExitOnOutOfMemoryError",
+        "-cp", System.getProperty("java.class.path"), "dev.lazyz.server.MainKt",
+        "--port", "0", "--renders", "2", "--memory", "112m", "--render-time", "3",
+    ).redirectError(ProcessBuilder.Redirect.DISCARD).start()
+    private val output = process.inputStream.bufferedReader()
+    private val address = output.readLine().substringAfter("listening at ")
+    private val reader = Thread { output.forEachLine { } }.apply { isDaemon = true }.also { it.start() }
+    private val http = HttpClient.newHttpClient()
+
+    @AfterEach
+    fun end() {
+        process.destroyForcibly().waitFor(30, TimeUnit.SECONDS)
+        reader.join()
+    }
+
+    private fun request(body: ByteArray, size: Int = 512) = HttpRequest.newBuilder(URI("${address}render?size=$size"))
+        .timeout(Duration.ofSeconds(60)).POST(HttpRequest.BodyPublishers.ofByteArray(body)).build()
+
+    private fun post(body: ByteArray, size: Int = 512): HttpResponse<String> =
+        http.send(request(body, size), HttpResponse.BodyHandlers.ofString(Charsets.ISO_8859_1))
+
+    @Test
+    fun translucentLayersThatNeedTooMuchAreRefused() {
+        val answer = post(layers(50_000, "BLEND"))
+        assertEquals(413, answer.statusCode(), answer.body())
+        assertTrue("fewer triangles or translucent layers" in answer.body()) { answer.body() }
+        assertEquals(200, post(layers(20, "BLEND"), 64).statusCode())
+        assertEquals(200, post(Client.MODEL).statusCode())
+    }
+
+    @Test
+    fun manyRequestsOfManyLayersDoNotExhaustTheMemory() {
+        val answers = List(4) {
+            http.sendAsync(request(layers(10_000, "BLEND")), HttpResponse.BodyHandlers.discarding())
+        }
+        assertEquals(200, post(Client.MODEL).statusCode())
+        for (answer in answers) assertEquals(503, answer.get().statusCode())
+        assertEquals(200, post(Client.MODEL).statusCode())
+    }
+
+    /** Each reaches many tiles, and none hides another. */
+    @Test
+    fun largeTrianglesThatNeedTooMuchAreRefused() {
+        val answer = post(layers(300_000, "OPAQUE"))
+        assertEquals(413, answer.statusCode(), answer.body())
+        assertEquals(200, post(layers(100, "OPAQUE"), 64).statusCode())
+    }
+
+    /** Returns a GLB file of slivers, or, if they are translucent, of triangles that coincide. */
+    private fun layers(triangles: Int, mode: String): ByteArray {
+        val steps = if (mode == "BLEND") 1 else STEPS
+        val data = ByteBuffer.allocate(24 * (steps + 1) + 12 * triangles).order(ByteOrder.LITTLE_ENDIAN)
+        for (i in 0..steps) {
+            for (side in listOf(-1f, 1f)) data.putFloat(side).putFloat(2f * i / steps - 1).putFloat(side * i / steps)
+        }
+        for (i in 0 until triangles) {
+            val left = i % steps
+            val right = i / steps % steps
+            data.putInt(2 * left).putInt(2 * right + 1).putInt(2 * right + 3)
+        }
+        val json = """{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+            "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]}],
+            "materials":[{"alphaMode":"$mode","pbrMetallicRoughness":{"baseColorFactor":[1,0.5,0.2,0.01]}}],
+            "buffers":[{"byteLength":${data.capacity()}}],
+            "bufferViews":[{"buffer":0,"byteLength":${24 * (steps + 1)}},
+                {"buffer":0,"byteOffset":${24 * (steps + 1)},"byteLength":${12 * triangles}}],
+            "accessors":[{"bufferView":0,"componentType":5126,"count":${2 * (steps + 1)},"type":"VEC3",
+                "min":[-1,-1,-1],"max":[1,1,1]},
+                {"bufferView":1,"componentType":5125,"count":${3 * triangles},"type":"SCALAR"}]}""".toByteArray()
+        val padded = json.copyOf((json.size + 3) / 4 * 4).also { it.fill(' '.code.toByte(), json.size) }
+        return ByteBuffer.allocate(28 + padded.size + data.capacity()).order(ByteOrder.LITTLE_ENDIAN)
+            .put("glTF".toByteArray()).putInt(2).putInt(28 + padded.size + data.capacity())
+            .putInt(padded.size).put("JSON".toByteArray()).put(padded)
+            .putInt(data.capacity()).put("BIN\u0000".toByteArray()).put(data.array()).array()
+    }
+
+    private companion object {
+        /** Vertices along a side. */
+        const val STEPS = 600
+    }
+}
