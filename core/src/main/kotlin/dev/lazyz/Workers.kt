@@ -63,6 +63,11 @@ internal class Workers(val threads: Int, val executor: Executor) {
     }
 }
 
+/** Ends the rendering of this thread if it is interrupted: throws InterruptedException, and clears the status. */
+internal fun endIfInterrupted() {
+    if (Thread.interrupted()) throw InterruptedException("interrupted while rendering")
+}
+
 /**
  * The helpers of the thread that creates this, for one piece of work. Not thread safe.
  *

@@ -126,4 +126,23 @@ class TranslucencyTest {
         val sphere = Sphere(Vector3d(0.0, 0.0, 0.0), if (colors == null) 0.5 else Double.NaN, material)
         return Scene(listOf(sphere, mesh), background = Rgba.BLACK)
     }
+
+    /** Many layers can take minutes, so renderers that blend end soon. */
+    @Test
+    fun rule_7_8_renderersThatBlendEndWhenTheyAreInterrupted() {
+        val interrupting = object : Primitive by glass {
+            override fun shade(fragment: Fragment) {
+                Thread.currentThread().interrupt()
+                glass.shade(fragment)
+            }
+
+            override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
+        }
+        for (renderer in Renderers.builtIn.filter { Capability.TRANSPARENCY in it.capabilities }) {
+            assertThrows<InterruptedException>(renderer.id) {
+                renderer.render(Frame(raster, listOf(wall, interrupting))) { _, _, _, _ -> }
+            }
+            assertFalse(Thread.interrupted(), renderer.id)
+        }
+    }
 }

@@ -3,16 +3,19 @@ package dev.lazyz.conformance.rules
 import dev.lazyz.Capability
 import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
+import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.conformance.cases.ALL_GLASS
 import dev.lazyz.conformance.cases.Confetti
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.Rasters
+import dev.lazyz.conformance.cases.changed.Unbounded
 import dev.lazyz.conformance.cases.changed.alike
 import dev.lazyz.conformance.cases.changed.asOpaque
 import dev.lazyz.conformance.cases.changed.behindMany
 import dev.lazyz.conformance.cases.changed.on
 import dev.lazyz.conformance.cases.changed.padded
+import dev.lazyz.conformance.cases.changed.watched
 import dev.lazyz.conformance.cases.changed.withHiddenGlass
 import dev.lazyz.conformance.cases.changed.withinAny
 import dev.lazyz.conformance.cases.glazed
@@ -39,7 +42,7 @@ import net.jqwik.api.Property
 /** Rules about the picture: it equals the oracle's picture, bit for bit. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
 public sealed interface PictureRules : RulesForOne {
-    /** Frames of [Confetti]: many spans in a row, loose bounds, and depth without a linear form. */
+    /** Frames of [Confetti]: many spans in a row, loose or huge bounds, and depth without a linear form. */
     @Rule(
         intent = "Custom primitives cover their spans: many spans in a row, loose bounds, depth without a linear form.",
         look = "Look for code that assumes one span per row, tight bounds, or a depthForm that is not null.",
@@ -47,7 +50,10 @@ public sealed interface PictureRules : RulesForOne {
     )
     @Property(tries = 200, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_2_8_customPrimitivesCoverTheirSpans(@ForAll(supplier = ConfettiCases::class) case: FrameCase) {
-        Judgement(renderer(), case).equalsReference()
+        val renderer = renderer()
+        Judgement(renderer, case).equalsReference()
+        val unbounded = with(case.frame) { Frame(raster, primitives.map(::Unbounded), region) }
+        Judgement(renderer, case.watched(unbounded), "bounds of 2^30 columns and rows").equalsReference()
     }
 
     /**

@@ -94,4 +94,9 @@ object BrokenCoverage {
 
     private const val TILE = 8
     private val ALL = 0..<Raster.MAX_SIDE
+
+    /** The number of columns overflows, and what covers none is dropped. */
+    fun losesHugeBounds() = drawing("loses-huge-bounds") { frame ->
+        frame.keeping { with(frame.primitives[it]) { columnEnd - columnStart >= 0 || columnEnd < columnStart } }
+    }
 }

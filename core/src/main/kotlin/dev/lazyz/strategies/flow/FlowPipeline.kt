@@ -6,6 +6,7 @@ import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.pipeline.Chain
 import dev.lazyz.pipeline.Row
 import dev.lazyz.pipeline.Stage
@@ -63,9 +64,7 @@ public class FlowPipeline @JvmOverloads constructor(private val options: RenderO
      */
     @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters = runBlocking {
-        rows(frame) {
-            if (Thread.interrupted()) throw InterruptedException("interrupted while rendering")
-        }.deliver(sink)
+        rows(frame) { endIfInterrupted() }.deliver(sink)
     }
 
     /**

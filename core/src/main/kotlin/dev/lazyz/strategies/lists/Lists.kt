@@ -7,6 +7,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Selector
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.requireInMemory
 import dev.lazyz.shading.LateShading
 import java.io.IOException
@@ -65,6 +66,8 @@ public class Lists @JvmOverloads constructor(private val options: RenderOptions 
         val cell = RowCell(frame, fragments, shading)
         val row = RowOutput(frame)
         for (y in frame.region.rowStart until frame.region.rowEnd) {
+            endIfInterrupted()
+
             // Scan-convert the row, one piece at a time
             active.moveTo(y, fragments)
             shading.beginRow()

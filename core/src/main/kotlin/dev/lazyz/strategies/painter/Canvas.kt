@@ -4,6 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.RowSink
+import dev.lazyz.endIfInterrupted
 
 /**
  * The picture painted so far. Depth is evaluated at the end, for visible samples only.
@@ -38,6 +39,7 @@ internal sealed class Canvas(protected val frame: Frame, protected val counters:
         val depths = IntArray(width)
         val visible = IntArray(width)
         for (y in region.rowStart until region.rowEnd) {
+            endIfInterrupted()
             finishRow(y, at(region.columnStart, y), colors, visible)
             for (i in 0 until width) depths[i] = depth(region.columnStart + i, y, visible[i])
             sink.row(y, colors, depths, visible)

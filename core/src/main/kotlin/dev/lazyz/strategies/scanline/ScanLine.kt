@@ -6,6 +6,7 @@ import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.requireInMemory
 import dev.lazyz.shading.LateShading
 import java.io.IOException
@@ -69,6 +70,8 @@ public class ScanLine @JvmOverloads constructor(private val options: RenderOptio
         val layers = if (frame.hasTranslucency) LayerSweep(frame, edges, shading, counters) else null
         val colors = IntArray(frame.width)
         for (y in frame.region.rowStart until frame.region.rowEnd) {
+            endIfInterrupted()
+
             // Step every active edge to this row
             edges.moveTo(y)
 

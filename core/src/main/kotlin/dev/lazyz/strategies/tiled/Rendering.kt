@@ -6,6 +6,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Helpers
 import dev.lazyz.RowSink
 import dev.lazyz.Workers
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.strategies.tiled.binning.ArrayPool
 import dev.lazyz.strategies.tiled.binning.Arrivals
 import dev.lazyz.strategies.tiled.binning.Band
@@ -136,7 +137,7 @@ internal class Rendering(
 
     /** The calling thread is the only one that can be interrupted from outside. */
     private fun passCallerCheckpoint() {
-        if (Thread.interrupted()) throw InterruptedException("interrupted while rendering")
+        endIfInterrupted()
         schedule.pass()
     }
 

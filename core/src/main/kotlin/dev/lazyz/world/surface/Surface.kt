@@ -40,7 +40,8 @@ public interface Surface {
     /**
      * Returns this surface for a raster with [factor] times as many samples in each direction: what has a size in
      * samples of the raster, and not in the world, becomes larger by this factor. Anti-aliasing calls it, so that
-     * points and lines keep their size in pixels. A surface that does not override this function has only sizes in the world.
+     * points and lines keep their size in pixels. A surface that does not override this function has only sizes in the
+     * world.
      */
     public fun magnified(factor: Int): Surface = this
 

@@ -34,6 +34,20 @@ internal abstract class Recovered(protected val whole: Primitive) : Primitive by
     }
 }
 
+/** What [whole] covers, with bounds that are much larger than any raster (contract rule 2.8). */
+internal class Unbounded(whole: Primitive) : Recovered(whole) {
+    override val columnStart: Int get() = -FAR
+    override val columnEnd: Int get() = FAR
+    override val rowStart: Int get() = -FAR
+    override val rowEnd: Int get() = FAR
+
+    override fun spans(y: Int, spans: Spans): Unit = whole.spans(y, spans)
+
+    private companion object {
+        const val FAR = 1 shl 30
+    }
+}
+
 /** The part of [whole] within [columns] and [rows]. */
 internal class Cutting(whole: Primitive, private val columns: IntRange, private val rows: IntRange) :
     Recovered(whole) {
