@@ -42,7 +42,7 @@ import net.jqwik.api.Property
 /** Rules about the picture: it equals the oracle's picture, bit for bit. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
 public sealed interface PictureRules : RulesForOne {
-    /** Frames of [Confetti]: many spans in a row, loose or huge bounds, and depth without a linear form. */
+    /** Frames of [Confetti]: many spans in a row, loose bounds, and depth without a linear form. */
     @Rule(
         intent = "Custom primitives cover their spans: many spans in a row, loose bounds, depth without a linear form.",
         look = "Look for code that assumes one span per row, tight bounds, or a depthForm that is not null.",
@@ -50,10 +50,19 @@ public sealed interface PictureRules : RulesForOne {
     )
     @Property(tries = 200, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_2_8_customPrimitivesCoverTheirSpans(@ForAll(supplier = ConfettiCases::class) case: FrameCase) {
-        val renderer = renderer()
-        Judgement(renderer, case).equalsReference()
+        Judgement(renderer(), case).equalsReference()
+    }
+
+    /** Custom primitives whose bounds say nothing. */
+    @Rule(
+        intent = "Bounds only limit where a custom primitive may cover samples; they can be larger than any raster.",
+        look = "Look for differences of bounds that overflow, and limit bounds to the region before you count tiles.",
+        about = [Symptom.OWN_PRIMITIVE],
+    )
+    @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_2_8_boundsMayBeLargerThanTheRaster(@ForAll(supplier = ConfettiCases::class) case: FrameCase) {
         val unbounded = with(case.frame) { Frame(raster, primitives.map(::Unbounded), region) }
-        Judgement(renderer, case.watched(unbounded), "bounds of 2^30 columns and rows").equalsReference()
+        Judgement(renderer(), case.watched(unbounded), "bounds of 2^30 columns and rows").equalsReference()
     }
 
     /**

@@ -40,7 +40,7 @@ internal object CoverageGallery {
             "rows in which a primitive has a single sample are lost",
             points, lines,
         ),
-        Mutant(BrokenCoverage::losesHugeBounds, "the number of columns of a primitive overflows", own),
+        Mutant(BrokenCoverage::losesHugeBounds, "the number of columns of a primitive overflows", RuleNames.bounds),
         Mutant(BrokenRenderers::needsAPrimitive, "fails without primitives", empty),
         Mutant(BrokenRenderers::needsTwoColumns, "fails on rasters of a single column", narrow),
     )

@@ -7,6 +7,7 @@ internal object RuleNames {
     val nearest = RendererConformance::rule_5_1_nearestFragmentIsVisible.name
     val scenes = RendererConformance::rule_5_1_nearestFragmentIsVisibleInScenes.name
     val own = RendererConformance::rule_2_8_customPrimitivesCoverTheirSpans.name
+    val bounds = RendererConformance::rule_2_8_boundsMayBeLargerThanTheRaster.name
     val points = RendererConformance::rule_2_9_pointsAreDrawnCorrectly.name
     val lines = RendererConformance::rule_2_10_linesAreDrawnCorrectly.name
     val pointsBlend = RendererConformance::rule_5_5_pointsAndLinesBlend.name
