@@ -155,7 +155,7 @@ class ReportTest {
 
     @Test
     fun frameWithoutASceneFileSaysSo() {
-        val report = Conformance { BrokenRenderers.gapsFilled() }.tries(0.2).rule("2.8").run()
+        val report = Conformance { BrokenRenderers.gapsFilled() }.tries(0.2).rule("rule_2_8_customPrimitivesCoverTheirSpans").run()
         report.writeTo(folder)
         val rule = report.results.single().rule
         assertFalse(folder.resolve("failures/$rule.json").exists())
