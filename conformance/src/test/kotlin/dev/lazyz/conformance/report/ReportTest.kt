@@ -155,7 +155,8 @@ class ReportTest {
 
     @Test
     fun frameWithoutASceneFileSaysSo() {
-        val report = Conformance { BrokenRenderers.gapsFilled() }.tries(0.2).rule("rule_2_8_customPrimitivesCoverTheirSpans").run()
+        val own = "rule_2_8_customPrimitivesCoverTheirSpans"
+        val report = Conformance { BrokenRenderers.gapsFilled() }.tries(0.2).rule(own).run()
         report.writeTo(folder)
         val rule = report.results.single().rule
         assertFalse(folder.resolve("failures/$rule.json").exists())
