@@ -116,7 +116,7 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
         }
         isSet = Thread.interrupted()
         hasEnded = true
-        if (thrown is InterruptedException) Thread.sleep(PATIENCE)
+        if (thrown is InterruptedException) Thread.sleep(AFTERWARDS)
     }
 
     private fun send() {
@@ -166,6 +166,6 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
         const val PAUSE = 200_000L
 
         /** Milliseconds to wait for queries after the end. */
-        const val PATIENCE = 20L
+        const val AFTERWARDS = 20L
     }
 }

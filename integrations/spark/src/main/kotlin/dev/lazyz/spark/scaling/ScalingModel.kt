@@ -1,6 +1,5 @@
 package dev.lazyz.spark.scaling
 
-import dev.lazyz.spark.triangles.jobs.SortLast
 import kotlin.math.abs
 import kotlin.math.ceil
 import kotlin.math.ln
@@ -136,12 +135,11 @@ internal class ScalingModel(
     fun partBytes(parts: Int): Long = sizes.bytes(whole(0, parts))
 
     /** Predicts the job's merging of [nodes] parts. */
-    fun tree(nodes: Int, fanIn: Int = SortLast.FAN_IN): Simulated<ExpectedPiece> = MergeSimulation(this, network).tree(
+    fun tree(nodes: Int): Simulated<ExpectedPiece> = MergeSimulation(this, network).tree(
         List(nodes) { node ->
             (0 until facts.bands).associateWith { band(node, nodes, it) }.filter { sizes.fragments(it.value) > 0 }
         },
         facts.bands,
-        fanIn,
     )
 
     /** Predicts radix-k. */

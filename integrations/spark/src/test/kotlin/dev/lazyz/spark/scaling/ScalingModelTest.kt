@@ -90,7 +90,7 @@ class ScalingModelTest {
     /** A range of a quarter that reaches no further is in one band of four, and nothing has to be sent. */
     @Test
     fun rangesThatReachOneBandStayThere() {
-        val tree = model(Split.RANGES, 1.0, overdraw = 1.0).tree(4, fanIn = 8)
+        val tree = model(Split.RANGES, 1.0, overdraw = 1.0).tree(4)
         assertEquals(0L, tree.totalBytes)
         assertEquals(4, tree.pieces.size)
     }
