@@ -1,13 +1,13 @@
 package dev.lazyz.conformance.oracle
 
 import dev.lazyz.Coherence
-import dev.lazyz.DepthTest
+import dev.lazyz.Fragment
 import dev.lazyz.Frame
-import dev.lazyz.Image
+import dev.lazyz.Primitive
 
 /**
- * The expected starts and steps of shading when each row is visited once, for a given [Coherence]. Counted from the
- * picture and the primitives alone.
+ * The expected starts and steps of shading when each row is visited once, for a given [Coherence]: those that reach
+ * the fragments that show through, of each primitive in each row from left to right.
  */
 internal class ExpectedSteps private constructor(private val coherence: Coherence) {
     /** Number of colours whose attributes are evaluated at the sample. */
@@ -20,32 +20,36 @@ internal class ExpectedSteps private constructor(private val coherence: Coherenc
 
     override fun toString(): String = "$starts starts and $steps steps"
 
-    private fun addRow(frame: Frame, image: Image, y: Int) {
-        val lastOf = HashMap<Int, Int>()
-        for (x in frame.region.columnStart until frame.region.columnEnd) {
-            val index = image.primitive(x, y)
-            if (index == DepthTest.BACKGROUND) continue
-            val primitive = frame.primitives[index]
-            val last = lastOf.put(index, x)
-            val reach = when (coherence) {
-                Coherence.DIRECT -> 0
-                Coherence.INCREMENTAL -> Int.MAX_VALUE
-                Coherence.ADAPTIVE -> primitive.shadingStartCost
+    private fun add(shown: Shown) {
+        val reach = when (coherence) {
+            Coherence.DIRECT -> 0
+            Coherence.INCREMENTAL -> Int.MAX_VALUE
+            Coherence.ADAPTIVE -> shown.primitive.shadingStartCost
+        }
+        for ((y, columns) in shown.columns) {
+            columns.sorted().zipWithNext { last, x ->
+                if (x - last <= reach && shown.primitive.shadingCursor(last, y) != null) steps += x - last else starts++
             }
-            if (last != null && x - last <= reach && primitive.shadingCursor(last, y) != null) {
-                steps += x - last
-            } else {
-                starts++
-            }
+            starts++
+        }
+    }
+
+    /** Where a [primitive] shows: the columns of its shading calls by row. */
+    private class Shown(val primitive: Primitive) : Primitive by primitive {
+        val columns = HashMap<Int, MutableList<Int>>()
+
+        override fun shade(fragment: Fragment) {
+            columns.getOrPut(fragment.y) { ArrayList() } += fragment.x
+            primitive.shade(fragment)
         }
     }
 
     companion object {
-        /** Counts for [image], the correct picture of [frame]. All primitives must be opaque. */
-        fun of(frame: Frame, image: Image, coherence: Coherence): ExpectedSteps {
-            val expected = ExpectedSteps(coherence)
-            for (y in frame.region.rowStart until frame.region.rowEnd) expected.addRow(frame, image, y)
-            return expected
+        /** Counts for the correct picture of [frame]. */
+        fun of(frame: Frame, coherence: Coherence): ExpectedSteps {
+            val shown = frame.primitives.map { Shown(it) }
+            ReferenceRenderer().render(Frame(frame.raster, shown, frame.region)) { _, _, _, _ -> }
+            return ExpectedSteps(coherence).apply { shown.forEach { add(it) } }
         }
     }
 }

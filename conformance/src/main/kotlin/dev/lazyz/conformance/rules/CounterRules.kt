@@ -138,28 +138,32 @@ public sealed interface CounterRules : RulesForOne {
     @Rule(
         intent =
         "A renderer with COHERENCE steps along rows as its latest options request: INCREMENTAL across all gaps, " +
-            "ADAPTIVE across gaps of at most shadingStartCost columns.",
+            "ADAPTIVE across gaps of at most shadingStartCost columns. So do the layers of blended samples.",
         look = "A gap equal to shadingStartCost is stepped across; check also which options configured() keeps.",
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_8_1_shadingStepsFollowTheOptions(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+    public fun rule_8_1_shadingStepsFollowTheOptions(
+        @ForAll(supplier = MixedCases::class) case: FrameCase,
+        @ForAll salt: Int,
+    ) {
         val renderer = renderer()
         requireDeclared(renderer, Capability.COHERENCE)
         requireDeclared(renderer, Capability.SHADES_ONLY_VISIBLE)
-        val opaque = case.asOpaque()
+        val isBlending = Capability.TRANSPARENCY in renderer.capabilities
         var last = renderer
-        for (coherence in listOf(Coherence.INCREMENTAL, Coherence.ADAPTIVE, Coherence.DIRECT)) {
-            // Each renderer is configured from the previous one, whose options must not remain
-            val configured = last.configured(RenderOptions(coherence, threads = 1, tileSize = 512))
-            last = configured
-            val witness = ShadingWitness(opaque.frame)
-            val judgement = Judgement(configured, opaque.watched(witness.frame), "$coherence")
-            val starts = judgement.rendering.run { witness.starts }
-            val steps = witness.steps
-            val right = Rendering.of(ReferenceRenderer(), opaque.frame).image
-            val expected = ExpectedSteps.of(opaque.frame, right, coherence)
-            if (starts == expected.starts && steps == expected.steps) continue
-            judgement.fail("$expected are expected, but $starts starts and $steps steps were made")
+        for (each in listOfNotNull(case.asOpaque(), case.glazed(salt).takeIf { isBlending })) {
+            for (coherence in listOf(Coherence.INCREMENTAL, Coherence.ADAPTIVE, Coherence.DIRECT)) {
+                // Each renderer is configured from the previous one, whose options must not remain
+                val configured = last.configured(RenderOptions(coherence, threads = 1, tileSize = 512))
+                last = configured
+                val witness = ShadingWitness(each.frame)
+                val judgement = Judgement(configured, each.watched(witness.frame), "$coherence")
+                val starts = judgement.rendering.run { witness.starts }
+                val steps = witness.steps
+                val expected = ExpectedSteps.of(each.frame, coherence)
+                if (starts == expected.starts && steps == expected.steps) continue
+                judgement.fail("$expected are expected, but $starts starts and $steps steps were made")
+            }
         }
     }
 

@@ -13,6 +13,7 @@ import dev.lazyz.Spans
 import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.hybrid.Hybrid
 import dev.lazyz.strategies.lazy.LazyZBuffer
+import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.zbuffer.ZBuffer
 
@@ -55,6 +56,15 @@ object BrokenPromises {
         stepping,
         options = { keepsStepping(if (it.coherence == Coherence.DIRECT) last else it) },
     ) { frame, sink -> LazyZBuffer(last).render(frame, sink) }
+
+    /** Ignores the options of coherence in frames with a translucent primitive. */
+    fun shadesGlassDirectly(): BrokenRenderer = shadesGlassDirectly(RenderOptions())
+
+    private fun shadesGlassDirectly(options: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "shades-glass-directly",
+        stepping + Capability.TRANSPARENCY,
+        options = { shadesGlassDirectly(it) },
+    ) { frame, sink -> Lists(if (frame.hasTranslucency) RenderOptions() else options).render(frame, sink) }
 
     /** Queries all primitives about the next row before it delivers this one. */
     fun looksAhead() = BrokenRenderer("looks-ahead", setOf(Capability.STREAMS_ROWS)) { frame, sink ->

@@ -52,6 +52,7 @@ internal object PromisesGallery {
             stepping,
         ),
         Mutant(BrokenPromises::keepsStepping, "continues to step after options that turn stepping off", stepping),
+        Mutant(BrokenPromises::shadesGlassDirectly, "does not step in frames that blend", stepping),
         Mutant(BrokenColours::countsNoSteps, "does not count steps", steps),
         Mutant(BrokenColours::countsWholeChains, "counts the steps of a row as one chain", steps),
         Mutant(BrokenStreams::forgetsTheLast, "draws a primitive when the next one arrives", oneByOne),
