@@ -29,17 +29,7 @@ internal class BumpySphere(private val rings: Int) {
     private val positions = FloatArray(3 * (rings + 1) * (columns + 1))
 
     init {
-        var at = 0
-        for (i in 0..rings) {
-            for (j in 0..columns) {
-                val down = PI * i / rings
-                val around = 2 * PI * j / columns
-                val radius = 1 + BUMP * sin(WAVES * down) * cos(WAVES * around)
-                positions[at++] = (radius * sin(down) * cos(around)).toFloat()
-                positions[at++] = (radius * cos(down)).toFloat()
-                positions[at++] = (radius * sin(down) * sin(around)).toFloat()
-            }
-        }
+        for (i in 0..rings) ring(rings, i).let { it.copyInto(positions, i * it.size) }
     }
 
     /** Number of triangles. */
@@ -78,6 +68,21 @@ internal class BumpySphere(private val rings: Int) {
     }
 
     companion object {
+        /** Returns x, y, z of each vertex of ring [i] from the pole, of a sphere of so many [rings]. */
+        fun ring(rings: Int, i: Int): FloatArray {
+            val columns = 2 * rings
+            val ring = FloatArray(3 * (columns + 1))
+            val down = PI * i / rings
+            for (j in 0..columns) {
+                val around = 2 * PI * j / columns
+                val radius = 1 + BUMP * sin(WAVES * down) * cos(WAVES * around)
+                ring[3 * j] = (radius * sin(down) * cos(around)).toFloat()
+                ring[3 * j + 1] = (radius * cos(down)).toFloat()
+                ring[3 * j + 2] = (radius * sin(down) * sin(around)).toFloat()
+            }
+            return ring
+        }
+
         /** The scene around any of the triangles. */
         val SCENE: TriangleScene = TriangleScene { Scene(listOf(it)) }
 

@@ -69,13 +69,13 @@ fun main(arguments: Array<String>) {
 }
 
 /** Returns a session on the cluster, with speculative execution. */
-internal fun drillSession(master: String, name: String): SparkSession =
+internal fun drillSession(master: String, name: String, executorMemory: String = "512m"): SparkSession =
     SparkSession.builder().master(master).appName(name)
         .config("spark.ui.enabled", false)
         .config("spark.driver.host", "127.0.0.1")
         .config("spark.driver.bindAddress", "127.0.0.1")
         .config("spark.executor.cores", 1)
-        .config("spark.executor.memory", "512m")
+        .config("spark.executor.memory", executorMemory)
         .config("spark.executor.extraClassPath", System.getProperty("java.class.path"))
         .config("spark.speculation", true)
         .config("spark.speculation.interval", "100ms")
