@@ -48,25 +48,33 @@ private fun seconds(work: () -> Unit): Double {
     return (system.processCpuTime - before) / 1e9
 }
 
+/** A picture of a built-in scene, with [factor] x [factor] samples a pixel. */
+private class Picture(val id: String, val factor: Int, val width: Int, val height: Int) {
+    val source = PictureSource { SuperSampling(factor).frame(Scenes.builtin(id)!!, Raster(width, height)) }
+
+    override fun toString(): String = "$id ${width}x$height aa=$factor"
+}
+
+private val pictures = listOf(
+    Picture("city", 2, 3000, 2000),
+    Picture("teapot", 4, 2000, 1500),
+    Picture("city", 2, 9000, 6000),
+    Picture("teapot", 4, 8000, 6000),
+)
+
 /** The same PNG file by `local[2]` and by `Tiled` with two threads, in turns; the first turn is not counted. */
 private fun processorTime() {
     val folder = Files.createTempDirectory("figures")
-    for ((id, factor, width, height) in listOf(listOf("city", 2, 3000, 2000), listOf("teapot", 4, 2000, 1500))) {
-        val source = PictureSource {
-            SuperSampling(factor as Int).frame(
-                Scenes.builtin("$id")!!,
-                Raster(width as Int, height as Int),
-            )
-        }
-        val frame = source.picture()
+    for (each in pictures) {
+        val frame = each.source.picture()
         val renderer = Tiled(RenderOptions(threads = 2))
-        val picture = DistributedPicture(TestSpark.session, source)
+        val picture = DistributedPicture(TestSpark.session, each.source)
         val spark = ArrayList<Double>()
         val alone = ArrayList<Double>()
         repeat(3) { turn ->
             val one = seconds {
                 ImageFiles.write(
-                    folder.resolve("a.png"), width as Int, height as Int, ImageFormat.PNG, AlphaChannel.DROP,
+                    folder.resolve("a.png"), each.width, each.height, ImageFormat.PNG, AlphaChannel.DROP,
                 ) { frame.render(renderer, it) }
             }
             val two = seconds { picture.writePng(folder.resolve("b.png")) }
@@ -76,8 +84,7 @@ private fun processorTime() {
             }
         }
         check(Files.mismatch(folder.resolve("a.png"), folder.resolve("b.png")) < 0)
-        val ratio = "%.2f".format(spark.min() / alone.min())
-        println("$id ${width}x$height aa=$factor: Tiled $alone s, Spark $spark s, ratio $ratio")
+        println("$each: Tiled $alone s, Spark $spark s, ratio ${"%.2f".format(spark.min() / alone.min())}")
     }
     folder.toFile().deleteRecursively()
 }
