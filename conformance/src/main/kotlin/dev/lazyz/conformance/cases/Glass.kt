@@ -25,10 +25,18 @@ public class Glass @JvmOverloads constructor(private val whole: Primitive, priva
     override fun toString(): String = "Glass($whole, $layers)"
 }
 
-/** Returns this frame with each primitive as [Glass] for the given number of [layers]. */
-internal fun FrameCase.thin(layers: Int): FrameCase = FrameCase(
-    Frame(frame.raster, frame.primitives.map { Glass(it, layers) }, frame.region),
-    "$code\n    .let { frame -> Frame(frame.raster, frame.primitives.map { Glass(it, $layers) }) }",
+/**
+ * Returns this frame with each primitive as [Glass] for the given number of [layers], except those with an index in
+ * [opaque], which stay as they are.
+ */
+internal fun FrameCase.thin(layers: Int, opaque: Set<Int> = emptySet()): FrameCase = FrameCase(
+    Frame(
+        frame.raster,
+        frame.primitives.mapIndexed { i, it -> if (i in opaque) it else Glass(it, layers) },
+        frame.region,
+    ),
+    "$code\n    .let { frame -> Frame(frame.raster, frame.primitives.mapIndexed { i, it -> " +
+        "if (i in setOf<Int>(${opaque.joinToString()})) it else Glass(it, $layers) }) }",
 )
 
 /**

@@ -4,6 +4,7 @@ import dev.lazyz.Capability
 import dev.lazyz.RenderOptions
 import dev.lazyz.conformance.cases.ALL_GLASS
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.Multitude
 import dev.lazyz.conformance.cases.changed.MILLIONS
 import dev.lazyz.conformance.cases.changed.behindMillions
 import dev.lazyz.conformance.cases.changed.renumbered
@@ -72,6 +73,21 @@ public sealed interface SizeRules : RulesForOne {
         Judgement(renderer(), case).equalsReference()
     }
 
+    /** Tens of thousands of spans in one row of a primitive. Also blended, by renderers that blend. */
+    @Rule(
+        intent = "A primitive can have as many spans in a row as there are columns, and a row as many edges.",
+        look = "Look for numbers of spans, edges or intervals that are packed into fewer than 18 bits.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_2_3_tensOfThousandsOfSpansAreDrawn() {
+        val renderer = renderer()
+        val isBlending = Capability.TRANSPARENCY in renderer.capabilities
+        for (isTranslucent in if (isBlending) listOf(false, true) else listOf(false)) {
+            val multitude = Multitude.ofSpans(isTranslucent)
+            Judgement(renderer, multitude.case).equalsPicture(multitude.image)
+        }
+    }
+
     /** Dozens of primitives at one sample. Also blended, by renderers that blend. */
     @Rule(
         intent = "The visible fragment is the minimum of any number of fragments, in any order.",
@@ -96,16 +112,37 @@ public sealed interface SizeRules : RulesForOne {
         Judgement(renderer(), case).equalsReference()
     }
 
-    /** Dozens of layers, each nearly transparent. */
+    /** Dozens of layers, each nearly transparent; some of them may be opaque. */
     @Rule(
         intent = "Blending includes every fragment that shows through, however many there are.",
         look = "Look for a limit on the number of layers, and for fragments that are merged or dropped to save memory.",
     )
     @Property(tries = 12, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_5_5_dozensOfThinLayersBlend(@ForAll(supplier = DozensOfLayersCases::class) case: FrameCase) {
+    public fun rule_5_5_dozensOfThinLayersBlend(
+        @ForAll(supplier = DozensOfLayersCases::class) case: FrameCase,
+        @ForAll salt: Int,
+    ) {
         val renderer = renderer()
         requireDeclared(renderer, Capability.TRANSPARENCY)
-        Judgement(renderer, case.thin(case.frame.primitives.size)).equalsReference()
+        val layers = case.frame.primitives.size
+        Judgement(renderer, case.thin(layers)).equalsReference()
+
+        // An opaque primitive hides layers that came before it, however many stay visible
+        val opaque = setOf(Math.floorMod(salt, layers), layers - 1)
+        Judgement(renderer, case.thin(layers, opaque)).equalsReference()
+    }
+
+    /** Many layers at many samples: more fragments at once than fit into small buffers. */
+    @Rule(
+        intent = "Blending includes all fragments of a tile, a band or a picture, however many there are.",
+        look = "Look for a store of fragments that is full, and for positions in it in 16 bits.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_5_5_millionFragmentsBlend() {
+        val renderer = renderer()
+        requireDeclared(renderer, Capability.TRANSPARENCY)
+        val multitude = Multitude.ofFragments()
+        Judgement(renderer, multitude.case).equalsPicture(multitude.image)
     }
 
     /** A thousand layers, each nearly transparent, at each of a few samples. */

@@ -8,6 +8,7 @@ import dev.lazyz.conformance.probes.threads.Where
 import dev.lazyz.conformance.probes.threads.completesOrThrowsIfInterrupted
 import dev.lazyz.conformance.probes.threads.countsEachTileOnce
 import dev.lazyz.conformance.probes.threads.countsInACrowd
+import dev.lazyz.conformance.probes.threads.finishesIfWorkersAreInterrupted
 import dev.lazyz.conformance.probes.threads.makesNoLateQueries
 import dev.lazyz.conformance.probes.threads.passesOnFailuresOfWorkers
 import dev.lazyz.conformance.probes.threads.rightInACrowd
@@ -51,6 +52,16 @@ public sealed interface WorkerRules : RulesForOne {
     public fun rule_7_1_interruptedCallersGetNoHalfPicture() {
         val renderer = renderer().configured(FOUR_THREADS)
         for (isBefore in listOf(true, false)) completesOrThrowsIfInterrupted(renderer, isBefore)
+    }
+
+    /** The renderer's own threads may be interrupted, for example by the code of a primitive, without any effect. */
+    @Rule(
+        intent = "An interrupt of a thread that works for the renderer is not the caller's, and changes nothing.",
+        look = "Look for loops of worker threads that end when the thread is interrupted, and for waits that do.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_8_interruptedWorkersFinishTheirWork() {
+        finishesIfWorkersAreInterrupted(renderer().configured(FOUR_THREADS))
     }
 
     /** Threads of one rendering that work on the same sample, or query at the same time, lose nothing. */

@@ -13,8 +13,8 @@ import dev.lazyz.strategies.tiled.raster.TileGrid
 
 /**
  * Upper bounds of the memory that [Tiled] takes for a frame in memory, in bytes, from the bounds of its primitives.
- * What
- * is hidden counts like what is visible, so a scene of many layers takes less. Cost: one pass over all primitives.
+ * What is hidden counts like what is visible, so a scene of many layers takes less. Cost: one pass over all
+ * primitives.
  *
  * @param threads number of threads, including the calling thread
  */

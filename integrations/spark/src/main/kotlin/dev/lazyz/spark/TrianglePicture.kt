@@ -25,6 +25,7 @@ import org.apache.spark.sql.Dataset
 import org.apache.spark.sql.Row
 import org.apache.spark.sql.functions.col
 import org.apache.spark.storage.StorageLevel
+import scala.Tuple2
 
 /** Where work is sorted by what is in front, see [TrianglePicture]. */
 public enum class SortOrder {
@@ -46,8 +47,7 @@ public enum class SortedShading {
 
 /**
  * A picture of a Dataset of triangles, see [TriangleTable], which may be larger than the memory of any machine. The
- * bits
- * are those of one JVM with all triangles in one `Mesh`.
+ * bits are those of one JVM with all triangles in one `Mesh`.
  *
  * ```
  * val triangles = TriangleTable.readStl(spark, "scan.stl")
@@ -57,14 +57,12 @@ public enum class SortedShading {
  * ```
  *
  * The fragments of a sample are merged by the minimum of their keys, which is associative and commutative (contract
- * rule
- * 5.1); so partitions, their order, failures and repeated tasks have no effect on the picture.
+ * rule 5.1); so partitions, their order, failures and repeated tasks have no effect on the picture.
  *
  * A fitted camera needs about 30 jobs over all triangles, when it is first needed. Cache the Dataset, or give the scene
- * a
- * [dev.lazyz.world.Camera], which needs one. Memory of a task: 131,072 triangles, which take some 50 MB while they are
- * drawn, and for [SortOrder.LAST] bands at 12 bytes a sample, up to a fifth of the heap for all tasks of an executor.
- * Thread safe.
+ * a [dev.lazyz.world.Camera], which needs one. Memory of a task: 131,072 triangles, which take some 50 MB while they
+ * are drawn, and for [SortOrder.LAST] bands at 12 bytes a sample, up to a fifth of the heap for all tasks of an
+ * executor. Thread safe.
  *
  * @param triangles a table of triangles
  * @property width number of columns
@@ -122,26 +120,35 @@ public class TrianglePicture @JvmOverloads constructor(
     @Throws(IOException::class)
     public fun render(sink: RowSink): TriangleReport {
         requireOpaque()
-        val known = setUp
-        val broadcast: Broadcast<PictureSetUp> = context.broadcast(known)
-        val used = chosen
-        val bands = bands(used, broadcast).sortByKey().persist(StorageLevel.DISK_ONLY())
+        val broadcast: Broadcast<PictureSetUp> = context.broadcast(setUp)
         try {
-            bands.count()
-            val report = TriangleReport.Builder(used, shading)
-            var next = 0
-            for (band in bands.toLocalIterator()) {
-                while (next < band._1()) background(known, next++, sink)
-                pass(band._2(), sink)
-                report.add(band._2().pixels.counters, band._2().moved)
-                next++
+            val used = chosen
+            val bands = bands(used, broadcast).sortByKey().persist(StorageLevel.DISK_ONLY())
+            try {
+                bands.count()
+                return handOut(bands.toLocalIterator(), TriangleReport.Builder(used, shading), sink)
+            } finally {
+                bands.unpersist(false)
             }
-            while (next < known.bands) background(known, next++, sink)
-            return report.build(extent.parts.sumOf { it.triangles })
         } finally {
-            bands.unpersist(false)
             broadcast.destroy()
         }
+    }
+
+    private fun handOut(
+        bands: Iterator<Tuple2<Int, FinishedBand>>,
+        report: TriangleReport.Builder,
+        sink: RowSink,
+    ): TriangleReport {
+        var next = 0
+        for (band in bands) {
+            while (next < band._1()) background(setUp, next++, sink)
+            pass(band._2(), sink)
+            report.add(band._2().pixels.counters, band._2().moved)
+            next++
+        }
+        while (next < setUp.bands) background(setUp, next++, sink)
+        return report.build(extent.parts.sumOf { it.triangles })
     }
 
     private fun bands(used: SortOrder, broadcast: Broadcast<PictureSetUp>): JavaPairRDD<Int, FinishedBand> =

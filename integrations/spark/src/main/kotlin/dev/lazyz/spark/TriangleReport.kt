@@ -9,8 +9,7 @@ import dev.lazyz.Counters
  * @property shading when colours were computed
  * @property counters the work of all tasks
  * @property movedBytes bytes of fragments or triangles that crossed from task to task, before Spark compressed them;
- *   not
- *   counted are finished rows on their way to the driver
+ *   not counted are finished rows on their way to the driver
  */
 public class TriangleReport internal constructor(
     public val order: SortOrder,

@@ -59,8 +59,7 @@ public object TriangleTable {
      * @param path a path or URI, as for Spark's own sources
      * @param partitionBytes bytes of the file that a partition reads
      * @throws dev.lazyz.scenes.SceneFormatException if the file cannot be read or is not of this kind; or, in a task,
-     *   if
-     *   a face is not a triangle
+     *   if a face is not a triangle
      */
     @JvmStatic
     @JvmOverloads

@@ -72,6 +72,14 @@ internal fun completesOrThrowsIfInterrupted(renderer: Renderer, isBefore: Boolea
     Judgement(renderer, quiet, "a thread that is interrupted $moment").fail(what, rendering.thrown)
 }
 
+/** Fails unless [renderer] returns the whole picture though a primitive interrupts its own threads. */
+internal fun finishesIfWorkersAreInterrupted(renderer: Renderer) {
+    val quiet = Workers.quiet()
+    val workers = Workers(Thread.currentThread()) { Thread.currentThread().interrupt() }
+    Judgement(renderer, FrameCase(workers.frame, "$quiet, which interrupt other threads than the caller"))
+        .equalsPictureOf(ReferenceRenderer())
+}
+
 /** Milliseconds after which the rendering of a small frame counts as hanging. */
 private const val PATIENCE = 20_000L
 

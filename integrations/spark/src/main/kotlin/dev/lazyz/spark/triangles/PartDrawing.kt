@@ -116,12 +116,15 @@ internal class PartDrawing(
 
         /** Returns the triangles that can cover samples of each band, by the number of the band. */
         fun byBand(): Map<Int, TriangleChunk> {
-            val numbers = HashMap<Int, ArrayList<Int>>()
-            for (triangle in 0 until chunk.size) {
-                val region = region(3 * triangle, 3 * triangle + 3) ?: continue
-                for (band in setUp.bands(region)) numbers.getOrPut(band) { ArrayList() }.add(triangle)
+            val bands = Array(chunk.size) { region(3 * it, 3 * it + 3)?.let(setUp::bands) ?: IntRange.EMPTY }
+            val counts = IntArray(setUp.bands)
+            for (range in bands) for (band in range) counts[band]++
+            val numbers = counts.indices.filter { counts[it] > 0 }.associateWith { IntArray(counts[it]) }
+            counts.fill(0)
+            for ((triangle, range) in bands.withIndex()) {
+                for (band in range) numbers.getValue(band)[counts[band]++] = triangle
             }
-            return numbers.mapValues { chunk.select(it.value.toIntArray()) }
+            return numbers.mapValues { (_, some) -> chunk.select(some) }
         }
     }
 

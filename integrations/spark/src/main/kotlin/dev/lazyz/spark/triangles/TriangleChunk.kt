@@ -18,7 +18,7 @@ internal class TriangleChunk private constructor(private val indices: IntArray, 
     /** Returns the triangles as a mesh. */
     fun mesh(): Mesh = Mesh(corners, IntArray(3 * size) { it })
 
-    /** Returns the triangles with these numbers, which ascend. */
+    /** Returns the triangles with these numbers, in this order, whose indices must ascend. */
     fun select(numbers: IntArray): TriangleChunk {
         val some = FloatArray(9 * numbers.size)
         for ((to, from) in numbers.withIndex()) corners.copyInto(some, 9 * to, 9 * from, 9 * from + 9)
@@ -34,28 +34,37 @@ internal class TriangleChunk private constructor(private val indices: IntArray, 
         /** Bytes of a triangle. */
         const val BYTES: Int = 40
 
-        /** Returns [rows], which have an index and nine numbers, in chunks. */
-        fun chunks(rows: Iterator<Row>): Sequence<TriangleChunk> = rows.asSequence().chunked(MOST, ::of)
+        private const val LEAST = 64
 
-        private fun of(rows: List<Row>): TriangleChunk {
-            val indices = IntArray(rows.size)
-            val corners = FloatArray(9 * rows.size)
-            for ((number, row) in rows.sortedBy { it.getLong(0) }.withIndex()) {
+        /** Returns [rows], which have an index and nine numbers, in chunks. */
+        fun chunks(rows: Iterator<Row>): Sequence<TriangleChunk> = sequence { while (rows.hasNext()) yield(next(rows)) }
+
+        private fun next(rows: Iterator<Row>): TriangleChunk {
+            var indices = IntArray(LEAST)
+            var corners = FloatArray(9 * LEAST)
+            var size = 0
+            while (size < MOST && rows.hasNext()) {
+                if (size == indices.size) {
+                    indices = indices.copyOf(2 * size)
+                    corners = corners.copyOf(9 * indices.size)
+                }
+                val row = rows.next()
                 val index = row.getLong(0)
                 require(index in 0..Int.MAX_VALUE - 2L) { "the index of a triangle must be in 0..2^31-3: $index" }
-                indices[number] = index.toInt()
-                for (i in 0 until 9) corners[9 * number + i] = row.getFloat(1 + i)
+                indices[size] = index.toInt()
+                for (i in 0 until 9) corners[9 * size + i] = row.getFloat(1 + i)
+                size++
             }
-            return TriangleChunk(indices, corners)
+            return inOrder(TriangleChunk(indices.copyOf(size), corners.copyOf(9 * size)))
         }
 
         /** Returns the triangles of all [chunks], in chunks. */
-        fun merged(chunks: Iterable<TriangleChunk>): Sequence<TriangleChunk> = sequence {
-            var waiting = ArrayList<TriangleChunk>()
+        fun merged(chunks: Iterator<TriangleChunk>): Sequence<TriangleChunk> = sequence {
+            val waiting = ArrayList<TriangleChunk>()
             for (chunk in chunks) {
                 if (waiting.sumOf { it.size } + chunk.size > MOST && waiting.isNotEmpty()) {
                     yield(joined(waiting))
-                    waiting = ArrayList()
+                    waiting.clear()
                 }
                 waiting += chunk
             }
@@ -63,14 +72,24 @@ internal class TriangleChunk private constructor(private val indices: IntArray, 
         }
 
         private fun joined(chunks: List<TriangleChunk>): TriangleChunk {
-            val order = chunks.flatMapIndexed { c, chunk -> chunk.indices.indices.map { c to it } }
-                .sortedBy { (c, number) -> chunks[c].indices[number] }
-            val corners = FloatArray(9 * order.size)
-            for ((to, place) in order.withIndex()) {
-                val (c, from) = place
-                chunks[c].corners.copyInto(corners, 9 * to, 9 * from, 9 * from + 9)
+            val indices = IntArray(chunks.sumOf { it.size })
+            val corners = FloatArray(9 * indices.size)
+            var size = 0
+            for (chunk in chunks) {
+                chunk.indices.copyInto(indices, size)
+                chunk.corners.copyInto(corners, 9 * size)
+                size += chunk.size
             }
-            return TriangleChunk(IntArray(order.size) { chunks[order[it].first].indices[order[it].second] }, corners)
+            return inOrder(TriangleChunk(indices, corners))
+        }
+
+        /** Returns [chunk], whose indices are in any order, with indices that ascend. */
+        private fun inOrder(chunk: TriangleChunk): TriangleChunk {
+            val indices = chunk.indices
+            if ((1 until indices.size).all { indices[it - 1] <= indices[it] }) return chunk
+            val places = LongArray(indices.size) { indices[it].toLong() shl Int.SIZE_BITS or it.toLong() }
+            places.sort()
+            return chunk.select(IntArray(places.size) { places[it].toInt() })
         }
     }
 }

@@ -7,6 +7,8 @@ import dev.lazyz.spark.triangles.TriangleChunk
 import org.apache.spark.Partitioner
 import org.apache.spark.api.java.JavaPairRDD
 import org.apache.spark.api.java.JavaRDD
+import org.apache.spark.api.java.JavaSparkContext
+import org.apache.spark.api.java.function.Function
 import org.apache.spark.api.java.function.Function2
 import org.apache.spark.api.java.function.PairFlatMapFunction
 import org.apache.spark.api.java.function.PairFunction
@@ -16,25 +18,26 @@ import scala.Tuple2
 
 /**
  * Each partition draws its triangles, and the nearest fragments of all are merged in a tree: eight parts of a band at a
- * time ("sort-last"). With lazy shading only keys are merged; then the triangles that are visible are sent to their
- * bands, and drawn again with colours: each visible sample is shaded once, and no colour crosses the network before.
+ * time ("sort-last"). With lazy shading only keys are merged. Then all tasks get the list of visible triangles, send
+ * these to their bands, and the bands are drawn again with colours: each visible sample is shaded once, and no colour
+ * crosses the network before.
  *
  * Source: Steven Molnar, Michael Cox, David Ellsworth, Henry Fuchs, "A Sorting Classification of Parallel Rendering",
  * IEEE Computer Graphics and Applications 14 (1994); Michael Deering et al., "The Triangle Processor and Normal Vector
  * Shader", SIGGRAPH 1988, for shading after visibility.
  */
 internal class SortLast(private val rows: JavaRDD<Row>, private val setUp: Broadcast<PictureSetUp>) {
-    /** Returns the bands that show triangles. */
+    private val context = JavaSparkContext.fromSparkContext(rows.context())
+
+    /** Returns the bands that show triangles. With lazy shading, the keys are merged now. */
     fun bands(isLazy: Boolean): JavaPairRDD<Int, FinishedBand> {
         val merged = tree(!isLazy)
         if (!isLazy) return merged.mapToPair(FinishBand(MergeParts(setUp, true)))
 
-        // Two outputs of one job: keep the keys, so that they are merged once
-        val visible = merged.flatMapToPair(VisibleIndices(MergeParts(setUp, false)))
-        val triangles = rows.mapToPair(ByIndex())
-        val shown = visible.join(triangles).mapToPair(ByBand()).groupByKey()
-        val costs = merged.mapToPair(CostOf(MergeParts(setUp, false)))
-        return shown.join(costs).mapToPair(ShadeBand(setUp))
+        val visible = merged.map(VisibleInBand(MergeParts(setUp, false))).collect()
+        val broadcast = context.broadcast(VisibleTriangles(visible))
+        return BandTriangles(setUp, rows.mapPartitionsToPair(SelectVisible(broadcast)))
+            .drawn(broadcast, Int.SIZE_BYTES + TriangleChunk.BYTES)
     }
 
     /** Returns the last parts to be merged, by band. */
@@ -174,23 +177,13 @@ private class FinishBand(private val merge: MergeParts) :
     }
 }
 
-/** Returns the indices of the triangles that a band shows, each with the band. */
-private class VisibleIndices(private val merge: MergeParts) :
-    PairFlatMapFunction<Tuple2<Int, Iterable<BandPart>>, Long, Int> {
-    override fun call(parts: Tuple2<Int, Iterable<BandPart>>): Iterator<Tuple2<Long, Int>> =
-        merge.merged(parts._1(), parts._2()).samples.visible().asSequence()
-            .map { Tuple2(it.toLong(), parts._1()) }.iterator()
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
-}
-
-/** Returns what merging the keys of a band took. */
-private class CostOf(private val merge: MergeParts) : PairFunction<Tuple2<Int, Iterable<BandPart>>, Int, LongArray> {
-    override fun call(parts: Tuple2<Int, Iterable<BandPart>>): Tuple2<Int, LongArray> {
-        val moved = parts._2().sumOf { it.moved + it.runs.size }
-        return Tuple2(parts._1(), BandPart.sum(parts._2().map { it.work }) + moved)
+/** Returns the indices of the triangles that a band shows. */
+private class VisibleInBand(private val merge: MergeParts) :
+    Function<Tuple2<Int, Iterable<BandPart>>, VisibleTriangles.OfBand> {
+    override fun call(parts: Tuple2<Int, Iterable<BandPart>>): VisibleTriangles.OfBand {
+        val merged = merge.merged(parts._1(), parts._2())
+        val cost = VisibleTriangles.Cost(merged.moved, merged.work)
+        return VisibleTriangles.OfBand(parts._1(), merged.samples.visible(), cost)
     }
 
     private companion object {
@@ -198,40 +191,13 @@ private class CostOf(private val merge: MergeParts) : PairFunction<Tuple2<Int, I
     }
 }
 
-private class ByIndex : PairFunction<Row, Long, Row> {
-    override fun call(row: Row): Tuple2<Long, Row> = Tuple2(row.getLong(0), row)
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
-}
-
-private class ByBand : PairFunction<Tuple2<Long, Tuple2<Int, Row>>, Int, Row> {
-    override fun call(shown: Tuple2<Long, Tuple2<Int, Row>>): Tuple2<Int, Row> = shown._2()
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
-}
-
-/** Draws the visible triangles of a band, with colours. */
-private class ShadeBand(private val setUp: Broadcast<PictureSetUp>) :
-    PairFunction<Tuple2<Int, Tuple2<Iterable<Row>, LongArray>>, Int, FinishedBand> {
-    override fun call(band: Tuple2<Int, Tuple2<Iterable<Row>, LongArray>>): Tuple2<Int, FinishedBand> {
-        val known = setUp.value()
-        val drawing = known.drawing()
-        val samples = BandSamples(drawing.raster, known.region(band._1()))
-        var triangles = 0L
-        for (chunk in TriangleChunk.chunks(band._2()._1().iterator())) {
-            drawing.part(chunk).draw(samples, isShaded = true)
-            triangles += chunk.size
-        }
-        val keys = band._2()._2()
-        val work = BandPart.sum(listOf(keys.copyOf(keys.size - 1), BandPart.work(drawing.work())))
-
-        // The index of a triangle goes to its partition, and the triangle comes back
-        val moved = keys.last() + triangles * (Long.SIZE_BYTES + Int.SIZE_BYTES + TriangleChunk.BYTES)
-        return Tuple2(band._1(), FinishedBand.of(samples, moved, work))
+/** Returns the triangles of a partition that are visible, each for its bands. */
+private class SelectVisible(private val visible: Broadcast<VisibleTriangles>) :
+    PairFlatMapFunction<Iterator<Row>, Int, TriangleChunk> {
+    override fun call(rows: Iterator<Row>): Iterator<Tuple2<Int, TriangleChunk>> {
+        val known = visible.value()
+        return TriangleChunk.chunks(rows)
+            .flatMap { chunk -> known.byBand(chunk).map { (band, some) -> Tuple2(band, some) } }.iterator()
     }
 
     private companion object {

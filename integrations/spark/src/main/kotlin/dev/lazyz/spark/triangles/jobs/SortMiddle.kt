@@ -1,12 +1,10 @@
 package dev.lazyz.spark.triangles.jobs
 
-import dev.lazyz.spark.triangles.BandSamples
 import dev.lazyz.spark.triangles.PictureSetUp
 import dev.lazyz.spark.triangles.TriangleChunk
 import org.apache.spark.api.java.JavaPairRDD
 import org.apache.spark.api.java.JavaRDD
 import org.apache.spark.api.java.function.PairFlatMapFunction
-import org.apache.spark.api.java.function.PairFunction
 import org.apache.spark.broadcast.Broadcast
 import org.apache.spark.sql.Row
 import scala.Tuple2
@@ -20,7 +18,7 @@ import scala.Tuple2
 internal class SortMiddle(private val rows: JavaRDD<Row>, private val setUp: Broadcast<PictureSetUp>) {
     /** Returns the bands that show triangles. */
     fun bands(): JavaPairRDD<Int, FinishedBand> =
-        rows.mapPartitionsToPair(BinTriangles(setUp)).groupByKey().mapToPair(DrawBand(setUp))
+        BandTriangles(setUp, rows.mapPartitionsToPair(BinTriangles(setUp))).drawn(null, TriangleChunk.BYTES)
 }
 
 private class BinTriangles(private val setUp: Broadcast<PictureSetUp>) :
@@ -29,25 +27,6 @@ private class BinTriangles(private val setUp: Broadcast<PictureSetUp>) :
         val drawing = setUp.value().drawing()
         return TriangleChunk.chunks(rows)
             .flatMap { chunk -> drawing.part(chunk).byBand().map { (band, some) -> Tuple2(band, some) } }.iterator()
-    }
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
-}
-
-private class DrawBand(private val setUp: Broadcast<PictureSetUp>) :
-    PairFunction<Tuple2<Int, Iterable<TriangleChunk>>, Int, FinishedBand> {
-    override fun call(band: Tuple2<Int, Iterable<TriangleChunk>>): Tuple2<Int, FinishedBand> {
-        val known = setUp.value()
-        val drawing = known.drawing()
-        val samples = BandSamples(drawing.raster, known.region(band._1()))
-        var moved = 0L
-        for (chunk in TriangleChunk.merged(band._2())) {
-            drawing.part(chunk).draw(samples, isShaded = true)
-            moved += chunk.size.toLong() * TriangleChunk.BYTES
-        }
-        return Tuple2(band._1(), FinishedBand.of(samples, moved, BandPart.work(drawing.work())))
     }
 
     private companion object {

@@ -36,8 +36,7 @@ internal class PartFacts(val triangles: Long, val greatestIndex: Long, private v
 
 /**
  * All triangles as one surface, for a camera that is fitted: it knows where they are. Its answers are those of a mesh
- * in
- * memory. Each new direction is a job of Spark over all triangles.
+ * in memory. Each new direction is a job of Spark over all triangles.
  *
  * @param rows the triangles
  * @property parts what is known of each partition

@@ -1,0 +1,98 @@
+package dev.lazyz.conformance.cases
+
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Fragment
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Rgba
+import dev.lazyz.Spans
+import dev.lazyz.conformance.oracle.BlendedSample
+
+/**
+ * A frame of many spans or fragments, and its picture, which is known without looking at each primitive at each sample:
+ * all rows are equal. Immutable and thread safe.
+ *
+ * @param combs the primitives, in the order of submission, at different depths
+ * @param what what there are many of, for messages
+ */
+internal class Multitude private constructor(width: Int, height: Int, private val combs: List<Comb>, what: String) {
+    val case: FrameCase = FrameCase(Frame(Raster(width, height), combs), "/* $what, on $width x $height samples */")
+
+    /** The right picture. */
+    val image: Image by lazy {
+        val row = List(width) { x -> combs.indices.filter { combs[it].covers(x) }.sortedBy { combs[it].depth } }
+        val colors = IntArray(width) { x -> color(row[x]) }
+        val nearest = IntArray(width) { x -> row[x].firstOrNull() ?: DepthTest.BACKGROUND }
+        val depths = IntArray(width) { x -> row[x].firstOrNull()?.let { combs[it].depth } ?: raster.backgroundDepth }
+        fun rows(one: IntArray) = IntArray(width * height) { one[it % width] }
+        Image(width, height, rows(colors), rows(depths), rows(nearest), Counters.NONE)
+    }
+
+    private val raster: Raster get() = case.frame.raster
+
+    private fun color(nearestFirst: List<Int>): Int {
+        val layers = nearestFirst.map { combs[it] }
+        return BlendedSample.of(
+            layers.map { comb -> BlendedSample.Layer(comb.isTranslucent) { comb.color } }, raster.background,
+        ).toArgb()
+    }
+
+    /** Covers every [step]th column from [first] on at one [depth]. */
+    private class Comb(
+        private val width: Int,
+        override val rowEnd: Int,
+        private val first: Int,
+        private val step: Int,
+        val depth: Int,
+        val color: Rgba,
+        override val isTranslucent: Boolean,
+    ) : Primitive {
+        override val rowStart: Int get() = 0
+        override val columnStart: Int get() = first
+        override val columnEnd: Int get() = width
+        override val leastDepth: Int get() = depth
+        override val greatestDepth: Int get() = depth
+
+        fun covers(x: Int): Boolean = x >= first && (x - first) % step == 0
+
+        override fun spans(y: Int, spans: Spans) {
+            if (y !in 0..<rowEnd) return
+            if (step == 1) spans.add(first, width) else for (x in first until width step step) spans.add(x, x + 1)
+        }
+
+        override fun depth(x: Int, y: Int): Int = depth
+
+        override fun shade(fragment: Fragment): Unit =
+            with(color) { fragment.setColor(red, green, blue, alpha) }
+    }
+
+    companion object {
+        private const val WIDE = 100_003
+        private const val SIDE = 150
+        private const val LAYERS = 70
+        private const val SHARE = 37
+        private const val DISTANCE = 1 shl 16
+
+        /** A row of a hundred thousand samples, and primitives of up to 50,001 spans in it. */
+        fun ofSpans(isTranslucent: Boolean): Multitude {
+            val combs = listOf(0 to 3, 1 to 2, 2 to 7).mapIndexed { i, (first, step) ->
+                val color = Rgba(0.2f + 0.3f * i, 0.8f - 0.2f * i, 0.5f, if (isTranslucent) 0.5f else 1f)
+                Comb(WIDE, 1, first, step, (3 - i) * DISTANCE, color, isTranslucent)
+            }
+            return Multitude(WIDE, 1, combs, "primitives of tens of thousands of spans in a row")
+        }
+
+        /** More than a million fragments of thin layers, whose order of submission is not that of depth. */
+        fun ofFragments(): Multitude {
+            val combs = List(LAYERS) { i ->
+                val layer = i * SHARE % LAYERS
+                val color = Rgba(layer / 70f, 1f - layer / 70f, 0.5f, 1f / LAYERS)
+                Comb(SIDE, SIDE, 0, 1, (layer + 1) * DISTANCE, color, isTranslucent = true)
+            }
+            return Multitude(SIDE, SIDE, combs, "$LAYERS thin layers")
+        }
+    }
+}
