@@ -2,8 +2,11 @@ package dev.lazyz.conformance.broken
 
 import dev.lazyz.Capability
 import dev.lazyz.Cell
+import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
 import dev.lazyz.Selector
+import dev.lazyz.Spans
+import dev.lazyz.conformance.cases.changed.Recovered
 import dev.lazyz.strategies.lazy.LazyZBuffer
 import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.tiled.Tiled
@@ -94,5 +97,25 @@ internal object BrokenFailures {
         val counters = Tiled(options).render(frame, sink)
         val isTwice = options.threads > 1 && frame.region.size > 60_000 && ThreadLocalRandom.current().nextInt(5) == 0
         if (isTwice) counters.toBuilder().apply { fragments += 64 }.build() else counters
+    }
+
+    fun stopsInterruptedWorkers(): BrokenRenderer = stopsInterruptedWorkers(RenderOptions(threads = 1))
+
+    private fun stopsInterruptedWorkers(options: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "stops-interrupted-workers",
+        setOf(Capability.PARALLEL),
+        { stopsInterruptedWorkers(it) },
+    ) { frame, sink ->
+        require(!frame.hasTranslucency) { "does not blend: make primitive 0 opaque" }
+        val caller = Thread.currentThread()
+        val left = frame.primitives.map { primitive ->
+            object : Recovered(primitive) {
+                override fun spans(y: Int, spans: Spans) {
+                    val thread = Thread.currentThread()
+                    if (thread === caller || !thread.isInterrupted) primitive.spans(y, spans)
+                }
+            }
+        }
+        Tiled(options).render(Frame(frame.raster, left, frame.region), sink)
     }
 }

@@ -36,10 +36,15 @@ object BrokenSizes {
         Image(image.region, argb, image.depth, image.primitive, image.counters)
     }
 
-    fun sixteenSpans() = primitives("sixteen-spans-in-a-row") {
+    fun sixteenSpans() = spans("sixteen-spans-in-a-row", 16)
+
+    fun spansIn14Bits() = spans("spans-in-14-bits", 1 shl 14)
+
+    /** Uses at most [most] spans in a row of a primitive. */
+    private fun spans(id: String, most: Int) = primitives(id) {
         object : Misread(it) {
             override fun misread(from: Spans, to: Spans) {
-                for (i in 0 until minOf(from.count, 16)) to.add(from.start(i), from.end(i))
+                for (i in 0 until minOf(from.count, most)) to.add(from.start(i), from.end(i))
             }
         }
     }
@@ -48,11 +53,31 @@ object BrokenSizes {
 
     fun layersInAByte() = layers("layers-in-a-byte", 255)
 
-    fun blends32Layers() = BrokenRenderer("blends-32-layers", setOf(Capability.TRANSPARENCY)) { frame, sink ->
-        val selector = Selector { cell -> Selector.blend().select(First(cell)) }
-        val chosen = if (frame.hasTranslucency) selector else Selector.nearest()
-        Lists(RenderOptions(selector = chosen)).render(frame, sink)
+    fun blends32Layers() = blending("blends-32-layers") { { cell -> First(cell, 32) } }
+
+    /** A picture has room for so many fragments, and further ones are lost. */
+    fun blendsAMillionFragments() = blending("blends-a-million-fragments") {
+        var room = 1_000_000
+        { cell -> First(cell, cell.size.coerceIn(1, maxOf(room, 1))).also { room -= cell.size } }
     }
+
+    /** When an opaque fragment arrives, at most eight of the layers before it are looked at. */
+    fun keepsEightLayers() = blending("keeps-eight-layers") {
+        { cell ->
+            val opaque = (0 until cell.size).firstOrNull { !cell.isTranslucent(it) } ?: 0
+            val isLate = (0 until opaque).count { cell.primitive(it) < cell.primitive(opaque) } > 8
+            if (isLate) First(cell, 8) else cell
+        }
+    }
+
+    /** Blends what is left of the cells of a frame. */
+    private fun blending(id: String, left: () -> (Cell) -> Cell) =
+        BrokenRenderer(id, setOf(Capability.TRANSPARENCY)) { frame, sink ->
+            val change = left()
+            val selector = Selector { cell -> Selector.blend().select(change(cell)) }
+            val chosen = if (frame.hasTranslucency) selector else Selector.nearest()
+            Lists(RenderOptions(selector = chosen)).render(frame, sink)
+        }
 
     fun indexThroughAFloat() = painting("index-through-a-float") { image, _ ->
         image.renumbered { it.toFloat().toInt() }
@@ -60,8 +85,8 @@ object BrokenSizes {
 
     fun indexIn24Bits() = painting("index-in-24-bits") { image, _ -> image.renumbered { it and 0xFFFFFF } }
 
-    private class First(private val cell: Cell) : Cell by cell {
-        override val size: Int get() = minOf(cell.size, 32)
+    private class First(private val cell: Cell, private val most: Int) : Cell by cell {
+        override val size: Int get() = minOf(cell.size, most)
     }
 
     /** Uses at most [most] fragments at a sample. */

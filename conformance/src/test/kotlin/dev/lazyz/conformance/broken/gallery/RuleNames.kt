@@ -26,6 +26,7 @@ internal object RuleNames {
     val unset = RendererConformance::rule_6_1_coloursThatAreNotSetAreBlack.name
     val packed = RendererConformance::rule_6_4_coloursOfAnyBrightnessArePacked.name
     val workers = RendererConformance::rule_7_1_failuresInThreadsReachTheCaller.name
+    val finish = RendererConformance::rule_7_8_interruptedWorkersFinishTheirWork.name
     val late = RendererConformance::rule_7_1_primitivesAreNotCalledAfterTheEnd.name
     val halfDone = RendererConformance::rule_7_1_interruptedCallersGetNoHalfPicture.name
     val showing = RendererConformance::rule_8_2_blendedFragmentsAreShadedOnlyIfVisible.name
@@ -39,6 +40,8 @@ internal object RuleNames {
     val tiles = RendererConformance::rule_1_1_rastersOfSeveralTilesAreDrawnCorrectly.name
     val far = RendererConformance::rule_1_1_columnsAndRowsAreNotTruncated.name
     val manySpans = RendererConformance::rule_2_3_allSpansOfARowAreDrawn.name
+    val tensOfThousands = RendererConformance::rule_2_3_tensOfThousandsOfSpansAreDrawn.name
+    val million = RendererConformance::rule_5_5_millionFragmentsBlend.name
     val deep = RendererConformance::rule_5_1_nearestOfDozensOfLayersIsVisible.name
     val thousands = RendererConformance::rule_5_1_nearestOfThousandsOfLayersIsVisible.name
     val thin = RendererConformance::rule_5_5_dozensOfThinLayersBlend.name

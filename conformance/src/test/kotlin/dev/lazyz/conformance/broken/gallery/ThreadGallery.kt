@@ -10,6 +10,7 @@ import dev.lazyz.conformance.broken.Crew
 import dev.lazyz.conformance.broken.Tools
 import dev.lazyz.conformance.broken.emit
 import dev.lazyz.conformance.broken.gallery.RuleNames.caller
+import dev.lazyz.conformance.broken.gallery.RuleNames.finish
 import dev.lazyz.conformance.broken.gallery.RuleNames.halfDone
 import dev.lazyz.conformance.broken.gallery.RuleNames.late
 import dev.lazyz.conformance.broken.gallery.RuleNames.lost
@@ -43,6 +44,7 @@ internal object ThreadGallery {
         ),
         Mutant(::leavesItsThreads, "an interrupted caller throws, and its threads continue", halfDone),
         Mutant(::addsTheOthers, "when several threads fail, the others' exceptions are added to the first", workers),
+        Mutant(BrokenFailures::stopsInterruptedWorkers, "a worker that is interrupted leaves its rows", finish),
         Mutant(BrokenFailures::claimsTilesTwice, "sometimes two threads draw the same tile", lostCounts),
         Mutant(::keepsRowsByWidth, "the arrays of a row are in a thread local, for all pictures of a width", nested),
         Mutant(::keepsAFragment, "the fragment is in a field, for all renderings", meets),
