@@ -7,7 +7,13 @@ package dev.lazyz
  * primitive sets the attributes at the sample; the [Shader] reads them and calls [setColor]. Attributes that the
  * surface does not have, or that its shading does not need, keep the default values given below. Not thread safe.
  */
-public class Fragment {
+public class Fragment internal constructor(
+    /** How many samples wide and high a step of the derivatives is: 1, or a pixel (contract rule 6.12). */
+    internal val footprintSide: Int,
+) {
+    /** Creates a fragment at the sample (0, 0). */
+    public constructor() : this(1)
+
     /** Column of the sample. */
     public var x: Int = 0
         private set
@@ -61,7 +67,8 @@ public class Fragment {
 
     /**
      * How [u] changes from this sample to the next column, for filters of textures. Set if the material has a texture
-     * with a `MipFilter`. Default 0.
+     * with a `MipFilter`. If shading is once a pixel (`ShadingRate.PIXEL`), the step is to the next column of pixels,
+     * likewise for rows. Default 0.
      */
     @JvmField
     public var dudx: Float = 0f
